@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hertz' circular contact of two smooth elastic bodies (model/README.md, section 3).
+#pragma once
+
+#include "tribo/real.hpp"
+
+namespace tribo {
+
+template <class T>
+struct HertzPoint {
+  T radius;         // a, m: a³ = 3FR/(4E*)
+  T nominal_area;   // A_nom = πa², m²
+  T mean_pressure;  // p̄ = F/A_nom, Pa
+  T peak_pressure;  // 3p̄/2, Pa
+  T approach;       // a²/R, m: of the two bodies
+};
+
+// load F > 0 in N, effective_modulus E* > 0 in Pa (1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂, not 2E*),
+// reduced_radius R > 0 in m. Error: 10 ε relative; overflow gives ∞ or NaN, underflow 0.
+template <class T>
+HertzPoint<T> hertz_point(const T& load, const T& effective_modulus, const T& reduced_radius) {
+  const T radius = cube_root(T(3 * load * reduced_radius / (4 * effective_modulus)));
+  const T nominal_area = pi<T>() * radius * radius;
+  const T mean_pressure = load / nominal_area;
+  return {radius, nominal_area, mean_pressure, 3 * mean_pressure / 2,
+          radius * radius / reduced_radius};
+}
+
+}  // namespace tribo

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// How asperities and film share the load (Johnson, Greenwood and Poon; Gelinck and Schipper;
+// model/README.md, section 6; paper, eqs 1.17 to 1.19 and 1.32). With λ₀ = h₀/σ_s:
+//
+//   A(λ) = (K F_p(λ−δ))^q,                     the load share of the asperities
+//   ln λ − ln λ₀ + 0.14 ln(1 − A(λ)) = 0       on {A < 1}: exactly one root λ.
+//
+// The floor λ_b solves A(λ_b) = 1; it exists where A(0) ≥ 1 and is 0 otherwise. With
+// w = (λ₀/λ)^{1/0.14}, the load share of the film at the root, q(λ) = A + w − 1 is decreasing and
+// convex (A″ ≥ 0 by Cauchy and Schwarz), and q ≥ 0 at max(λ₀, λ_b). Newton's steps from there rise
+// monotonically to the root: they never fail.
+#pragma once
+
+#include "tribo/asperity_contact.hpp"
+#include "tribo/film_thickness.hpp"
+
+namespace tribo {
+
+// 0.14, and its inverse.
+template <class T>
+T sharing_film_exponent() {
+  return ratio<T>(14, 100);
+}
+
+// The state of load sharing at one film.
+template <class T>
+struct LoadShares {
+  T film_parameter;  // λ
+  T asperity;        // A
+  T fluid;           // 1 − A, without the cancellation
+  int iterations;    // Newton steps that were taken
+};
+
+template <class T>
+class LoadSharing {
+ public:
+  // stiffness K ≥ 0, offset δ ≥ 0.
+  LoadSharing(AsperityModel model, const T& stiffness, const T& offset)
+      : order_(load_order(model)),
+        exponent_(sharing_exponent<T>(model)),
+        stiffness_(stiffness),
+        offset_(offset) {
+    find_floor();
+  }
+
+  const T& stiffness() const { return stiffness_; }
+  const T& offset() const { return offset_; }
+  bool has_floor() const { return has_floor_; }
+  // λ_b, 0 where there is none. Error: 20 ε × condition, which grows as A(0) → 1.
+  const T& floor() const { return floor_; }
+
+  // A(λ) = (K F_p(λ−δ))^q, not clipped at 1. Error: 500 ε.
+  T asperity_share(const T& film_parameter) const {
+    return share_of(moment_product(stiffness_, order_, T(film_parameter - offset_)));
+  }
+
+  // d ln A/d ln λ ≤ 0.
+  T asperity_share_slope(const T& film_parameter) const {
+    return film_parameter * exponent_ * asperities(T(film_parameter - offset_)).log_slope;
+  }
+
+  // The shares at a distance above the floor (λ = λ_b + distance; λ_b = 0 where there is no floor).
+  // Near a floor 1 − A comes from the Taylor series of F_p there, so that it does not cancel.
+  LoadShares<T> shares_above_floor(const T& distance) const {
+    const T lambda = floor_ + distance;
+    const T asperity = asperity_share(lambda);
+    if (!has_floor_ || asperity < ratio<T>(3, 4))
+      return {lambda, asperity, asperity < 1 ? T(1 - asperity) : T(0), 0};
+    const T fluid = fluid_share_near_floor(distance);
+    return {lambda, 1 - fluid, fluid, 0};
+  }
+
+  // ln of d(1−A)/dλ at the floor: 1 − A = e^this · distance while the distance is small.
+  T log_fluid_rate_at_floor() const {
+    using std::log;
+    return log(T(-exponent_ * asperities(T(floor_ - offset_)).log_slope));
+  }
+
+  // λ₀ of a film: λ(1−A)^0.14, from λ and its fluid share.
+  static T flooded_film_parameter(const T& film_parameter, const T& fluid_share) {
+    using std::pow;
+    return film_parameter * pow(fluid_share, sharing_film_exponent<T>());
+  }
+
+  // The root. λ₀ > 0. Error at well-conditioned points: 1e-13 in double. Never fails: λ₀ = ∞ gives
+  // λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b), and 0 ≤ A ≤ 1.
+  LoadShares<T> solve(const T& flooded_film_parameter) const {
+    using std::expm1;
+    const T& lambda0 = flooded_film_parameter;
+    if (!is_finite(lambda0) || !is_finite(floor_)) return at_infinity(lambda0);
+    const T p = 1 / sharing_film_exponent<T>();
+    T lambda = lambda0 < floor_ ? floor_ : lambda0;
+    int iterations = 0;
+    while (iterations < max_iterations) {
+      ++iterations;
+      const T d = lambda - offset_;
+      const Asperities at = asperities(d);
+      const T share = share_of(at.load_ratio);
+      const T fluid_less_one = expm1(T(p * log_ratio(lambda0, lambda)));
+      const T excess = share + fluid_less_one;
+      const T slope = p * (1 + fluid_less_one) - lambda * exponent_ * share * at.log_slope;
+      const T step = lambda * (excess / slope);
+      if (!(step > 0)) break;
+      lambda += step;
+      if (step < 2 * epsilon<T>() * lambda) break;
+    }
+    return shares(lambda0, lambda, iterations);
+  }
+
+  // Newton gains a factor of about 1.14 in λ a step where A stays near 1 (up to 45 steps in double,
+  // 130 in 50 digits), then converges quadratically.
+  static constexpr int max_iterations = 1000;
+
+ private:
+  // −expm1(q ln f), f = F_p(λ_b−δ+distance)/F_p(λ_b−δ). With f = Σ c_k distance^k, F″ = pF − dF′
+  // gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}.
+  T fluid_share_near_floor(const T& distance) const {
+    using std::abs;
+    using std::expm1;
+    using std::log1p;
+    const T d = floor_ - offset_;
+    T earlier = 1;
+    T current = asperities(d).log_slope;
+    T power = distance;
+    T change = current * power;
+    for (int k = 0; k < 400; ++k) {
+      const T next = ((value_of<T>(order_) - T(k)) * earlier / T(k + 1) - d * current) / T(k + 2);
+      earlier = current;
+      current = next;
+      power *= distance;
+      const T term = current * power;
+      change += term;
+      if (abs(term) < epsilon<T>() / 8 * abs(change)) break;
+    }
+    return -expm1(T(exponent_ * log1p(change)));
+  }
+
+  // (K F_p)^q
+  T share_of(const T& load_ratio) const {
+    using std::sqrt;
+    return order_ == Order::five_halves ? T(sqrt(load_ratio)) : load_ratio;
+  }
+
+  struct Asperities {
+    T load_ratio;  // K F_p(d)
+    T log_slope;   // d ln F_p/dd = −p F_{p−1}/F_p; the ratio of the scaled moments is the same
+  };
+  Asperities asperities(const T& d) const {
+    const T scaled = scaled_gaussian_moment(order_, d);
+    return {unscaled_product(stiffness_, scaled, d),
+            -value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled)};
+  }
+
+  static T log_ratio(const T& x, const T& y) {
+    using std::log;
+    using std::log1p;
+    const T difference = (x - y) / y;
+    return difference > -ratio<T>(1, 2) ? T(log1p(difference)) : T(log(T(x / y)));
+  }
+
+  LoadShares<T> shares(const T& lambda0, const T& lambda, int iterations) const {
+    using std::exp;
+    using std::expm1;
+    const T log_fluid = log_ratio(lambda0, lambda) / sharing_film_exponent<T>();
+    const T fluid = exp(log_fluid);
+    const T asperity = fluid < ratio<T>(1, 2) ? T(-expm1(log_fluid)) : asperity_share(lambda);
+    return {lambda, asperity, fluid, iterations};
+  }
+
+  LoadShares<T> at_infinity(const T& lambda0) const {
+    if (lambda0 != lambda0 || floor_ != floor_)
+      return {quiet_nan<T>(), quiet_nan<T>(), quiet_nan<T>(), 0};
+    if (is_finite(lambda0)) return {floor_, T(1), T(0), 0};
+    return {lambda0, T(0), T(1), 0};
+  }
+
+  // ln(K F_p) is concave and decreasing in λ: Newton from the right of its zero falls to it
+  // monotonically. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 gives a start.
+  void find_floor() {
+    using std::log;
+    using std::sqrt;
+    const T at_contact = moment_product(stiffness_, order_, T(-offset_));
+    has_floor_ = at_contact >= 1;
+    floor_ = 0;
+    if (!has_floor_) {
+      if (at_contact != at_contact) floor_ = at_contact;
+      return;
+    }
+    if (!is_finite(stiffness_)) {
+      floor_ = stiffness_;
+      return;
+    }
+    const T log_at_zero = log(stiffness_) + log_gaussian_moment(order_, T(0));
+    T lambda = offset_ + (log_at_zero > 0 ? T(sqrt(2 * log_at_zero)) : T(0));
+    for (int iterations = 0; iterations < max_iterations; ++iterations) {
+      const Asperities at = asperities(T(lambda - offset_));
+      const T step = log(at.load_ratio) / -at.log_slope;
+      if (!(step < 0)) break;
+      lambda += step;
+      if (-step < epsilon<T>() * lambda) break;
+    }
+    floor_ = lambda > 0 ? lambda : T(0);
+  }
+
+  Order order_;
+  T exponent_;
+  T stiffness_;
+  T offset_;
+  T floor_{};
+  bool has_floor_ = false;
+};
+
+}  // namespace tribo

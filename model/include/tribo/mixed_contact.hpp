@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole model for one scene (model/README.md): prepared once, then asked at any speed.
+//
+//   u → λ₀ → λ (load_sharing) → r = h_ff/h_oil → y = h*/h_ff (starvation) → shares, area, friction
+//
+// Only the outputs that are asked for are computed. No allocation, no exception, no state.
+#pragma once
+
+#include <string_view>
+
+#include "tribo/asperity_contact.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/friction.hpp"
+#include "tribo/hertz.hpp"
+#include "tribo/load_sharing.hpp"
+#include "tribo/scene.hpp"
+#include "tribo/starvation.hpp"
+
+namespace tribo {
+
+enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic };
+enum class Inlet : std::uint8_t { flooded, starved, collapsed };
+
+constexpr std::string_view name(Regime regime) {
+  return regime == Regime::boundary ? "boundary"
+         : regime == Regime::mixed  ? "mixed"
+                                    : "elastohydrodynamic";
+}
+constexpr std::string_view name(Inlet inlet) {
+  return inlet == Inlet::flooded ? "flooded" : inlet == Inlet::starved ? "starved" : "collapsed";
+}
+
+// One operating point; units and meaning in outputs.hpp. What was not asked for is 0. An overflow
+// of the number type shows as ∞ or NaN.
+template <class T>
+struct OperatingPoint {
+  T speed{};
+  T film_flooded{};
+  T film{};
+  T separation{};
+  T film_parameter{};
+  T asperity_load_share{};
+  T fluid_load_share{};
+  T real_area_ratio{};
+  T summit_count{};
+  T friction{};
+  Regime regime = Regime::mixed;
+  Inlet inlet = Inlet::flooded;
+  bool friction_undefined = false;  // the film has collapsed and no floor keeps the faces apart
+};
+
+// The fully flooded film with its load shares, at a speed.
+template <class T>
+struct FloodedFilm {
+  T speed;               // u, m/s
+  LoadShares<T> shares;  // λ = h_ff/σ_s, A, 1 − A
+};
+
+// What the inlet does to the flooded film.
+template <class T>
+struct InletState {
+  T film_ratio;  // y = h*/h_ff
+  bool collapsed;
+};
+
+template <class T>
+class MixedContact {
+ public:
+  // The scene's fields must be in range (scene_reader.hpp sees to it).
+  explicit MixedContact(const Scene& scene)
+      : load_(T(scene.load)),
+        summit_height_sd_(T(scene.surface.summit_height_sd)),
+        lubricant_{T(scene.lubricant.viscosity), T(scene.lubricant.pressure_viscosity),
+                   T(scene.lubricant.eyring_stress.value_or(1))},
+        boundary_coefficient_(T(scene.friction.boundary_coefficient.value_or(0))),
+        slide_roll_ratio_(T(scene.friction.slide_roll_ratio)),
+        fluid_(scene.friction.fluid),
+        viscosity_law_(scene.friction.viscosity),
+        closure_(scene.closures.starvation),
+        damiens_exponent_(T(scene.closures.damiens_exponent)),
+        supply_(scene.supply.kind),
+        supply_value_(T(scene.supply.value)),
+        hertz_(
+            hertz_point(load_, T(scene.bodies.effective_modulus), T(scene.bodies.reduced_radius))),
+        asperities_(asperity_contact(
+            scene.closures.asperity, T(scene.surface.summit_density),
+            T(scene.surface.summit_radius), summit_height_sd_,
+            T(T(scene.surface.offset_planes) * T(scene.surface.summit_plane_offset)),
+            T(scene.bodies.effective_modulus), hertz_.nominal_area, load_)),
+        sharing_(asperities_.model, asperities_.stiffness, asperities_.offset),
+        film_parameter_at_unit_speed_(
+            hamrock_dowson_central(T(1), lubricant_.viscosity, lubricant_.pressure_viscosity, load_,
+                                   T(scene.bodies.effective_modulus),
+                                   T(scene.bodies.reduced_radius), T(scene.bodies.ellipticity)) /
+            summit_height_sd_) {}
+
+  const HertzPoint<T>& hertz() const { return hertz_; }
+  const AsperityContact<T>& asperities() const { return asperities_; }
+  const LoadSharing<T>& sharing() const { return sharing_; }
+  StarvationClosure closure() const { return closure_; }
+  const T& damiens_exponent() const { return damiens_exponent_; }
+  const T& summit_height_sd() const { return summit_height_sd_; }
+  SupplyKind supply() const { return supply_; }
+  // q of a scene with inlet_flow, m²/s.
+  const T& inlet_flow() const { return supply_value_; }
+
+  // h_oil/σ_s at speed u. Only where there is a supply; without inlet_flow u does not matter.
+  T inlet_film_parameter(const T& speed) const {
+    if (supply_ == SupplyKind::inlet_film_ratio) return supply_value_;
+    const T inlet_film =
+        supply_ == SupplyKind::inlet_flow ? T(supply_value_ / speed) : supply_value_;
+    return inlet_film / summit_height_sd_;
+  }
+
+  // λ₀ = h₀/σ_s at speed u in m/s, and the speed at which λ₀ is reached.
+  T flooded_film_parameter(const T& speed) const {
+    using std::pow;
+    return film_parameter_at_unit_speed_ * pow(speed, film_speed_exponent<T>());
+  }
+  T speed_at(const T& flooded_film_parameter) const {
+    using std::pow;
+    return pow(T(flooded_film_parameter / film_parameter_at_unit_speed_),
+               T(1 / film_speed_exponent<T>()));
+  }
+
+  FloodedFilm<T> flooded(const T& speed) const {
+    return {speed, sharing_.solve(flooded_film_parameter(speed))};
+  }
+
+  InletState<T> inlet(const FloodedFilm<T>& film) const {
+    if (supply_ == SupplyKind::flooded) return {T(1), false};
+    const T r = film.shares.film_parameter / inlet_film_parameter(film.speed);
+    if (closure_ == StarvationClosure::flooded_inlet && r >= 1) return {T(0), true};
+    return {starvation_ratio(closure_, r, damiens_exponent_), false};
+  }
+
+  // All outputs of a set at speed u > 0 in m/s.
+  OperatingPoint<T> solve(const T& speed, OutputSet outputs = OutputSet::all()) const {
+    const FloodedFilm<T> film = flooded(speed);
+    return complete(
+        film, outputs == only(Output::film_flooded) ? InletState<T>{T(1), false} : inlet(film),
+        outputs);
+  }
+
+  // Likewise from a film and inlet that are known already.
+  OperatingPoint<T> complete(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
+                             OutputSet outputs) const {
+    OperatingPoint<T> point;
+    point.speed = flooded.speed;
+    const T& lambda_flooded = flooded.shares.film_parameter;
+    const T lambda = lambda_flooded * inlet.film_ratio;
+    const T lambda_apart = lambda < sharing_.floor() ? sharing_.floor() : lambda;
+    if (outputs.contains(Output::film_flooded))
+      point.film_flooded = lambda_flooded * summit_height_sd_;
+    if (outputs.contains(Output::film)) point.film = lambda * summit_height_sd_;
+    if (outputs.contains(Output::separation)) point.separation = lambda_apart * summit_height_sd_;
+    if (outputs.contains(Output::film_parameter)) point.film_parameter = lambda;
+    if (outputs.contains(Output::inlet))
+      point.inlet = inlet.collapsed                         ? Inlet::collapsed
+                    : inlet.film_ratio >= ratio<T>(95, 100) ? Inlet::flooded
+                                                            : Inlet::starved;
+    if (outputs.contains_any(sharing_outputs()))
+      add_shares(point, supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(lambda));
+    if (outputs.contains_any(area_outputs()))
+      point.real_area_ratio = real_area_ratio(asperities_, lambda_apart);
+    if (outputs.contains(Output::summit_count))
+      point.summit_count = summit_count(asperities_, lambda_apart);
+    if (outputs.contains(Output::friction)) add_friction(point, lambda_apart);
+    return point;
+  }
+
+  // The shares at a film λ* that load sharing did not give: A(λ*), or 1 at the floor and below.
+  LoadShares<T> starved_shares(const T& film_parameter) const {
+    if (sharing_.has_floor() && film_parameter <= sharing_.floor())
+      return {film_parameter, T(1), T(0), 0};
+    return sharing_.shares_above_floor(T(film_parameter - sharing_.floor()));
+  }
+
+ private:
+  struct Fluid {
+    T viscosity, pressure_viscosity, eyring_stress;
+  };
+
+  static constexpr OutputSet only(Output output) {
+    OutputSet set;
+    set.insert(output);
+    return set;
+  }
+  static constexpr OutputSet sharing_outputs() {
+    OutputSet set = only(Output::asperity_load_share);
+    set.insert(Output::fluid_load_share);
+    set.insert(Output::regime);
+    set.insert(Output::friction);
+    return set;
+  }
+  static constexpr OutputSet area_outputs() {
+    OutputSet set = only(Output::real_area_ratio);
+    set.insert(Output::friction);
+    return set;
+  }
+
+  static void add_shares(OperatingPoint<T>& point, const LoadShares<T>& shares) {
+    point.asperity_load_share = shares.asperity;
+    point.fluid_load_share = shares.fluid;
+    const T little = ratio<T>(1, 100);
+    point.regime = shares.fluid < little      ? Regime::boundary
+                   : shares.asperity < little ? Regime::elastohydrodynamic
+                                              : Regime::mixed;
+  }
+
+  // μ = μ_b A + τ (1 − A_r/A_nom)/p̄
+  void add_friction(OperatingPoint<T>& point, const T& separation_over_sd) const {
+    if (separation_over_sd == 0) {
+      point.friction_undefined = true;
+      return;
+    }
+    point.friction = boundary_coefficient_ * point.asperity_load_share;
+    const T fluid_area = 1 - point.real_area_ratio;
+    if (!(fluid_area > 0)) return;
+    const T pressure = point.fluid_load_share * hertz_.mean_pressure;
+    const T log_thickening = log_viscosity_ratio(viscosity_law_, lubricant_.viscosity,
+                                                 lubricant_.pressure_viscosity, pressure);
+    const T stress = fluid_shear_stress(fluid_, lubricant_.eyring_stress, lubricant_.viscosity,
+                                        log_thickening, T(slide_roll_ratio_ * point.speed),
+                                        T(separation_over_sd * summit_height_sd_));
+    point.friction += stress * fluid_area / hertz_.mean_pressure;
+  }
+
+  T load_;
+  T summit_height_sd_;
+  Fluid lubricant_;
+  T boundary_coefficient_;
+  T slide_roll_ratio_;
+  FluidShear fluid_;
+  ViscosityLaw viscosity_law_;
+  StarvationClosure closure_;
+  T damiens_exponent_;
+  SupplyKind supply_;
+  T supply_value_;
+  HertzPoint<T> hertz_;
+  AsperityContact<T> asperities_;
+  LoadSharing<T> sharing_;
+  T film_parameter_at_unit_speed_;  // λ₀/u^0.67
+};
+
+}  // namespace tribo

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+// The onset of starvation by four criteria (model/README.md, section 9):
+//
+//   film_maximum      h*(u) has a maximum. Constant h_oil: at an r of the closure, λ = r h_oil/σ_s,
+//                     then λ₀ = λ(1−A)^0.14 and u, explicit. Constant flow: the greatest interior
+//                     maximum, d ln h*/d ln u = s + (1 + s) d ln y/d ln r = 0, s = d ln λ/d ln u.
+//   film_departure    h* = (1−ε) h_ff. Constant h_oil: r explicit, then as above. Constant flow:
+//                     one monotone scalar root.
+//   friction_minimum  the lowest interior minimum of μ(u) over the scene's speeds
+//   asperity_minimum  of A(u): at the film maximum, as A falls strictly with the film
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "tribo/stribeck_walk.hpp"
+
+namespace tribo {
+
+enum class OnsetCriterion : std::uint8_t {
+  film_maximum,
+  film_departure,
+  friction_minimum,
+  asperity_minimum
+};
+inline constexpr std::array<OnsetCriterion, 4> onset_criteria{
+    OnsetCriterion::film_maximum, OnsetCriterion::film_departure, OnsetCriterion::friction_minimum,
+    OnsetCriterion::asperity_minimum};
+
+constexpr std::string_view name(OnsetCriterion criterion) {
+  constexpr std::array<std::string_view, 4> names{"film_maximum", "film_departure",
+                                                  "friction_minimum", "asperity_minimum"};
+  return names[static_cast<std::size_t>(criterion)];
+}
+
+inline constexpr double default_departure = 0.05;  // ε of film_departure
+
+template <class T>
+struct Onset {
+  OnsetCriterion criterion;
+  bool exists;
+  T speed;                  // u, m/s
+  T film;                   // h*, m
+  T film_parameter;         // h*/σ_s
+  std::string_view reason;  // why there is none; empty where there is one
+};
+
+namespace detail {
+
+template <class T>
+Onset<T> no_onset(OnsetCriterion criterion, std::string_view reason) {
+  return {criterion, false, T(0), T(0), T(0), reason};
+}
+
+template <class T>
+Onset<T> onset_at(OnsetCriterion criterion, const MixedContact<T>& contact,
+                  const FloodedFilm<T>& flooded, const T& film_ratio) {
+  const T film_parameter = flooded.shares.film_parameter * film_ratio;
+  return {criterion,      true, flooded.speed, film_parameter * contact.summit_height_sd(),
+          film_parameter, {}};
+}
+
+inline constexpr std::string_view fully_flooded = "the inlet is fully flooded: no supply is given";
+
+// The onset at a ratio r that the closure fixes, at constant h_oil: λ = r h_oil/σ_s and back to u.
+template <class T>
+Onset<T> onset_at_ratio(OnsetCriterion criterion, const MixedContact<T>& contact, const T& r,
+                        const T& film_ratio) {
+  const LoadSharing<T>& sharing = contact.sharing();
+  const T lambda = r * contact.inlet_film_parameter(T(1));
+  if (sharing.has_floor() && lambda <= sharing.floor())
+    return no_onset<T>(criterion,
+                       "the criterion's film lies below the floor that the asperities hold up");
+  const LoadShares<T> shares = sharing.shares_above_floor(T(lambda - sharing.floor()));
+  const T lambda0 = LoadSharing<T>::flooded_film_parameter(shares.film_parameter, shares.fluid);
+  return onset_at(criterion, contact, FloodedFilm<T>{contact.speed_at(lambda0), shares},
+                  film_ratio);
+}
+
+// ln r at a point of the walk, under constant flow: r = h_ff u/q, increasing along the walk.
+template <class T>
+T log_flow_ratio(const MixedContact<T>& contact, const WalkPoint<T>& point) {
+  using std::log;
+  return log(point.flooded.shares.film_parameter) + log(contact.summit_height_sd()) +
+         log(point.flooded.speed) - log(contact.inlet_flow());
+}
+
+// The coordinate at which r has a given value, under constant flow.
+template <class T>
+T coordinate_at_flow_ratio(const MixedContact<T>& contact, const StribeckWalk<T>& walk,
+                           const T& log_r) {
+  using std::exp;
+  using std::log;
+  const auto excess = [&](const T& s) { return log_flow_ratio(contact, walk.at(s)) - log_r; };
+  // Without load sharing r = λ₀(1)σ_s u^1.67/q.
+  const T log_speed = (log_r + log(contact.inlet_flow()) - log(contact.summit_height_sd()) -
+                       log(contact.flooded_film_parameter(T(1)))) /
+                      (1 + film_speed_exponent<T>());
+  T low = walk.near(T(exp(log_speed)));
+  T high = low;
+  T width = 1;
+  while (excess(low) > 0 && width < 5000) low -= (width *= 2);
+  width = 1;
+  while (excess(high) < 0 && width < 5000) high += (width *= 2);
+  return bracketed_root(excess, low, high, epsilon<T>());
+}
+
+// d ln h*/d ln u under constant flow.
+template <class T>
+T flow_film_slope(const MixedContact<T>& contact, const WalkPoint<T>& point) {
+  using std::exp;
+  if (point.inlet.collapsed) return T(-1);
+  const T r = exp(log_flow_ratio(contact, point));
+  const T slope = starvation_slope(contact.closure(), r, contact.damiens_exponent());
+  return point.film_slope + (1 + point.film_slope) * slope;
+}
+
+template <class T>
+Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedContact<T>& contact) {
+  using std::exp;
+  using std::log;
+  const StribeckWalk<T> walk(contact);
+  // A maximum needs y to fall by no more than 0.67/1.67 in the logarithm: r is below 10 there; and
+  // below r = 1e-9 it falls by less than 1e-6, which no film slope that matters meets.
+  const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
+  const T last_log_r =
+      contact.closure() == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));
+  const T step = ratio<T>(1, 50);
+  Onset<T> best = no_onset<T>(criterion, "the film falls with speed throughout");
+  T s = first;
+  WalkPoint<T> point = walk.at(s);
+  T slope = flow_film_slope(contact, point);
+  for (int i = 0; i < 5000 && log_flow_ratio(contact, point) < last_log_r; ++i) {
+    const T s_next = s + step * point.rate;
+    const WalkPoint<T> next = walk.at(s_next);
+    const T slope_next = flow_film_slope(contact, next);
+    if (slope > 0 && slope_next <= 0) {
+      const T top = bracketed_root([&](const T& x) { return flow_film_slope(contact, walk.at(x)); },
+                                   s, s_next, epsilon<T>());
+      const WalkPoint<T> peak = walk.at(top);
+      const Onset<T> found = onset_at(criterion, contact, peak.flooded, peak.inlet.film_ratio);
+      if (!best.exists || found.film > best.film) best = found;
+    }
+    s = s_next;
+    point = next;
+    slope = slope_next;
+  }
+  return best;
+}
+
+template <class T>
+Onset<T> film_maximum(OnsetCriterion criterion, const MixedContact<T>& contact) {
+  if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
+  if (contact.supply() == SupplyKind::inlet_flow)
+    return film_maximum_at_constant_flow(criterion, contact);
+  const T r = film_maximum_flooded_over_inlet<T>(contact.closure());
+  if (r != r)
+    return no_onset<T>(criterion,
+                       "with this closure the film rises towards h_oil without a maximum");
+  return onset_at_ratio(criterion, contact, r,
+                        starvation_ratio(contact.closure(), r, contact.damiens_exponent()));
+}
+
+template <class T>
+Onset<T> film_departure(const MixedContact<T>& contact, const T& departure) {
+  using std::log;
+  constexpr OnsetCriterion criterion = OnsetCriterion::film_departure;
+  if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
+  const T r =
+      departure_flooded_over_inlet(contact.closure(), departure, contact.damiens_exponent());
+  if (contact.supply() != SupplyKind::inlet_flow)
+    return onset_at_ratio(criterion, contact, r, T(1 - departure));
+  const StribeckWalk<T> walk(contact);
+  const WalkPoint<T> point = walk.at(coordinate_at_flow_ratio(contact, walk, T(log(r))));
+  return onset_at(criterion, contact, point.flooded, T(1 - departure));
+}
+
+// The argument of the least value of f in (low, high), by golden section; accurate to about √ε of
+// the scale on which f varies, as f is flat at a minimum.
+template <class T, class Function>
+T golden_section_minimum(Function&& f, T low, T high) {
+  using std::abs;
+  using std::sqrt;
+  const T golden = (sqrt(T(5)) - 1) / 2;
+  T left = high - golden * (high - low), right = low + golden * (high - low);
+  T f_left = f(left), f_right = f(right);
+  while (abs(high - low) > sqrt(epsilon<T>()) / 4 * (1 + abs(low))) {
+    if (f_left < f_right) {
+      high = right;
+      right = left;
+      f_right = f_left;
+      left = high - golden * (high - low);
+      f_left = f(left);
+    } else {
+      low = left;
+      left = right;
+      f_left = f_right;
+      right = low + golden * (high - low);
+      f_right = f(right);
+    }
+  }
+  return (low + high) / 2;
+}
+
+// Speeds a scene spans; low = high = 0 where it has none.
+struct SpeedSpan {
+  double low, high;
+};
+inline SpeedSpan speed_span(const Speeds& speeds) {
+  if (speeds.empty()) return {0, 0};
+  if (speeds.list.empty()) return {speeds.from, speeds.to};
+  const auto [low, high] = std::minmax_element(speeds.list.begin(), speeds.list.end());
+  return {*low, *high};
+}
+
+template <class T>
+Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
+  using std::log;
+  constexpr OnsetCriterion criterion = OnsetCriterion::friction_minimum;
+  if (!has_friction_inputs(scene))
+    return no_onset<T>(criterion,
+                       "friction needs lubricant.eyring_stress and friction.boundary_coefficient");
+  const SpeedSpan span = speed_span(scene.speeds);
+  if (!(span.low < span.high))
+    return no_onset<T>(criterion, "the scene gives no range of speeds to look in");
+  const StribeckWalk<T> walk(contact);
+  OutputSet outputs;
+  outputs.insert(Output::friction);
+  const auto friction = [&](const T& s) {
+    const WalkPoint<T> point = walk.at(s);
+    const OperatingPoint<T> result = contact.complete(point.flooded, point.inlet, outputs);
+    return result.friction_undefined ? quiet_nan<T>() : result.friction;
+  };
+  const T first = log(T(span.low)), last = log(T(span.high));
+  // 200 points for each factor e: finer than any feature of the closed forms.
+  const int count =
+      std::clamp(static_cast<int>(200 * (std::log(span.high) - std::log(span.low))), 200, 20000);
+  T s[3] = {}, f[3] = {};
+  T lowest = quiet_nan<T>();
+  T lowest_at = 0;
+  s[2] = walk.near(T(span.low));
+  for (int i = 0; i <= count; ++i) {
+    s[0] = s[1], f[0] = f[1];
+    s[1] = s[2], f[1] = f[2];
+    const T step = (last - first) / T(count);
+    s[2] = walk.walk_to(s[2], T(first + T(i) * step), T(step / 10));
+    f[2] = friction(s[2]);
+    const T margin = 1 + 1000 * epsilon<T>();  // what lies within rounding is a plateau
+    const bool is_minimum = i >= 2 && f[1] * margin < f[0] && f[1] * margin < f[2];
+    if (!is_minimum || f[1] >= lowest) continue;
+    lowest = f[1];
+    lowest_at = golden_section_minimum(friction, s[0], s[2]);
+  }
+  if (lowest != lowest)
+    return no_onset<T>(criterion, "friction has no interior minimum over the scene's speeds");
+  const WalkPoint<T> point = walk.at(lowest_at);
+  return onset_at(criterion, contact, point.flooded, point.inlet.film_ratio);
+}
+
+template <class T>
+Onset<T> asperity_minimum(const MixedContact<T>& contact) {
+  constexpr OnsetCriterion criterion = OnsetCriterion::asperity_minimum;
+  const Onset<T> maximum = film_maximum(criterion, contact);
+  if (maximum.exists && contact.sharing().has_floor() &&
+      maximum.film_parameter <= contact.sharing().floor())
+    return no_onset<T>(criterion, "the asperities carry the whole load at every speed");
+  return maximum;
+}
+
+}  // namespace detail
+
+// `departure` is the ε of film_departure, 0 < ε < 1. The speeds of film_maximum, film_departure and
+// asperity_minimum need no load-sharing root; error 1e-13 at well-conditioned points in double, for
+// friction_minimum about √ε.
+template <class T>
+Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
+               const T& departure) {
+  switch (criterion) {
+    case OnsetCriterion::film_maximum:
+      return detail::film_maximum(criterion, contact);
+    case OnsetCriterion::film_departure:
+      return detail::film_departure(contact, departure);
+    case OnsetCriterion::friction_minimum:
+      return detail::friction_minimum(contact, scene);
+    case OnsetCriterion::asperity_minimum:
+      return detail::asperity_minimum(contact);
+  }
+  return detail::no_onset<T>(criterion, "unknown criterion");
+}
+
+}  // namespace tribo

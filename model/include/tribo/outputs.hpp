@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be asked of an operating point, under the names that scenes, tables and JSON use.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace tribo {
+
+enum class Output : std::uint8_t {
+  film_flooded,         // h_ff, film of the fully flooded contact with load sharing, m
+  film,                 // h*, film behind the starved inlet, m (h_ff without a supply)
+  separation,           // max(h*, floor), the distance of the mean planes, m
+  film_parameter,       // λ* = h*/σ_s
+  asperity_load_share,  // A
+  fluid_load_share,     // 1 − A
+  real_area_ratio,      // real area of contact / nominal area, not clipped
+  summit_count,         // summits in contact
+  friction,             // friction coefficient μ
+  regime,               // boundary, mixed, elastohydrodynamic
+  inlet,                // flooded, starved, collapsed
+};
+
+struct OutputInfo {
+  Output output;
+  std::string_view name;
+  std::string_view unit;  // empty: dimensionless
+};
+
+inline constexpr std::array<OutputInfo, 11> output_infos{{
+    {Output::film_flooded, "film_flooded", "m"},
+    {Output::film, "film", "m"},
+    {Output::separation, "separation", "m"},
+    {Output::film_parameter, "film_parameter", ""},
+    {Output::asperity_load_share, "asperity_load_share", ""},
+    {Output::fluid_load_share, "fluid_load_share", ""},
+    {Output::real_area_ratio, "real_area_ratio", ""},
+    {Output::summit_count, "summit_count", ""},
+    {Output::friction, "friction", ""},
+    {Output::regime, "regime", ""},
+    {Output::inlet, "inlet", ""},
+}};
+
+constexpr const OutputInfo& info(Output output) {
+  return output_infos[static_cast<std::size_t>(output)];
+}
+
+constexpr std::optional<Output> output_by_name(std::string_view name) {
+  for (const OutputInfo& row : output_infos)
+    if (row.name == name) return row.output;
+  return std::nullopt;
+}
+
+// A set of outputs, passed by value.
+class OutputSet {
+ public:
+  constexpr OutputSet() = default;
+  static constexpr OutputSet all() {
+    OutputSet set;
+    for (const OutputInfo& row : output_infos) set.insert(row.output);
+    return set;
+  }
+  constexpr void insert(Output output) { bits_ |= bit(output); }
+  constexpr void erase(Output output) { bits_ &= ~bit(output); }
+  constexpr bool contains(Output output) const { return (bits_ & bit(output)) != 0; }
+  constexpr bool contains_any(OutputSet other) const { return (bits_ & other.bits_) != 0; }
+  constexpr bool empty() const { return bits_ == 0; }
+  friend constexpr bool operator==(OutputSet, OutputSet) = default;
+
+ private:
+  static constexpr std::uint32_t bit(Output output) {
+    return std::uint32_t{1} << static_cast<unsigned>(output);
+  }
+  std::uint32_t bits_ = 0;
+};
+
+}  // namespace tribo

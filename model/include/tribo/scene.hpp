@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene: one contact, its lubricant, its supply of oil and the speeds it is asked at. SI units.
+// Field names, units and legal ranges: model/README.md, section 1. The readers (scene_reader.hpp)
+// hand out only scenes whose fields are in range; whoever fills one by hand answers for that.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tribo/outputs.hpp"
+
+namespace tribo {
+
+enum class AsperityModel : std::uint8_t { greenwood_tripp, greenwood_williamson };
+enum class StarvationClosure : std::uint8_t {
+  flooded_inlet,
+  starved_inlet,
+  printed_exponents,
+  damiens
+};
+enum class FluidShear : std::uint8_t { eyring, limiting };
+enum class ViscosityLaw : std::uint8_t { barus, ambient, roelands };
+enum class SupplyKind : std::uint8_t { flooded, inlet_film, inlet_film_ratio, inlet_flow };
+enum class Spacing : std::uint8_t { log, lin };
+
+// The entrainment speeds of a scene, m/s: a list (one number is a list of one), or a range.
+struct Speeds {
+  std::vector<double> list;  // used when not empty
+  double from = 0;
+  double to = 0;
+  std::size_t count = 0;
+  Spacing spacing = Spacing::log;
+
+  std::size_t size() const { return list.empty() ? count : list.size(); }
+  bool empty() const { return size() == 0; }
+  // The i-th speed; the first and the last of a range are `from` and `to` to the bit.
+  double operator[](std::size_t i) const {
+    if (!list.empty()) return list[i];
+    if (i == 0) return from;
+    if (i + 1 == count) return to;
+    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
+    return spacing == Spacing::log ? from * std::exp(t * (std::log(to) - std::log(from)))
+                                   : from * (1 - t) + to * t;
+  }
+};
+
+struct Surface {
+  double summit_density = 0;       // n, 1/m²; GT: of each face, GW: of the one rough face
+  double summit_radius = 0;        // β, m
+  double summit_height_sd = 0;     // σ_s, m; GT: of the sum of both faces' summit heights
+  double summit_plane_offset = 0;  // D_d/σ_s, mean plane to summit plane
+  int offset_planes = 1;           // m: how many faces bring that offset, 0, 1 or 2
+};
+
+struct Bodies {
+  double effective_modulus = 0;  // E*, Pa: 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂
+  double reduced_radius = 0;     // R, m; a ball on a flat: the radius of the ball
+  double ellipticity = 1;        // k, enters the film constant alone
+};
+
+struct Lubricant {
+  double viscosity = 0;                 // η₀, Pa·s, at ambient pressure
+  double pressure_viscosity = 0;        // α, 1/Pa
+  std::optional<double> eyring_stress;  // τ₀, Pa; friction needs it
+};
+
+struct Supply {
+  SupplyKind kind = SupplyKind::flooded;
+  double value = 0;  // inlet_film: h_oil, m; inlet_film_ratio: h_oil/σ_s; inlet_flow: q, m²/s
+};
+
+struct Friction {
+  std::optional<double> boundary_coefficient;  // μ_b; friction needs it
+  double slide_roll_ratio = 1;                 // S: sliding speed = S·u
+  FluidShear fluid = FluidShear::eyring;
+  ViscosityLaw viscosity = ViscosityLaw::barus;
+};
+
+struct Closures {
+  AsperityModel asperity = AsperityModel::greenwood_tripp;
+  StarvationClosure starvation = StarvationClosure::flooded_inlet;
+  double damiens_exponent = 3;  // γ of Damiens' closure
+};
+
+struct Scene {
+  std::string id;
+  double load = 0;    // F, N
+  Speeds speeds;      // u, m/s; may be empty where none is needed (onset)
+  OutputSet outputs;  // what is asked: as given, or all that the given fields allow
+  Surface surface;
+  Bodies bodies;
+  Lubricant lubricant;
+  Supply supply;
+  Friction friction;
+  Closures closures;
+};
+
+// Are the inputs there that friction alone needs?
+inline bool has_friction_inputs(const Scene& scene) {
+  return scene.lubricant.eyring_stress.has_value() &&
+         scene.friction.boundary_coefficient.has_value();
+}
+
+}  // namespace tribo

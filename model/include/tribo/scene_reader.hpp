@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading scenes from TOML or JSON text. One schema (scene_fields) serves both, the error messages,
+// and the JSON Schema file reference/scene.schema.json, which a test holds to it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tribo/scene.hpp"
+
+namespace tribo {
+
+// `speeds` is a number, a list of numbers, or a table whose fields are `speed.from` and so on.
+enum class FieldType : std::uint8_t { number, integer, text, choice, speeds, outputs };
+
+// One field of the schema. `path` is dotted: "surface.summit_density".
+struct FieldInfo {
+  std::string_view path;
+  FieldType type = FieldType::number;
+  std::string_view unit = "";                      // empty: dimensionless
+  double minimum = 0;                              // numbers: the least value, or the open end
+  bool exclusive_minimum = true;                   // numbers: is `minimum` itself refused?
+  std::optional<double> maximum = {};              // numbers: the greatest value, if there is one
+  std::span<const std::string_view> choices = {};  // choice: the legal words
+  std::string_view default_text = "";              // empty: no default
+  bool required = false;                 // by every output; of `speed`'s table, where there is one
+  std::optional<Output> needed_by = {};  // by this output alone
+  double plausible_minimum = 0;          // legal numbers beyond these two get a warning
+  double plausible_maximum = std::numeric_limits<double>::infinity();
+  std::string_view meaning = "";
+};
+
+// Every field that a scene may have, in the order of model/README.md, section 1.
+std::span<const FieldInfo> scene_fields();
+
+// One thing wrong (or odd) with an input. `line()` is what a person reads. All texts are valid
+// UTF-8 on one line: what came from the input is shortened, and its control signs are escaped.
+struct InputProblem {
+  std::string source;      // file name, "-" or "line 12"
+  std::string field;       // dotted path; empty when it is the whole input
+  std::string message;     // with the value, what is allowed, and the nearest known name
+  std::size_t row = 0;     // broken TOML or JSON: where, from 1; else 0
+  std::size_t column = 0;  // in characters
+  // "rough.toml: surface.summit_radius: -1 is not allowed: …", "rough.toml:3:7: not TOML: …"
+  std::string line() const;
+};
+
+struct SceneReading {
+  std::optional<Scene> scene;          // set when `errors` is empty
+  std::vector<InputProblem> errors;    // every problem found, not only the first
+  std::vector<InputProblem> warnings;  // legal but implausible values
+  std::optional<std::string> id;       // as the input gives it, even when `errors` is not empty
+};
+
+enum class SceneUse : std::uint8_t {
+  speeds,     // solve, curve: `speed` is required
+  onset,      // `speed` is optional
+  one_speed,  // stream: `speed` is one number
+};
+
+inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 20;
+
+// `source` names the input in messages. None of these throws on bad input.
+SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use);
+SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use);
+
+// Reads a regular file of at most 1 MiB; "-" is standard input. `.json` files and text whose first
+// sign is `{` are read as JSON, all else as TOML. A scene without `id` gets the file's stem.
+SceneReading read_scene(const std::string& path, SceneUse use);
+
+}  // namespace tribo

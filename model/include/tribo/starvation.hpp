@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Films behind a starved inlet (model/README.md, section 7; paper, eqs 1.10 to 1.14, corrected).
+// With r = h_ff/h_oil, y = h*/h_ff and Wolveridge's y = (2/π) arctan(2.7ψ), ψ the dimensionless
+// inlet length from Crook's line-contact gap, c = 3/(4√2):
+//
+//   flooded_inlet      1/r = 1 + ψ^{3/2}/c              Crook at the flooded film; y = 0 for r ≥ 1
+//   starved_inlet      1/r = y + ψ^{3/2}/c              Crook at the starved film
+//   printed_exponents  1/r = y + ψ^{3/2} y^{−5/4}/c     the exponents as printed (a reading)
+//   damiens            y = (1 + r^γ)^{−1/γ}             Damiens, Venner, Cann and Lubrecht (2004)
+#pragma once
+
+#include "tribo/bracketed_root.hpp"
+#include "tribo/real.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo {
+
+// c = 3/(4√2)
+template <class T>
+T crook_constant() {
+  using std::sqrt;
+  return 3 / (4 * sqrt(T(2)));
+}
+
+// 2.7 of Wolveridge's fit (paper, 1.14).
+template <class T>
+T wolveridge_factor() {
+  return ratio<T>(27, 10);
+}
+
+// Does the closure tie y to r through ψ, so that y(r) needs a scalar root?
+constexpr bool is_implicit(StarvationClosure closure) {
+  return closure == StarvationClosure::starved_inlet ||
+         closure == StarvationClosure::printed_exponents;
+}
+
+// y(ψ) = (2/π) arctan(2.7ψ). Error: 5 ε.
+template <class T>
+T wolveridge_film_ratio(const T& inlet_length) {
+  using std::atan;
+  return 2 / pi<T>() * atan(T(wolveridge_factor<T>() * inlet_length));
+}
+
+// ψ at which y = (2/π) arctan(2.7ψ), 0 < y < 1.
+template <class T>
+T wolveridge_inlet_length(const T& film_ratio) {
+  using std::tan;
+  return tan(T(pi<T>() * film_ratio / 2)) / wolveridge_factor<T>();
+}
+
+// d ln y/d ln ψ: 1 for short inlets, 0 for long ones.
+template <class T>
+T wolveridge_slope(const T& inlet_length) {
+  using std::atan;
+  const T v = wolveridge_factor<T>() * inlet_length;
+  if (!(v > epsilon<T>() * epsilon<T>())) return T(1);
+  return 1 / ((v + 1 / v) * atan(v));
+}
+
+// The inlet of an arctan closure as a function of t = ln ψ, in logarithms: nothing underflows.
+template <class T>
+struct InletCurve {
+  StarvationClosure closure;
+
+  T log_film_ratio(const T& t) const {  // ln y
+    using std::exp;
+    using std::log;
+    if (t < least_log_length()) return log(T(2 * wolveridge_factor<T>() / pi<T>())) + t;
+    return log(wolveridge_film_ratio(T(exp(t))));
+  }
+  T log_crook_term(const T& t, const T& log_y) const {  // ln of the term with c
+    using std::log;
+    const T term = ratio<T>(3, 2) * t - log(crook_constant<T>());
+    return closure == StarvationClosure::printed_exponents ? T(term - ratio<T>(5, 4) * log_y)
+                                                           : term;
+  }
+  T log_inverse_r(const T& t) const {  // ln(1/r)
+    using std::exp;
+    using std::log1p;
+    const T log_y = log_film_ratio(t);
+    const T crook = log_crook_term(t, log_y);
+    const T other = closure == StarvationClosure::flooded_inlet ? T(0) : log_y;
+    return crook > other ? T(crook + log1p(exp(T(other - crook))))
+                         : T(other + log1p(exp(T(crook - other))));
+  }
+  T slope_of_log_y(const T& t) const {  // d ln y/dt
+    using std::exp;
+    return wolveridge_slope(T(exp(t)));
+  }
+  T slope_of_log_inverse_r(const T& t) const {  // d ln(1/r)/dt
+    using std::exp;
+    const T log_y = log_film_ratio(t);
+    const T crook = log_crook_term(t, log_y);
+    const T y_slope = slope_of_log_y(t);
+    const T crook_slope = closure == StarvationClosure::printed_exponents
+                              ? T(ratio<T>(3, 2) - ratio<T>(5, 4) * y_slope)
+                              : ratio<T>(3, 2);
+    const bool flooded = closure == StarvationClosure::flooded_inlet;
+    const T weight = 1 / (1 + exp(T((flooded ? T(0) : log_y) - crook)));
+    return weight * crook_slope + (flooded ? T(0) : T((1 - weight) * y_slope));
+  }
+
+  // ψ of an r > 0 (r < 1 for flooded_inlet), and its logarithm, which outlasts its underflow at
+  // r beyond about 1e30. Error: 20 ε.
+  T inlet_length(const T& flooded_over_inlet) const {
+    using std::exp;
+    using std::pow;
+    if (closure == StarvationClosure::flooded_inlet)
+      return pow(T((1 - flooded_over_inlet) / flooded_over_inlet * crook_constant<T>()),
+                 ratio<T>(2, 3));
+    const T t = rough_log_inlet_length(flooded_over_inlet);
+    // The rounding of t and of ln r are the error now; one step on r G(ψ) − 1 takes it out.
+    return exp(t) * (1 + correction(flooded_over_inlet, t));
+  }
+  T log_inlet_length(const T& flooded_over_inlet) const {
+    using std::log;
+    if (closure == StarvationClosure::flooded_inlet) return log(inlet_length(flooded_over_inlet));
+    const T t = rough_log_inlet_length(flooded_over_inlet);
+    return t + correction(flooded_over_inlet, t);
+  }
+
+ private:
+  // Below this ψ the powers of ψ near underflow; arctan v = v there to every digit of T.
+  static T least_log_length() { return ratio<T>(1, 4) * T(std::numeric_limits<T>::min_exponent); }
+
+  T rough_log_inlet_length(const T& flooded_over_inlet) const {
+    using std::log;
+    const T log_r = log(flooded_over_inlet);
+    // 1/r lies between the greater of its two terms and twice that; the slope in t is at least 1/4.
+    const T low = -4 * (log_r > 0 ? log_r : T(0)) - 20;
+    const T high = (log_r < 0 ? T(-log_r) : T(0)) + 5;
+    return bracketed_root([&](const T& x) { return log_inverse_r(x) + log_r; }, low, high,
+                          epsilon<T>());
+  }
+
+  // (1 − r G(ψ))/(d ln G/dt) at ψ = e^t.
+  T correction(const T& r, const T& t) const {
+    using std::exp;
+    using std::sqrt;
+    if (t < least_log_length()) return T(0);
+    const T psi = exp(t);
+    const T y = wolveridge_film_ratio(psi);
+    T crook = psi * sqrt(psi) / crook_constant<T>();
+    if (closure == StarvationClosure::printed_exponents) crook /= y * sqrt(sqrt(y));
+    return (1 - r * (y + crook)) / slope_of_log_inverse_r(t);
+  }
+};
+
+// y = h*/h_ff at r = h_ff/h_oil > 0; 0 ≤ y ≤ 1. Error: 20 ε × condition; `damiens` also needs γ >
+// 0. flooded_inlet gives exactly 0 for r ≥ 1: the film has collapsed.
+template <class T>
+T starvation_ratio(StarvationClosure closure, const T& flooded_over_inlet,
+                   const T& damiens_exponent) {
+  using std::exp;
+  using std::log1p;
+  using std::pow;
+  const T& r = flooded_over_inlet;
+  if (closure == StarvationClosure::damiens) {
+    const T& gamma = damiens_exponent;
+    if (r <= 1) return exp(T(-log1p(pow(r, gamma)) / gamma));
+    return exp(T(-log1p(pow(T(1 / r), gamma)) / gamma)) / r;
+  }
+  if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(0);
+  return wolveridge_film_ratio(InletCurve<T>{closure}.inlet_length(r));
+}
+
+// d ln y/d ln r at r (r < 1 for flooded_inlet): 0 where flooded, −1 where h* = h_oil.
+template <class T>
+T starvation_slope(StarvationClosure closure, const T& flooded_over_inlet,
+                   const T& damiens_exponent) {
+  using std::pow;
+  if (closure == StarvationClosure::damiens)
+    return -1 / (1 + pow(flooded_over_inlet, T(-damiens_exponent)));
+  const InletCurve<T> curve{closure};
+  const T t = curve.log_inlet_length(flooded_over_inlet);
+  return -curve.slope_of_log_y(t) / curve.slope_of_log_inverse_r(t);
+}
+
+// The r at which y = 1 − ε, 0 < ε < 1 (model/README.md, section 9, film_departure). Error: 20 ε.
+template <class T>
+T departure_flooded_over_inlet(StarvationClosure closure, const T& departure,
+                               const T& damiens_exponent) {
+  using std::pow;
+  using std::sqrt;
+  const T y = 1 - departure;
+  if (closure == StarvationClosure::damiens)
+    return pow(T(1 - pow(y, damiens_exponent)), T(1 / damiens_exponent)) / y;
+  const T psi = wolveridge_inlet_length(y);
+  const T crook = psi * sqrt(psi) / crook_constant<T>();
+  if (closure == StarvationClosure::flooded_inlet) return 1 / (1 + crook);
+  if (closure == StarvationClosure::starved_inlet) return 1 / (y + crook);
+  return 1 / (y + crook / (y * sqrt(sqrt(y))));
+}
+
+// The r at which h*/h_oil = r y(r) is greatest at constant h_oil: flooded_inlet 0.6327757634209,
+// printed_exponents 0.6962389029717; NaN for the closures that have no maximum. Error: 20 ε.
+template <class T>
+T film_maximum_flooded_over_inlet(StarvationClosure closure) {
+  using std::exp;
+  if (closure == StarvationClosure::starved_inlet || closure == StarvationClosure::damiens)
+    return quiet_nan<T>();
+  const InletCurve<T> curve{closure};
+  const T t = bracketed_root(
+      [&](const T& x) { return curve.slope_of_log_y(x) - curve.slope_of_log_inverse_r(x); }, T(-10),
+      T(10), epsilon<T>());
+  return exp(T(-curve.log_inverse_r(t)));
+}
+
+}  // namespace tribo

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Stribeck curve without a root: walk the flooded film instead of the speed (model/README.md,
+// section 6). From λ follow A, λ₀ = λ(1−A)^0.14 and u, all explicit. The coordinate of the walk is
+//
+//   s = ln(λ − λ_b)    in general, so that a floor λ_b is approached without cancellation;
+//   ψ = e^{−s}, or ψ = ψ_b/(1 + e^s) above a floor,
+//                      for an implicit closure at constant h_oil: r(ψ) is explicit there, y(r) not.
+//
+// An implicit closure at constant flow needs one scalar root y(r) a point.
+#pragma once
+
+#include <cstddef>
+
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo {
+
+template <class T>
+struct WalkPoint {
+  FloodedFilm<T> flooded;
+  InletState<T> inlet;
+  T film_slope;  // d ln λ/d ln u, in (0, 0.67]
+  T rate;        // ds/d ln u
+};
+
+template <class T>
+class StribeckWalk {
+ public:
+  explicit StribeckWalk(const MixedContact<T>& contact)
+      : contact_(contact),
+        sharing_(contact.sharing()),
+        by_inlet_length_(is_implicit(contact.closure()) &&
+                         contact.supply() != SupplyKind::flooded &&
+                         contact.supply() != SupplyKind::inlet_flow),
+        above_floor_(sharing_.floor() > 0) {
+    using std::exp;
+    using std::log;
+    if (above_floor_) {
+      log_floor_ = log(sharing_.floor());
+      log_rate_at_floor_ = sharing_.log_fluid_rate_at_floor();
+    }
+    if (!by_inlet_length_) return;
+    inlet_film_parameter_ = contact.inlet_film_parameter(T(1));
+    if (above_floor_) {
+      log_inlet_length_at_floor_ =
+          curve().log_inlet_length(T(sharing_.floor() / inlet_film_parameter_));
+      log_inverse_r_at_floor_ = curve().log_inverse_r(log_inlet_length_at_floor_);
+    }
+  }
+
+  // The point at coordinate s: explicit, but for y where an implicit closure meets a constant flow.
+  WalkPoint<T> at(const T& s) const {
+    using std::exp;
+    WalkPoint<T> point;
+    T film_rate;  // d ln λ/ds
+    if (by_inlet_length_) {
+      const T t = log_inlet_length(s);
+      point.flooded = film(log_distance_by_inlet_length(s, t));
+      point.inlet = {exp(curve().log_film_ratio(t)), false};
+      film_rate = curve().slope_of_log_inverse_r(t) * (above_floor_ ? logistic(s) : T(1));
+    } else {
+      point.flooded = film(s);
+      point.inlet = contact_.inlet(point.flooded);
+      film_rate = above_floor_ ? T(1 / (1 + exp(T(log_floor_ - s)))) : T(1);
+    }
+    const LoadShares<T>& shares = point.flooded.shares;
+    // d ln λ/d ln u = 0.67/(1 − 0.14 λA′/(1−A))
+    const T stiffening = -sharing_film_exponent<T>() *
+                         sharing_.asperity_share_slope(shares.film_parameter) * shares.asperity;
+    point.film_slope = film_speed_exponent<T>() * shares.fluid / (shares.fluid + stiffening);
+    // In the logarithmic approach to the floor both slopes vanish together.
+    point.rate = is_at_floor(point.flooded, s)
+                     ? T(film_speed_exponent<T>() / sharing_film_exponent<T>())
+                     : T(point.film_slope / film_rate);
+    return point;
+  }
+
+  // A coordinate whose speed is roughly u: explicit, from the two ends of the film's range.
+  T near(const T& speed) const {
+    using std::exp;
+    using std::log;
+    const T log_film = log(contact_.flooded_film_parameter(speed));
+    T log_distance = log_film;
+    if (above_floor_) {
+      // 1 − A = (λ₀/λ_b)^p = e^rate (λ − λ_b) at the floor, λ = λ₀ far above it.
+      const T p = 1 / sharing_film_exponent<T>();
+      const T knee = (p * log_floor_ + log_rate_at_floor_) / (p - 1);
+      log_distance -= (p - 1) * log_one_plus_exp(T(knee - log_film));
+    }
+    if (!by_inlet_length_) return log_distance;
+    const T log_lambda = above_floor_
+                             ? T(log_distance + log_one_plus_exp(T(log_floor_ - log_distance)))
+                             : log_distance;
+    const T t = rough_log_inlet_length(T(log_lambda - log(inlet_film_parameter_)));
+    if (!above_floor_) return -t;
+    const T near_floor =
+        log_distance - log_floor_ - log(curve().slope_of_log_inverse_r(log_inlet_length_at_floor_));
+    if (near_floor < 0) return near_floor;
+    const T ratio_of_lengths = log_inlet_length_at_floor_ - t;
+    return ratio_of_lengths > 1 ? ratio_of_lengths : near_floor;
+  }
+
+  // From a coordinate to one whose ln u is within `tolerance` of the given: steps along the walk of
+  // at most 2 in ln u. NaN speeds (overflow) stop it.
+  T walk_to(T s, const T& log_speed, const T& tolerance) const {
+    using std::abs;
+    using std::log;
+    for (int steps = 0; steps < 500; ++steps) {
+      const WalkPoint<T> point = at(s);
+      T left = log_speed - log(point.flooded.speed);
+      if (!(abs(left) > tolerance)) break;
+      if (left > 2) left = 2;
+      if (left < -2) left = -2;
+      s += left * point.rate;
+    }
+    return s;
+  }
+
+ private:
+  InletCurve<T> curve() const { return {contact_.closure()}; }
+
+  // ln(1 + e^x) without overflow.
+  static T log_one_plus_exp(const T& x) {
+    using std::exp;
+    using std::log1p;
+    return x > 0 ? T(x + log1p(exp(T(-x)))) : T(log1p(exp(x)));
+  }
+  static T logistic(const T& x) {
+    using std::exp;
+    return 1 / (1 + exp(T(-x)));
+  }
+
+  bool is_at_floor(const FloodedFilm<T>& film, const T& s) const {
+    return above_floor_ && s < 0 && film.shares.film_parameter == sharing_.floor();
+  }
+
+  // The film at λ = λ_b + e^log_distance.
+  FloodedFilm<T> film(const T& log_distance) const {
+    using std::exp;
+    using std::log;
+    if (above_floor_ && log_distance < log_floor_ + log(T(epsilon<T>() / 4))) {
+      const T log_fluid = log_rate_at_floor_ + log_distance;
+      const T fluid = exp(log_fluid);
+      const T film0 = sharing_.floor() * exp(T(sharing_film_exponent<T>() * log_fluid));
+      return {contact_.speed_at(film0), {sharing_.floor(), 1 - fluid, fluid, 0}};
+    }
+    const LoadShares<T> shares = sharing_.shares_above_floor(T(exp(log_distance)));
+    return {contact_.speed_at(
+                LoadSharing<T>::flooded_film_parameter(shares.film_parameter, shares.fluid)),
+            shares};
+  }
+
+  // Walk by inlet length: t = ln ψ.
+  T log_inlet_length(const T& s) const {
+    return above_floor_ ? T(log_inlet_length_at_floor_ - log_one_plus_exp(s)) : T(-s);
+  }
+
+  // ln(λ − λ_b) there: λ/λ_b = G(ψ_b)/G(ψ), G = 1/r; near the floor from the difference of G.
+  T log_distance_by_inlet_length(const T& s, const T& t) const {
+    using std::exp;
+    using std::expm1;
+    using std::log;
+    if (!above_floor_) return log(inlet_film_parameter_) - curve().log_inverse_r(t);
+    if (s > -1)
+      return log_floor_ + log(expm1(T(log_inverse_r_at_floor_ - curve().log_inverse_r(t))));
+    return log_floor_ + log_of_relative_change(s, t);
+  }
+
+  // ln(G(ψ_b)/G(ψ) − 1) for ψ = ψ_b/(1+ξ), ξ = e^s < 1, by differences that do not cancel.
+  T log_of_relative_change(const T& s, const T& t) const {
+    using std::atan;
+    using std::exp;
+    using std::expm1;
+    using std::log;
+    using std::log1p;
+    const T xi = exp(s);
+    const T psi_b = exp(log_inlet_length_at_floor_);
+    const T psi = exp(t);
+    const T factor = wolveridge_factor<T>();
+    const T fall_of_psi = psi_b / (1 + 1 / xi);  // ψ_b − ψ
+    const T fall_of_y =
+        2 / pi<T>() * atan(T(factor * fall_of_psi / (1 + factor * psi * factor * psi_b)));
+    const T y_b = wolveridge_film_ratio(psi_b);
+    T log_of_crook = -ratio<T>(3, 2) * log1p(xi);
+    T crook_b = exp(curve().log_crook_term(log_inlet_length_at_floor_, T(log(y_b))));
+    if (contact_.closure() == StarvationClosure::printed_exponents)
+      log_of_crook -= ratio<T>(5, 4) * log1p(T(-fall_of_y / y_b));
+    const T fall = fall_of_y - crook_b * expm1(log_of_crook);
+    if (!(fall > 0))  // ξ has underflowed: G falls in proportion to it
+      return s + log(curve().slope_of_log_inverse_r(log_inlet_length_at_floor_));
+    return log(fall) - curve().log_inverse_r(t);
+  }
+
+  // t from ln r by the term of G that rules: a start, not a solution.
+  T rough_log_inlet_length(const T& log_r) const {
+    using std::log;
+    const T log_c = log(crook_constant<T>());
+    const T log_linear = log(T(2 * wolveridge_factor<T>() / pi<T>()));
+    const T long_inlet = ratio<T>(2, 3) * (log_c - log_r);
+    const T short_inlet = contact_.closure() == StarvationClosure::printed_exponents
+                              ? T(4 * (log_c - log_r) + 5 * log_linear)
+                              : T(-log_r - log_linear);
+    return short_inlet < long_inlet ? short_inlet : long_inlet;
+  }
+
+  const MixedContact<T>& contact_;  // must outlive the walk
+  const LoadSharing<T>& sharing_;
+  bool by_inlet_length_;
+  bool above_floor_;
+  T log_floor_{};
+  T log_rate_at_floor_{};
+  T inlet_film_parameter_{};
+  T log_inlet_length_at_floor_{};
+  T log_inverse_r_at_floor_{};
+};
+
+// Visits `count` ≥ 2 points whose speeds ascend from about `from` to about `to` (0 < from < to,
+// m/s), within a quarter of a step of the logarithmic grid, and within 1e-9 at the ends. Each point
+// is exact for the speed it carries: the speeds are the walk's own. visit(point) gets an
+// OperatingPoint<T>. No load-sharing root is solved.
+template <class T, class Visitor>
+void stribeck_curve(const MixedContact<T>& contact, const T& from, const T& to, std::size_t count,
+                    OutputSet outputs, Visitor&& visit) {
+  using std::log;
+  const StribeckWalk<T> walk(contact);
+  const T first = log(from);
+  const T step = (log(to) - first) / T(count - 1);
+  T s = walk.near(from);
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool at_end = i == 0 || i + 1 == count;
+    s = walk.walk_to(s, T(first + T(i) * step), at_end ? ratio<T>(1, 1000000000) : T(step / 4));
+    const WalkPoint<T> point = walk.at(s);
+    visit(contact.complete(point.flooded, point.inlet, outputs));
+  }
+}
+
+}  // namespace tribo
