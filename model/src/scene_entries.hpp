@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What both parsers make of a text, and what the binder makes a scene of: a flat list of entries.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::scene_detail {
+
+enum class ValueKind : std::uint8_t { number, text, boolean, null, date_time, list, table };
+enum class NumberFault : std::uint8_t { none, overflow, underflow };
+
+struct Value {
+  ValueKind kind = ValueKind::null;
+  NumberFault fault = NumberFault::none;
+  double number = 0;  // booleans: 0 or 1
+  std::string text;   // texts; of numbers with a fault, what was written
+};
+
+// `path` is "load" or "surface.summit_radius". Tables of a known section have an entry of their own
+// and one for each of their fields; what other tables hold is left out.
+struct Entry {
+  std::string path;
+  Value value;
+  std::vector<Value> elements;  // of a list
+};
+
+inline constexpr std::size_t max_depth = 16;      // of lists and tables within each other
+inline constexpr std::size_t max_entries = 1000;  // far more than there are fields
+inline constexpr std::size_t max_problems = 50;   // reported of one scene
+
+// The errors and warnings of one input.
+class Problems {
+ public:
+  Problems(SceneReading& reading, std::string_view source);
+  void error(std::string_view field, std::string_view message);
+  void error_at(std::size_t row, std::size_t column, std::string_view field,
+                std::string_view message);
+  void warning(std::string_view field, std::string_view message);
+  bool any() const { return !reading_.errors.empty(); }
+
+ private:
+  InputProblem problem(std::string_view field, std::string_view message) const;
+
+  SceneReading& reading_;
+  std::string source_;
+};
+
+// A key as a part of a path: quoted where it could be taken for something else, and shortened.
+std::string path_part(std::string_view key);
+
+// What to say of text over 1 MiB; "" for less.
+std::string too_large_text(std::size_t bytes);
+extern const std::string_view too_many_fields_text;
+extern const std::string_view too_deep_text;
+
+// Fills reading.scene from the entries, or reading.errors.
+void bind_scene(const std::vector<Entry>& entries, SceneUse use, Problems& problems,
+                SceneReading& reading);
+
+}  // namespace tribo::scene_detail

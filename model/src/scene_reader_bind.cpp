@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the flat list of entries to a Scene: first every entry finds its field, then every field
+// of the schema takes its value, then come the rules that look at several fields.
+#include <array>
+#include <bitset>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "scene_entries.hpp"
+#include "scene_schema.hpp"
+#include "scene_text.hpp"
+
+namespace tribo::scene_detail {
+namespace {
+
+std::string kind_name(ValueKind kind) {
+  switch (kind) {
+    case ValueKind::number:
+      return "a number";
+    case ValueKind::text:
+      return "a text";
+    case ValueKind::boolean:
+      return "a boolean";
+    case ValueKind::null:
+      return "null";
+    case ValueKind::date_time:
+      return "a date or time";
+    case ValueKind::list:
+      return "a list";
+    case ValueKind::table:
+      return "a table";
+  }
+  return {};
+}
+
+std::string value_text(const Value& value) {
+  switch (value.kind) {
+    case ValueKind::number:
+      return value.fault == NumberFault::none ? number_text(value.number) : printable(value.text);
+    case ValueKind::text:
+      return '"' + printable(value.text) + '"';
+    case ValueKind::boolean:
+      return value.number == 0 ? "false" : "true";
+    default:
+      return {};
+  }
+}
+
+// "\"abc\" is a text", "this is a list"
+std::string what_came(const Value& value) {
+  const std::string text = value_text(value);
+  if (text.empty()) return "this is " + kind_name(value.kind);
+  return text + " is " + kind_name(value.kind);
+}
+
+bool is_whole(double number) { return std::trunc(number) == number; }
+
+class SceneBinder {
+ public:
+  SceneBinder(SceneUse use, Problems& problems, SceneReading& reading)
+      : use_(use), problems_(problems), reading_(reading) {}
+
+  void bind(const std::vector<Entry>& entries) {
+    for (const Entry& entry : entries) place(entry);
+    for (std::size_t field = 0; field < field_count; ++field) take(field);
+    check_supply();
+    check_outputs();
+    check_speed_range();
+    check_roelands();
+    if (problems_.any()) return;
+    warn_of_odd_pairs();
+    reading_.scene = std::move(scene_);
+  }
+
+ private:
+  // --- Every entry finds its field.
+
+  void place(const Entry& entry) {
+    if (entry.value.kind == ValueKind::table && is_section(entry.path))
+      place_section(entry);
+    else if (const auto field = find_field(entry.path))
+      place_field(entry, *field);
+    else if (is_section(entry.path))
+      refuse_section(entry);
+    else
+      refuse_unknown(entry);
+  }
+
+  void place_section(const Entry& entry) {
+    // A table may be written in pieces in TOML, never in JSON; both parsers give it one entry.
+    for (const std::string_view seen : sections_)
+      if (seen == entry.path) return problems_.error(entry.path, "given twice");
+    sections_.push_back(entry.path);
+    if (entry.path == "speed") place_field(entry, field_at("speed"));
+  }
+
+  void place_field(const Entry& entry, std::size_t field) {
+    if (given_[field] != nullptr) return problems_.error(entry.path, "given twice");
+    given_[field] = &entry;
+  }
+
+  void refuse_section(const Entry& entry) {
+    problems_.error(entry.path,
+                    what_came(entry.value) + "; allowed: a table of " + names_in(entry.path));
+    for (std::size_t field = 0; field < field_count; ++field)
+      if (section_of(scene_fields()[field].path) == entry.path) explained_.set(field);
+    if (entry.path == "supply") supply_explained_ = true;
+  }
+
+  void refuse_unknown(const Entry& entry) {
+    const bool table = entry.value.kind == ValueKind::table;
+    const bool on_top = section_of(entry.path).empty();
+    const std::string_view nearest = nearest_name(entry.path, on_top, !table);
+    std::string message = table ? "unknown table" : "unknown field";
+    const std::string value = value_text(entry.value);
+    if (!value.empty()) message += " (" + value + ")";
+    if (nearest.empty())
+      message += "; known here: " + names_in(section_of(entry.path));
+    else
+      message += "; did you mean " + std::string(nearest) + "?";
+    problems_.error(entry.path, message);
+    explain(nearest);
+    if (section_of(entry.path) == "supply") supply_explained_ = true;
+  }
+
+  // One mistake, one line: what is probably meant by a misspelt name is not also called missing.
+  void explain(std::string_view name) {
+    if (name == "supply" || section_of(name) == "supply") supply_explained_ = true;
+    for (std::size_t field = 0; field < field_count; ++field) {
+      const std::string_view path = scene_fields()[field].path;
+      if (!name.empty() && (path == name || section_of(path) == name)) explained_.set(field);
+    }
+  }
+
+  // --- Every field takes its value.
+
+  void take(std::size_t field) {
+    const FieldInfo& info = scene_fields()[field];
+    if (given_[field] == nullptr) return miss(field);
+    const Value& value = given_[field]->value;
+    switch (info.type) {
+      case FieldType::number:
+      case FieldType::integer:
+        if (const auto number = number_of(info, value, info.path)) {
+          store_of(field)(scene_, *number);
+          warn_if_implausible(info, *number, info.path);
+        }
+        return;
+      case FieldType::choice:
+        return take_choice(field, value);
+      case FieldType::text:
+        return take_id(value);
+      case FieldType::speeds:
+        return take_speeds(info, *given_[field]);
+      case FieldType::outputs:
+        return take_outputs(info, *given_[field]);
+    }
+  }
+
+  void miss(std::size_t field) {
+    const FieldInfo& info = scene_fields()[field];
+    bool needed = info.required;
+    if (section_of(info.path) == "speed") needed = needed && speed_is_table();
+    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset;
+    if (needed) report_missing(field, "");
+  }
+
+  void report_missing(std::size_t field, const std::string& why) {
+    if (explained_[field]) return;
+    const FieldInfo& info = scene_fields()[field];
+    const std::string allowed = use_ == SceneUse::one_speed && info.type == FieldType::speeds
+                                    ? "one number above 0, in m/s"
+                                    : allowed_text(info);
+    problems_.error(info.path, "missing" + why + "; allowed: " + allowed);
+  }
+
+  void refuse(const FieldInfo& info, std::string_view name, const std::string& what) {
+    problems_.error(name, what + "; allowed: " + allowed_text(info));
+  }
+
+  // The number if it is one and in range; else nothing, and an error under `name`.
+  std::optional<double> number_of(const FieldInfo& info, const Value& value,
+                                  std::string_view name) {
+    const std::string_view fault = number_fault(info, value);
+    if (fault.empty()) return value.number + 0.0;  // −0 becomes 0
+    refuse(info, name,
+           value.kind == ValueKind::number ? value_text(value) + std::string(fault)
+                                           : what_came(value));
+    return std::nullopt;
+  }
+
+  static std::string_view number_fault(const FieldInfo& info, const Value& value) {
+    const double number = value.number;
+    if (value.kind != ValueKind::number) return " is no number";
+    if (value.fault == NumberFault::overflow) return " is beyond 1.8e308; it must be finite";
+    if (value.fault == NumberFault::underflow)
+      return " underflows: it is nearer to 0 than 4.9e-324";
+    if (!std::isfinite(number)) return " is not allowed: it must be finite";
+    if (info.type == FieldType::integer && !is_whole(number)) return " is not whole";
+    const bool low = info.exclusive_minimum ? number <= info.minimum : number < info.minimum;
+    if (low || (info.maximum && number > *info.maximum)) return " is not allowed";
+    return "";
+  }
+
+  void warn_if_implausible(const FieldInfo& info, double number, std::string_view name) {
+    if (number >= info.plausible_minimum && number <= info.plausible_maximum) return;
+    std::string text = number_text(number);
+    if (!info.unit.empty()) text += ' ' + std::string(info.unit);
+    if (info.plausible_minimum == info.plausible_maximum) {
+      text += " is legal, but Hertz's contact stays circular here: only the film formula takes it";
+    } else {
+      text += " is legal but implausible: usual are " + number_text(info.plausible_minimum) +
+              " to " + number_text(info.plausible_maximum);
+    }
+    problems_.warning(name, text);
+  }
+
+  void take_choice(std::size_t field, const Value& value) {
+    const FieldInfo& info = scene_fields()[field];
+    if (value.kind != ValueKind::text) return refuse(info, info.path, what_came(value));
+    for (std::size_t place = 0; place < info.choices.size(); ++place)
+      if (info.choices[place] == value.text)
+        return store_of(field)(scene_, static_cast<double>(place));
+    const std::string_view nearest = nearest_choice(value.text, info.choices);
+    problems_.error(info.path, value_text(value) + " is not known; allowed: " + allowed_text(info) +
+                                   did_you_mean(nearest));
+  }
+
+  static std::string did_you_mean(std::string_view nearest) {
+    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?";
+  }
+
+  void take_id(const Value& value) {
+    if (value.kind != ValueKind::text)
+      return problems_.error("id", what_came(value) + "; allowed: a text");
+    reading_.id = value.text;
+    scene_.id = value.text;
+  }
+
+  // --- Speeds.
+
+  bool speed_is_table() const {
+    const Entry* speed = given_[field_at("speed")];
+    return speed != nullptr && speed->value.kind == ValueKind::table;
+  }
+
+  void take_speeds(const FieldInfo& info, const Entry& entry) {
+    const ValueKind kind = entry.value.kind;
+    if (use_ == SceneUse::one_speed && kind != ValueKind::number) {
+      problems_.error("speed", what_came(entry.value) + "; allowed: one number above 0, in m/s");
+      explained_.set(field_at("speed.from"));
+      explained_.set(field_at("speed.to"));
+      return;
+    }
+    if (kind == ValueKind::table) {
+      scene_.speeds.count = 200;
+    } else if (kind == ValueKind::list) {
+      take_speed_list(info, entry.elements);
+    } else if (const auto number = number_of(info, entry.value, "speed")) {
+      scene_.speeds.list = {*number};
+      warn_if_implausible(info, *number, "speed");
+    }
+  }
+
+  void take_speed_list(const FieldInfo& info, const std::vector<Value>& elements) {
+    if (elements.empty()) return refuse(info, "speed", "the list is empty");
+    bool warned = false;
+    scene_.speeds.list.reserve(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      if (const auto number = speed_of(info, elements[i], i)) {
+        scene_.speeds.list.push_back(*number);
+        const bool odd = *number < info.plausible_minimum || *number > info.plausible_maximum;
+        if (odd && !warned) warn_if_implausible(info, *number, element_name("speed", i));
+        warned = warned || odd;
+      }
+    }
+  }
+
+  std::optional<double> speed_of(const FieldInfo& info, const Value& value, std::size_t i) {
+    if (number_fault(info, value).empty()) return value.number;  // no name is made for good ones
+    const FieldInfo& element = scene_fields()[field_at("speed.from")];
+    return number_of(element, value, element_name("speed", i));
+  }
+
+  static std::string element_name(std::string_view list, std::size_t i) {
+    return std::string(list) + '[' + std::to_string(i) + ']';
+  }
+
+  void check_speed_range() {
+    const Speeds& speeds = scene_.speeds;
+    if (!speed_is_table() || speeds.from <= 0 || speeds.to <= 0) return;
+    if (speeds.from < speeds.to) return;
+    problems_.error("speed.to", number_text(speeds.to) +
+                                    " is not allowed; allowed: a number above "
+                                    "speed.from, which is " +
+                                    number_text(speeds.from));
+  }
+
+  // --- Outputs.
+
+  void take_outputs(const FieldInfo& info, const Entry& entry) {
+    if (entry.value.kind != ValueKind::list) return refuse(info, "outputs", what_came(entry.value));
+    if (entry.elements.empty()) return refuse(info, "outputs", "the list is empty");
+    for (std::size_t i = 0; i < entry.elements.size(); ++i)
+      take_output(info, entry.elements[i], element_name("outputs", i));
+  }
+
+  void take_output(const FieldInfo& info, const Value& value, const std::string& name) {
+    if (value.kind != ValueKind::text) return refuse(info, name, what_came(value));
+    const auto output = output_by_name(value.text);
+    if (!output) return refuse_output(info, value, name);
+    if (scene_.outputs.contains(*output))
+      return problems_.error(name, value_text(value) + " is given twice; allowed: each once");
+    scene_.outputs.insert(*output);
+  }
+
+  void refuse_output(const FieldInfo& info, const Value& value, const std::string& name) {
+    std::array<std::string_view, output_infos.size()> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = output_infos[i].name;
+    problems_.error(name, value_text(value) + " is not known; allowed: " + allowed_text(info) +
+                              did_you_mean(nearest_choice(value.text, names)));
+  }
+
+  // Outputs that were asked for need their inputs; without a list, those with inputs are computed.
+  void check_outputs() {
+    const bool asked = given_[field_at("outputs")] != nullptr;
+    if (!asked) scene_.outputs = OutputSet::all();
+    for (std::size_t field = 0; field < field_count; ++field) {
+      const FieldInfo& info = scene_fields()[field];
+      if (!info.needed_by || given_[field] != nullptr) continue;
+      if (!scene_.outputs.contains(*info.needed_by) && asked) continue;
+      if (asked)
+        report_missing(field, ": " + std::string(tribo::info(*info.needed_by).name) + " needs it");
+      else
+        scene_.outputs.erase(*info.needed_by);
+    }
+  }
+
+  // --- Rules on several fields.
+
+  void check_supply() {
+    std::string_view first;
+    for (std::size_t field = 0; field < field_count; ++field) {
+      const std::string_view path = scene_fields()[field].path;
+      if (section_of(path) != "supply" || given_[field] == nullptr) continue;
+      if (!first.empty())
+        problems_.error(path, "given beside " + std::string(first) + "; allowed: exactly one of " +
+                                  names_in("supply"));
+      else
+        first = path;
+    }
+    if (first.empty() && has_section("supply") && !supply_explained_)
+      problems_.error("supply", "empty; allowed: exactly one of " + names_in("supply") +
+                                    " (no supply at all: fully flooded)");
+  }
+
+  bool has_section(std::string_view name) const {
+    for (const std::string_view seen : sections_)
+      if (seen == name) return true;
+    return false;
+  }
+
+  // Roelands' law has ln η₀ + 9.67 below a fraction line; that is 0 at η₀ = 6.31499e-5 Pa·s.
+  void check_roelands() {
+    const double viscosity = scene_.lubricant.viscosity;
+    if (scene_.friction.viscosity != ViscosityLaw::roelands || viscosity <= 0) return;
+    if (viscosity > 6.315e-5) return;
+    problems_.error("lubricant.viscosity",
+                    number_text(viscosity) +
+                        " is not allowed with friction.viscosity = \"roelands\"; allowed: a number "
+                        "above 6.315e-5, in Pa·s");
+  }
+
+  void warn_of_odd_pairs() {
+    const Surface& surface = scene_.surface;
+    const double roughness =
+        surface.summit_density * surface.summit_radius * surface.summit_height_sd;
+    if (!(roughness >= 1e-3 && roughness <= 1))
+      problems_.warning(
+          "surface", "summit_density · summit_radius · summit_height_sd = " + rounded(roughness) +
+                         " is legal but implausible: usual are 0.03 to 0.05");
+    const Bodies& bodies = scene_.bodies;
+    const double radius =
+        std::cbrt(0.75 * scene_.load / bodies.effective_modulus * bodies.reduced_radius);
+    if (radius > 0.5 * bodies.reduced_radius)
+      problems_.warning("bodies.reduced_radius",
+                        number_text(bodies.reduced_radius) +
+                            " m is legal but implausible: Hertz's contact radius is " +
+                            rounded(radius) + " m, and his formulas hold where it is far smaller");
+  }
+
+  static std::string rounded(double number) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 3)
+            .ptr;
+    return {text.data(), end};
+  }
+
+  SceneUse use_;
+  Problems& problems_;
+  SceneReading& reading_;
+  Scene scene_;
+  std::array<const Entry*, field_count> given_{};
+  std::bitset<field_count> explained_;  // an error already says why the field is not there
+  bool supply_explained_ = false;
+  std::vector<std::string_view> sections_;
+};
+
+}  // namespace
+
+void bind_scene(const std::vector<Entry>& entries, SceneUse use, Problems& problems,
+                SceneReading& reading) {
+  SceneBinder(use, problems, reading).bind(entries);
+}
+
+}  // namespace tribo::scene_detail

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the reader needs of the schema beyond the public table: look-up by name, and where a value
+// goes.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::scene_detail {
+
+inline constexpr std::size_t field_count = 29;
+
+// Puts a number, a whole number, or the place of a chosen word into the scene. Null for the fields
+// that are more than one number: id, speed, outputs.
+using Store = void (*)(Scene&, double);
+Store store_of(std::size_t field);
+
+// The place in scene_fields() of a dotted path.
+std::optional<std::size_t> find_field(std::string_view path);
+// The same for a path known to be there.
+std::size_t field_at(std::string_view path);
+
+// "surface", "bodies" …: the tables of a scene. `speed` is one of them, as it may be a table.
+bool is_section(std::string_view name);
+
+// "surface" of "surface.summit_radius", empty for "load".
+std::string_view section_of(std::string_view path);
+
+// The known name nearest to a misspelt one; empty if none is near. `sections` also considers
+// the names of sections (for tables), `fields` those of fields.
+std::string_view nearest_name(std::string_view path, bool sections, bool fields);
+std::string_view nearest_choice(std::string_view word, std::span<const std::string_view> choices);
+
+// "a number above 0, in m"
+std::string allowed_text(const FieldInfo& field);
+// "summit_density, summit_radius, …": the names legal in a section, or on top for "".
+std::string names_in(std::string_view section);
+
+}  // namespace tribo::scene_detail

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texts for messages: whatever an input holds, they are one line of valid UTF-8, and short.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace tribo::scene_detail {
+
+// Bytes of the well-formed UTF-8 sequence that starts at text[at]; 0 if there is none.
+std::size_t utf8_length(std::string_view text, std::size_t at);
+
+// Control, formatting and broken signs are written as escapes, and what is longer than `most`
+// characters ends in "…".
+std::string printable(std::string_view text, std::size_t most = 60);
+
+// The shortest decimal that reads back to the same double.
+std::string number_text(double number);
+
+// Edits (one sign more, less, other, or two neighbours swapped) that turn one word into the other.
+// Words over 64 bytes count as far from everything.
+std::size_t edit_distance(std::string_view left, std::string_view right);
+
+}  // namespace tribo::scene_detail

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A look at TOML text before toml++ 3.3 gets it, for what that cannot take:
+// - non-ASCII bytes outside strings and comments are undefined behaviour in it;
+// - tables nested by the thousand (a.b.c.d…) overflow the stack when they are destroyed;
+// - tables by the ten thousand take it quadratic time;
+// - at a number that fits neither double nor int64 it stops, without a word on the field.
+// The last are replaced by `inf` of equal length, and remembered by their place.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene_entries.hpp"
+
+namespace tribo::scene_detail {
+
+struct WideNumber {
+  std::size_t row, column;
+  Value value;
+};
+
+struct TableHeader {
+  std::size_t row;
+  std::string_view name;  // as written between the brackets
+};
+
+struct TomlScreen {
+  std::string complaint;  // empty: toml++ may have the text
+  std::size_t row = 0, column = 0;
+  std::vector<WideNumber> wide_numbers;  // by rising place
+  std::vector<TableHeader> headers;      // by rising row
+};
+
+// Mends `text`, whose size stays. The result looks into it.
+TomlScreen screen_toml(std::string& text);
+
+}  // namespace tribo::scene_detail

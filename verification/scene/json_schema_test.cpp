@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// reference/scene.schema.json says what the table of fields says, no more and no less: the schema
+// is built from the table and compared with the committed file. To write the file anew:
+//   TRIBOCHECK_UPDATE_SCHEMA=1 scene_tests --gtest_filter=JsonSchema.*
+// reports/tests/test_schema.py then shows that schema and reader judge the same scenes alike.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tribo/scene_reader.hpp"
+
+namespace tribo {
+namespace {
+
+// Lists and objects of one are named as such: compilers differ on what {{a, b}} is.
+using Json = nlohmann::ordered_json;
+
+const char* const schema_file = TRIBOCHECK_SOURCE_DIR "/reference/scene.schema.json";
+
+std::string description_of(const FieldInfo& field) {
+  std::string text(field.meaning);
+  if (!field.unit.empty()) text += "; in " + std::string(field.unit);
+  if (field.needed_by) text += "; only " + std::string(info(*field.needed_by).name) + " needs it";
+  const bool worded = field.type == FieldType::text || field.type == FieldType::outputs;
+  if (worded) text += "; default: " + std::string(field.default_text);
+  return text;
+}
+
+// 0, not 0.0
+Json bound(double value) {
+  if (std::trunc(value) == value) return static_cast<std::int64_t>(value);
+  return value;
+}
+
+Json number_type(const FieldInfo& field) {
+  Json type;
+  type["type"] = field.type == FieldType::integer ? "integer" : "number";
+  type[field.exclusive_minimum ? "exclusiveMinimum" : "minimum"] = bound(field.minimum);
+  if (field.maximum) type["maximum"] = bound(*field.maximum);
+  return type;
+}
+
+Json table_of(const std::string& section);
+
+Json speeds_type(const FieldInfo& field) {
+  FieldInfo element = field;
+  element.type = FieldType::number;
+  const Json list = {{"type", "array"}, {"minItems", 1}, {"items", number_type(element)}};
+  return Json::object({{"oneOf", Json::array({number_type(element), list, table_of("speed")})}});
+}
+
+Json outputs_type() {
+  Json names = Json::array();
+  for (const OutputInfo& output : output_infos) names.push_back(output.name);
+  return {{"type", "array"},
+          {"minItems", 1},
+          {"uniqueItems", true},
+          {"items", Json::object({{"enum", names}})}};
+}
+
+Json type_of(const FieldInfo& field) {
+  switch (field.type) {
+    case FieldType::number:
+    case FieldType::integer:
+      return number_type(field);
+    case FieldType::text:
+      return Json::object({{"type", "string"}});
+    case FieldType::choice:
+      return Json::object({{"enum", Json(field.choices)}});
+    case FieldType::speeds:
+      return speeds_type(field);
+    case FieldType::outputs:
+      return outputs_type();
+  }
+  return {};
+}
+
+Json default_of(const FieldInfo& field) {
+  if (field.type == FieldType::choice) return field.default_text;
+  return Json::parse(field.default_text);
+}
+
+Json schema_of(const FieldInfo& field) {
+  Json schema = Json::object({{"description", description_of(field)}});
+  schema.update(type_of(field));
+  const bool worded = field.type == FieldType::text || field.type == FieldType::outputs;
+  if (!field.default_text.empty() && !worded) schema["default"] = default_of(field);
+  return schema;
+}
+
+Json table_of(const std::string& section) {
+  Json required = Json::array(), properties = Json::object();
+  for (const FieldInfo& field : scene_fields()) {
+    if (!field.path.starts_with(section + '.')) continue;
+    const std::string name(field.path.substr(section.size() + 1));
+    properties[name] = schema_of(field);
+    if (field.required) required.push_back(name);
+  }
+  Json table = {{"type", "object"}, {"additionalProperties", false}};
+  if (!required.empty()) table["required"] = required;
+  if (section == "supply") {
+    table["description"] = "exactly one of these; no supply at all: fully flooded";
+    table["minProperties"] = 1;
+    table["maxProperties"] = 1;
+  }
+  table["properties"] = properties;
+  return table;
+}
+
+// if friction.viscosity is "roelands", then lubricant.viscosity > 6.315e-5
+Json roelands_rule() {
+  const Json condition = Json::parse(R"({"required": ["friction"], "properties": {"friction": {
+    "required": ["viscosity"], "properties": {"viscosity": {"const": "roelands"}}}}})");
+  const Json consequence = Json::parse(R"({"properties": {"lubricant": {"properties": {
+    "viscosity": {"exclusiveMinimum": 6.315e-5}}}}})");
+  return {{"if", condition}, {"then", consequence}};
+}
+
+// if an output is asked for by name, then the fields that only it needs are required
+Json output_rule(const OutputInfo& output) {
+  Json required = Json::array(), properties = Json::object();
+  for (const FieldInfo& field : scene_fields()) {
+    if (field.needed_by != output.output) continue;
+    const std::string section(field.path.substr(0, field.path.find('.')));
+    if (!properties.contains(section)) required.push_back(section);
+    properties[section]["required"].push_back(field.path.substr(section.size() + 1));
+  }
+  if (required.empty()) return nullptr;
+  const Json named = Json::object({{"contains", Json::object({{"const", output.name}})}});
+  return {{"if",
+           {{"required", Json::array({"outputs"})},
+            {"properties", Json::object({{"outputs", named}})}}},
+          {"then", {{"required", required}, {"properties", properties}}}};
+}
+
+Json schema_of_table() {
+  Json required = Json::array(), properties = Json::object();
+  for (const FieldInfo& field : scene_fields()) {
+    const std::size_t dot = field.path.find('.');
+    const std::string name(field.path.substr(0, dot));
+    const bool in_table = dot != std::string_view::npos;
+    if (!properties.contains(name)) properties[name] = in_table ? table_of(name) : schema_of(field);
+    const bool listed = std::find(required.begin(), required.end(), name) != required.end();
+    if (field.required && !listed && name != "speed") required.push_back(name);
+  }
+  Json rules = Json::array({roelands_rule()});
+  for (const OutputInfo& output : output_infos)
+    if (const Json rule = output_rule(output); !rule.is_null()) rules.push_back(rule);
+  return {
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", "tribocheck scene"},
+      {"description",
+       "One contact, its lubricant, its supply of oil and the speeds it is asked at. SI units."},
+      {"$comment",
+       "Built from scene_fields() by verification/scene/json_schema_test.cpp. What a schema "
+       "cannot say: speed is required but for onset; speed.to is above speed.from; numbers are "
+       "finite in double and do not vanish."},
+      {"type", "object"},
+      {"additionalProperties", false},
+      {"required", required},
+      {"properties", properties},
+      {"allOf", rules}};
+}
+
+TEST(JsonSchema, SaysWhatTheTableOfFieldsSays) {
+  const Json wanted = schema_of_table();
+  if (std::getenv("TRIBOCHECK_UPDATE_SCHEMA") != nullptr)
+    std::ofstream(schema_file) << wanted.dump(2) << '\n';
+  std::ifstream file(schema_file);
+  ASSERT_TRUE(file) << schema_file;
+  const Json committed = Json::parse(file, nullptr, false);
+  ASSERT_FALSE(committed.is_discarded()) << schema_file << " is not JSON";
+  EXPECT_TRUE(committed == wanted) << "to make " << schema_file << " follow the table:\n"
+                                   << Json::diff(committed, wanted).dump(2);
+}
+
+TEST(JsonSchema, CoversEveryFieldOfTheTable) {
+  const Json schema = schema_of_table();
+  for (const FieldInfo& field : scene_fields()) {
+    const std::size_t dot = field.path.find('.');
+    const Json* node = &schema["properties"][std::string(field.path.substr(0, dot))];
+    if (node->contains("oneOf") && dot != std::string_view::npos) node = &(*node)["oneOf"][2];
+    if (dot != std::string_view::npos)
+      node = &(*node)["properties"][std::string(field.path.substr(dot + 1))];
+    ASSERT_TRUE(node->contains("description")) << field.path;
+    const std::string description = (*node)["description"];
+    EXPECT_TRUE(description.starts_with(field.meaning)) << field.path;
+  }
+}
+
+}  // namespace
+}  // namespace tribo

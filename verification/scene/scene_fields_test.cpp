@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every field of the schema, spoilt in every way, in TOML and in JSON: what is legal follows from
+// the row of the table alone, so a new row is tested by being there.
+#include <cmath>
+
+#include "scene/scene_text.hpp"
+
+namespace tribo::scene_test {
+namespace {
+
+bool is_number(const FieldInfo& field) {
+  return field.type == FieldType::number || field.type == FieldType::integer ||
+         field.type == FieldType::speeds;
+}
+
+bool is_legal(const FieldInfo& field, double value) {
+  if (field.exclusive_minimum ? value <= field.minimum : value < field.minimum) return false;
+  return !field.maximum || value <= *field.maximum;
+}
+
+std::string decimal(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+void expect_judged(const FieldInfo& field, const std::string& value, bool legal,
+                   const char* part = "not allowed") {
+  for (const Format format : formats) {
+    const SceneText text = SceneText::good_with(field).set(field.path, value);
+    if (legal)
+      EXPECT_TRUE(accepted(format, text));
+    else
+      EXPECT_TRUE(refused(format, text, field.path, part));
+  }
+}
+
+TEST(SceneFields, GoodValueOfEachIsAccepted) {
+  for (const FieldInfo& field : scene_fields())
+    for (const Format format : formats) EXPECT_TRUE(accepted(format, SceneText::good_with(field)));
+}
+
+TEST(SceneFields, MissingOneIsAnErrorOnlyIfRequired) {
+  for (const FieldInfo& field : scene_fields()) {
+    for (const Format format : formats) {
+      const SceneText text = SceneText::good_with(field).remove(field.path);
+      if (field.required || field.type == FieldType::speeds)
+        EXPECT_TRUE(refused(format, text, field.path, "missing"));
+      else
+        EXPECT_TRUE(accepted(format, text));
+    }
+  }
+}
+
+TEST(SceneFields, MisspeltOneIsNamedWithTheRightName) {
+  for (const FieldInfo& field : scene_fields()) {
+    const std::string misspelt(field.path.substr(0, field.path.size() - 1));
+    const std::string hint = "did you mean " + std::string(field.path) + "?";
+    for (const Format format : formats) {
+      const SceneText text = SceneText::good_with(field).rename(field.path, misspelt);
+      EXPECT_TRUE(refused(format, text, misspelt, hint));
+    }
+  }
+}
+
+TEST(SceneFields, OneInAWrongTableIsNamedWithTheRightPlace) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (field.path.find('.') == std::string_view::npos || field.path.starts_with("speed."))
+      continue;
+    if (field.path == "friction.viscosity") continue;  // lubricant.viscosity is as near
+    const std::string name(field.path.substr(field.path.find('.') + 1));
+    for (const Format format : formats) {
+      const SceneText text = SceneText::good_with(field).rename(field.path, name);
+      EXPECT_TRUE(refused(format, text, name, "did you mean " + std::string(field.path) + "?"));
+    }
+  }
+}
+
+TEST(SceneFields, WrongTypeIsNamed) {
+  struct Case {
+    const char* toml;
+    const char* json;
+    const char* part;
+    std::vector<FieldType> right_for;
+  };
+  using enum FieldType;
+  const Case cases[] = {
+      {"true", "true", "true is a boolean", {}},
+      {"\"abc\"", "\"abc\"", "\"abc\" is", {text}},
+      {"12", "12", "12 is a number", {number, integer, speeds}},
+      {"[\"abc\"]", "[\"abc\"]", "this is a list", {speeds, outputs}},
+      {"{}", "{}", "this is a table", {speeds}},
+      {"{ a = 1 }", "{\"a\": {\"b\": [1]}}", "this is a table", {speeds}},
+      {"1979-05-27", "null", "this is ", {}},
+  };
+  for (const FieldInfo& field : scene_fields()) {
+    for (const Case& wrong : cases) {
+      if (std::find(wrong.right_for.begin(), wrong.right_for.end(), field.type) !=
+          wrong.right_for.end())
+        continue;
+      SceneText text = SceneText::good_with(field);
+      EXPECT_TRUE(refused(Format::toml, text.set(field.path, wrong.toml), field.path, wrong.part));
+      EXPECT_TRUE(refused(Format::json, text.set(field.path, wrong.json), field.path, wrong.part));
+    }
+  }
+}
+
+TEST(SceneFields, ZeroIsLegalExactlyWhereTheTableSaysSo) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (!is_number(field)) continue;
+    for (const char* zero : {"0", "0.0", "-0.0", "-0", "0e5"})
+      expect_judged(field, zero, is_legal(field, 0));
+  }
+}
+
+TEST(SceneFields, NegativeNumbersAreRefused) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (!is_number(field)) continue;
+    for (const char* value : {"-1", "-4.94e-324", "-1.5e300"}) {
+      const bool whole = field.type != FieldType::integer || std::string(value) == "-1";
+      expect_judged(field, value, false, whole ? "not allowed" : "");
+    }
+  }
+}
+
+TEST(SceneFields, EndsOfTheRangeAreJudgedToTheLastBit) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (!is_number(field)) continue;
+    if (field.type == FieldType::integer) {
+      expect_judged(field, decimal(field.minimum), true);
+      expect_judged(field, decimal(field.minimum - 1), false);
+      expect_judged(field, decimal(*field.maximum), true);
+      expect_judged(field, decimal(*field.maximum + 1), false);
+    } else {
+      const double least = std::nextafter(field.minimum, 1);
+      if (field.path != "speed.to")  // has to be above speed.from
+        expect_judged(field, decimal(least), true);
+      if (field.path != "speed.from") expect_judged(field, "1.7976931348623157e308", true);
+    }
+  }
+}
+
+TEST(SceneFields, NumbersBeyondDoubleAreRefusedWithTheFieldAndTheValue) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (!is_number(field)) continue;
+    const char* wide[] = {"1e400", "-1e400", "1e309", "123456789e99999999999999999999"};
+    for (const char* value : wide)
+      expect_judged(field, value, false, (std::string(value) + " is beyond").c_str());
+    for (const char* value : {"1e-400", "-1e-400", "0.1e-400"})
+      expect_judged(field, value, false, (std::string(value) + " underflows").c_str());
+  }
+}
+
+TEST(SceneFields, NanAndInfinityAreRefused) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (!is_number(field)) continue;
+    SceneText text = SceneText::good_with(field);
+    for (const char* value : {"nan", "-nan", "inf", "+inf", "-inf"})
+      EXPECT_TRUE(refused(Format::toml, text.set(field.path, value), field.path, "must be finite"));
+    for (const char* value : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"})
+      EXPECT_TRUE(refused(Format::json, text.set(field.path, value), field.path, "must be finite"));
+  }
+}
+
+TEST(SceneFields, WholeNumbersMayBeWrittenAsFloatsButNotWithAFraction) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (field.type != FieldType::integer) continue;
+    expect_judged(field, "2.0", true);
+    expect_judged(field, "2e0", true);
+    expect_judged(field, "1.5", false, "1.5 is not whole");
+  }
+}
+
+TEST(SceneFields, NumbersMayBeWrittenAsIntegersOfAnyLength) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (field.type != FieldType::number || field.path == "speed.from") continue;
+    for (const char* value :
+         {"12", "9007199254740993", "9223372036854775808", "123456789012345678901234567890"})
+      expect_judged(field, value, true);
+  }
+}
+
+TEST(SceneFields, UnknownChoiceIsRefusedWithTheNearest) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (field.type != FieldType::choice) continue;
+    for (const std::string_view choice : field.choices) {
+      const std::string value = '"' + std::string(choice) + "x\"";
+      expect_judged(field, value, false, ("did you mean " + std::string(choice) + "?").c_str());
+    }
+    expect_judged(field, "\"\"", false, "is not known; allowed: ");
+  }
+}
+
+TEST(SceneFields, EachGivenTwiceIsRefused) {
+  for (const FieldInfo& field : scene_fields()) {
+    const SceneText text = SceneText::good_with(field);
+    const std::string value = SceneText::good_value(field);
+    const std::string again = std::string(field.path) + " = " + value + "\n";
+    EXPECT_TRUE(refused(Format::toml, text.toml() + again, field.path, "given twice"));
+    std::string json = text.json();
+    const std::string name(field.path.substr(field.path.rfind('.') + 1));
+    const std::string pair = '"' + name + "\": " + value;
+    // The pair as it stands in its own table: friction.viscosity is not lubricant.viscosity.
+    const std::string section(field.path.substr(0, field.path.size() - name.size()));
+    const std::size_t table =
+        section.empty() ? 0 : json.find('"' + section.substr(0, section.size() - 1) + "\": {");
+    json.insert(json.find(pair, table), pair + ", ");
+    EXPECT_TRUE(refused(Format::json, json, field.path, "given twice"));
+  }
+}
+
+TEST(SceneFields, ImplausibleNumbersGetAWarningAndAScene) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (!is_number(field) || field.type == FieldType::integer) continue;
+    SceneText text = SceneText::good_with(field);
+    for (const Format format : formats) {
+      if (field.plausible_minimum > 0 && field.path != "speed.to") {
+        text.set(field.path, decimal(0.5 * field.plausible_minimum));
+        EXPECT_TRUE(warned(format, text, field.path, "is legal"));
+      }
+      if (std::isfinite(field.plausible_maximum) && field.path != "speed.from") {
+        text.set(field.path, decimal(2 * field.plausible_maximum));
+        EXPECT_TRUE(warned(format, text, field.path, "is legal"));
+      }
+    }
+  }
+}
+
+TEST(SceneFields, PlausibleRangesLieWithinTheLegalOnes) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (field.type == FieldType::integer) continue;
+    EXPECT_LE(field.minimum, field.plausible_minimum) << field.path;
+    EXPECT_LE(field.plausible_minimum, field.plausible_maximum) << field.path;
+    EXPECT_FALSE(field.meaning.empty()) << field.path;
+  }
+}
+
+}  // namespace
+}  // namespace tribo::scene_test

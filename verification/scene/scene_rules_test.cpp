@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a good scene becomes, and the rules that look at more than one field.
+#include <cmath>
+#include <filesystem>
+
+#include "scene/scene_text.hpp"
+
+namespace tribo::scene_test {
+namespace {
+
+SceneText good() { return SceneText::good(); }
+
+TEST(Scene, GetsEveryFieldInItsPlace) {
+  SceneText text = good();
+  text.set("surface.offset_planes", "2").set("bodies.ellipticity", "1.5");
+  text.set("friction.slide_roll_ratio", "0.25").set("friction.fluid", "\"limiting\"");
+  text.set("friction.viscosity", "\"roelands\"").set("closures.starvation", "\"damiens\"");
+  text.set("closures.asperity", "\"greenwood_williamson\"").set("closures.damiens_exponent", "2.5");
+  text.set("outputs", R"(["film", "friction"])");
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, text);
+    ASSERT_TRUE(reading.scene) << lines_of(reading.errors);
+    const Scene& scene = *reading.scene;
+    EXPECT_EQ(scene.id, "rough");
+    EXPECT_EQ(reading.id, "rough");
+    EXPECT_EQ(scene.load, 50);
+    ASSERT_EQ(scene.speeds.size(), 1u);
+    EXPECT_EQ(scene.speeds[0], 0.1);
+    EXPECT_EQ(scene.surface.summit_density, 5e10);
+    EXPECT_EQ(scene.surface.summit_radius, 1e-5);
+    EXPECT_EQ(scene.surface.summit_height_sd, 1e-7);
+    EXPECT_EQ(scene.surface.summit_plane_offset, 1.146);
+    EXPECT_EQ(scene.surface.offset_planes, 2);
+    EXPECT_EQ(scene.bodies.effective_modulus, 107.9e9);
+    EXPECT_EQ(scene.bodies.reduced_radius, 9.5e-3);
+    EXPECT_EQ(scene.bodies.ellipticity, 1.5);
+    EXPECT_EQ(scene.lubricant.viscosity, 0.0202);
+    EXPECT_EQ(scene.lubricant.pressure_viscosity, 2e-8);
+    EXPECT_EQ(scene.lubricant.eyring_stress, 2.5e6);
+    EXPECT_EQ(scene.supply.kind, SupplyKind::inlet_film_ratio);
+    EXPECT_EQ(scene.supply.value, 4);
+    EXPECT_EQ(scene.friction.boundary_coefficient, 0.13);
+    EXPECT_EQ(scene.friction.slide_roll_ratio, 0.25);
+    EXPECT_EQ(scene.friction.fluid, FluidShear::limiting);
+    EXPECT_EQ(scene.friction.viscosity, ViscosityLaw::roelands);
+    EXPECT_EQ(scene.closures.asperity, AsperityModel::greenwood_williamson);
+    EXPECT_EQ(scene.closures.starvation, StarvationClosure::damiens);
+    EXPECT_EQ(scene.closures.damiens_exponent, 2.5);
+    OutputSet outputs;
+    outputs.insert(Output::film);
+    outputs.insert(Output::friction);
+    EXPECT_TRUE(scene.outputs == outputs);
+  }
+}
+
+TEST(Scene, TakesEveryWordToItsEnumerator) {
+  const auto closure = [](const char* word) {
+    SceneText text = good();
+    text.set("closures.starvation", std::string("\"") + word + '"');
+    return read(Format::toml, text).scene.value().closures.starvation;
+  };
+  EXPECT_EQ(closure("flooded_inlet"), StarvationClosure::flooded_inlet);
+  EXPECT_EQ(closure("starved_inlet"), StarvationClosure::starved_inlet);
+  EXPECT_EQ(closure("printed_exponents"), StarvationClosure::printed_exponents);
+  EXPECT_EQ(closure("damiens"), StarvationClosure::damiens);
+  const auto law = [](const char* word) {
+    SceneText text = good();
+    text.set("friction.viscosity", std::string("\"") + word + '"');
+    return read(Format::json, text).scene.value().friction.viscosity;
+  };
+  EXPECT_EQ(law("barus"), ViscosityLaw::barus);
+  EXPECT_EQ(law("ambient"), ViscosityLaw::ambient);
+  EXPECT_EQ(law("roelands"), ViscosityLaw::roelands);
+}
+
+TEST(Scene, DefaultsOfTheTableAreThoseOfTheScene) {
+  SceneText text = good();
+  text.remove("speed").remove("id").remove("surface.summit_plane_offset");
+  text.set("speed.from", "1e-4").set("speed.to", "3");
+  SceneText explicit_text = text;
+  for (const FieldInfo& field : scene_fields()) {
+    if (field.default_text.empty() || field.type == FieldType::text ||
+        field.type == FieldType::outputs)
+      continue;
+    const std::string value(field.default_text);
+    explicit_text.set(field.path, field.type == FieldType::choice ? '"' + value + '"' : value);
+  }
+  const Scene left = read(Format::toml, text).scene.value();
+  const Scene right = read(Format::toml, explicit_text).scene.value();
+  EXPECT_EQ(left.surface.summit_plane_offset, right.surface.summit_plane_offset);
+  EXPECT_EQ(left.surface.offset_planes, right.surface.offset_planes);
+  EXPECT_EQ(left.bodies.ellipticity, right.bodies.ellipticity);
+  EXPECT_EQ(left.speeds.count, right.speeds.count);
+  EXPECT_EQ(left.speeds.spacing, right.speeds.spacing);
+  EXPECT_EQ(left.friction.slide_roll_ratio, right.friction.slide_roll_ratio);
+  EXPECT_EQ(left.friction.fluid, right.friction.fluid);
+  EXPECT_EQ(left.friction.viscosity, right.friction.viscosity);
+  EXPECT_EQ(left.closures.asperity, right.closures.asperity);
+  EXPECT_EQ(left.closures.starvation, right.closures.starvation);
+  EXPECT_EQ(left.closures.damiens_exponent, right.closures.damiens_exponent);
+  EXPECT_EQ(left.supply.kind, right.supply.kind);
+}
+
+TEST(Scene, MinusZeroIsZero) {
+  for (const Format format : formats)
+    for (const char* zero : {"-0", "-0.0"}) {
+      SceneText text = good();
+      text.set("surface.summit_plane_offset", zero);
+      EXPECT_FALSE(std::signbit(read(format, text).scene.value().surface.summit_plane_offset));
+    }
+}
+
+TEST(Scene, ReportsEveryProblemAtOnce) {
+  SceneText text = good();
+  text.set("load", "-1").set("bodies.reduced_radius", "1e400").set("lubricant.viscosity", "true");
+  text.set("speed", "[1, 2e999, -3]").remove("surface.summit_radius").set("lod", "3");
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, text);
+    EXPECT_EQ(reading.errors.size(), 7u) << lines_of(reading.errors);
+    EXPECT_TRUE(has_problem(reading.errors, "load", "-1 is not allowed"));
+    EXPECT_TRUE(has_problem(reading.errors, "bodies.reduced_radius", "1e400 is beyond"));
+    EXPECT_TRUE(has_problem(reading.errors, "lubricant.viscosity", "true is a boolean"));
+    EXPECT_TRUE(has_problem(reading.errors, "speed[1]", "2e999 is beyond"));
+    EXPECT_TRUE(has_problem(reading.errors, "speed[2]", "-3 is not allowed"));
+    EXPECT_TRUE(has_problem(reading.errors, "surface.summit_radius", "missing"));
+    EXPECT_TRUE(has_problem(reading.errors, "lod", "did you mean load?"));
+  }
+}
+
+TEST(Scene, KeepsTheIdOfABadScene) {
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, good().set("load", "0"));
+    EXPECT_FALSE(reading.scene);
+    EXPECT_EQ(reading.id, "rough");
+    EXPECT_FALSE(read(format, good().remove("id")).id);
+    EXPECT_FALSE(read(format, good().set("id", "7")).id);
+  }
+}
+
+TEST(Scene, ProblemReadsAsOneLineWithFileFieldValueAndWhatIsAllowed) {
+  const SceneReading reading = read(Format::toml, good().set("surface.summit_radius", "-1"));
+  ASSERT_EQ(reading.errors.size(), 1u);
+  EXPECT_EQ(reading.errors[0].line(),
+            "test: surface.summit_radius: -1 is not allowed; allowed: a number above 0, in m");
+}
+
+TEST(Scene, ValuesInMessagesAreShortAndWithoutControlSigns) {
+  SceneText text = good();
+  text.set("load", R"("\u001b[31mred\n\u202E)" + std::string(5000, 'x') + '"');
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, text);
+    ASSERT_EQ(reading.errors.size(), 1u);
+    const std::string line = reading.errors[0].line();
+    EXPECT_LT(line.size(), 300u) << line;
+    EXPECT_NE(line.find("\\u001b[31mred\\n\\u202e"), std::string::npos) << line;
+    EXPECT_EQ(line.find('\x1b'), std::string::npos) << line;
+  }
+}
+
+TEST(Scene, ProblemsWithoutEndAreCutOff) {
+  SceneText text = good();
+  for (int i = 0; i < 500; ++i) text.set("strange_" + std::to_string(i), "1");
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, text);
+    EXPECT_EQ(reading.errors.size(), 51u);
+    EXPECT_NE(reading.errors.back().message.find("and more"), std::string::npos);
+  }
+}
+
+// --- Tables.
+
+TEST(SceneTables, MisspeltOneIsNamedOnceWithTheRightName) {
+  SceneText text = good();
+  for (const char* field : {"summit_density", "summit_radius", "summit_height_sd"})
+    text.rename(std::string("surface.") + field, std::string("surfaces.") + field);
+  text.remove("surface.summit_plane_offset");
+  for (const Format format : formats)
+    EXPECT_TRUE(refused(format, text, "surfaces", "unknown table; did you mean surface?"));
+}
+
+TEST(SceneTables, ScalarInTheirPlaceIsNamedOnce) {
+  SceneText text = good();
+  text.remove_section("surface").set("surface", "5");
+  for (const Format format : formats)
+    EXPECT_TRUE(refused(format, text, "surface", "5 is a number; allowed: a table of summit_den"));
+}
+
+TEST(SceneTables, EmptyOnesLeaveTheirFieldsMissing) {
+  SceneText text = good();
+  text.remove_section("bodies").set("bodies", "{}");
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, text);
+    EXPECT_EQ(reading.errors.size(), 2u);
+    EXPECT_TRUE(has_problem(reading.errors, "bodies.effective_modulus", "missing"));
+    EXPECT_TRUE(has_problem(reading.errors, "bodies.reduced_radius", "missing"));
+  }
+}
+
+TEST(SceneTables, KeyWithADotInItIsNotAPath) {
+  SceneText text = good();
+  text.remove("load");
+  const std::string toml = "\"surface.summit_radius\" = 1\nload = 50\n" + text.toml();
+  EXPECT_TRUE(refused(Format::toml, toml, "\"surface.summit_radius\"",
+                      "did you mean surface.summit_radius?"));
+  std::string json = text.json();
+  json.insert(1, "\"surface.summit_radius\": 1, \"load\": 50, ");
+  EXPECT_TRUE(refused(Format::json, json, "\"surface.summit_radius\"",
+                      "did you mean surface.summit_radius?"));
+}
+
+// --- Speeds.
+
+TEST(SceneSpeeds, ListIsTakenInOrder) {
+  for (const Format format : formats) {
+    const Scene scene = read(format, good().set("speed", "[3, 0.1, 2]")).scene.value();
+    ASSERT_EQ(scene.speeds.size(), 3u);
+    EXPECT_EQ(scene.speeds[0], 3);
+    EXPECT_EQ(scene.speeds[1], 0.1);
+    EXPECT_EQ(scene.speeds[2], 2);
+  }
+}
+
+TEST(SceneSpeeds, ElementsOfAListAreJudgedOneByOne) {
+  struct Case {
+    const char* list;
+    const char* field;
+    const char* part;
+  };
+  const Case cases[] = {{"[]", "speed", "the list is empty"},
+                        {"[1, 0]", "speed[1]", "0 is not allowed"},
+                        {"[1, 2, -1]", "speed[2]", "-1 is not allowed"},
+                        {"[\"a\"]", "speed[0]", "\"a\" is a text"},
+                        {"[1, [2, 3], 4]", "speed[1]", "this is a list"},
+                        {"[1, {}]", "speed[1]", "this is a table"},
+                        {"[true]", "speed[0]", "true is a boolean"},
+                        {"[1, 1e400]", "speed[1]", "1e400 is beyond"}};
+  for (const Case& wrong : cases)
+    for (const Format format : formats)
+      EXPECT_TRUE(refused(format, good().set("speed", wrong.list), wrong.field, wrong.part));
+}
+
+TEST(SceneSpeeds, ImplausibleListGetsOneWarning) {
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, good().set("speed", "[1, 2e5, 3e5, 4e5]"));
+    ASSERT_EQ(reading.warnings.size(), 1u);
+    EXPECT_EQ(reading.warnings[0].field, "speed[1]");
+  }
+}
+
+SceneText with_range(const char* from, const char* to) {
+  SceneText text = good();
+  return text.remove("speed").set("speed.from", from).set("speed.to", to);
+}
+
+TEST(SceneSpeeds, RangeKeepsItsEndsAndDefaults) {
+  for (const Format format : formats) {
+    const Scene scene = read(format, with_range("1e-4", "3")).scene.value();
+    EXPECT_EQ(scene.speeds.size(), 200u);
+    EXPECT_EQ(scene.speeds.spacing, Spacing::log);
+    EXPECT_EQ(scene.speeds[0], 1e-4);
+    EXPECT_EQ(scene.speeds[199], 3);
+    const Scene even =
+        read(format, with_range("1", "3").set("speed.count", "5").set("speed.spacing", "\"lin\""))
+            .scene.value();
+    ASSERT_EQ(even.speeds.size(), 5u);
+    EXPECT_EQ(even.speeds[2], 2);
+  }
+}
+
+TEST(SceneSpeeds, EmptyOrReversedRangeIsRefused) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(refused(format, with_range("3", "3"), "speed.to", "above speed.from, which is 3"));
+    EXPECT_TRUE(refused(format, with_range("3", "1e-4"), "speed.to", "above speed.from"));
+    EXPECT_TRUE(refused(format, with_range("1", "2").remove("speed.to"), "speed.to", "missing"));
+  }
+}
+
+TEST(SceneSpeeds, EmptyTableLacksItsEnds) {
+  for (const Format format : formats) {
+    const SceneReading reading = read(format, good().set("speed", "{}"));
+    EXPECT_EQ(reading.errors.size(), 2u);
+    EXPECT_TRUE(has_problem(reading.errors, "speed.from", "missing"));
+    EXPECT_TRUE(has_problem(reading.errors, "speed.to", "missing"));
+  }
+}
+
+TEST(SceneSpeeds, AreRequiredByUse) {
+  for (const Format format : formats) {
+    const SceneText none = good().remove("speed");
+    EXPECT_TRUE(accepted(format, none, SceneUse::onset));
+    EXPECT_TRUE(read(format, none, SceneUse::onset).scene.value().speeds.empty());
+    EXPECT_TRUE(refused(format, none, "speed", "missing", SceneUse::speeds));
+    EXPECT_TRUE(refused(format, none, "speed", "missing", SceneUse::one_speed));
+    EXPECT_TRUE(accepted(format, good(), SceneUse::one_speed));
+    for (const char* several : {"[1, 2]", "[1]"})
+      EXPECT_TRUE(refused(format, good().set("speed", several), "speed", "allowed: one number",
+                          SceneUse::one_speed));
+    EXPECT_TRUE(
+        refused(format, with_range("1", "2"), "speed", "allowed: one number", SceneUse::one_speed));
+    EXPECT_TRUE(refused(format, good().set("speed", "0"), "speed", "not allowed", SceneUse::onset));
+  }
+}
+
+// --- Supply.
+
+TEST(SceneSupply, IsFloodedWhereThereIsNone) {
+  for (const Format format : formats)
+    EXPECT_EQ(read(format, good().remove_section("supply")).scene.value().supply.kind,
+              SupplyKind::flooded);
+}
+
+TEST(SceneSupply, HasThreeKinds) {
+  for (const Format format : formats) {
+    const auto kind = [format](const char* field) {
+      return read(format, good().remove_section("supply").set(field, "1e-7"))
+          .scene.value()
+          .supply.kind;
+    };
+    EXPECT_EQ(kind("supply.inlet_film"), SupplyKind::inlet_film);
+    EXPECT_EQ(kind("supply.inlet_film_ratio"), SupplyKind::inlet_film_ratio);
+    EXPECT_EQ(kind("supply.inlet_flow"), SupplyKind::inlet_flow);
+  }
+}
+
+TEST(SceneSupply, TwoKindsAreRefusedAndBothNamed) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(refused(format, good().set("supply.inlet_flow", "1e-9"), "supply.inlet_flow",
+                        "given beside supply.inlet_film_ratio"));
+    EXPECT_TRUE(refused(format, good().set("supply.inlet_film", "1e-9"), "supply.inlet_film_ratio",
+                        "given beside supply.inlet_film;"));
+  }
+}
+
+TEST(SceneSupply, EmptyTableIsRefused) {
+  for (const Format format : formats)
+    EXPECT_TRUE(refused(format, good().remove_section("supply").set("supply", "{}"), "supply",
+                        "exactly one of inlet_film, inlet_film_ratio, inlet_flow"));
+}
+
+// --- Outputs.
+
+TEST(SceneOutputs, WithoutAListAreThoseWithInputs) {
+  OutputSet no_friction = OutputSet::all();
+  no_friction.erase(Output::friction);
+  for (const Format format : formats) {
+    EXPECT_TRUE(read(format, good()).scene.value().outputs == OutputSet::all());
+    for (const char* input : {"lubricant.eyring_stress", "friction.boundary_coefficient"})
+      EXPECT_TRUE(read(format, good().remove(input)).scene.value().outputs == no_friction);
+  }
+}
+
+TEST(SceneOutputs, EachNameIsKnown) {
+  for (const OutputInfo& output : output_infos)
+    for (const Format format : formats) {
+      SceneText text = good();
+      text.set("outputs", "[\"" + std::string(output.name) + "\"]");
+      OutputSet only;
+      only.insert(output.output);
+      EXPECT_TRUE(read(format, text).scene.value().outputs == only) << output.name;
+    }
+}
+
+TEST(SceneOutputs, WrongListsAreRefused) {
+  struct Case {
+    const char* list;
+    const char* field;
+    const char* part;
+  };
+  const Case cases[] = {{"[]", "outputs", "the list is empty"},
+                        {R"(["film", "films"])", "outputs[1]", "did you mean film?"},
+                        {R"(["film", "regime", "film"])", "outputs[2]", "given twice"},
+                        {"[1]", "outputs[0]", "1 is a number"},
+                        {R"([["film"]])", "outputs[0]", "this is a list"}};
+  for (const Case& wrong : cases)
+    for (const Format format : formats)
+      EXPECT_TRUE(refused(format, good().set("outputs", wrong.list), wrong.field, wrong.part));
+}
+
+TEST(SceneOutputs, FrictionAskedForNeedsItsInputs) {
+  for (const char* input : {"lubricant.eyring_stress", "friction.boundary_coefficient"})
+    for (const Format format : formats) {
+      const SceneText text = good().remove(input);
+      EXPECT_TRUE(refused(format, SceneText(text).set("outputs", R"(["friction"])"), input,
+                          "missing: friction needs it"));
+      EXPECT_TRUE(accepted(format, SceneText(text).set("outputs", R"(["film"])")));
+    }
+}
+
+// --- Physics.
+
+TEST(SceneRoelands, NeedsAViscosityAboveItsPole) {
+  SceneText text = good();
+  text.set("friction.viscosity", "\"roelands\"");
+  for (const Format format : formats) {
+    for (const char* viscosity : {"6e-5", "6.315e-5", "1e-300"})
+      EXPECT_TRUE(refused(format, text.set("lubricant.viscosity", viscosity), "lubricant.viscosity",
+                          "friction.viscosity = \"roelands\""));
+    EXPECT_TRUE(accepted(format, text.set("lubricant.viscosity", "6.3151e-5")));
+  }
+  for (const Format format : formats)
+    EXPECT_TRUE(accepted(format, good().set("lubricant.viscosity", "6e-5")));
+}
+
+TEST(SceneWarnings, TheSpecifiedExamples) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(warned(format, good().set("bodies.reduced_radius", "9.5"), "bodies.reduced_radius",
+                       "9.5 m is legal but implausible"));
+    EXPECT_TRUE(warned(format, good().set("surface.summit_radius", "1e-10"),
+                       "surface.summit_radius", "1e-10 m is legal but implausible"));
+    EXPECT_TRUE(warned(format, good().set("bodies.ellipticity", "2"), "bodies.ellipticity",
+                       "stays circular"));
+  }
+}
+
+TEST(SceneWarnings, TheMisprintsOfTableOne) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(warned(format, good().set("surface.summit_radius", "1e-7"), "surface",
+                       "= 0.0005 is legal but implausible"));
+    EXPECT_TRUE(warned(format, good().set("bodies.reduced_radius", "9.5e-6"),
+                       "bodies.reduced_radius", "Hertz"));
+  }
+}
+
+TEST(SceneWarnings, NoneForThePublishedScenes) {
+  std::size_t scenes = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(TRIBOCHECK_SOURCE_DIR "/reference/published")) {
+    if (file.path().extension() != ".toml") continue;
+    const SceneReading reading = read_scene(file.path().string(), SceneUse::speeds);
+    EXPECT_TRUE(reading.scene) << lines_of(reading.errors);
+    EXPECT_TRUE(reading.warnings.empty()) << lines_of(reading.warnings);
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 3u);
+}
+
+}  // namespace
+}  // namespace tribo::scene_test

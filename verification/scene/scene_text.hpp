@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes as text, to be spoilt field by field: the same fields written as TOML and as JSON.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::scene_test {
+
+enum class Format { toml, json };
+inline constexpr Format formats[] = {Format::toml, Format::json};
+
+// Fields in the order given; the values are text as TOML and JSON both write it.
+class SceneText {
+ public:
+  // The rough surface of the paper, with one value of every kind.
+  static SceneText good() {
+    SceneText text;
+    text.set("id", "\"rough\"").set("load", "50").set("speed", "0.1");
+    text.set("surface.summit_density", "5e10").set("surface.summit_radius", "1e-5");
+    text.set("surface.summit_height_sd", "1e-7").set("surface.summit_plane_offset", "1.146");
+    text.set("bodies.effective_modulus", "107.9e9").set("bodies.reduced_radius", "9.5e-3");
+    text.set("lubricant.viscosity", "0.0202").set("lubricant.pressure_viscosity", "2e-8");
+    text.set("lubricant.eyring_stress", "2.5e6");
+    text.set("supply.inlet_film_ratio", "4").set("friction.boundary_coefficient", "0.13");
+    return text;
+  }
+
+  // A good scene that has this field too, and room for it: one supply, a speed of one kind.
+  static SceneText good_with(const FieldInfo& field) {
+    SceneText text = good();
+    if (field.path.starts_with("supply.")) text.remove_section("supply");
+    if (field.path.starts_with("speed.")) {
+      text.remove("speed");
+      text.set("speed.from", "1e-4").set("speed.to", "3");
+    }
+    return text.set(field.path, good_value(field));
+  }
+
+  static std::string good_value(const FieldInfo& field) {
+    if (field.type == FieldType::choice) return '"' + std::string(field.choices.back()) + '"';
+    if (field.type == FieldType::outputs) return R"(["film", "regime"])";
+    if (field.type == FieldType::integer) return "2";
+    const SceneText base = good();
+    for (const auto& [path, value] : base.fields_)
+      if (path == field.path) return value;
+    if (field.path == "speed.from") return "1e-4";
+    if (field.path == "supply.inlet_film") return "4e-7";
+    if (field.path == "supply.inlet_flow") return "4e-9";
+    return "1";
+  }
+
+  SceneText& set(std::string_view path, std::string_view value) {
+    for (auto& [known, old] : fields_)
+      if (known == path) {
+        old = value;
+        return *this;
+      }
+    fields_.emplace_back(path, value);
+    return *this;
+  }
+
+  SceneText& remove(std::string_view path) {
+    std::erase_if(fields_, [path](const auto& field) { return field.first == path; });
+    return *this;
+  }
+
+  SceneText& remove_section(std::string_view section) {
+    const std::string start = std::string(section) + '.';
+    std::erase_if(fields_, [&start](const auto& field) { return field.first.starts_with(start); });
+    return *this;
+  }
+
+  SceneText& rename(std::string_view path, std::string_view other) {
+    for (auto& field : fields_)
+      if (field.first == path) field.first = other;
+    return *this;
+  }
+
+  std::string written(Format format) const { return format == Format::toml ? toml() : json(); }
+
+  std::string toml() const {
+    std::string text;
+    for (const auto& [path, value] : fields_) text += path + " = " + value + '\n';
+    return text;
+  }
+
+  std::string json() const {
+    std::string text = "{";
+    std::vector<std::string> done;
+    for (const auto& [path, value] : fields_) {
+      const std::string section = section_of(path);
+      if (std::find(done.begin(), done.end(), section) != done.end()) continue;
+      if (text.size() > 1) text += ", ";
+      if (section.empty()) {
+        text += '"' + path + "\": " + value;
+        continue;
+      }
+      done.push_back(section);
+      text += '"' + section + "\": {" + section_json(section) + '}';
+    }
+    return text + '}';
+  }
+
+ private:
+  static std::string section_of(const std::string& path) {
+    const std::size_t dot = path.find('.');
+    return dot == std::string::npos ? "" : path.substr(0, dot);
+  }
+
+  std::string section_json(const std::string& section) const {
+    std::string text;
+    for (const auto& [path, value] : fields_) {
+      if (section_of(path) != section) continue;
+      if (!text.empty()) text += ", ";
+      text += '"' + path.substr(section.size() + 1) + "\": " + value;
+    }
+    return text;
+  }
+
+  std::vector<std::pair<std::string, std::string>> fields_;
+};
+
+inline SceneReading read(Format format, std::string_view text, SceneUse use = SceneUse::speeds) {
+  return format == Format::toml ? parse_scene_toml(text, "test", use)
+                                : parse_scene_json(text, "test", use);
+}
+
+inline SceneReading read(Format format, const SceneText& text, SceneUse use = SceneUse::speeds) {
+  return read(format, text.written(format), use);
+}
+
+// What a failing test prints.
+inline std::string lines_of(const std::vector<InputProblem>& problems) {
+  std::string text;
+  for (const InputProblem& problem : problems) text += "  " + problem.line() + '\n';
+  return text.empty() ? "  none\n" : text;
+}
+
+inline bool has_problem(const std::vector<InputProblem>& problems, std::string_view field,
+                        std::string_view part) {
+  return std::any_of(problems.begin(), problems.end(), [&](const InputProblem& problem) {
+    return problem.field == field && problem.message.find(part) != std::string::npos;
+  });
+}
+
+inline testing::AssertionResult accepted(Format format, const std::string& text,
+                                         SceneUse use = SceneUse::speeds) {
+  const SceneReading reading = read(format, text, use);
+  if (reading.scene && reading.errors.empty()) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "refused: " << text << "\nerrors:\n"
+                                     << lines_of(reading.errors);
+}
+
+inline testing::AssertionResult accepted(Format format, const SceneText& text,
+                                         SceneUse use = SceneUse::speeds) {
+  return accepted(format, text.written(format), use);
+}
+
+// One error and no more, about this field, with this part in its message.
+inline testing::AssertionResult refused(Format format, const std::string& text,
+                                        std::string_view field, std::string_view part,
+                                        SceneUse use = SceneUse::speeds) {
+  const SceneReading reading = read(format, text, use);
+  if (!reading.scene && reading.errors.size() == 1 && has_problem(reading.errors, field, part))
+    return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "input: " << text << "\nwanted one error on '" << field
+                                     << "' with: " << part << "\nerrors:\n"
+                                     << lines_of(reading.errors);
+}
+
+inline testing::AssertionResult refused(Format format, const SceneText& text,
+                                        std::string_view field, std::string_view part,
+                                        SceneUse use = SceneUse::speeds) {
+  return refused(format, text.written(format), field, part, use);
+}
+
+inline testing::AssertionResult warned(Format format, const SceneText& text, std::string_view field,
+                                       std::string_view part) {
+  const SceneReading reading = read(format, text);
+  if (reading.scene && has_problem(reading.warnings, field, part))
+    return testing::AssertionSuccess();
+  return testing::AssertionFailure()
+         << "input: " << text.written(format) << "\nwanted a warning on '" << field
+         << "' with: " << part << "\nwarnings:\n"
+         << lines_of(reading.warnings) << "errors:\n"
+         << lines_of(reading.errors);
+}
+
+}  // namespace tribo::scene_test
