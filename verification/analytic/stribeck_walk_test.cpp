@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// The walked curve against the root, for every closure and supply, with and without a floor.
+#include "tribo/stribeck_walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scenes.hpp"
+
+namespace tribo::verification {
+namespace {
+
+// All closures and supplies on the paper's rough and smooth surfaces; two offset planes bring
+// floors.
+std::vector<Scene> scenes() {
+  std::vector<Scene> all;
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const auto surface : {PaperSurface::rough, PaperSurface::smooth})
+      for (const int planes : {0, 1, 2})
+        for (const auto closure :
+             {StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
+              StarvationClosure::printed_exponents, StarvationClosure::damiens})
+          for (const auto supply : {SupplyKind::flooded, SupplyKind::inlet_film_ratio,
+                                    SupplyKind::inlet_film, SupplyKind::inlet_flow}) {
+            Scene scene = paper_scene(surface, model);
+            scene.surface.offset_planes = planes;
+            scene.closures.starvation = closure;
+            scene.supply = {supply, supply == SupplyKind::inlet_film_ratio ? 4
+                                    : supply == SupplyKind::inlet_film     ? 2e-7
+                                                                           : 1e-8};
+            all.push_back(scene);
+          }
+  return all;
+}
+
+std::string name_of(const Scene& scene) {
+  return fmt::format("\n  asperity {} planes {} closure {} supply {} sd {}",
+                     static_cast<int>(scene.closures.asperity), scene.surface.offset_planes,
+                     static_cast<int>(scene.closures.starvation),
+                     static_cast<int>(scene.supply.kind), scene.surface.summit_height_sd);
+}
+
+// d ln(1−A)/d ln λ: what the fluid share at a starved film makes of the rounding of that film.
+double fluid_condition(const MixedContact<double>& contact, const OperatingPoint<double>& p) {
+  if (p.fluid_load_share == 0) return 1;
+  const double slope = contact.sharing().asperity_share_slope(p.film_parameter);
+  return 1 - slope * p.asperity_load_share / p.fluid_load_share;
+}
+
+TEST(StribeckCurve, EachPointIsWhatTheRootGivesAtItsSpeed) {
+  for (const Scene& scene : scenes()) {
+    const MixedContact<double> contact(scene);
+    stribeck_curve(contact, 1e-4, 3.0, 60, OutputSet::all(), [&](const OperatingPoint<double>& p) {
+      const OperatingPoint<double> solved = contact.solve(p.speed);
+      const double condition = fluid_condition(contact, p);
+      const auto close = [&](double got, double expected, double allowed) {
+        EXPECT_TRUE(is_close(got, Reference(expected), 2e-14, {{"u", p.speed}}, allowed))
+            << name_of(scene);
+      };
+      close(p.film_flooded, solved.film_flooded, 1);
+      // near collapse y is ill-conditioned in r
+      const double r_condition = p.film > 0 ? 1 + p.film_flooded / p.film : 1;
+      close(p.film, solved.film, r_condition);
+      close(p.separation, solved.separation, r_condition);
+      close(p.fluid_load_share, solved.fluid_load_share, 8 + condition * r_condition);
+      close(p.friction, solved.friction, 8 + condition * r_condition);
+      EXPECT_EQ(p.inlet, solved.inlet) << name_of(scene) << describe({{"u", p.speed}});
+      EXPECT_EQ(p.friction_undefined, solved.friction_undefined);
+    });
+  }
+}
+
+TEST(StribeckCurve, SpeedsAscendFromEndToEndWithoutGaps) {
+  for (const Scene& scene : scenes())
+    for (const std::size_t count : {std::size_t{2}, std::size_t{40}, std::size_t{333}}) {
+      std::vector<double> speeds;
+      stribeck_curve(MixedContact<double>(scene), 1e-5, 20.0, count, OutputSet{},
+                     [&](const OperatingPoint<double>& p) { speeds.push_back(p.speed); });
+      ASSERT_EQ(speeds.size(), count);
+      EXPECT_NEAR(speeds.front() / 1e-5, 1, 2e-9) << name_of(scene);
+      EXPECT_NEAR(speeds.back() / 20, 1, 2e-9) << name_of(scene);
+      const double step = std::log(20 / 1e-5) / static_cast<double>(count - 1);
+      for (std::size_t i = 1; i < count; ++i) {
+        EXPECT_GT(speeds[i], speeds[i - 1]) << name_of(scene);
+        EXPECT_LT(std::log(speeds[i] / speeds[i - 1]), 1.51 * step) << name_of(scene);
+      }
+    }
+}
+
+// Differences of the 50-digit walk: d ln λ/d ln u and ds/d ln u.
+TEST(StribeckWalk, SlopesAreThoseOfTheFilm) {
+  for (const Scene& scene : scenes()) {
+    if (scene.supply.kind == SupplyKind::inlet_film || scene.surface.summit_height_sd < 5e-8)
+      continue;
+    const MixedContact<Reference> contact(scene);
+    const StribeckWalk<Reference> walk(contact);
+    const Reference h("1e-14");
+    for (const char* speed : {"1e-4", "0.02", "0.3"}) {
+      const Reference s = walk.walk_to(walk.near(Reference(speed)), log(Reference(speed)), h);
+      const WalkPoint<Reference> here = walk.at(s), left = walk.at(s - h), right = walk.at(s + h);
+      const auto log_change = [](const Reference& a, const Reference& b) -> Reference {
+        return log1p((a - b) / b);
+      };
+      const Reference du = log_change(right.flooded.speed, left.flooded.speed);
+      const Reference dlambda =
+          log_change(right.flooded.shares.film_parameter, left.flooded.shares.film_parameter);
+      EXPECT_LT(abs(here.rate * du / (2 * h) - 1), Reference("1e-18")) << speed << name_of(scene);
+      // far down on the floor λ does not change in 50 digits
+      if (here.film_slope > Reference("1e-15")) {
+        EXPECT_LT(abs(dlambda / du / here.film_slope - 1), Reference("1e-15"))
+            << speed << name_of(scene);
+      }
+    }
+  }
+}
+
+TEST(StribeckWalk, FilmSlopeIsTwoThirdsWhereTheFluidCarriesAllAndNeverMore) {
+  for (const Scene& scene : scenes()) {
+    const MixedContact<double> contact(scene);
+    const StribeckWalk<double> walk(contact);
+    double previous = 0;
+    for (double u = 1e-5; u < 30; u *= 1.3) {
+      const WalkPoint<double> point = walk.at(walk.walk_to(walk.near(u), std::log(u), 1e-6));
+      EXPECT_LE(point.film_slope, 0.67 * (1 + 1e-15)) << name_of(scene);
+      EXPECT_GE(point.film_slope, 0) << name_of(scene);
+      previous = point.film_slope;
+    }
+    EXPECT_NEAR(previous, 0.67, scene.surface.summit_height_sd > 5e-8 ? 1e-2 : 1e-10)
+        << name_of(scene);
+  }
+}
+
+}  // namespace
+}  // namespace tribo::verification

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's case: hand checks, the shares and films at the lowest speed, λ at the onset; and the
+// shipped scene files hold the same inputs.
+#include <gtest/gtest.h>
+
+#include "support/scenes.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::verification {
+namespace {
+
+TEST(PaperScenes, SummitsOfAllThreeSurfacesHaveTheUsualProduct) {
+  for (const PaperSurface surface : paper_surfaces) {
+    const Surface s = paper_scene(surface).surface;
+    EXPECT_NEAR(s.summit_density * s.summit_radius * s.summit_height_sd, 0.05, 1e-16);
+  }
+  EXPECT_NEAR(gaussian_moment(Order::five_halves, 0.0), 0.61663421900, 0.5e-11);
+}
+
+TEST(PaperScenes, SharesAndFilmsAtTheLowestSpeedAreThoseOfTheSpecification) {
+  constexpr std::array shares{0.765412364174454, 0.642288015366864, 0.537872259415982};
+  constexpr std::array films{3.88840686142501e-10, 3.65851178220415e-10, 3.51904815844975e-10};
+  for (const PaperSurface surface : paper_surfaces) {
+    const auto i = static_cast<std::size_t>(surface);
+    const OperatingPoint<double> p = MixedContact<double>(paper_scene(surface)).solve(1e-4);
+    // 15 printed digits
+    EXPECT_TRUE(is_close(p.asperity_load_share, Reference(shares[i]), 1e-14, {}));
+    EXPECT_TRUE(is_close(p.film, Reference(films[i]), 1e-14, {}));
+  }
+}
+
+TEST(PaperScenes, FilmParameterAtTheFilmMaximumIsTheClosuresOwn) {
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const PaperSurface surface : paper_surfaces) {
+      const Scene scene = paper_scene(surface, model);
+      const Onset<double> found =
+          onset(MixedContact<double>(scene), scene, OnsetCriterion::film_maximum, 0.05);
+      ASSERT_TRUE(found.exists);
+      EXPECT_NEAR(found.film_parameter, 1.43166235170080, 1e-14);
+    }
+}
+
+TEST(PaperScenes, ShippedFilesHoldTableOne) {
+  constexpr std::array names{"rough", "medium", "smooth"};
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const PaperSurface surface : paper_surfaces) {
+      const std::string id = std::string(names[static_cast<std::size_t>(surface)]) +
+                             (model == AsperityModel::greenwood_tripp ? "" : "_gw");
+      const SceneReading reading =
+          read_scene(std::string(TRIBOCHECK_SOURCE_DIR) + "/reference/published/" + id + ".toml",
+                     SceneUse::speeds);
+      for (const InputProblem& problem : reading.errors) ADD_FAILURE() << problem.line();
+      for (const InputProblem& problem : reading.warnings) ADD_FAILURE() << problem.line();
+      ASSERT_TRUE(reading.scene.has_value());
+      const Scene& file = *reading.scene;
+      const Scene table = paper_scene(surface, model);
+      EXPECT_EQ(file.id, id);
+      EXPECT_EQ(file.outputs, OutputSet::all());
+      for (std::size_t i = 0; i < table.speeds.size(); ++i) {
+        const double u = table.speeds[i];
+        EXPECT_EQ(file.speeds[i], u);
+        const OperatingPoint<double> a = MixedContact<double>(file).solve(u);
+        const OperatingPoint<double> b = MixedContact<double>(table).solve(u);
+        EXPECT_EQ(a.film, b.film);
+        EXPECT_EQ(a.real_area_ratio, b.real_area_ratio);
+        EXPECT_EQ(a.summit_count, b.summit_count);
+        EXPECT_EQ(a.friction, b.friction);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace tribo::verification

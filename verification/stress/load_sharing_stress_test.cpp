@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// The root over the whole range of the number type: nothing hangs, nothing is a silent NaN.
+#include <gtest/gtest.h>
+
+#include "support/judge.hpp"
+#include "tribo/load_sharing.hpp"
+
+namespace tribo::verification {
+namespace {
+
+TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
+  Sampler sampler(31);
+  int most_iterations = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const auto model =
+        sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
+    const double stiffness = sampler.log_uniform(1e-300, 1e300);
+    const double offset = sampler.uniform(0, 10);
+    const double lambda0 = sampler.log_uniform(1e-300, 1e300);
+    const LoadSharing<double> sharing(model, stiffness, offset);
+    const LoadShares<double> got = sharing.solve(lambda0);
+    const std::string inputs =
+        describe({{"K", stiffness}, {"delta", offset}, {"lambda0", lambda0}});
+    ASSERT_TRUE(std::isfinite(got.film_parameter)) << inputs;
+    ASSERT_GE(got.film_parameter, std::max(lambda0, sharing.floor())) << inputs;
+    // model.md, section 6: the upper end of the bracket
+    const double load = stiffness * gaussian_moment(load_order(model), 0.0) *
+                        (model == AsperityModel::greenwood_tripp ? 4 : 2);
+    const double upper = std::max(offset + std::sqrt(2 * std::max(0.0, std::log(load))),
+                                  std::pow(2, 0.14) * lambda0);
+    ASSERT_LE(got.film_parameter, upper * (1 + 1e-13)) << inputs;
+    ASSERT_TRUE(got.asperity >= 0 && got.asperity <= 1) << inputs;
+    ASSERT_TRUE(got.fluid >= 0 && got.fluid <= 1) << inputs;
+    ASSERT_LT(got.iterations, 80) << inputs;
+    most_iterations = std::max(most_iterations, got.iterations);
+  }
+  RecordProperty("most_iterations", most_iterations);
+}
+
+TEST(LoadSharingStress, InputsOutsideTheNumbersGiveWhatTheContractSays) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const LoadSharing<double> ordinary(AsperityModel::greenwood_tripp, 10.0, 1.0);
+  EXPECT_EQ(ordinary.solve(infinity).film_parameter, infinity);
+  EXPECT_TRUE(std::isnan(ordinary.solve(std::nan("")).film_parameter));
+  const LoadSharing<double> endless(AsperityModel::greenwood_tripp, infinity, 1.0);
+  EXPECT_EQ(endless.solve(1.0).film_parameter, infinity);
+  const LoadSharing<double> unknown(AsperityModel::greenwood_tripp, std::nan(""), 1.0);
+  EXPECT_TRUE(std::isnan(unknown.solve(1.0).film_parameter));
+  const LoadSharing<double> none(AsperityModel::greenwood_tripp, 0.0, 1.0);
+  EXPECT_EQ(none.solve(0.3).film_parameter, 0.3);
+  for (const double least : {std::numeric_limits<double>::denorm_min(), 1e-310}) {
+    const LoadShares<double> shares =
+        LoadSharing<double>(AsperityModel::greenwood_williamson, 0.1, 0.0).solve(least);
+    EXPECT_TRUE(shares.film_parameter >= least && shares.film_parameter < 2 * least);
+  }
+}
+
+}  // namespace
+}  // namespace tribo::verification

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a number is judged, and what a failing check prints: the inputs as decimal and hexfloat,
+// expected, got, the error in ulp, the condition number, the bound, and by what factor it was
+// missed.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <random>
+#include <string>
+#include <string_view>
+
+namespace tribo::verification {
+
+// The 50-digit instantiation of the model's templates.
+using Reference = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                                boost::multiprecision::et_off>;
+
+struct Input {
+  std::string_view name;
+  double value;
+};
+
+inline std::string describe(std::initializer_list<Input> inputs) {
+  std::string text;
+  for (const Input& input : inputs)
+    text += fmt::format("\n  {} = {} ({:a})", input.name, input.value, input.value);
+  return text;
+}
+
+template <class Real>
+double relative_error(Real got, const Reference& expected) {
+  using std::isfinite;
+  if (Reference(got) == expected) return 0;
+  if (!isfinite(got) || expected == 0) return std::numeric_limits<double>::infinity();
+  return static_cast<double>(abs((Reference(got) - expected) / expected));
+}
+
+// |got − expected| ≤ bound·condition·|expected|; `bound` is relative, `condition` ≥ 1.
+template <class Real>
+testing::AssertionResult is_close(Real got, const Reference& expected, double bound,
+                                  std::initializer_list<Input> inputs, double condition = 1) {
+  const double error = relative_error(got, expected);
+  if (error <= bound * condition) return testing::AssertionSuccess();
+  return testing::AssertionFailure()
+         << describe(inputs) << "\n  expected " << expected.str(25)
+         << fmt::format("\n  got      {} ({:a})", got, got)
+         << fmt::format(
+                "\n  error {:.3g} relative, {:.3g} ulp; condition {:.3g}; bound {:.3g}; "
+                "missed by a factor {:.3g}",
+                error, error / static_cast<double>(std::numeric_limits<Real>::epsilon()), condition,
+                bound * condition, error / (bound * condition));
+}
+
+// Seeded and the same on every standard library: uniform_real_distribution is not.
+class Sampler {
+ public:
+  explicit Sampler(std::uint64_t seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    const double unit = static_cast<double>(engine_() >> 11) * 0x1p-53;
+    return low + (high - low) * unit;
+  }
+  double log_uniform(double low, double high) {
+    return std::exp(uniform(std::log(low), std::log(high)));
+  }
+  template <class Choice>
+  Choice pick(std::initializer_list<Choice> choices) {
+    return choices.begin()[engine_() % choices.size()];
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace tribo::verification

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes that the checks use: the paper's surfaces, and random ones within what is built in steel.
+#pragma once
+
+#include <array>
+
+#include "support/judge.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::verification {
+
+// Table 1 of the paper with its misprints mended (model/README.md, section 10).
+enum class PaperSurface : int { rough, medium, smooth };
+inline constexpr std::array paper_surfaces{PaperSurface::rough, PaperSurface::medium,
+                                           PaperSurface::smooth};
+
+inline Scene paper_scene(PaperSurface surface,
+                         AsperityModel model = AsperityModel::greenwood_tripp) {
+  constexpr std::array<double, 3> density{5e10, 1e11, 2e11};
+  constexpr std::array<double, 3> sd{1e-7, 5e-8, 2.5e-8};
+  const auto i = static_cast<std::size_t>(surface);
+  Scene scene;
+  scene.load = 50;
+  scene.speeds = {{}, 1e-4, 3, 200, Spacing::log};
+  scene.outputs = OutputSet::all();
+  scene.surface = {density[i], 1e-5, sd[i], 1.146, 1};
+  scene.bodies = {107.9e9, 9.5e-3, 1};
+  scene.lubricant = {0.0202, 2e-8, 2.5e6};
+  scene.supply = {SupplyKind::inlet_film_ratio, 4};
+  scene.friction.boundary_coefficient = 0.13;
+  scene.closures.asperity = model;
+  return scene;
+}
+
+inline Scene random_scene(Sampler& sampler) {
+  Scene scene;
+  scene.load = sampler.log_uniform(0.1, 1e4);
+  scene.speeds.list = {sampler.log_uniform(1e-5, 30)};
+  scene.outputs = OutputSet::all();
+  scene.surface.summit_height_sd = sampler.log_uniform(5e-9, 1e-6);
+  scene.surface.summit_radius = sampler.log_uniform(1e-6, 1e-4);
+  scene.surface.summit_density =
+      sampler.uniform(0.02, 0.08) / (scene.surface.summit_radius * scene.surface.summit_height_sd);
+  scene.surface.summit_plane_offset = sampler.uniform(0, 1.5);
+  scene.surface.offset_planes = sampler.pick({0, 1, 2});
+  scene.bodies = {sampler.log_uniform(1e10, 3e11), sampler.log_uniform(1e-3, 0.1),
+                  sampler.uniform(0.5, 4)};
+  scene.lubricant = {sampler.log_uniform(1e-3, 1), sampler.log_uniform(5e-9, 4e-8),
+                     sampler.log_uniform(1e6, 1e7)};
+  scene.supply.kind = sampler.pick({SupplyKind::flooded, SupplyKind::inlet_film,
+                                    SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow});
+  scene.supply.value =
+      scene.supply.kind == SupplyKind::inlet_film_ratio ? sampler.log_uniform(1, 50)
+      : scene.supply.kind == SupplyKind::inlet_film     ? sampler.log_uniform(1e-8, 1e-5)
+                                                        : sampler.log_uniform(1e-10, 1e-6);
+  scene.friction.boundary_coefficient = sampler.uniform(0.05, 0.2);
+  scene.friction.slide_roll_ratio = sampler.uniform(0.01, 2);
+  scene.friction.fluid = sampler.pick({FluidShear::eyring, FluidShear::limiting});
+  scene.friction.viscosity =
+      sampler.pick({ViscosityLaw::barus, ViscosityLaw::ambient, ViscosityLaw::roelands});
+  scene.closures.asperity =
+      sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
+  scene.closures.starvation =
+      sampler.pick({StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
+                    StarvationClosure::printed_exponents, StarvationClosure::damiens});
+  scene.closures.damiens_exponent = sampler.uniform(1, 5);
+  return scene;
+}
+
+}  // namespace tribo::verification

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole model a second time, as a careful reader of the textbooks would write it: formulas in
+// full, GSL's quadrature and Brent's method, no shared code with model/. Good to about 1e-9.
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+#include "support/conditioning.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::verification::textbook {
+
+struct Point {
+  double film_flooded, film, asperity_share, real_area_ratio, summit_count, friction;
+};
+
+inline double brent(const std::function<double(double)>& f, double low, double high) {
+  gsl_function function{
+      [](double x, void* p) { return (*static_cast<const std::function<double(double)>*>(p))(x); },
+      const_cast<std::function<double(double)>*>(&f)};
+  gsl_root_fsolver* solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+  gsl_root_fsolver_set(solver, &function, low, high);
+  for (int i = 0; i < 300; ++i) {
+    gsl_root_fsolver_iterate(solver);
+    if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver),
+                               0, 1e-14) == GSL_SUCCESS)
+      break;
+  }
+  const double root = gsl_root_fsolver_root(solver);
+  gsl_root_fsolver_free(solver);
+  return root;
+}
+
+// h*/h_ff, from the equations for φ, ψ and h* solved together.
+inline double starved_over_flooded(const Scene& scene, double flooded, double inlet) {
+  const auto fit = [](double psi) { return 2 / M_PI * std::atan(2.7 * psi); };
+  switch (scene.closures.starvation) {
+    case StarvationClosure::flooded_inlet: {
+      // h_oil = h_ff (1 + (4√2/3) φ^{3/2})
+      if (inlet <= flooded) return 0;
+      return fit(std::pow((inlet / flooded - 1) * 3 / (4 * std::sqrt(2.0)), 2.0 / 3));
+    }
+    case StarvationClosure::starved_inlet:
+      return brent(
+          [&](double y) {
+            // φ at h* is ψ at h_ff scaled by (h_ff/h*)^{2/3}
+            const double phi =
+                std::pow((inlet / (y * flooded) - 1) * 3 / (4 * std::sqrt(2.0)), 2.0 / 3);
+            return y - fit(phi * std::pow(y, 2.0 / 3));
+          },
+          1e-12, std::min(1.0, inlet / flooded) * (1 - 1e-15));
+    case StarvationClosure::printed_exponents: {
+      // In ln y: φ^{3/2} = ψ^{3/2} y^{−9/4}, h_oil = h* (1 + (4√2/3) φ^{3/2}).
+      const double log_y = brent(
+          [&](double t) {
+            const double y = std::exp(t);
+            const double psi = std::tan(M_PI * y / 2) / 2.7;
+            return std::log(
+                       y * (1 + 4 * std::sqrt(2.0) / 3 * std::pow(psi, 1.5) * std::pow(y, -2.25))) -
+                   std::log(inlet / flooded);
+          },
+          -40, -1e-13);
+      return std::exp(log_y);
+    }
+    case StarvationClosure::damiens: {
+      const double rho = inlet / flooded;
+      return rho / std::pow(1 + std::pow(rho, scene.closures.damiens_exponent),
+                            1 / scene.closures.damiens_exponent);
+    }
+  }
+  return 0;
+}
+
+inline Point solve(const Scene& scene, double u) {
+  const Surface& s = scene.surface;
+  const Bodies& b = scene.bodies;
+  const bool tripp = scene.closures.asperity == AsperityModel::greenwood_tripp;
+  const double a = std::cbrt(3 * scene.load * b.reduced_radius / (4 * b.effective_modulus));
+  const double area = M_PI * a * a;
+  const double nbs = s.summit_density * s.summit_radius * s.summit_height_sd;
+  const double stiffness = tripp ? 16 * std::sqrt(2.0) * M_PI / 15 * nbs * nbs *
+                                       std::sqrt(s.summit_height_sd / s.summit_radius) *
+                                       b.effective_modulus * area / scene.load
+                                 : 4.0 / 3 * s.summit_density * std::sqrt(s.summit_radius) *
+                                       std::pow(s.summit_height_sd, 1.5) * b.effective_modulus *
+                                       area / scene.load;
+  const double offset = s.offset_planes * s.summit_plane_offset;
+  const double e2 = 2 * b.effective_modulus;
+  const double h0 = b.reduced_radius * 2.69 *
+                    std::pow(scene.lubricant.viscosity * u / (e2 * b.reduced_radius), 0.67) *
+                    std::pow(scene.lubricant.pressure_viscosity * e2, 0.53) *
+                    std::pow(scene.load / (e2 * b.reduced_radius * b.reduced_radius), -0.067) *
+                    (1 - 0.61 * std::exp(-0.73 * b.ellipticity));
+  const GslLoadSharing sharing(scene.closures.asperity, stiffness, offset);
+  const double flooded = sharing.solve(h0 / s.summit_height_sd) * s.summit_height_sd;
+  double film = flooded;
+  if (scene.supply.kind != SupplyKind::flooded) {
+    const double inlet = scene.supply.kind == SupplyKind::inlet_film ? scene.supply.value
+                         : scene.supply.kind == SupplyKind::inlet_film_ratio
+                             ? scene.supply.value * s.summit_height_sd
+                             : scene.supply.value / u;
+    film = flooded * starved_over_flooded(scene, flooded, inlet);
+  }
+  const auto share_at = [&](double lambda) { return sharing.asperity_share(lambda); };
+  double separation = film / s.summit_height_sd;
+  double share = share_at(separation);
+  if (share >= 1) {
+    separation = brent([&](double x) { return share_at(x) - 1; }, separation, offset + 40);
+    share = 1;
+  }
+  const double d = separation - offset;
+  Point point{flooded, film, share, 0, 0, 0};
+  point.real_area_ratio =
+      tripp ? M_PI * M_PI * nbs * nbs * sharing.moment(2, d) : M_PI * nbs * sharing.moment(1, d);
+  point.summit_count = tripp ? 4 * M_PI * nbs * s.summit_density * area * sharing.moment(1, d)
+                             : s.summit_density * area * sharing.moment(0, d);
+  const double pressure = (1 - share) * scene.load / area;
+  const double eta0 = scene.lubricant.viscosity, alpha = scene.lubricant.pressure_viscosity;
+  double eta = eta0;
+  if (scene.friction.viscosity == ViscosityLaw::barus) eta = eta0 * std::exp(alpha * pressure);
+  if (scene.friction.viscosity == ViscosityLaw::roelands) {
+    const double scale = std::log(eta0) + 9.67, z = alpha * 0.196e9 / scale;
+    eta = eta0 * std::exp(scale * (std::pow(1 + pressure / 0.196e9, z) - 1));
+  }
+  const double rate = scene.friction.slide_roll_ratio * u / (separation * s.summit_height_sd);
+  const double tau0 = *scene.lubricant.eyring_stress;
+  const double tau = scene.friction.fluid == FluidShear::eyring
+                         ? tau0 * std::asinh(eta * rate / tau0)
+                         : tau0 * (1 - std::exp(-eta * rate / tau0));
+  point.friction = *scene.friction.boundary_coefficient * share +
+                   tau * area * std::max(0.0, 1 - point.real_area_ratio) / scene.load;
+  return point;
+}
+
+}  // namespace tribo::verification::textbook
