@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// A command of the program. To add one: its file with an add_… function, and a line in main.cpp.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "output_stream.hpp"
+
+namespace tribo::cli {
+
+struct Command {
+  CLI::App* app;                          // owned by the program's
+  std::function<int(OutputStream&)> run;  // gives the exit code
+};
+
+Command add_solve(CLI::App& program);
+Command add_curve(CLI::App& program);
+Command add_onset(CLI::App& program);
+Command add_stream(CLI::App& program);
+Command add_report(CLI::App& program);
+
+}  // namespace tribo::cli

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck curve: the Stribeck curve by walking the film, at speeds of the walk's own choice.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "output_values.hpp"
+#include "point_writers.hpp"
+#include "progress.hpp"
+#include "scene_arguments.hpp"
+#include "tribo/stribeck_walk.hpp"
+
+namespace tribo::cli {
+namespace {
+
+struct Span {
+  double from, to;
+};
+
+Span span_of(const Speeds& speeds) {
+  if (speeds.list.empty()) return {speeds.from, speeds.to};
+  const auto [least, greatest] = std::minmax_element(speeds.list.begin(), speeds.list.end());
+  return {*least, *greatest};
+}
+
+bool is_curve(const Scene& scene) {
+  const Span span = span_of(scene.speeds);
+  if (span.from < span.to) return true;
+  complain(
+      fmt::format("{}: speed: {} alone is no curve; allowed: a range, or a list of at least two "
+                  "different speeds",
+                  scene.id, span.from));
+  return false;
+}
+
+// Leaves the scenes that span no range out.
+void keep_curves(LoadedScenes& loaded) {
+  const auto first_bad =
+      std::stable_partition(loaded.scenes.begin(), loaded.scenes.end(), is_curve);
+  if (first_bad != loaded.scenes.end()) loaded.all_good = false;
+  loaded.scenes.erase(first_bad, loaded.scenes.end());
+}
+
+void walk_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
+  const MixedContact<double> contact(scene);
+  const Span span = span_of(scene.speeds);
+  writer.begin_scene(scene);
+  stribeck_curve(contact, span.from, span.to, scene.speeds.size(), needed_for(scene.outputs),
+                 [&](const OperatingPoint<double>& point) {
+                   writer.add(point);
+                   progress.step();
+                 });
+}
+
+int curve(const SceneArguments& arguments, OutputStream& output) {
+  LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
+  keep_curves(loaded);
+  if (loaded.scenes.empty()) return exit_bad;
+  std::size_t total = 0;
+  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
+  Progress progress(total);
+  const auto writer = make_point_writer(arguments.format, output, loaded.scenes);
+  for (const Scene& scene : loaded.scenes) walk_scene(scene, *writer, progress);
+  writer->finish();
+  return loaded.all_good ? exit_done : exit_bad;
+}
+
+constexpr const char* footer =
+    R"(The curve spans the scene's range of speeds with as many points as it has, but at speeds of its
+own: each film is chosen and its speed computed, which needs no root. The points are spaced evenly,
+within a quarter of a step, in the logarithm of speed. Columns and formats are those of
+`tribocheck solve`.
+
+Example:
+  tribocheck curve rough.toml --format csv > rough.csv)";
+
+}  // namespace
+
+Command add_curve(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("curve", "the Stribeck curve over a scene's range of speeds");
+  app->footer(footer);
+  const auto arguments = std::make_shared<SceneArguments>();
+  add_scene_arguments(*app, *arguments);
+  return {app, [arguments](OutputStream& output) { return curve(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

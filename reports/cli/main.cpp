@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck: the model from the command line. Results go to stdout, all else to stderr.
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <exception>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "line_reader.hpp"
+#include "messages.hpp"
+#include "tribo/version.hpp"
+
+namespace tribo::cli {
+namespace {
+
+// Every command, in the order of the help.
+constexpr std::array commands{
+    &add_solve,
+    &add_curve,
+    &add_onset,
+    &add_stream,
+    &add_report,
+};
+
+constexpr const char* program_footer =
+    R"(Results go to stdout, all else to stderr. Exit code 0: done; 1: a check failed, or results could
+not be written; 2: bad usage or input.
+
+Example:
+  tribocheck solve rough.toml --format csv > rough.csv
+See also: tribocheck solve --help)";
+
+// CLI11 throws for --help and --version too.
+int answer_parse_error(const CLI::App& program, const CLI::ParseError& error,
+                       OutputStream& output) {
+  if (error.get_exit_code() == 0) {
+    std::ostringstream text;
+    program.exit(error, text, text);
+    append(output.text(), text.str());
+    output.flush();
+    return exit_done;
+  }
+  complain(std::string(error.what()) + " (see --help)");
+  return exit_bad;
+}
+
+// CLI11 2.1 takes the brackets off "[name]" and splits what is in them, a file's name or not.
+std::vector<std::string> guarded(int count, char** arguments) {
+  std::vector<std::string> result;
+  for (int i = count - 1; i > 0; --i) {  // it wants them back to front
+    const std::string argument = arguments[i];
+    const bool in_brackets = argument.starts_with('[') && argument.ends_with(']');
+    result.push_back(in_brackets ? "./" + argument : argument);
+  }
+  return result;
+}
+
+int run(int count, char** arguments, OutputStream& output) {
+  const std::string version_line = "tribocheck " + std::string(version);
+  CLI::App program(
+      "Starved, rough point contacts: film, load shares, friction, onset of starvation");
+  program.name("tribocheck");
+  program.footer(program_footer);
+  program.set_version_flag("--version", version_line);
+  program.get_formatter()->column_width(34);
+  program.require_subcommand(1);
+  std::array<Command, commands.size()> added;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    added[i] = commands[i](program);
+    added[i].app->set_version_flag("--version", version_line);
+  }
+  try {
+    program.parse(guarded(count, arguments));
+  } catch (const CLI::ParseError& error) {
+    return answer_parse_error(program, error, output);
+  }
+  int exit_code = exit_bad;
+  for (const Command& command : added)
+    if (command.app->parsed()) exit_code = command.run(output);
+  output.flush();
+  return exit_code;
+}
+
+int run_and_report(int count, char** arguments) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away shows as a failed write
+  OutputStream output(STDOUT_FILENO);
+  try {
+    return run(count, arguments, output);
+  } catch (const OutputClosed&) {
+    return exit_done;
+  } catch (const InputFailed& failure) {
+    complain(failure.what());
+    return exit_bad;
+  } catch (const std::exception& failure) {
+    complain(failure.what());
+    return exit_failed;
+  }
+}
+
+}  // namespace
+}  // namespace tribo::cli
+
+int main(int count, char** arguments) { return tribo::cli::run_and_report(count, arguments); }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines on stderr: everything that is not a result.
+#pragma once
+
+#include <string_view>
+
+namespace tribo::cli {
+
+// Writes "tribocheck: <text>" as one line. Signs that could steer a terminal are replaced, and a
+// stderr that is closed or full is no reason to fail.
+void complain(std::string_view text);
+
+}  // namespace tribo::cli

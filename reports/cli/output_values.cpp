@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output_values.hpp"
+
+#include <cmath>
+
+namespace tribo::cli {
+namespace {
+
+OutputValue number(double value) {
+  if (!std::isfinite(value)) return {.undefined = beyond_double, .word = {}};
+  return {.undefined = {}, .word = {}, .number = value};
+}
+
+OutputValue word(std::string_view text, bool rests_on_finite_numbers) {
+  if (!rests_on_finite_numbers) return {.undefined = beyond_double, .word = {}};
+  return {.undefined = {}, .word = text};
+}
+
+}  // namespace
+
+OutputValue value_of(const OperatingPoint<double>& point, Output output) {
+  switch (output) {
+    case Output::film_flooded:
+      return number(point.film_flooded);
+    case Output::film:
+      return number(point.film);
+    case Output::separation:
+      return number(point.separation);
+    case Output::film_parameter:
+      return number(point.film_parameter);
+    case Output::asperity_load_share:
+      return number(point.asperity_load_share);
+    case Output::fluid_load_share:
+      return number(point.fluid_load_share);
+    case Output::real_area_ratio:
+      return number(point.real_area_ratio);
+    case Output::summit_count:
+      return number(point.summit_count);
+    case Output::friction:
+      if (point.friction_undefined) return {.undefined = film_collapsed, .word = {}};
+      return number(point.friction);
+    case Output::regime:
+      return word(name(point.regime),
+                  std::isfinite(point.asperity_load_share + point.fluid_load_share));
+    case Output::inlet:
+      return word(name(point.inlet), std::isfinite(point.film));
+  }
+  return {.undefined = "unknown output", .word = {}};
+}
+
+OutputSet needed_for(OutputSet asked) {
+  if (asked.contains(Output::inlet)) asked.insert(Output::film);
+  return asked;
+}
+
+}  // namespace tribo::cli

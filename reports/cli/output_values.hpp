@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// An output of an operating point as every format shows it: a number, a word, or undefined.
+#pragma once
+
+#include <string_view>
+
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::cli {
+
+inline constexpr std::string_view beyond_double = "outside the range of double precision";
+inline constexpr std::string_view film_collapsed = "the film has collapsed";
+
+// Exactly one of the three: a reason why there is none, a word, or else a finite number.
+struct OutputValue {
+  std::string_view undefined;
+  std::string_view word;
+  double number = 0;
+};
+
+OutputValue value_of(const OperatingPoint<double>& point, Output output);
+
+// What has to be computed so that value_of() can tell a word that rests on an overflow.
+OutputSet needed_for(OutputSet asked);
+
+}  // namespace tribo::cli

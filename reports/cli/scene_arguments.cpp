@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene_arguments.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "messages.hpp"
+
+namespace tribo::cli {
+namespace {
+
+void load_scene(const std::string& path, SceneUse use, LoadedScenes& loaded) {
+  SceneReading reading = read_scene(path, use);
+  for (const InputProblem& error : reading.errors) complain(error.line());
+  for (const InputProblem& warning : reading.warnings) complain("warning: " + warning.line());
+  if (!reading.scene) {
+    loaded.all_good = false;
+    return;
+  }
+  if (path == "-" && !reading.id) reading.scene->id = "stdin";
+  loaded.scenes.push_back(std::move(*reading.scene));
+}
+
+}  // namespace
+
+void add_scene_arguments(CLI::App& app, SceneArguments& arguments) {
+  app.add_option("SCENE", arguments.paths, "scene files, TOML or JSON; - is stdin")
+      ->required()
+      ->check([](const std::string& path) {
+        return path.empty() ? std::string("the name of a scene file is empty") : std::string();
+      });
+  app.add_option("--format", arguments.format, "how to write the results (default: table)")
+      ->check(CLI::IsMember({"table", "csv", "json"}));
+}
+
+LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use) {
+  LoadedScenes loaded;
+  if (std::count(paths.begin(), paths.end(), "-") > 1) {
+    complain("- (stdin) is given more than once; it can be read once");
+    loaded.all_good = false;
+    return loaded;
+  }
+  for (const std::string& path : paths) load_scene(path, use, loaded);
+  return loaded;
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The arguments `SCENE… --format F` that solve, curve and onset share, and reading those scenes.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::cli {
+
+struct SceneArguments {
+  std::vector<std::string> paths;
+  std::string format = "table";  // or csv, json
+};
+
+void add_scene_arguments(CLI::App& app, SceneArguments& arguments);
+
+struct LoadedScenes {
+  std::vector<Scene> scenes;  // the good ones, in their order
+  bool all_good = true;
+};
+
+// Reads every scene and reports every error and warning on stderr.
+LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use);
+
+}  // namespace tribo::cli

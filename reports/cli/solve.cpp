@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck solve: the outputs at the scene's speeds, by the root find.
+#include <memory>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "output_values.hpp"
+#include "point_writers.hpp"
+#include "progress.hpp"
+#include "scene_arguments.hpp"
+
+namespace tribo::cli {
+namespace {
+
+void solve_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
+  const MixedContact<double> contact(scene);
+  const OutputSet outputs = needed_for(scene.outputs);
+  writer.begin_scene(scene);
+  for (std::size_t i = 0; i < scene.speeds.size(); ++i) {
+    writer.add(contact.solve(scene.speeds[i], outputs));
+    progress.step();
+  }
+}
+
+int solve(const SceneArguments& arguments, OutputStream& output) {
+  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
+  if (loaded.scenes.empty()) return exit_bad;
+  std::size_t total = 0;
+  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
+  Progress progress(total);
+  const auto writer = make_point_writer(arguments.format, output, loaded.scenes);
+  for (const Scene& scene : loaded.scenes) solve_scene(scene, *writer, progress);
+  writer->finish();
+  return loaded.all_good ? exit_done : exit_bad;
+}
+
+constexpr const char* footer =
+    R"(Columns, as the scene's `outputs` ask: speed in m/s; film_flooded, film and separation in m; all
+other numbers are dimensionless. CSV and JSON numbers read back to the same double. What is
+undefined is - in a table, empty in CSV, and null in JSON, which says why under "undefined".
+A bad scene is reported, the others are still solved, and the exit code is 2.
+
+Example:
+  tribocheck solve rough.toml smooth.toml --format csv > films.csv)";
+
+}  // namespace
+
+Command add_solve(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("solve", "the outputs of scenes at their speeds");
+  app->footer(footer);
+  const auto arguments = std::make_shared<SceneArguments>();
+  add_scene_arguments(*app, *arguments);
+  return {app, [arguments](OutputStream& output) { return solve(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+# The curves of Figures 7 and 8: column y of GT on three surfaces and of GW on the smooth one.
+plot \
+  for [s in surfaces] gt(s) using speed:(standing(y)) with lines linestyle 1 \
+    linecolor rgb colour(s) title s." (GT)", \
+  gw("smooth") using speed:(standing(y)) with lines linestyle 2 \
+    linecolor rgb colour("smooth") title "smooth (GW)", \
+  for [s in surfaces] gt(s) using speed:(collapsed(y)) with lines linestyle 3 \
+    linecolor rgb colour(s) notitle, \
+  gw("smooth") using speed:(collapsed(y)) with lines linestyle 3 \
+    linecolor rgb colour("smooth") notitle, \
+  for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", y)) \
+    with points linestyle 7 linecolor rgb colour(s) notitle, \
+  marks using (mark("onset", "smooth", "GW", speed)):(mark("onset", "smooth", "GW", y)) \
+    with points linestyle 7 linecolor rgb colour("smooth") notitle, \
+  for [s in surfaces] \
+    marks using (mark("collapse", s, "GT", speed)):(mark("collapse", s, "GT", y)) \
+    with points linestyle 8 linecolor rgb colour(s) notitle, \
+  marks using (mark("collapse", "smooth", "GW", speed)):(mark("collapse", "smooth", "GW", y)) \
+    with points linestyle 8 linecolor rgb colour("smooth") notitle, \
+  keyentry with points linestyle 7 linecolor rgb grey \
+    title "onset (film maximum)", \
+  keyentry with points linestyle 8 linecolor rgb grey title "collapse", \
+  keyentry with lines linestyle 3 linecolor rgb grey title "after the collapse"

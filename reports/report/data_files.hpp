@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report's data as tab-separated text: units and provenance in a commented header, every number
+// written so that it reads back to the same double, no dates.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/comparison.hpp"
+#include "report/findings.hpp"
+
+namespace tribo::report {
+
+struct DataFile {
+  std::string path;  // below the report's folder
+  std::string content;
+};
+
+std::vector<DataFile> data_files(const Findings& findings,
+                                 const std::vector<ComparisonTable>& tables);
+
+}  // namespace tribo::report

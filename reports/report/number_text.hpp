@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as text: exactly for machines, rounded for people.
+#pragma once
+
+#include <string>
+
+namespace tribo::report {
+
+// Reads back to the same double; NaN for what is undefined.
+std::string exact(double value);
+
+// `digits` significant digits; −1.8 × 10⁻¹⁰, where the plain number would be long.
+std::string rounded(double value, int digits);
+
+// Likewise, with as many digits as it takes to read back to the same double.
+std::string unrounded(double value);
+
+}  // namespace tribo::report

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the scenes and gnuplot scripts are, and where the report goes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tribo::report {
+
+struct ReportOptions {
+  std::filesystem::path out;     // empty: reports/out of the project
+  std::filesystem::path scenes;  // empty: reference/published of the project
+};
+
+struct ReportPlaces {
+  std::filesystem::path out;      // absolute
+  std::filesystem::path scenes;   // absolute
+  std::filesystem::path gnuplot;  // absolute: the folder of the scripts
+  std::filesystem::path root;     // of the project, or empty
+
+  // A file as provenance names it: from the project's root if it lies below it.
+  std::string shown(const std::filesystem::path& file) const;
+};
+
+// The project is the nearest folder with reports/gnuplot and reference/published above the current
+// folder, or else above the program; an installed program has both in share/tribocheck beside it.
+// Throws ReportError.
+ReportPlaces find_places(const ReportOptions& options);
+
+}  // namespace tribo::report

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The least speed at which something holds, by bisection down to neighbouring doubles.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+namespace tribo::report {
+
+// `holds` is false at `low` or the answer is `low`; it holds from some speed on, up to `high`.
+// None if it does not hold at `high`. 0 < low ≤ high.
+template <class Predicate>
+std::optional<double> first_speed(double low, double high, Predicate&& holds) {
+  if (holds(low)) return low;
+  if (!holds(high)) return std::nullopt;
+  while (true) {
+    const double middle = std::sqrt(low) * std::sqrt(high);
+    if (!(middle > low && middle < high)) return high;
+    (holds(middle) ? high : low) = middle;
+  }
+}
+
+}  // namespace tribo::report

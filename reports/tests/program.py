@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the real program and writes scenes for it. TRIBOCHECK is the program's path."""
+
+import copy
+import json
+import os
+import subprocess
+import tempfile
+
+PROGRAM = os.environ["TRIBOCHECK"]
+TIMEOUT = 120  # seconds; against hanging, not a measure of speed
+
+ENVIRONMENT = dict(os.environ)
+# AddressSanitizer keeps 256 MB of freed memory, which has nothing to do with the program's use.
+ENVIRONMENT["ASAN_OPTIONS"] = ":".join(
+    filter(None, [os.environ.get("ASAN_OPTIONS"), "quarantine_size_mb=1"]))
+
+# The paper's Table 1: id, summit density, standard deviation of summit heights.
+SURFACES = {"rough": (5e10, 1e-7), "medium": (1e11, 5e-8), "smooth": (2e11, 2.5e-8)}
+
+
+class Literal(str):
+    """Written into a scene as it is, without quotes."""
+
+
+def scene(surface="rough", **changes):
+    density, sd = SURFACES[surface]
+    result = {
+        "id": surface,
+        "load": 50,
+        "speed": {"from": 1e-4, "to": 3, "count": 20},
+        "surface": {"summit_density": density, "summit_radius": 1e-5, "summit_height_sd": sd,
+                    "summit_plane_offset": 1.146},
+        "bodies": {"effective_modulus": 107.9e9, "reduced_radius": 9.5e-3},
+        "lubricant": {"viscosity": 0.0202, "pressure_viscosity": 2e-8, "eyring_stress": 2.5e6},
+        "supply": {"inlet_film_ratio": 4},
+        "friction": {"boundary_coefficient": 0.13},
+    }
+    result.update(changes)
+    return {key: value for key, value in result.items() if value is not None}
+
+
+def split(path):
+    section, _, key = path.rpartition(".")
+    return section, key
+
+
+def with_field(base, path, value):
+    result = copy.deepcopy(base)
+    section, key = split(path)
+    (result.setdefault(section, {}) if section else result)[key] = value
+    return result
+
+
+def without_field(base, path):
+    result = copy.deepcopy(base)
+    section, key = split(path)
+    (result.get(section, {}) if section else result).pop(key, None)
+    return result
+
+
+def json_value(value):
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{json.dumps(k)}: {json_value(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(json_value, value)) + "]"
+    return str(value) if isinstance(value, Literal) else json.dumps(value)
+
+
+def toml(tree):
+    """Scalars and lists of it before the tables, as TOML wants it."""
+    def line(key, value):
+        return f"{key} = {json_value(value)}\n"
+    text = "".join(line(k, v) for k, v in tree.items() if not isinstance(v, dict))
+    for name, table in tree.items():
+        if isinstance(table, dict):
+            text += f"[{name}]\n" + "".join(line(k, v) for k, v in table.items())
+    return text
+
+
+class Result:
+    def __init__(self, code, out, err):
+        self.code, self.out, self.err = code, out, err
+        self.error_lines = err.splitlines()
+
+    def json(self):
+        return strict_json(self.out)
+
+    def json_lines(self):
+        return [strict_json(line) for line in self.out.splitlines()]
+
+
+def strict_json(text):
+    """Python's reader lets NaN and Infinity through; a strict one does not."""
+    def refuse(name):
+        raise ValueError(f"{name} is not JSON")
+    return json.loads(text, parse_constant=refuse)
+
+
+def run(*arguments, stdin="", **options):
+    done = subprocess.run([PROGRAM, *map(str, arguments)], input=stdin.encode(),
+                          capture_output=True, timeout=TIMEOUT, env=ENVIRONMENT, **options)
+    return Result(done.returncode, done.stdout.decode(), done.stderr.decode())
+
+
+def start(*arguments, **options):
+    return subprocess.Popen([PROGRAM, *map(str, arguments)], env=ENVIRONMENT, **options)
+
+
+def wait_for(process):
+    """Exit code and greatest memory in MB. To be called instead of process.wait()."""
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_maxrss / 1024
+
+
+class Folder(tempfile.TemporaryDirectory):
+    """A temporary folder for scene files."""
+
+    def path(self, name):
+        return os.path.join(self.name, name)
+
+    def write(self, name, content):
+        text = content if isinstance(content, (str, bytes)) else toml(content)
+        if name.endswith(".json") and isinstance(content, dict):
+            text = json_value(content)
+        with open(self.path(name), "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
+        return self.path(name)

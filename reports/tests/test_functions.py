@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Single functions of the model, called through stream."""
+
+import json
+import math
+import unittest
+
+from program import run
+
+GOOD = {
+    "gaussian_moment": {"order": 2.5, "argument": -1.146},
+    "hertz_point": {"load": 50, "effective_modulus": 107.9e9, "reduced_radius": 9.5e-3},
+    "hamrock_dowson_central": {"speed": 1, "viscosity": 0.04, "pressure_viscosity": 2e-8, "load": 20,
+                               "effective_modulus": 210e9 / 2 / 0.91, "reduced_radius": 0.01,
+                               "ellipticity": 1},
+    "starvation_ratio": {"closure": "damiens", "flooded_over_inlet": 1, "damiens_exponent": 3},
+    "load_sharing": {"asperity": "greenwood_tripp", "flooded_film_parameter": 1, "stiffness": 0.3,
+                     "offset": 1.146},
+}
+OPTIONAL = {"ellipticity", "damiens_exponent"}
+WORDS = {"closure", "asperity"}
+ZERO_IS_LEGAL = {"order", "argument", "stiffness", "offset"}
+MINUS_ONE_IS_LEGAL = {"argument"}
+
+
+def call(function, arguments, identity="f1"):
+    return json.dumps({"id": identity, "function": function, **arguments})
+
+
+def ask(*lines):
+    result = run("stream", stdin="".join(line + "\n" for line in lines))
+    assert (result.code, result.err) == (0, ""), result.err
+    return result.json_lines()
+
+
+def value(function, **arguments):
+    answer, = ask(call(function, arguments))
+    assert list(answer) == ["id", "value"], answer
+    return answer["value"]
+
+
+class Values(unittest.TestCase):
+    def assert_close(self, found, expected, relative=1e-13):
+        self.assertTrue(math.isclose(found, expected, rel_tol=relative), (found, expected))
+
+    def test_gaussian_moment(self):
+        at_zero = {n: 2 ** (n / 2 - 1) * math.gamma((n + 1) / 2) / math.sqrt(math.pi)
+                   for n in [0, 0.5, 1, 1.5, 2, 2.5]}
+        for order, expected in at_zero.items():
+            self.assert_close(value("gaussian_moment", order=order, argument=0), expected)
+        self.assert_close(value("gaussian_moment", order=0, argument=3), math.erfc(3 / 2**0.5) / 2)
+        self.assertEqual(value("gaussian_moment", order=2, argument=50), 0)
+
+    def test_gaussian_moment_beyond_double(self):
+        answer, = ask(call("gaussian_moment", {"order": 2.5, "argument": -1e300}))
+        self.assertEqual(answer, {"id": "f1", "value": None,
+                                  "undefined": {"value": "outside the range of double precision"}})
+
+    def test_hertz_point(self):
+        answer, = ask(call("hertz_point", GOOD["hertz_point"]))
+        radius = (3 * 50 * 9.5e-3 / (4 * 107.9e9)) ** (1 / 3)
+        self.assertEqual(list(answer), ["id", "radius", "mean_pressure", "peak_pressure", "approach"])
+        self.assert_close(answer["radius"], radius)
+        self.assert_close(answer["mean_pressure"], 50 / (math.pi * radius**2))
+        self.assert_close(answer["peak_pressure"], 75 / (math.pi * radius**2))
+        self.assert_close(answer["approach"], radius**2 / 9.5e-3)
+
+    def test_hamrock_dowson_central(self):
+        # From another library, which has 1.9 for 2.69 (1 − 0.61 e^−0.73).
+        film = value("hamrock_dowson_central", **GOOD["hamrock_dowson_central"])
+        self.assert_close(film * 1.9 / (2.69 * (1 - 0.61 * math.exp(-0.73))), 2.612153512768e-7, 1e-11)
+
+    def test_starvation_ratio(self):
+        self.assert_close(value("starvation_ratio", closure="damiens", flooded_over_inlet=1),
+                          2 ** (-1 / 3))
+        self.assert_close(value("starvation_ratio", closure="damiens", flooded_over_inlet=1,
+                                damiens_exponent=1), 0.5)
+        self.assertEqual(value("starvation_ratio", closure="flooded_inlet", flooded_over_inlet=1), 0)
+        self.assert_close(value("starvation_ratio", closure="flooded_inlet",
+                                flooded_over_inlet=0.6327757634209), 0.3579155879252 / 0.6327757634209,
+                          1e-11)
+        for closure in ["starved_inlet", "printed_exponents"]:
+            self.assertTrue(0 < value("starvation_ratio", closure=closure, flooded_over_inlet=2) < 1)
+
+    def test_load_sharing(self):
+        film = value("load_sharing", **GOOD["load_sharing"])
+        moment = value("gaussian_moment", order=2.5, argument=film - 1.146)
+        self.assert_close(film * (1 - math.sqrt(0.3 * moment)) ** 0.14, 1)
+        self.assertEqual(value("load_sharing", asperity="greenwood_williamson",
+                               flooded_film_parameter=2, stiffness=0, offset=0), 2)
+
+    def test_defaults(self):
+        for function, name in [("hamrock_dowson_central", "ellipticity"),
+                               ("starvation_ratio", "damiens_exponent")]:
+            short = {k: v for k, v in GOOD[function].items() if k != name}
+            with_default, without = ask(call(function, GOOD[function]), call(function, short))
+            self.assertEqual(with_default, without)
+
+
+class Mistakes(unittest.TestCase):
+    def assert_error(self, line, field, *words, identity="f1"):
+        with self.subTest(line=line):
+            answer, = ask(line)
+            self.assertEqual((list(answer), answer["id"]), (["id", "error"], identity))
+            self.assertEqual(answer["error"]["field"], field)
+            for word in words:
+                self.assertIn(word, answer["error"]["message"])
+
+    def test_every_argument(self):
+        for function, arguments in GOOD.items():
+            for name in arguments:
+                self.check_argument(function, arguments, name)
+
+    def check_argument(self, function, arguments, name):
+        def replaced(text):
+            return call(function, {**arguments, name: "@"}).replace('"@"', text)
+        if name not in OPTIONAL:
+            rest = {k: v for k, v in arguments.items() if k != name}
+            self.assert_error(call(function, rest), name, "missing; allowed: ")
+        bad = ["true", "null", "[1]", "{}", '"abc"', "1e400", "-1e400"]
+        bad += [] if name in WORDS else ['"1"', "1e-400"]
+        bad += [] if name in ZERO_IS_LEGAL else ["0"]
+        bad += [] if name in MINUS_ONE_IS_LEGAL else ["-1"]
+        for text in bad:
+            self.assert_error(replaced(text), name, "; allowed: ")
+
+    def test_orders(self):
+        for order in [0.25, 3, 2.4999999999999996, 1e300]:
+            self.assert_error(call("gaussian_moment", {"order": order, "argument": 0}), "order")
+
+    def test_names(self):
+        self.assert_error(call("gaussian_moments", {}), "function", "gaussian_moment, hertz_point")
+        self.assert_error(json.dumps({"id": "f1", "function": 5}), "function")
+        self.assert_error(call("hertz_point", {**GOOD["hertz_point"], "laod": 1}), "laod", "load")
+        twice = call("hertz_point", GOOD["hertz_point"]).replace('"load"', '"load": 1, "load"')
+        self.assert_error(twice, "load", "given twice")
+        self.assert_error(call("hertz_point", GOOD["hertz_point"], identity=7), "id", identity=None)
+
+    def test_broken_json(self):
+        self.assert_error('{"id": "f1", "function": "hertz_point"', "", identity=None)
+
+    def test_function_in_other_places_is_no_call(self):
+        self.assert_error('{"id": "function"}', "surface.summit_density", identity="function")
+
+    def test_an_argument_may_come_before_the_function(self):
+        self.assert_error('{"argument": 1e999, "order": 1, "function": "gaussian_moment"}', "argument",
+                          "1e999", identity=None)
+
+
+if __name__ == "__main__":
+    unittest.main()

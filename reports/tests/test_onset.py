@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""onset: the four criteria, and saying why there is none."""
+
+import csv
+import io
+import unittest
+
+from program import Folder, run, scene
+
+CRITERIA = ["film_maximum", "film_departure", "friction_minimum", "asperity_minimum"]
+VALUES = ["speed", "film", "film_parameter"]
+
+
+class OnsetTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def found(self, tree, *arguments):
+        result = run("onset", self.folder.write("scene.toml", tree), *arguments, "--format", "json")
+        self.assertEqual((result.code, result.err), (0, ""))
+        return {onset["criterion"]: onset for onset in result.json()}
+
+    def test_film_maximum_of_table_1(self):
+        for surface in ["rough", "medium", "smooth"]:
+            found = self.found(scene(surface))
+            self.assertEqual(list(found), CRITERIA)
+            for criterion in ["film_maximum", "asperity_minimum"]:
+                self.assertAlmostEqual(found[criterion]["film_parameter"], 1.43166235170080,
+                                       delta=1e-13)
+
+    def test_it_is_the_maximum_that_solve_finds(self):
+        onset = self.found(scene("medium"))["film_maximum"]
+        speeds = [onset["speed"] * factor for factor in [0.99, 1, 1.01]]
+        path = self.folder.write("at.json", scene("medium", speed=speeds))
+        before, at, after = [p["film"] for p in run("solve", path, "--format", "json").json()]
+        self.assertAlmostEqual(at / onset["film"], 1, delta=1e-12)
+        self.assertLess(before, at)
+        self.assertLess(after, at)
+
+    def test_departure(self):
+        for departure in [0.05, 0.5]:
+            onset = self.found(scene(), "--departure", departure)["film_departure"]
+            path = self.folder.write("at.json", scene(speed=onset["speed"]))
+            point = run("solve", path, "--format", "json").json()[0]
+            self.assertAlmostEqual(point["film"] / point["film_flooded"], 1 - departure, delta=1e-12)
+
+    def test_the_default_departure_is_one_twentieth(self):
+        self.assertEqual(self.found(scene()), self.found(scene(), "--departure", "0.05"))
+
+    def test_only_the_criteria_that_are_asked_for(self):
+        found = self.found(scene(), "--criterion", "friction_minimum", "--criterion", "film_maximum")
+        self.assertEqual(sorted(found), ["film_maximum", "friction_minimum"])
+
+    def test_a_scene_may_follow_a_criterion(self):
+        path = self.folder.write("scene.toml", scene())
+        result = run("onset", "--criterion", "film_maximum", path)
+        self.assertEqual((result.code, result.err), (0, ""))
+
+    def test_where_there_is_none_it_says_why(self):
+        for name, onset in self.found(scene(supply=None)).items():
+            with self.subTest(criterion=name):
+                self.assertEqual([onset[value] for value in VALUES], [None] * 3)
+                for value in VALUES:
+                    self.assertTrue(onset["undefined"][value])
+
+    def test_speed_may_be_absent(self):
+        found = self.found(scene(speed=None))
+        self.assertIsNone(found["friction_minimum"]["speed"])
+        self.assertIsNotNone(found["film_maximum"]["speed"])
+
+    def test_formats_agree(self):
+        for supply in [{"inlet_film_ratio": 4}, None]:
+            tree = scene(supply=supply)
+            path = self.folder.write("scene.toml", tree)
+            found = self.found(tree)
+            rows = list(csv.DictReader(io.StringIO(run("onset", path, "--format", "csv").out)))
+            table = run("onset", path).out.splitlines()[5:]
+            for row, line in zip(rows, table, strict=True):
+                self.assert_agree(found[row["criterion"]], row, line)
+
+    def assert_agree(self, onset, row, line):
+        self.assertEqual(row["id"], onset["id"])
+        reason = onset.get("undefined", {}).get("speed", "")
+        self.assertEqual(row["reason"], reason)
+        if reason:
+            self.assertEqual([row[value] for value in VALUES], [""] * 3)
+            self.assertEqual(line.strip(), f"{row['criterion']}  none: {reason}")
+        else:
+            self.assertEqual([float(row[value]) for value in VALUES], [onset[v] for v in VALUES])
+            self.assertEqual(line.split(), [row["criterion"]] + [f"{onset[v]:.5g}" for v in VALUES])
+
+
+if __name__ == "__main__":
+    unittest.main()

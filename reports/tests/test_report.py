@@ -1,0 +1,437 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck report: every file it promises, its numbers against solve and onset, its failures."""
+
+import csv
+import html.parser
+import io
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import tempfile
+import tomllib
+import unittest
+import xml.etree.ElementTree as xml
+
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, run
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+PUBLISHED = ROOT / "reference/published"
+SCENES = [surface + model for model in ("", "_gw") for surface in ("rough", "medium", "smooth")]
+FIGURES = [f"figure_{number:02}" for number in (4, 7, 8, 9, 10, 11, 12)]
+DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] +
+              [f"data/figure_04_{name}.tsv"
+               for name in ("flooded", "starved_inlet", "damiens", "guides", "marks")] +
+              ["data/figure_11_ratio.tsv", "data/marks.tsv", "data/comparison.tsv"])
+PICTURES = sorted(f"figures/{figure}.{kind}" for figure in FIGURES for kind in ("svg", "png"))
+PAGES = ["index.html", "report.md"]
+HAS_GNUPLOT = shutil.which("gnuplot") is not None
+
+
+def report(*arguments, environment=None, cwd=ROOT):
+    return subprocess.run([PROGRAM, "report", *map(str, arguments)], cwd=cwd,
+                          env={**ENVIRONMENT, **(environment or {})}, stdin=subprocess.DEVNULL,
+                          capture_output=True, encoding="utf-8", timeout=TIMEOUT)
+
+
+def files_below(folder):
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
+
+
+def listed_files(output):
+    """The files that the program says it has written."""
+    return sorted(re.findall(r"^  (\S+)$", output.split("Written to ")[1], re.MULTILINE))
+
+
+def table(path):
+    """Rows of a TSV under the names in its last commented line, without their units."""
+    header, rows = None, []
+    for line in path.read_text().splitlines():
+        if line.startswith("# "):
+            header = [name.split(" [")[0] for name in line[2:].split("\t")]
+        elif line:
+            rows.append(dict(zip(header, line.split("\t"), strict=True)))
+    return rows
+
+
+def solved(folder, speeds, scene, **changes):
+    """`tribocheck solve` of a published scene, changed, at these speeds: rows of its CSV."""
+    tree = tomllib.loads((PUBLISHED / f"{scene}.toml").read_text())
+    tree.update(changes, speed=[float(speed) for speed in speeds])
+    path = pathlib.Path(folder) / "changed.json"
+    path.write_text(json.dumps({key: value for key, value in tree.items() if value is not None}))
+    done = run("solve", path, "--format", "csv")
+    assert done.code == 0, done.err
+    return list(csv.DictReader(io.StringIO(done.out)))
+
+
+class PageReader(html.parser.HTMLParser):
+    """Are all elements closed in order? Which pictures and links are there?"""
+    VOID = {"meta", "img", "br", "link"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.pictures, self.links, self.problems = [], [], [], []
+        self.feed(text)
+        self.close()
+        self.problems += [f"<{tag}> is not closed" for tag in self.open]
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag not in self.VOID:
+            self.open.append(tag)
+        if tag == "img":
+            self.pictures.append(attributes)
+        if tag == "a":
+            self.links.append(attributes["href"])
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.problems.append(f"</{tag}> closes nothing")
+
+
+class WrittenReport(unittest.TestCase):
+    """One report for all the tests that only look at it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.out = pathlib.Path(cls.folder.name) / "it's here"  # gnuplot must cope with the quote
+        cls.done = report("--out", cls.out)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+
+@unittest.skipUnless(HAS_GNUPLOT, "gnuplot is not installed")
+class EveryPromisedFile(WrittenReport):
+    def test_exit_code_and_silence(self):
+        self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
+
+    def test_files_are_those_promised_and_those_listed(self):
+        self.assertEqual(files_below(self.out), sorted(DATA + PICTURES + PAGES))
+        self.assertEqual(listed_files(self.done.stdout), sorted(DATA + PICTURES + PAGES))
+
+    def test_svg_is_xml_that_needs_nothing_else(self):
+        for figure in FIGURES:
+            with self.subTest(figure):
+                text = (self.out / f"figures/{figure}.svg").read_text()
+                self.assertTrue(xml.fromstring(text).tag.endswith("svg"))
+                self.assertGreater(text.count("<path"), 20)
+                self.assertNotRegex(text, r"<script|href=.https?:")
+
+    def test_png_is_wide_enough_to_read(self):
+        for figure in FIGURES:
+            with self.subTest(figure):
+                content = (self.out / f"figures/{figure}.png").read_bytes()
+                self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
+                width, height = struct.unpack(">II", content[16:24])
+                self.assertGreaterEqual(width, 1200)
+                self.assertGreater(height, width / 2)
+                self.assertEqual(content[-8:-4], b"IEND")
+
+    def test_pictures_name_the_figure_units_and_onset(self):
+        for figure in FIGURES:
+            with self.subTest(figure):
+                text = "".join(xml.parse(self.out / f"figures/{figure}.svg").getroot().itertext())
+                self.assertIn(f"Figure {int(figure[-2:])} redrawn", text)
+                self.assertIn("u (m/s)", text)
+                self.assertRegex(text, r"onset \(film maximum\)")
+
+    def test_html_is_well_formed_and_its_targets_exist(self):
+        page = PageReader((self.out / "index.html").read_text())
+        self.assertEqual(page.problems, [])
+        self.assertEqual([picture["src"] for picture in page.pictures],
+                         [f"figures/{figure}.svg" for figure in FIGURES])
+        self.assertTrue(all(picture["alt"] for picture in page.pictures))
+        for target in page.links:
+            self.assertTrue((self.out / target).is_file(), target)
+        self.assertNotIn("<script", (self.out / "index.html").read_text())
+
+    def test_markdown_targets_exist(self):
+        text = (self.out / "report.md").read_text()
+        targets = re.findall(r"\]\(([^)]+)\)", text)
+        self.assertEqual(len([t for t in targets if t.endswith(".png")]), len(FIGURES))
+        for target in targets:
+            self.assertTrue((self.out / target).is_file(), target)
+
+    def test_second_run_gives_the_same_bytes(self):
+        again = pathlib.Path(self.folder.name) / "again"
+        self.assertEqual(report("--out", again).returncode, 0)
+        for name in DATA + PAGES + [p for p in PICTURES if p.endswith(".svg")]:
+            with self.subTest(name):
+                self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes())
+
+    def test_written_again_over_itself(self):
+        before = files_below(self.out)
+        self.assertEqual(report("--out", self.out).returncode, 0)
+        self.assertEqual(files_below(self.out), before)
+
+
+class Numbers(WrittenReport):
+    def assert_close(self, mine, other, tolerance=1e-12):
+        mine, other = float(mine), float(other)
+        self.assertLessEqual(abs(mine - other), tolerance * abs(other), f"{mine!r} {other!r}")
+
+    def assert_points_agree(self, rows, others):
+        """Close to its collapse a film h* depends on u as on 1 − r: the tolerance follows. A share
+        is one of the load: where the other is nearly all of it, it has fewer digits."""
+        numbers = ["film_flooded", "film", "film_parameter", "asperity_load_share",
+                   "fluid_load_share", "real_area_ratio", "summit_count", "friction"]
+        self.assertEqual(len(rows), len(others))
+        for row, other in zip(rows, others):
+            self.assertEqual((row["regime"], row["inlet"]), (other["regime"], other["inlet"]))
+            flooded = float(row["film_flooded"])
+            lambda_flooded = flooded / float(row["film"]) * float(row["film_parameter"]) \
+                if float(row["film"]) else 4
+            condition = 1 / abs(1 - lambda_flooded / 4) if lambda_flooded != 4 else 1
+            for name in numbers:
+                if row[name] == "NaN":
+                    self.assertEqual((other[name], row["inlet"]), ("", "collapsed"))
+                    continue
+                scale = 1 if name.endswith("load_share") else abs(float(other[name]))
+                self.assertLessEqual(abs(float(row[name]) - float(other[name])),
+                                     1e-12 * max(1, condition) * scale,
+                                     f"{name} at {row['speed']}")
+
+    def test_curves_agree_with_solve(self):
+        for scene in SCENES:
+            with self.subTest(scene):
+                rows = table(self.out / f"data/curve_{scene}.tsv")
+                speeds = [row["speed"] for row in rows]
+                self.assertEqual(speeds, sorted(speeds, key=float))
+                self.assert_points_agree(rows, solved(self.folder.name, speeds, scene))
+
+    def test_curves_span_the_scenes_speeds(self):
+        for scene in SCENES:
+            rows = table(self.out / f"data/curve_{scene}.tsv")
+            self.assertGreaterEqual(len(rows), 600)
+            self.assert_close(rows[0]["speed"], 1e-4, 1e-8)
+            self.assert_close(rows[-1]["speed"], 3, 1e-8)
+
+    def test_figure_4_agrees_with_solve(self):
+        header = (self.out / "data/figure_04_damiens.tsv").read_text()
+        flow = float(re.search(r"inlet_flow = (\S+) m2/s", header)[1])
+        for name, changes in (("flooded", {"supply": None}),
+                              ("damiens", {"supply": {"inlet_flow": flow}}),
+                              ("starved_inlet", {"supply": {"inlet_flow": flow}})):
+            with self.subTest(name):
+                rows = table(self.out / f"data/figure_04_{name}.tsv")
+                closures = {"asperity": "greenwood_tripp",
+                            "starvation": "flooded_inlet" if name == "flooded" else name}
+                others = solved(self.folder.name, [r["speed"] for r in rows], "smooth",
+                                closures=closures, **changes)
+                for row, other in zip(rows, others, strict=True):
+                    self.assert_close(row["film"], other["film"])
+
+    def test_figure_4_has_both_slopes(self):
+        def last_slope(name):
+            first, last = table(self.out / f"data/figure_04_{name}.tsv")[-2:]
+            return (math.log(float(last["film"]) / float(first["film"])) /
+                    math.log(float(last["speed"]) / float(first["speed"])))
+        self.assertAlmostEqual(last_slope("flooded"), 0.67, delta=1e-3)
+        self.assertAlmostEqual(last_slope("damiens"), -1, delta=1e-3)
+        self.assertAlmostEqual(last_slope("starved_inlet"), -1, delta=0.02)
+
+    def test_onsets_agree_with_onset(self):
+        paths = [PUBLISHED / f"{scene}.toml" for scene in SCENES]
+        onsets = {}
+        for line in run("onset", *paths, "--format", "csv").out.splitlines()[1:]:
+            cells = next(csv.reader([line]))
+            onsets[cells[0], cells[1]] = cells[2:]
+        for row in table(self.out / "data/comparison.tsv"):
+            if row["criterion"] == "-":
+                continue
+            scene = row["surface"] + ("_gw" if row["model"] == "GW" else "")
+            speed, _, film_parameter = onsets[scene, row["criterion"]][:3]
+            expected = speed if row["quantity"] == "onset_speed" else film_parameter
+            with self.subTest(scene=scene, criterion=row["criterion"], quantity=row["quantity"]):
+                if expected == "":
+                    self.assertEqual(row["computed"], "NaN")
+                    self.assertIn("none: ", row["in words"])
+                else:
+                    self.assert_close(row["computed"], expected)
+
+    def test_onset_film_parameter_is_that_of_the_closed_form(self):
+        for row in table(self.out / "data/comparison.tsv"):
+            if (row["quantity"], row["criterion"]) == ("onset_film_parameter", "film_maximum"):
+                self.assert_close(row["computed"], 1.43166235170080, 1e-13)
+                self.assertEqual(row["in words"], "inside half a unit of the last printed digit")
+
+    def test_slow_shares_are_those_of_the_specification(self):
+        shares = {row["surface"]: row["computed"] for row in table(self.out / "data/comparison.tsv")
+                  if (row["quantity"], row["model"]) == ("slow_asperity_share", "GT")}
+        for surface, share in (("rough", 0.765412364174454), ("medium", 0.642288015366864),
+                               ("smooth", 0.537872259415982)):
+            self.assert_close(shares[surface], share, 1e-13)
+
+    def test_factors_are_computed_over_reported(self):
+        reported = {(row["quantity"], row["surface"]): row["value"]
+                    for row in table(PUBLISHED / "reported.tsv")}
+        rows = table(self.out / "data/comparison.tsv")
+        with_factor = [row for row in rows if row["computed/reported"] != "NaN"]
+        self.assertEqual(len(rows), 24 + 24 + 6)
+        self.assertGreater(len(with_factor), 40)
+        for row in with_factor:
+            value = reported[row["quantity"], row["surface"]]
+            self.assertEqual(float(row["reported"]), float(value))
+            self.assert_close(row["computed/reported"], float(row["computed"]) / float(value))
+
+    def test_marks_lie_on_the_curves(self):
+        for row in table(self.out / "data/marks.tsv"):
+            scene = row["surface"] + ("_gw" if row["model"] == "GW" else "")
+            other = solved(self.folder.name, [row["speed"]], scene)
+            self.assert_points_agree([row], other)
+            if row["event"] == "collapse":
+                self.assertEqual((row["inlet"], float(row["film"])), ("collapsed", 0))
+                before = solved(self.folder.name, [math.nextafter(float(row["speed"]), 0)], scene)
+                self.assertNotEqual(before[0]["inlet"], "collapsed")
+
+    def test_terminal_shows_the_table(self):
+        self.assertRegex(self.done.stdout, r"(?m)^smooth +GT +film_maximum +0\.2661 +0\.09 +2\.96 ")
+        self.assertRegex(self.done.stdout, r"(?m)^rough +GT +0\.7654 +0\.82 +0\.933 ")
+
+
+class Failures(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = pathlib.Path(self.folder.name)
+
+    def assert_refused(self, done, *words):
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertTrue(all(line.startswith("tribocheck: ") for line in done.stderr.splitlines()))
+
+    def scenes(self):
+        copy = self.path / "scenes"
+        shutil.copytree(PUBLISHED, copy)
+        return copy
+
+    def test_without_gnuplot_all_but_the_figures_is_written(self):
+        out = self.path / "out"
+        (out / "figures").mkdir(parents=True)
+        (out / "figures/figure_07.svg").write_text("an old one")
+        (self.path / "empty").mkdir()
+        done = report("--out", out, environment={"PATH": str(self.path / "empty")})
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertIn("gnuplot was not found", done.stderr)
+        self.assertIn("film_maximum", done.stdout)
+        self.assertEqual(files_below(out), sorted(DATA + PAGES))
+        self.assertEqual(listed_files(done.stdout), sorted(DATA + PAGES))
+        page = PageReader((out / "index.html").read_text())
+        self.assertEqual((page.problems, page.pictures), ([], []))
+        self.assertIn("Not drawn", (out / "index.html").read_text())
+
+    def test_gnuplot_that_fails_is_quoted(self):
+        fake = self.path / "gnuplot"
+        fake.write_text("#!/bin/sh\necho half > \"$6\"\necho no such terminal >&2\nexit 3\n")
+        fake.chmod(0o755)
+        out = self.path / "out"
+        done = report("--out", out,
+                      environment={"PATH": f"{self.path}:{os.environ.get('PATH', '')}"})
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(len(done.stderr.splitlines()), len(FIGURES))
+        self.assertIn("no such terminal", done.stderr)
+        self.assertEqual(files_below(out), sorted(DATA + PAGES))
+
+    def test_unwritable_folder_is_one_clear_line(self):
+        file = self.path / "file"
+        file.write_text("")
+        for out in (file, file / "below", "/proc/none"):
+            with self.subTest(str(out)):
+                done = report("--out", out)
+                self.assert_refused(done, "cannot write", str(out))
+                self.assertEqual(len(done.stderr.splitlines()), 1)
+
+    def test_file_that_cannot_replace_a_folder(self):
+        out = self.path / "out"
+        (out / "data/marks.tsv").mkdir(parents=True)
+        done = report("--out", out)
+        self.assert_refused(done, "cannot write", "marks.tsv")
+        self.assertEqual([name for name in files_below(out) if "/." in name], [])
+
+    def test_bad_scenes_are_all_named(self):
+        scenes = self.scenes()
+        (scenes / "rough.toml").unlink()
+        (scenes / "smooth.toml").write_text("load = -1\n")
+        done = report("--scenes", scenes, "--out", self.path / "out")
+        self.assert_refused(done, "rough.toml", "smooth.toml", "load")
+        self.assertFalse((self.path / "out").exists())
+
+    def test_scene_of_the_wrong_model(self):
+        scenes = self.scenes()
+        shutil.copy(scenes / "rough.toml", scenes / "rough_gw.toml")
+        done = report("--scenes", scenes, "--out", self.path / "out")
+        self.assert_refused(done, "rough_gw.toml", "greenwood_williamson")
+
+    def test_scene_without_a_range_of_speeds(self):
+        scenes = self.scenes()
+        text = (scenes / "rough.toml").read_text()
+        (scenes / "rough.toml").write_text(re.sub(r"(?m)^speed = .*", "speed = 1", text))
+        done = report("--scenes", scenes, "--out", self.path / "out")
+        self.assert_refused(done, "rough.toml", "range of speeds")
+
+    def test_missing_or_broken_reported_values(self):
+        scenes = self.scenes()
+        original = (scenes / "reported.tsv").read_text()
+        for text, word in ((original.replace("\t0.82\t", "\t0,82\t"), "number"),
+                           (original + "C1\tonset_speed\n", "columns"), (None, "cannot read")):
+            with self.subTest(word):
+                (scenes / "reported.tsv").unlink()
+                if text is not None:
+                    (scenes / "reported.tsv").write_text(text)
+                done = report("--scenes", scenes, "--out", self.path / "out")
+                self.assert_refused(done, "reported.tsv", word)
+                (scenes / "reported.tsv").touch()
+
+    def test_scenes_that_never_starve_have_no_onset(self):
+        """Nothing is marked, nothing is made up, and gnuplot copes with it."""
+        scenes = self.scenes()
+        for scene in SCENES:
+            path = scenes / f"{scene}.toml"
+            path.write_text(re.sub(r"inlet_film_ratio = 4", "inlet_film_ratio = 1e4",
+                                   path.read_text()))
+        out = self.path / "out"
+        done = report("--scenes", scenes, "--out", out)
+        self.assertEqual((done.returncode, done.stderr), (0 if HAS_GNUPLOT else 1, ""))
+        self.assertNotIn("onset\trough", (out / "data/marks.tsv").read_text())
+
+    def test_folder_outside_the_project(self):
+        """The program lies in the project, or else says where it has looked."""
+        done = report("--out", self.path / "out", cwd=self.path)
+        self.assertIn(done.returncode, (0, 2))
+        if done.returncode == 2:
+            self.assert_refused(done, "reports/gnuplot")
+
+    def test_scenes_folder_that_is_none(self):
+        self.assert_refused(report("--scenes", self.path / "none", "--out", self.path / "out"),
+                            "none", "--scenes")
+
+    def test_default_folders_are_the_projects(self):
+        project = self.path / "project"
+        shutil.copytree(PUBLISHED, project / "reference/published")
+        shutil.copytree(ROOT / "reports/gnuplot", project / "reports/gnuplot")
+        (project / "deep/below").mkdir(parents=True)
+        done = report(cwd=project / "deep/below")
+        self.assertEqual(done.returncode, 0 if HAS_GNUPLOT else 1, done.stderr)
+        self.assertTrue((project / "reports/out/index.html").is_file())
+        self.assertIn("reference/published/rough.toml",
+                      (project / "reports/out/data/curve_rough.tsv").read_text())
+
+    def test_help_has_an_example(self):
+        done = report("--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("Example", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: Apache-2.0
+"""solve and curve: numbers, formats that agree to the last bit, several scenes."""
+
+import csv
+import io
+import math
+import unittest
+
+from program import Folder, Literal, json_value, run, scene
+
+NUMBERS = ["film_flooded", "film", "separation", "film_parameter", "asperity_load_share",
+           "fluid_load_share", "real_area_ratio", "summit_count", "friction"]
+OUTPUTS = NUMBERS + ["regime", "inlet"]
+
+
+def rows_of(text):
+    return list(csv.DictReader(io.StringIO(text, newline="")))
+
+
+class SolveTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def solved(self, tree, *arguments, command="solve"):
+        result = run(command, self.folder.write("scene.toml", tree), *arguments)
+        self.assertEqual((result.code, result.err), (0, ""))
+        return result
+
+    def points(self, tree, command="solve"):
+        return self.solved(tree, "--format", "json", command=command).json()
+
+
+class Numbers(SolveTest):
+    def test_table_1_at_the_lowest_speed(self):
+        expected = {"rough": (0.765412364174454, 3.88840686142501e-10),
+                    "medium": (0.642288015366864, 3.65851178220415e-10),
+                    "smooth": (0.537872259415982, 3.51904815844975e-10)}
+        for surface, (share, film) in expected.items():
+            with self.subTest(surface=surface):
+                point = self.points(scene(surface, speed=1e-4))[0]
+                self.assertAlmostEqual(point["asperity_load_share"] / share, 1, delta=1e-14)
+                self.assertAlmostEqual(point["film"] / film, 1, delta=1e-14)
+
+    def test_speeds_are_those_of_the_scene(self):
+        speeds = [p["speed"] for p in self.points(scene(speed={"from": 1e-4, "to": 3, "count": 5}))]
+        self.assertEqual((len(speeds), speeds[0], speeds[-1]), (5, 1e-4, 3))
+        self.assertEqual(speeds, sorted(speeds))
+        self.assertEqual([p["speed"] for p in self.points(scene(speed=[2, 0.1, 0.5]))],
+                         [2, 0.1, 0.5])
+
+    def test_only_the_outputs_that_are_asked_for(self):
+        point = self.points(scene(speed=1, outputs=["inlet", "film"]))[0]
+        self.assertEqual(list(point), ["id", "speed", "film", "inlet"])
+
+    def test_outputs_without_their_inputs_are_left_out(self):
+        point = self.points(scene(speed=1, friction=None))[0]
+        self.assertEqual(list(point), ["id", "speed"] + [o for o in OUTPUTS if o != "friction"])
+
+    def test_the_id_is_the_files_name_where_the_scene_has_none(self):
+        self.assertEqual(self.points(scene(id=None, speed=1))[0]["id"], "scene")
+        result = run("solve", "-", "--format", "csv", stdin=json_value(scene(id=None, speed=1)))
+        self.assertEqual(rows_of(result.out)[0]["id"], "stdin")
+
+    def test_what_is_undefined_says_why(self):
+        point = self.points(scene("smooth", speed=3))[0]
+        self.assertEqual((point["inlet"], point["film"]), ("collapsed", 0))
+        self.assertIsNone(point["friction"])
+        self.assertEqual(point["undefined"], {"friction": "the film has collapsed"})
+
+    def test_an_overflow_is_undefined_not_infinite(self):
+        tree = scene(speed=1)
+        tree["surface"]["summit_density"] = 1e300
+        path = self.folder.write("huge.toml", tree)
+        result = run("solve", path, "--format", "json")
+        self.assertEqual(result.code, 0)
+        self.assertIn("warning: ", result.err)
+        point = result.json()[0]
+        self.assertIsNone(point["real_area_ratio"])
+        self.assertEqual(point["undefined"]["real_area_ratio"],
+                         "outside the range of double precision")
+        row = rows_of(run("solve", path, "--format", "csv").out)[0]
+        self.assertEqual(row["real_area_ratio"], "")
+        table = run("solve", path).out
+        self.assertIn("  - real_area_ratio: outside the range of double precision\n", table)
+        for word in ["nan", "inf"]:
+            self.assertNotRegex(table, rf"\b{word}\b")
+
+
+class Formats(SolveTest):
+    def assert_csv_agrees(self, points, row_list):
+        self.assertEqual(len(points), len(row_list))
+        for point, row in zip(points, row_list):
+            self.assertEqual(list(row), ["id", "speed"] + OUTPUTS)
+            for name, text in row.items():
+                value = point[name]
+                if value is None:
+                    self.assertEqual(text, "")
+                elif isinstance(value, str):
+                    self.assertEqual(text, value)
+                else:
+                    self.assertEqual(float(text), value)
+
+    def assert_table_agrees(self, points, lines):
+        self.assertEqual(len(points), len(lines))
+        for point, line in zip(points, lines):
+            shown = ["-" if point[name] is None else
+                     point[name] if isinstance(point[name], str) else f"{point[name]:.5g}"
+                     for name in ["speed"] + OUTPUTS]
+            self.assertEqual(line.split(), shown)
+
+    def test_all_three_agree_to_the_last_bit(self):
+        for surface in ["rough", "smooth"]:
+            for command in ["solve", "curve"]:
+                with self.subTest(surface=surface, command=command):
+                    tree = scene(surface)
+                    points = self.points(tree, command)
+                    self.assertEqual(len(points), 20)
+                    table = self.solved(tree, command=command).out.splitlines()
+                    self.assert_csv_agrees(
+                        points, rows_of(self.solved(tree, "--format", "csv", command=command).out))
+                    self.assert_table_agrees(points, table[5:25])
+
+    def test_the_stream_agrees_to_the_last_bit(self):
+        points = self.points(scene("smooth"))
+        lines = "".join(json_value(scene("smooth", speed=p["speed"])) + "\n" for p in points)
+        for point, answer in zip(points, run("stream", stdin=lines).json_lines(), strict=True):
+            del point["speed"]
+            self.assertEqual(point, answer)
+
+    def test_json_is_one_object_a_line(self):
+        lines = self.solved(scene(), "--format", "json").out.splitlines()
+        self.assertEqual((lines[0], lines[-1], len(lines)), ("[", "]", 22))
+
+    def test_csv_has_one_header_for_all_scenes(self):
+        first = self.folder.write("a.toml", scene(id='a,"b"', speed=1, outputs=["film", "friction"]))
+        second = self.folder.write("b.toml", scene(speed=1, outputs=["film", "inlet"]))
+        result = run("solve", first, second, "--format", "csv")
+        self.assertEqual(result.out.splitlines()[0], "id,speed,film,friction,inlet")
+        rows = rows_of(result.out)
+        self.assertEqual([row["id"] for row in rows], ['a,"b"', "rough"])
+        self.assertEqual((rows[0]["inlet"], rows[1]["friction"]), ("", ""))
+        self.assertNotEqual(rows[0]["friction"], "")
+
+    def test_the_table_has_units_and_aligned_columns(self):
+        lines = self.solved(scene("smooth")).out.splitlines()
+        self.assertEqual(lines[:2], ["smooth: 20 speeds", "-----------------"])
+        units = lines[4].split()
+        self.assertEqual(units, ["[m/s]", "[m]", "[m]", "[m]"] + ["[-]"] * 6)
+        ends = {len(line) for line in [lines[3], *lines[5:25]]}
+        self.assertEqual(len(ends), 1)
+        for line in [lines[3], *lines[5:25]]:  # two blanks between the columns, everywhere
+            self.assertEqual(line[12:14], "  ")
+        self.assertEqual(lines[25:], ["  - friction: the film has collapsed"])
+
+    def test_ids_of_any_text(self):
+        for name in ["ü ρ", "a\\b", 'quo"te', "tab\there", "new\nline", "'"]:
+            with self.subTest(name=name):
+                tree = json_value(scene(id=name, speed=1))
+                self.assertEqual(run("solve", "-", "--format", "json", stdin=tree).json()[0]["id"],
+                                 name)
+                rows = rows_of(run("solve", "-", "--format", "csv", stdin=tree).out)
+                self.assertEqual([row["id"] for row in rows], [name])
+                self.assertEqual(run("stream", stdin=tree).json_lines()[0]["id"], name)
+
+
+class Curve(SolveTest):
+    def test_every_point_is_that_of_solve_at_its_speed(self):
+        for closure in ["flooded_inlet", "starved_inlet", "printed_exponents", "damiens"]:
+            for supply in [None, {"inlet_film": 4e-7}, {"inlet_flow": 1e-8}]:
+                with self.subTest(closure=closure, supply=supply):
+                    tree = scene(supply=supply, closures={"starvation": closure})
+                    curve = self.points(tree, "curve")
+                    tree["speed"] = [point["speed"] for point in curve]
+                    self.assert_close(curve, self.points(tree))
+
+    def assert_close(self, curve, solved):
+        self.assertEqual(len(curve), 20)
+        for point, other in zip(curve, solved, strict=True):
+            for name in NUMBERS:
+                if other[name] is None:
+                    self.assertIsNone(point[name])
+                else:
+                    self.assertTrue(math.isclose(point[name], other[name], rel_tol=1e-9,
+                                                 abs_tol=1e-12), (name, point, other))
+
+    def test_it_spans_the_range(self):
+        speeds = [point["speed"] for point in self.points(scene(), "curve")]
+        self.assertEqual(speeds, sorted(speeds))
+        self.assertAlmostEqual(speeds[0] / 1e-4, 1, delta=1e-2)
+        self.assertAlmostEqual(speeds[-1] / 3, 1, delta=1e-2)
+
+    def test_a_list_gives_the_range(self):
+        speeds = [p["speed"] for p in self.points(scene(speed=[1, 0.01, 0.1]), "curve")]
+        self.assertEqual((len(speeds), speeds), (3, sorted(speeds)))
+
+    def test_one_speed_is_no_curve(self):
+        for speed in [1, [1], [1, 1]]:
+            with self.subTest(speed=speed):
+                result = run("curve", self.folder.write("scene.toml", scene(speed=speed)))
+                self.assertEqual((result.code, result.out, len(result.error_lines)), (2, "", 1))
+                self.assertIn("rough: speed: ", result.err)
+
+
+class SeveralScenes(SolveTest):
+    def test_a_bad_one_is_reported_and_the_good_ones_are_solved(self):
+        good = [self.folder.write(f"{name}.toml", scene(name)) for name in ["rough", "smooth"]]
+        bad = self.folder.write("bad.toml", scene(load=Literal("-5")))
+        missing = self.folder.path("missing.toml")
+        for command in ["solve", "curve", "onset"]:
+            with self.subTest(command=command):
+                alone = run(command, *good, "--format", "json")
+                self.assertEqual((alone.code, alone.err), (0, ""))
+                mixed = run(command, good[0], bad, missing, good[1], "--format", "json")
+                self.assertEqual((mixed.code, mixed.out), (2, alone.out))
+                self.assertEqual(len(mixed.error_lines), 2)
+                self.assertIn("bad.toml: load: ", mixed.error_lines[0])
+                self.assertIn("missing.toml: ", mixed.error_lines[1])
+
+    def test_only_bad_ones_leave_stdout_empty(self):
+        bad = self.folder.write("bad.toml", scene(load=0))
+        for style in ["table", "csv", "json"]:
+            result = run("solve", bad, "--format", style)
+            self.assertEqual((result.code, result.out), (2, ""))
+
+    def test_stdin_among_files(self):
+        file = self.folder.write("rough.toml", scene(speed=1))
+        result = run("solve", file, "-", "--format", "csv", stdin=json_value(scene("smooth", speed=1)))
+        self.assertEqual([row["id"] for row in rows_of(result.out)], ["rough", "smooth"])
+
+    def test_implausible_values_get_a_warning_and_a_result(self):
+        tree = scene(speed=1)
+        tree["bodies"]["reduced_radius"] = 9.5
+        result = run("solve", self.folder.write("ball.toml", tree), "--format", "csv")
+        self.assertEqual((result.code, len(rows_of(result.out))), (0, 1))
+        self.assertRegex(result.err, r"warning: .*ball\.toml: bodies\.reduced_radius: 9\.5")
+
+
+if __name__ == "__main__":
+    unittest.main()

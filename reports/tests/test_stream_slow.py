@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""stream over a million lines: memory stays flat. TRIBOCHECK_LINES asks for another number."""
+
+import os
+import subprocess
+import threading
+import unittest
+
+from program import json_value, scene, start, wait_for
+
+LINES = int(os.environ.get("TRIBOCHECK_LINES", 1_000_000))
+
+
+class LongStream(unittest.TestCase):
+    def test_memory_is_flat(self):
+        short, long = self.memory_for(1000), self.memory_for(LINES)
+        self.assertLess(long, short + 4, "MB")
+
+    def memory_for(self, count):
+        block = "".join(json_value(scene(id=f"p{i}", speed=1e-3 * (1 + i))) + "\n"
+                        for i in range(1000)).encode()
+        process = start("stream", stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        received = []
+        reader = threading.Thread(target=lambda: received.append(self.count_lines(process.stdout)))
+        reader.start()
+        for _ in range(count // 1000):
+            process.stdin.write(block)
+        process.stdin.close()
+        reader.join()
+        process.stdout.close()
+        code, memory = wait_for(process)
+        self.assertEqual((code, received), (0, [count // 1000 * 1000]))
+        return memory
+
+    @staticmethod
+    def count_lines(file):
+        lines = 0
+        while part := file.read1(1 << 16):
+            lines += part.count(b"\n")
+        return lines
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Help, version and exit codes of every command."""
+
+import unittest
+
+from program import Folder, run, scene
+
+COMMANDS = ["solve", "curve", "onset", "stream"]
+
+
+class Help(unittest.TestCase):
+    def test_every_command_has_help_with_an_example(self):
+        for arguments in [[], *[[command] for command in COMMANDS]]:
+            for flag in ["--help", "-h"]:
+                with self.subTest(arguments=arguments, flag=flag):
+                    result = run(*arguments, flag)
+                    self.assertEqual((result.code, result.err), (0, ""))
+                    self.assertIn("Usage: tribocheck", result.out)
+                    self.assertIn("Example:\n", result.out)
+
+    def test_help_of_the_program_names_every_command(self):
+        text = run("--help").out
+        for command in COMMANDS:
+            self.assertRegex(text, rf"(?m)^  {command} ")
+
+    def test_every_command_tells_the_version(self):
+        for arguments in [[], *[[command] for command in COMMANDS]]:
+            with self.subTest(arguments=arguments):
+                result = run(*arguments, "--version")
+                self.assertEqual((result.code, result.err), (0, ""))
+                self.assertRegex(result.out, r"^tribocheck \d+\.\d+\.\d+\n$")
+
+
+class BadUsage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Folder()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.file = cls.folder.write("rough.toml", scene())
+
+    def assert_refused(self, *arguments):
+        with self.subTest(arguments=arguments):
+            result = run(*arguments)
+            self.assertEqual((result.code, result.out), (2, ""))
+            self.assertEqual(len(result.error_lines), 1, result.err)
+            self.assertTrue(result.err.startswith("tribocheck: "), result.err)
+
+    def test_without_or_with_an_unknown_command(self):
+        self.assert_refused()
+        self.assert_refused("solv")
+        self.assert_refused("--bogus")
+
+    def test_scenes_are_needed(self):
+        for command in ["solve", "curve", "onset"]:
+            self.assert_refused(command)
+            self.assert_refused(command, "")
+
+    def test_bad_options(self):
+        for command in ["solve", "curve", "onset"]:
+            self.assert_refused(command, self.file, "--format", "xml")
+            self.assert_refused(command, self.file, "--format")
+            self.assert_refused(command, self.file, "--format", "csv", "--format", "json")
+            self.assert_refused(command, self.file, "--bogus")
+        self.assert_refused("stream", self.file)
+        self.assert_refused("onset", self.file, "--criterion", "film_minimum")
+
+    def test_departure_is_between_0_and_1(self):
+        for value in ["0", "1", "-0.1", "2", "nan", "inf", "1e400", "1e-400", "", "0.1x", "0,1"]:
+            self.assert_refused("onset", self.file, "--departure", value)
+
+    def test_stdin_only_once(self):
+        self.assert_refused("solve", "-", "-")
+
+    def test_a_file_may_be_called_like_a_command_or_in_brackets(self):
+        for name in ["curve", "[a,b]"]:
+            self.folder.write(name, scene(id=None))
+            result = run("solve", name, "--format", "csv", cwd=self.folder.name)
+            self.assertEqual((result.code, result.err), (0, ""))
+
+    def test_control_signs_of_an_argument_do_not_reach_the_terminal(self):
+        result = run("solve", self.file, "--format", "\x1b[31m\n")
+        self.assertEqual(len(result.error_lines), 1)
+        self.assertNotIn("\x1b", result.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
