@@ -75,7 +75,7 @@ class OnsetTable : public OnsetWriter {
   explicit OnsetTable(OutputStream& output) : text_(output.text()) {}
 
   void add(const Scene& scene, const std::vector<Onset<double>>& onsets) override {
-    if (std::exchange(first_, false) == false) text_.push_back('\n');
+    if (!std::exchange(first_, false)) text_.push_back('\n');
     append_title(text_, scene.id + ": onset of starvation");
     const std::vector<ColumnHead> heads{{"criterion", "", criterion_width},
                                         {"speed", "[m/s]", number_width},

@@ -7,9 +7,10 @@ foot = slowest_film_min/2
 s = "smooth"
 pale = 0xB0D4EC
 ratio = data."figure_11_ratio.tsv"
-onset_max = speeds_max
+highest = speeds_max
 stats marks using (mark("onset", s, "GT", speed)) nooutput name "onset"
-stats ratio using ($1 <= onset_max ? $2 : NaN) nooutput name "ratio"
+if (exists("onset_max")) highest = onset_max
+stats ratio using ($1 <= highest ? $2 : NaN) nooutput name "ratio"
 room = 0.3*(ratio_max - ratio_min) + 1e-3
 set multiplot
 load scripts."upper_panel.gp"

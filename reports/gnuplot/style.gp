@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # What all figures share, and the start of each. tribocheck report calls it as
 #   gnuplot -d -c style.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SCENE
-# with SCRIPT the figure's own, FORMAT svg or png, DATA the folder of the .tsv files, NAME a prefix for
-# the identifiers in an SVG, HEIGHT in points for a width of 960. `load` forgets the arguments.
+# with SCRIPT the figure's own, FORMAT svg or png, DATA the folder of the .tsv files, NAME a prefix
+# for the identifiers in an SVG, HEIGHT in points for a width of 960. `load` forgets the arguments.
 script = ARG1
 scripts = ARG0[1:strlen(ARG0) - strlen("style.gp")]
 data = ARG4."/"
@@ -47,8 +47,8 @@ is_mark(event, surface, model) = \
   strcol(1) eq event && strcol(2) eq surface && strcol(3) eq model
 mark(event, surface, model, y) = is_mark(event, surface, model) ? column(y + 3) : NaN
 slowest(y) = strcol(1) eq "slowest" ? column(y + 3) : NaN
-# Points: a full circle at the onset, a cross at the collapse, and an open triangle at the onset speed
-# that the paper reports. In an SVG the strokes of a point grow with its size alone.
+# Points: a full circle at the onset, a cross at the collapse, and an open triangle at the onset
+# speed that the paper reports. In an SVG the strokes of a point grow with its size alone.
 set style line 7 pointtype 7 pointsize 1.1*point
 set style line 8 pointtype 2 pointsize 1.4*outline linewidth 1.6
 set style line 9 pointtype 8 pointsize 1.7*outline linewidth 1.4

@@ -39,6 +39,7 @@ std::string lowest_speed(const Findings& findings) {
 }
 
 std::string times(const std::vector<RatioPoint>& found) {
+  if (found.empty()) return "an undefined number of times";
   const RatioRange range = range_of(found);
   return fmt::format("{} to {} times", rounded(range.least, 3), rounded(range.greatest, 3));
 }
@@ -211,8 +212,11 @@ std::string models_caption(const Findings& findings) {
 std::string stribeck_caption(const Findings& findings) {
   const SolvedCase &gt = findings.gt("smooth"), &gw = findings.gw("smooth");
   const auto friction = [](const SolvedCase& one) {
-    return fmt::format("{} and {}", rounded(one.slowest.friction, 3),
-                       rounded(least_friction(one), 3));
+    const auto least = least_friction(one);
+    return fmt::format(
+        "{} and {}",
+        one.slowest.friction_undefined ? "undefined" : rounded(one.slowest.friction, 3),
+        least ? rounded(*least, 3) : "undefined");
   };
   const auto parameter = [](const SolvedCase& one) {
     return one.at_onset ? rounded(one.at_onset->film_parameter, 5) : std::string("none");

@@ -20,7 +20,7 @@ std::string words_for(double computed, const std::optional<Reported>& reported) 
 }
 
 ComparisonRow row(const SolvedCase& solved, std::string_view criterion,
-                  std::optional<double> computed, std::optional<Reported> reported) {
+                  std::optional<double> computed, const std::optional<Reported>& reported) {
   return {solved.source.surface,
           solved.source.short_model(),
           criterion,
@@ -30,7 +30,7 @@ ComparisonRow row(const SolvedCase& solved, std::string_view criterion,
 }
 
 ComparisonRow onset_row(const SolvedCase& solved, const Onset<double>& onset,
-                        double Onset<double>::*quantity, std::optional<Reported> reported) {
+                        double Onset<double>::*quantity, const std::optional<Reported>& reported) {
   if (onset.exists) return row(solved, name(onset.criterion), onset.*quantity, reported);
   ComparisonRow none = row(solved, name(onset.criterion), std::nullopt, reported);
   none.in_words = fmt::format("none: {}", onset.reason);

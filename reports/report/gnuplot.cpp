@@ -32,7 +32,7 @@ class Pipe {
   int writing_end() const { return ends_[1]; }
   void close_writing_end() { close(1); }
 
-  // All that comes until the other side closes; the first few kilobytes are kept.
+  // All that comes until the other side closes; of much, the last few kilobytes.
   std::string read_to_end() const {
     std::string text;
     std::array<char, 4096> block{};
@@ -40,7 +40,8 @@ class Pipe {
       const ssize_t count = ::read(ends_[0], block.data(), block.size());
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return text;
-      if (text.size() < block.size()) text.append(block.data(), static_cast<std::size_t>(count));
+      text.append(block.data(), static_cast<std::size_t>(count));
+      if (text.size() > block.size()) text.erase(0, text.size() - block.size());
     }
   }
 
@@ -77,24 +78,27 @@ int wait_for(pid_t child) {
   return status;
 }
 
-// The lines that say something, joined: gnuplot repeats its input and points into it.
-std::string in_one_line(const std::string& text) {
+// The end of what gnuplot said, on one line: it repeats the whole command before the reason.
+std::string reason_in(const std::string& said) {
+  constexpr std::size_t longest = 300;
   std::string line;
-  for (const char sign : text) {
+  for (const char sign : said) {
     const bool blank = sign == '\n' || sign == '\t' || sign == ' ';
     if (!blank)
       line += sign;
     else if (!line.empty() && line.back() != ' ')
       line += ' ';
   }
-  return line;
+  if (line.size() <= longest) return line;
+  const std::size_t word = line.find(' ', line.size() - longest);
+  return "…" + line.substr(word == std::string::npos ? line.size() - longest : word);
 }
 
 GnuplotRun end_of(int status, const std::string& said) {
   if (status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return {GnuplotEnd::drawn, {}};
   if (status != -1 && WIFSIGNALED(status))
     return {GnuplotEnd::failed, fmt::format("gnuplot ended by signal {}", WTERMSIG(status))};
-  return {GnuplotEnd::failed, "gnuplot: " + in_one_line(said)};
+  return {GnuplotEnd::failed, "gnuplot: " + reason_in(said)};
 }
 
 }  // namespace
@@ -104,6 +108,7 @@ GnuplotRun run_gnuplot(const std::filesystem::path& script,
   std::vector<std::string> words{"gnuplot", "-d", "-c", script.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 

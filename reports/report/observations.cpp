@@ -35,10 +35,10 @@ std::optional<double> equal_share_speed(const SolvedCase& solved) {
   });
 }
 
-double least_friction(const SolvedCase& solved) {
-  double least = std::numeric_limits<double>::infinity();
+std::optional<double> least_friction(const SolvedCase& solved) {
+  std::optional<double> least;
   for (const Point& point : solved.curve)
-    if (!point.friction_undefined) least = std::min(least, point.friction);
+    if (!point.friction_undefined && (!least || point.friction < *least)) least = point.friction;
   return least;
 }
 

@@ -28,7 +28,7 @@ RatioRange range_of(const std::vector<RatioPoint>& ratios);
 // The first speed at which the film carries half the load; none if it does nowhere.
 std::optional<double> equal_share_speed(const SolvedCase& solved);
 
-// The least friction of the curve.
-double least_friction(const SolvedCase& solved);
+// The least friction of the curve; none if it is undefined throughout.
+std::optional<double> least_friction(const SolvedCase& solved);
 
 }  // namespace tribo::report

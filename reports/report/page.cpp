@@ -19,7 +19,9 @@ std::string scene_list(const Findings& findings) {
 
 std::vector<std::string> introduction(const Findings& findings) {
   return {
-      "D. Gasni computed film, load shares and friction of a starved, rough point contact for "
+      "D. Gasni (“Pengaruh kekasaran permukaan terhadap fenomena starvation pada point contact”, "
+      "Universitas Andalas) computed film, load shares and friction of a starved, rough contact "
+      "for "
       "three surfaces, with the asperity models of Greenwood and Tripp (GT) and of Greenwood and "
       "Williamson (GW). This page solves the same three surfaces with the same models, the "
       "paper's misprints mended, draws its Figures 4 and 7 to 12 again, and sets what it reports "

@@ -15,8 +15,8 @@ constexpr std::size_t curve_points = 601;
 // distance, so that on logarithmic axes evenly spaced e draw an even line.
 void add_points_before_collapse(std::vector<Point>& curve, const MixedContact<double>& contact,
                                 SpeedRange range, double collapse) {
-  for (double exponent = 1; exponent <= 8; exponent += 0.125) {
-    const double speed = collapse * (1 - std::pow(10, -exponent));
+  for (int eighths = 8; eighths <= 64; ++eighths) {
+    const double speed = collapse * (1 - std::pow(10, -eighths / 8.0));
     if (speed > range.low && speed < range.high) curve.push_back(contact.solve(speed));
   }
   curve.push_back(contact.solve(collapse));

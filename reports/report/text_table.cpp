@@ -73,7 +73,7 @@ struct InputRow {
 TextTable text_table(const ComparisonTable& comparison) {
   TextTable table{comparison.title, {"surface", "model"}, {false, false}, {}, comparison.note};
   if (comparison.has_criteria) {
-    table.headings.push_back("criterion");
+    table.headings.emplace_back("criterion");
     table.is_number.push_back(false);
   }
   for (const auto& heading :
@@ -81,7 +81,7 @@ TextTable text_table(const ComparisonTable& comparison) {
     table.headings.push_back(heading);
     table.is_number.push_back(true);
   }
-  table.headings.push_back("in words");
+  table.headings.emplace_back("in words");
   table.is_number.push_back(false);
   for (const ComparisonRow& row : comparison.rows)
     table.rows.push_back(comparison_cells(comparison, row));

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Help, version and exit codes of every command."""
 
+import re
 import unittest
 
 from program import Folder, run, scene
 
-COMMANDS = ["solve", "curve", "onset", "stream"]
+# Every command that the program says it has.
+COMMANDS = re.findall(r"(?m)^  ([a-z]+) ", run("--help").out.partition("\nSubcommands:\n")[2]
+                      .partition("\n\n")[0])
 
 
 class Help(unittest.TestCase):
@@ -19,9 +22,8 @@ class Help(unittest.TestCase):
                     self.assertIn("Example:\n", result.out)
 
     def test_help_of_the_program_names_every_command(self):
-        text = run("--help").out
-        for command in COMMANDS:
-            self.assertRegex(text, rf"(?m)^  {command} ")
+        for command in ["solve", "curve", "onset", "stream"]:
+            self.assertIn(command, COMMANDS)
 
     def test_every_command_tells_the_version(self):
         for arguments in [[], *[[command] for command in COMMANDS]]:

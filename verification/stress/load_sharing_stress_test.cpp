@@ -37,6 +37,21 @@ TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
   RecordProperty("most_iterations", most_iterations);
 }
 
+// An offset so large that λ − δ has no digits left: the shares are still shares.
+TEST(LoadSharingStress, AbsurdOffsetsGiveSharesBetweenZeroAndOne) {
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const double offset : {1e10, 1e16, 1e30, 1e150})
+      for (double distance = 1e-20; distance < 1e40; distance *= 1e3) {
+        const LoadSharing<double> sharing(model, 0.3, offset);
+        for (const LoadShares<double>& shares :
+             {sharing.shares_above_floor(distance), sharing.solve(distance)}) {
+          const std::string inputs = describe({{"delta", offset}, {"distance", distance}});
+          ASSERT_TRUE(shares.asperity >= 0 && shares.asperity <= 1) << inputs;
+          ASSERT_TRUE(shares.fluid >= 0 && shares.fluid <= 1) << inputs;
+        }
+      }
+}
+
 TEST(LoadSharingStress, InputsOutsideTheNumbersGiveWhatTheContractSays) {
   const double infinity = std::numeric_limits<double>::infinity();
   const LoadSharing<double> ordinary(AsperityModel::greenwood_tripp, 10.0, 1.0);

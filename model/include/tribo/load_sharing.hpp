@@ -63,7 +63,8 @@ class LoadSharing {
   // Near a floor 1 − A comes from the Taylor series of F_p there, so that it does not cancel.
   LoadShares<T> shares_above_floor(const T& distance) const {
     const T lambda = floor_ + distance;
-    const T asperity = asperity_share(lambda);
+    const T d = has_floor_ ? T(floor_argument_ + distance) : T(distance - offset_);
+    const T asperity = share_of(moment_product(stiffness_, order_, d));
     if (!has_floor_ || asperity < ratio<T>(3, 4))
       return {lambda, asperity, asperity < 1 ? T(1 - asperity) : T(0), 0};
     const T fluid = fluid_share_near_floor(distance);
@@ -73,7 +74,7 @@ class LoadSharing {
   // ln of d(1−A)/dλ at the floor: 1 − A = e^this · distance while the distance is small.
   T log_fluid_rate_at_floor() const {
     using std::log;
-    return log(T(-exponent_ * asperities(T(floor_ - offset_)).log_slope));
+    return log(T(-exponent_ * asperities(floor_argument_).log_slope));
   }
 
   // λ₀ of a film: λ(1−A)^0.14, from λ and its fluid share.
@@ -118,7 +119,7 @@ class LoadSharing {
     using std::abs;
     using std::expm1;
     using std::log1p;
-    const T d = floor_ - offset_;
+    const T& d = floor_argument_;
     T earlier = 1;
     T current = asperities(d).log_slope;
     T power = distance;
@@ -174,7 +175,7 @@ class LoadSharing {
     return {lambda0, T(0), T(1), 0};
   }
 
-  // ln(K F_p) is concave and decreasing in λ: Newton from the right of its zero falls to it
+  // ln(K F_p(d)) is concave and decreasing: Newton from the right of its zero falls to it
   // monotonically. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 gives a start.
   void find_floor() {
     using std::log;
@@ -191,15 +192,16 @@ class LoadSharing {
       return;
     }
     const T log_at_zero = log(stiffness_) + log_gaussian_moment(order_, T(0));
-    T lambda = offset_ + (log_at_zero > 0 ? T(sqrt(2 * log_at_zero)) : T(0));
+    T d = log_at_zero > 0 ? T(sqrt(2 * log_at_zero)) : T(0);
     for (int iterations = 0; iterations < max_iterations; ++iterations) {
-      const Asperities at = asperities(T(lambda - offset_));
+      const Asperities at = asperities(d);
       const T step = log(at.load_ratio) / -at.log_slope;
       if (!(step < 0)) break;
-      lambda += step;
-      if (-step < epsilon<T>() * lambda) break;
+      d += step;
+      if (-step < epsilon<T>() * (d < 0 ? T(-d) : d)) break;
     }
-    floor_ = lambda > 0 ? lambda : T(0);
+    floor_argument_ = d > -offset_ ? d : T(-offset_);
+    floor_ = offset_ + floor_argument_;
   }
 
   Order order_;
@@ -207,6 +209,7 @@ class LoadSharing {
   T stiffness_;
   T offset_;
   T floor_{};
+  T floor_argument_{};  // λ_b − δ, without the rounding of the difference
   bool has_floor_ = false;
 };
 
