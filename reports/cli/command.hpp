@@ -19,5 +19,6 @@ Command add_curve(CLI::App& program);
 Command add_onset(CLI::App& program);
 Command add_stream(CLI::App& program);
 Command add_report(CLI::App& program);
+Command add_verify(CLI::App& program);
 
 }  // namespace tribo::cli

@@ -69,6 +69,7 @@ void read_departure(const std::string& text, double& departure) {
 
 std::vector<std::string> criterion_names() {
   std::vector<std::string> names;
+  names.reserve(onset_criteria.size());
   for (const OnsetCriterion criterion : onset_criteria) names.emplace_back(name(criterion));
   return names;
 }

@@ -105,7 +105,7 @@ TEST(MixedContact, AgreesWithASecondImplementationOnGsl) {
     const double u = scene.speeds.list[0];
     const OperatingPoint<double> got = MixedContact<double>(scene).solve(u);
     const LoadShares<double> shares = MixedContact<double>(scene).flooded(u).shares;
-    // QAGIU gives about 0 for d ≤ −37.4 and knows no share above 1 − 1e-6.
+    // Brent's bracket on QAGIU's shares has no finite end where the asperities carry all but 1e-6.
     if (got.friction_undefined || shares.fluid < 1e-6) continue;
     ++compared;
     const textbook::Point other = textbook::solve(scene, u);
@@ -117,10 +117,13 @@ TEST(MixedContact, AgreesWithASecondImplementationOnGsl) {
     };
     close(got.film_flooded, other.film_flooded, Output::film_flooded);
     close(got.film, other.film, Output::film);
+    close(got.friction, other.friction, Output::friction);
+    const double d = got.separation / scene.surface.summit_height_sd -
+                     scene.surface.offset_planes * scene.surface.summit_plane_offset;
+    if (d > 37) continue;  // QAGIU gives 0 there
     close(got.asperity_load_share, other.asperity_share, Output::asperity_load_share);
     close(got.real_area_ratio, other.real_area_ratio, Output::real_area_ratio);
     close(got.summit_count, other.summit_count, Output::summit_count);
-    close(got.friction, other.friction, Output::friction);
   }
 }
 

@@ -2,9 +2,12 @@
 // Hertz' circular contact of two smooth elastic bodies (model/README.md, section 3).
 #pragma once
 
+#include "tribo/contract.hpp"
 #include "tribo/real.hpp"
 
 namespace tribo {
+
+inline constexpr Contract hertz_contract{10, 0};
 
 template <class T>
 struct HertzPoint {
@@ -16,7 +19,7 @@ struct HertzPoint {
 };
 
 // load F > 0 in N, effective_modulus E* > 0 in Pa (1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂, not 2E*),
-// reduced_radius R > 0 in m. Error: 10 ε relative; overflow gives ∞ or NaN, underflow 0.
+// reduced_radius R > 0 in m. Error: hertz_contract; overflow gives ∞ or NaN, underflow 0.
 template <class T>
 HertzPoint<T> hertz_point(const T& load, const T& effective_modulus, const T& reduced_radius) {
   const T radius = cube_root(T(3 * load * reduced_radius / (4 * effective_modulus)));

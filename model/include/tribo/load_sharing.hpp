@@ -12,11 +12,15 @@
 #pragma once
 
 #include "tribo/asperity_contact.hpp"
+#include "tribo/contract.hpp"
 #include "tribo/film_thickness.hpp"
 
 namespace tribo {
 
-// 0.14, and its inverse.
+// Of the root λ.
+inline constexpr Contract load_sharing_contract{4, 8.5};
+
+// 0.14: λ = λ₀(1−A)^−0.14.
 template <class T>
 T sharing_film_exponent() {
   return ratio<T>(14, 100);
@@ -50,13 +54,11 @@ class LoadSharing {
   const T& floor() const { return floor_; }
 
   // A(λ) = (K F_p(λ−δ))^q, not clipped at 1. Error: 500 ε.
-  T asperity_share(const T& film_parameter) const {
-    return share_of(moment_product(stiffness_, order_, T(film_parameter - offset_)));
-  }
+  T asperity_share(const T& film_parameter) const { return share_at(T(film_parameter - offset_)); }
 
   // d ln A/d ln λ ≤ 0.
   T asperity_share_slope(const T& film_parameter) const {
-    return film_parameter * exponent_ * asperities(T(film_parameter - offset_)).log_slope;
+    return film_parameter * asperities(T(film_parameter - offset_)).log_slope;
   }
 
   // The shares at a distance above the floor (λ = λ_b + distance; λ_b = 0 where there is no floor).
@@ -64,17 +66,33 @@ class LoadSharing {
   LoadShares<T> shares_above_floor(const T& distance) const {
     const T lambda = floor_ + distance;
     const T d = has_floor_ ? T(floor_argument_ + distance) : T(distance - offset_);
-    const T asperity = share_of(moment_product(stiffness_, order_, d));
+    const T asperity = share_at(d);
     if (!has_floor_ || asperity < ratio<T>(3, 4))
       return {lambda, asperity, asperity < 1 ? T(1 - asperity) : T(0), 0};
     const T fluid = fluid_share_near_floor(distance);
     return {lambda, 1 - fluid, fluid, 0};
   }
 
+  // The distance above the floor at which the fluid carries the share 0 < w < 1/4: 1 − A is concave
+  // there, so Newton's method rises to it from w/(d(1−A)/dλ). Error: a few ε.
+  T distance_above_floor(const T& fluid) const {
+    using std::exp;
+    T distance = fluid * exp(T(-log_fluid_rate_at_floor()));
+    for (int i = 0; i < 100; ++i) {
+      const T here = fluid_share_near_floor(distance);
+      const T slope = -(1 - here) * asperities(T(floor_argument_ + distance)).log_slope;
+      const T step = (fluid - here) / slope;
+      if (!(step > 0)) break;
+      distance += step;
+      if (step < 2 * epsilon<T>() * distance) break;
+    }
+    return distance;
+  }
+
   // ln of d(1−A)/dλ at the floor: 1 − A = e^this · distance while the distance is small.
   T log_fluid_rate_at_floor() const {
     using std::log;
-    return log(T(-exponent_ * asperities(floor_argument_).log_slope));
+    return log(T(-asperities(floor_argument_).log_slope));
   }
 
   // λ₀ of a film: λ(1−A)^0.14, from λ and its fluid share.
@@ -83,7 +101,7 @@ class LoadSharing {
     return film_parameter * pow(fluid_share, sharing_film_exponent<T>());
   }
 
-  // The root. λ₀ > 0. Error at well-conditioned points: 1e-13 in double. Never fails: λ₀ = ∞ gives
+  // The root. λ₀ > 0. Error: load_sharing_contract. Never fails: λ₀ = ∞ gives
   // λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b), and 0 ≤ A ≤ 1.
   LoadShares<T> solve(const T& flooded_film_parameter) const {
     using std::expm1;
@@ -96,10 +114,9 @@ class LoadSharing {
       ++iterations;
       const T d = lambda - offset_;
       const Asperities at = asperities(d);
-      const T share = share_of(at.load_ratio);
       const T fluid_less_one = expm1(T(p * log_ratio(lambda0, lambda)));
-      const T excess = share + fluid_less_one;
-      const T slope = p * (1 + fluid_less_one) - lambda * exponent_ * share * at.log_slope;
+      const T excess = at.share + fluid_less_one;
+      const T slope = p * (1 + fluid_less_one) - lambda * at.share * at.log_slope;
       const T step = lambda * (excess / slope);
       if (!(step > 0)) break;
       lambda += step;
@@ -121,7 +138,7 @@ class LoadSharing {
     using std::log1p;
     const T& d = floor_argument_;
     T earlier = 1;
-    T current = asperities(d).log_slope;
+    T current = asperities(d).log_slope / exponent_;
     T power = distance;
     T change = current * power;
     for (int k = 0; k < 400; ++k) {
@@ -136,20 +153,21 @@ class LoadSharing {
     return -expm1(T(exponent_ * log1p(change)));
   }
 
-  // (K F_p)^q
-  T share_of(const T& load_ratio) const {
-    using std::sqrt;
-    return order_ == Order::five_halves ? T(sqrt(load_ratio)) : load_ratio;
-  }
-
   struct Asperities {
-    T load_ratio;  // K F_p(d)
-    T log_slope;   // d ln F_p/dd = −p F_{p−1}/F_p; the ratio of the scaled moments is the same
+    T share;      // A = (K F_p(d))^q
+    T log_slope;  // d ln A/dd = −qp F_{p−1}/F_p; the ratio of the scaled moments is the same
   };
   Asperities asperities(const T& d) const {
     const T scaled = scaled_gaussian_moment(order_, d);
-    return {unscaled_product(stiffness_, scaled, d),
-            -value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled)};
+    return {share_from(scaled, d),
+            -exponent_ * value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled)};
+  }
+  T share_at(const T& d) const { return share_from(scaled_gaussian_moment(order_, d), d); }
+  T share_from(const T& scaled, const T& d) const {
+    using std::sqrt;
+    const auto product = factored_product(stiffness_, scaled, d);
+    if (order_ == Order::five_halves) return sqrt(product.first) * sqrt(product.second);
+    return product.first * product.second;
   }
 
   static T log_ratio(const T& x, const T& y) {
@@ -195,7 +213,7 @@ class LoadSharing {
     T d = log_at_zero > 0 ? T(sqrt(2 * log_at_zero)) : T(0);
     for (int iterations = 0; iterations < max_iterations; ++iterations) {
       const Asperities at = asperities(d);
-      const T step = log(at.load_ratio) / -at.log_slope;
+      const T step = log(at.share) / -at.log_slope;
       if (!(step < 0)) break;
       d += step;
       if (-step < epsilon<T>() * (d < 0 ? T(-d) : d)) break;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "tribo/asperity_contact.hpp"
+#include "tribo/contract.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
 #include "tribo/hertz.hpp"
@@ -17,6 +18,11 @@
 #include "tribo/starvation.hpp"
 
 namespace tribo {
+
+// Of each output of an operating point. The film formula is good to 10 ε (its decimal exponents are
+// rounded, and the logarithms of its numbers are near 20), the moments and the root to as much
+// again.
+inline constexpr Contract operating_point_contract{8, 16};
 
 enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic };
 enum class Inlet : std::uint8_t { flooded, starved, collapsed };
@@ -59,7 +65,8 @@ struct FloodedFilm {
 // What the inlet does to the flooded film.
 template <class T>
 struct InletState {
-  T film_ratio;  // y = h*/h_ff
+  T film_ratio;          // y = h*/h_ff
+  T flooded_over_inlet;  // r = h_ff/h_oil; 0 without a supply
   bool collapsed;
 };
 
@@ -128,17 +135,18 @@ class MixedContact {
   }
 
   InletState<T> inlet(const FloodedFilm<T>& film) const {
-    if (supply_ == SupplyKind::flooded) return {T(1), false};
+    if (supply_ == SupplyKind::flooded) return {T(1), T(0), false};
     const T r = film.shares.film_parameter / inlet_film_parameter(film.speed);
-    if (closure_ == StarvationClosure::flooded_inlet && r >= 1) return {T(0), true};
-    return {starvation_ratio(closure_, r, damiens_exponent_), false};
+    const bool collapsed = closure_ == StarvationClosure::flooded_inlet && r >= 1;
+    return {collapsed ? T(0) : starvation_ratio(closure_, r, damiens_exponent_), r, collapsed};
   }
 
   // All outputs of a set at speed u > 0 in m/s.
   OperatingPoint<T> solve(const T& speed, OutputSet outputs = OutputSet::all()) const {
     const FloodedFilm<T> film = flooded(speed);
     return complete(
-        film, outputs == only(Output::film_flooded) ? InletState<T>{T(1), false} : inlet(film),
+        film,
+        outputs == only(Output::film_flooded) ? InletState<T>{T(1), T(0), false} : inlet(film),
         outputs);
   }
 
@@ -160,7 +168,8 @@ class MixedContact {
                     : inlet.film_ratio >= ratio<T>(95, 100) ? Inlet::flooded
                                                             : Inlet::starved;
     if (outputs.contains_any(sharing_outputs()))
-      add_shares(point, supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(lambda));
+      add_shares(point,
+                 supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet));
     if (outputs.contains_any(area_outputs()))
       point.real_area_ratio = real_area_ratio(asperities_, lambda_apart);
     if (outputs.contains(Output::summit_count))
@@ -169,11 +178,19 @@ class MixedContact {
     return point;
   }
 
-  // The shares at a film λ* that load sharing did not give: A(λ*), or 1 at the floor and below.
-  LoadShares<T> starved_shares(const T& film_parameter) const {
-    if (sharing_.has_floor() && film_parameter <= sharing_.floor())
-      return {film_parameter, T(1), T(0), 0};
-    return sharing_.shares_above_floor(T(film_parameter - sharing_.floor()));
+  // The shares at the starved film: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
+  // the flooded film's distance, which its fluid share gives, less λ(1 − y): no difference of near
+  // equals.
+  LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet) const {
+    const T& lambda_flooded = flooded.shares.film_parameter;
+    const T lambda = lambda_flooded * inlet.film_ratio;
+    T distance = lambda - sharing_.floor();
+    if (sharing_.has_floor() && flooded.shares.fluid < ratio<T>(1, 4))
+      distance = sharing_.distance_above_floor(flooded.shares.fluid) -
+                 lambda_flooded *
+                     starvation_deficit(closure_, inlet.flooded_over_inlet, damiens_exponent_);
+    if (sharing_.has_floor() && !(distance > 0)) return {lambda, T(1), T(0), 0};
+    return sharing_.shares_above_floor(distance);
   }
 
  private:

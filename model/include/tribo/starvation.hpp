@@ -10,10 +10,13 @@
 #pragma once
 
 #include "tribo/bracketed_root.hpp"
+#include "tribo/contract.hpp"
 #include "tribo/real.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo {
+
+inline constexpr Contract starvation_ratio_contract{24, 0};
 
 // c = 3/(4√2)
 template <class T>
@@ -162,6 +165,22 @@ T starvation_ratio(StarvationClosure closure, const T& flooded_over_inlet,
   }
   if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(0);
   return wolveridge_film_ratio(InletCurve<T>{closure}.inlet_length(r));
+}
+
+// 1 − y, without the cancellation where the inlet is nearly flooded. Error: 20 ε.
+template <class T>
+T starvation_deficit(StarvationClosure closure, const T& flooded_over_inlet,
+                     const T& damiens_exponent) {
+  using std::atan;
+  using std::expm1;
+  using std::log1p;
+  using std::pow;
+  const T& r = flooded_over_inlet;
+  if (closure == StarvationClosure::damiens)
+    return -expm1(T(-log1p(pow(r, damiens_exponent)) / damiens_exponent));
+  if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(1);
+  const T psi = InletCurve<T>{closure}.inlet_length(r);
+  return 2 / pi<T>() * atan(T(1 / (wolveridge_factor<T>() * psi)));
 }
 
 // d ln y/d ln r at r (r < 1 for flooded_inlet): 0 where flooded, −1 where h* = h_oil.

@@ -56,7 +56,7 @@ class StribeckWalk {
     if (by_inlet_length_) {
       const T t = log_inlet_length(s);
       point.flooded = film(log_distance_by_inlet_length(s, t));
-      point.inlet = {exp(curve().log_film_ratio(t)), false};
+      point.inlet = {exp(curve().log_film_ratio(t)), exp(T(-curve().log_inverse_r(t))), false};
       film_rate = curve().slope_of_log_inverse_r(t) * (above_floor_ ? logistic(s) : T(1));
     } else {
       point.flooded = film(s);

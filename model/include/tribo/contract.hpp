@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a function promises of its error in double, against the exact value of its inputs:
+//
+//   |error| ≤ max(ulp · ulp(value), ulp_per_condition · condition · ulp(value)),
+//
+// condition the sum of |∂ ln value/∂ ln input| over the inputs, at least 1. Each contract stands
+// beside its function, and the verification reads it there.
+#pragma once
+
+namespace tribo {
+
+struct Contract {
+  double ulp;
+  double ulp_per_condition;  // 0: the condition earns nothing
+};
+
+}  // namespace tribo

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The root of ln λ − ln λ₀ + 0.14 ln(1 − A(λ)) = 0, A = (K F_p(λ−δ))^q, with a proof by signs, and
+// by bisection in ball arithmetic as the second way.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+
+#include "generators/moments.hpp"
+
+namespace tribo::reference {
+
+enum class Rough { tripp, williamson };
+
+using Moment = std::function<Ball(int twice_n, const Ball& d)>;
+
+struct RoughContact {
+  Rough model;
+  Ball stiffness, offset;  // K, δ
+  Moment moment = moment_by_hypergeometric;
+
+  Ball share(const Ball& lambda) const {  // A
+    const int order = model == Rough::tripp ? 5 : 3;
+    Ball load = stiffness * moment(order, lambda - offset);
+    // F_p has underflowed to a ball around 0
+    arb_nonnegative_part(load.get(), load.get());
+    return model == Rough::tripp ? unary(arb_sqrtpos, load) : load;
+  }
+  Ball share_slope(const Ball& lambda) const {  // d ln A/dλ
+    const int order = model == Rough::tripp ? 5 : 3;
+    const Ball d = lambda - offset;
+    const Ball q = model == Rough::tripp ? fraction(1, 2) : Ball(1);
+    return -q * fraction(order, 2) * moment(order - 2, d) / moment(order, d);
+  }
+};
+
+// −1, 1: the certain sign of the residual (−1 where A ≥ 1); 0: undecided.
+inline int sign_at(const RoughContact& contact, const Ball& lambda0, const Ball& lambda) {
+  const Ball share = contact.share(lambda);
+  if (share >= 1) return -1;
+  if (!(share < 1)) return 0;
+  const Ball value = log(lambda) - log(lambda0) + fraction(14, 100) * log1p(-share);
+  return value < 0 ? -1 : value > 0 ? 1 : 0;
+}
+
+inline Ball with_relative_radius(const Ball& midpoint, int bits) {
+  Ball result = midpoint;
+  const Ball radius = abs(midpoint) * pow(Ball(2), Ball(-bits));
+  arb_add_error(result.get(), radius.get());
+  return result;
+}
+
+// Between λ(1 − 2^−bits) and λ(1 + 2^−bits) the residual changes sign for certain.
+inline bool is_proven(const std::function<int(const Ball&)>& sign, const Ball& lambda, int bits) {
+  const Ball step = pow(Ball(2), Ball(-bits));
+  return sign((lambda * (1 - step)).midpoint()) < 0 && sign((lambda * (1 + step)).midpoint()) > 0;
+}
+
+// The zero of an increasing function with certain signs, in [low, high] > 0: bisection, geometric
+// while the ends are far apart, until the sign is undecided or 230 bits are reached.
+inline Ball bisect(const std::function<int(const Ball&)>& sign, Ball low, Ball high) {
+  for (int i = 0; i < 4000; ++i) {
+    const Ball middle = (high > 2 * low ? sqrt(low * high) : (low + high) / 2).midpoint();
+    const int s = sign(middle);
+    if (s == 0 || (high - low) < low * pow(Ball(2), Ball(-230))) break;
+    (s < 0 ? low : high) = middle;
+  }
+  Ball result;
+  arb_union(result.get(), low.get(), high.get(), ball_precision);
+  return result;
+}
+
+// Upper end of the root's bracket, generous: F_p(d) ≤ F_p(0) e^{−d²/2}, A ≤ 1/2 there.
+inline Ball upper_bound(const RoughContact& contact, const Ball& lambda0) {
+  const Ball load = contact.stiffness * 4;
+  const Ball by_floor = contact.offset + 1 + (load > 1 ? sqrt(2 * log(load)) : Ball(0));
+  const Ball by_film = lambda0 * 2;
+  return (by_floor > by_film ? by_floor : by_film).midpoint();
+}
+
+inline Ball root_by_bisection(const RoughContact& contact, const Ball& lambda0) {
+  return bisect([&](const Ball& x) { return sign_at(contact, lambda0, x); },
+                (lambda0 * fraction(1, 2)).midpoint(), upper_bound(contact, lambda0));
+}
+
+// Newton's method on the midpoints of A + w − 1, from the left end, then the proof. Where the floor
+// is the root to working precision the steps end there.
+inline Ball root_by_newton(const RoughContact& contact, const Ball& lambda0) {
+  const auto sign = [&](const Ball& x) { return sign_at(contact, lambda0, x); };
+  Ball lambda = lambda0.midpoint();
+  if (contact.share(lambda) >= 1)  // below the floor: start from a coarse bracket of the floor
+    lambda = bisect([&](const Ball& x) { return contact.share(x) >= 1 ? -1 : 1; }, lambda,
+                    upper_bound(contact, lambda0))
+                 .midpoint();
+  for (int i = 0; i < 500; ++i) {
+    const Ball share = contact.share(lambda);
+    const Ball fluid = pow(lambda0 / lambda, fraction(100, 14));
+    const Ball asperity_slope =
+        share < pow(Ball(2), Ball(-400)) ? Ball(0) : contact.share_slope(lambda) * share;
+    const Ball slope = asperity_slope - fraction(100, 14) * fluid / lambda;
+    const Ball step = ((share + fluid - 1) / slope).midpoint();
+    lambda = (lambda - step).midpoint();
+    if (abs(step) < lambda * pow(Ball(2), Ball(-260))) break;
+  }
+  for (const int bits : {250, 220, 180, 145})
+    if (is_proven(sign, lambda, bits)) return with_relative_radius(lambda, bits);
+  throw std::runtime_error("no sign proof for a load-sharing root");
+}
+
+}  // namespace tribo::reference

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole operating point in ball arithmetic, formulas written out (model/README.md, sections 3 to
+// 8).
+#pragma once
+
+#include <array>
+
+#include "generators/starved_film.hpp"
+
+namespace tribo::reference {
+
+enum class Supply { flooded, inlet_film, inlet_film_ratio, inlet_flow };
+enum class Shear { eyring, limiting };
+enum class Viscosity { barus, ambient, roelands };
+
+// The numbers of a scene; every one of them an input for the condition numbers.
+struct Inputs {
+  enum : std::size_t {
+    load,
+    speed,
+    density,
+    radius,
+    sd,
+    offset,
+    modulus,
+    body_radius,
+    ellipticity,
+    viscosity,
+    pressure_viscosity,
+    eyring_stress,
+    supply,
+    boundary,
+    slide_roll,
+    gamma,
+    count
+  };
+  std::array<Ball, count> value;
+  int planes = 1;
+  Rough rough = Rough::tripp;
+  Inlet inlet = Inlet::flooded_inlet;
+  Supply supply_kind = Supply::flooded;
+  Shear shear = Shear::eyring;
+  Viscosity law = Viscosity::barus;
+};
+
+// How to get at roots, moments and film ratios: the two ways differ in all three. (Inside the roots
+// both take the hypergeometric moments; the quadrature would need hours there, and the table of
+// moments holds the two against each other.)
+struct Way {
+  Moment moment;
+  Ball (*root)(const RoughContact&, const Ball&);
+  Ball (*film_ratio)(Inlet, const Ball&, const Ball&);
+};
+inline const Way first_way{moment_by_hypergeometric, root_by_newton, film_ratio_by_inlet_length};
+inline const Way second_way{moment_by_quadrature, root_by_bisection, film_ratio_by_bisection};
+
+// film_flooded, film, separation, film_parameter, asperity share, fluid share, real area ratio,
+// summit count, friction; not finite where undefined.
+using Outputs = std::array<Ball, 9>;
+
+inline Ball fluid_stress(const Inputs& in, const Ball& fluid_pressure, const Ball& separation) {
+  const auto& v = in.value;
+  Ball exponent(0);
+  if (in.law == Viscosity::barus) exponent = v[Inputs::pressure_viscosity] * fluid_pressure;
+  if (in.law == Viscosity::roelands) {
+    const Ball scale = log(v[Inputs::viscosity]) + fraction(967, 100);
+    const Ball reference_pressure(196000000);
+    const Ball z = v[Inputs::pressure_viscosity] * reference_pressure / scale;
+    exponent = scale * (pow(1 + fluid_pressure / reference_pressure, z) - 1);
+  }
+  const Ball& stress = v[Inputs::eyring_stress];
+  const Ball x = v[Inputs::viscosity] * exp(exponent) * v[Inputs::slide_roll] * v[Inputs::speed] /
+                 separation / stress;
+  return in.shear == Shear::eyring ? stress * asinh(x) : -stress * expm1(-x);
+}
+
+inline Outputs solve(const Inputs& in, const Way& way) {
+  const auto& v = in.value;
+  const Ball &load = v[Inputs::load], &modulus = v[Inputs::modulus], &sd = v[Inputs::sd];
+  const Ball a = pow(3 * load * v[Inputs::body_radius] / (4 * modulus), fraction(1, 3));
+  const Ball area = ball_pi() * a * a;
+  const Ball product = v[Inputs::density] * v[Inputs::radius] * sd;
+  const Ball slope = sqrt(sd / v[Inputs::radius]);
+  const bool tripp = in.rough == Rough::tripp;
+  const Ball stiffness = (tripp ? 16 * sqrt(Ball(2)) * ball_pi() / 15 * product * product * slope
+                                : fraction(4, 3) * product * slope) *
+                         modulus * area / load;
+  const RoughContact contact{in.rough, stiffness, Ball(in.planes) * v[Inputs::offset]};
+  const RoughContact measured{in.rough, stiffness, contact.offset, way.moment};
+  const Ball e2 = 2 * modulus, &body = v[Inputs::body_radius];
+  const Ball h0 = body * fraction(269, 100) *
+                  pow(v[Inputs::viscosity] * v[Inputs::speed] / (e2 * body), fraction(67, 100)) *
+                  pow(v[Inputs::pressure_viscosity] * e2, fraction(53, 100)) *
+                  pow(load / (e2 * body * body), -fraction(67, 1000)) *
+                  (1 - fraction(61, 100) * exp(-fraction(73, 100) * v[Inputs::ellipticity]));
+  const Ball lambda0 = h0 / sd;
+  const Ball flooded = way.root(contact, lambda0);
+
+  Ball y(1);
+  if (in.supply_kind != Supply::flooded) {
+    const Ball& given = v[Inputs::supply];
+    const Ball inlet_parameter = in.supply_kind == Supply::inlet_film_ratio ? given
+                                 : in.supply_kind == Supply::inlet_film
+                                     ? given / sd
+                                     : given / v[Inputs::speed] / sd;
+    y = way.film_ratio(in.inlet, flooded / inlet_parameter, v[Inputs::gamma]);
+  }
+  const Ball lambda = flooded * y;
+  // The floor only where the film is below it.
+  Ball apart = lambda, share = measured.share(lambda);
+  Ball fluid =
+      in.supply_kind == Supply::flooded ? pow(lambda0 / flooded, fraction(100, 14)) : 1 - share;
+  if (share >= 1) {
+    const auto above = [&](const Ball& x) {
+      const Ball s = contact.share(x);
+      return s > 1 ? -1 : s < 1 ? 1 : 0;
+    };
+    const Ball low = lambda > 0 ? lambda.midpoint() : pow(Ball(10), Ball(-30));
+    apart = bisect(above, low, upper_bound(contact, lambda0));
+    share = 1;
+    fluid = 0;
+  }
+  const Ball d = apart - contact.offset;
+  Outputs out;
+  out[0] = flooded * sd;
+  out[1] = lambda * sd;
+  out[2] = apart * sd;
+  out[3] = lambda;
+  out[4] = share;
+  out[5] = fluid;
+  out[6] = tripp ? ball_pi() * ball_pi() * product * product * way.moment(4, d)
+                 : ball_pi() * product * way.moment(2, d);
+  out[7] = tripp ? 4 * ball_pi() * product * v[Inputs::density] * area * way.moment(2, d)
+                 : v[Inputs::density] * area * way.moment(0, d);
+  const Ball free = 1 - out[6];
+  out[8] = v[Inputs::boundary] * share;
+  if (!(apart > 0)) {
+    arb_indeterminate(out[8].get());
+  } else if (free > 0) {
+    out[8] += fluid_stress(in, fluid * load / area, out[2]) * area * free / load;
+  }
+  return out;
+}
+
+}  // namespace tribo::reference

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <optional>
+
+#include "generators/operating_point.hpp"
+#include "generators/quantities.hpp"
+#include "generators/sampler.hpp"
+
+namespace tribo::reference {
+namespace {
+
+constexpr int scene_count = 320;
+
+Inputs random_inputs(Sampler& sampler) {
+  Inputs in;
+  auto& v = in.value;
+  v[Inputs::load] = sampler.log_uniform(0.1, 1e4);
+  v[Inputs::speed] = sampler.log_uniform(1e-5, 30);
+  const double sd = sampler.log_uniform(5e-9, 1e-6), radius = sampler.log_uniform(1e-6, 1e-4);
+  v[Inputs::sd] = sd;
+  v[Inputs::radius] = radius;
+  v[Inputs::density] = sampler.uniform(0.02 / (radius * sd), 0.08 / (radius * sd));
+  v[Inputs::offset] = sampler.uniform(0, 1.5);
+  in.planes = sampler.pick({0, 1, 2});
+  v[Inputs::modulus] = sampler.log_uniform(1e10, 3e11);
+  v[Inputs::body_radius] = sampler.log_uniform(1e-3, 0.1);
+  v[Inputs::ellipticity] = sampler.uniform(0.5, 4);
+  v[Inputs::viscosity] = sampler.log_uniform(1e-3, 1);
+  v[Inputs::pressure_viscosity] = sampler.log_uniform(5e-9, 4e-8);
+  v[Inputs::eyring_stress] = sampler.log_uniform(1e6, 1e7);
+  in.supply_kind = sampler.pick(
+      {Supply::flooded, Supply::inlet_film, Supply::inlet_film_ratio, Supply::inlet_flow});
+  v[Inputs::supply] = in.supply_kind == Supply::inlet_film_ratio ? sampler.log_uniform(1, 50)
+                      : in.supply_kind == Supply::inlet_film     ? sampler.log_uniform(1e-8, 1e-5)
+                                                                 : sampler.log_uniform(1e-10, 1e-6);
+  v[Inputs::boundary] = sampler.uniform(0.05, 0.2);
+  v[Inputs::slide_roll] = sampler.uniform(0.01, 2);
+  in.shear = sampler.pick({Shear::eyring, Shear::limiting});
+  in.law = sampler.pick({Viscosity::barus, Viscosity::ambient, Viscosity::roelands});
+  in.rough = sampler.pick({Rough::tripp, Rough::williamson});
+  in.inlet = sampler.pick(
+      {Inlet::flooded_inlet, Inlet::starved_inlet, Inlet::printed_exponents, Inlet::damiens});
+  v[Inputs::gamma] = sampler.uniform(1, 5);
+  return in;
+}
+
+std::vector<std::string> columns(const Inputs& in) {
+  constexpr std::array roughs{"greenwood_tripp", "greenwood_williamson"};
+  constexpr std::array inlets{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
+  constexpr std::array supplies{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"};
+  constexpr std::array shears{"eyring", "limiting"};
+  constexpr std::array laws{"barus", "ambient", "roelands"};
+  std::vector<std::string> all{roughs[static_cast<std::size_t>(in.rough)],
+                               inlets[static_cast<std::size_t>(in.inlet)],
+                               supplies[static_cast<std::size_t>(in.supply_kind)],
+                               shears[static_cast<std::size_t>(in.shear)],
+                               laws[static_cast<std::size_t>(in.law)],
+                               std::to_string(in.planes)};
+  for (const Ball& x : in.value) all.push_back(hexfloat(x.nearest()));
+  return all;
+}
+
+constexpr std::array output_names{"film_flooded",
+                                  "film",
+                                  "separation",
+                                  "film_parameter",
+                                  "asperity_load_share",
+                                  "fluid_load_share",
+                                  "real_area_ratio",
+                                  "summit_count",
+                                  "friction"};
+
+// Sum over the inputs of |d ln output/d ln input|, by steps of 2^-100, at least 1.
+Outputs conditions(const Inputs& in, const Outputs& base) {
+  Outputs sum;
+  const Ball h = pow(Ball(2), Ball(-100));
+  for (std::size_t i = 0; i < Inputs::count; ++i) {
+    Inputs moved = in;
+    moved.value[i] = (in.value[i] * (1 + h)).midpoint();
+    const Outputs there = solve(moved, first_way);
+    for (std::size_t k = 0; k < base.size(); ++k)
+      if (is_finite(base[k]) && !(base[k] == 0))
+        sum[k] += (abs(there[k] / base[k] - 1) / h).midpoint();
+  }
+  for (Ball& s : sum)
+    if (!(s > 1)) s = 1;
+  return sum;
+}
+
+// The scene is solved once for all its outputs.
+struct Solved {
+  Outputs value, second, condition;
+};
+
+}  // namespace
+
+Table operating_points() {
+  Table table;
+  table.header = {
+      "operating_point",
+      "all outputs of a scene at a speed (model/README.md)",
+      "SI; film in m",
+      "random scenes of steel, ceramics and polymers under 0.1 N to 10 kN at 1e-5 to 30 m/s",
+      "hypergeometric moments, root by Newton's method with a proof by signs",
+      "moments by quadrature, roots and film ratios by bisection",
+      "id,output,asperity,starvation,supply_kind,fluid,viscosity_law,offset_planes,load,speed,"
+      "summit_density,summit_radius,summit_height_sd,summit_plane_offset,effective_modulus,"
+      "reduced_radius,ellipticity,viscosity,pressure_viscosity,eyring_stress,supply,"
+      "boundary_coefficient,slide_roll_ratio,damiens_exponent,value,high,low,condition,region"};
+  Sampler sampler(505);
+  for (int scene = 0; scene < scene_count; ++scene) {
+    const Inputs in = random_inputs(sampler);
+    auto solved = std::make_shared<std::optional<Solved>>();
+    for (std::size_t k = 0; k < output_names.size(); ++k)
+      table.rows.emplace_back([=] {
+        if (!*solved) {
+          const Outputs value = solve(in, first_way);
+          *solved = Solved{value, solve(in, second_way), conditions(in, value)};
+        }
+        std::vector<std::string> inputs = columns(in);
+        inputs.insert(inputs.begin(), output_names[k]);
+        const bool floored = (*solved)->value[2] > (*solved)->value[1];
+        const bool collapsed = (*solved)->value[1] == 0;
+        const Ball& value = (*solved)->value[k];
+        return Row{fmt::format("p{:04}.{}", scene, k),
+                   inputs,
+                   value,
+                   (*solved)->second[k],
+                   (*solved)->condition[k],
+                   !is_finite(value) ? "undefined"
+                   : collapsed       ? "collapsed"
+                   : floored         ? "floor"
+                                     : "film"};
+      });
+  }
+  return table;
+}
+
+}  // namespace tribo::reference

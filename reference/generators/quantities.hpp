@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of reference/exact: their headers, and their rows one by one, so that any of them can
+// be made again alone.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "generators/table.hpp"
+
+namespace tribo::reference {
+
+struct Table {
+  Header header;
+  std::vector<std::function<Row()>> rows;  // each independent of the others
+};
+
+Table gaussian_moments();
+Table load_sharing_roots();
+Table starvation_ratios();
+Table onset_constants();
+Table hertz_contacts();
+Table operating_points();
+
+}  // namespace tribo::reference

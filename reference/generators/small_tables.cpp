@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starvation ratios, onset constants and Hertz contacts.
+#include "generators/quantities.hpp"
+#include "generators/sampler.hpp"
+#include "generators/starved_film.hpp"
+
+namespace tribo::reference {
+namespace {
+
+constexpr std::array inlets{Inlet::flooded_inlet, Inlet::starved_inlet, Inlet::printed_exponents,
+                            Inlet::damiens};
+const char* name(Inlet inlet) {
+  constexpr std::array names{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
+  return names[static_cast<std::size_t>(inlet)];
+}
+
+// |d ln y/d ln r| + |d ln y/d ln γ| by a step of 2^-100, at least 1.
+Ball ratio_condition(Inlet inlet, const Ball& r, const Ball& gamma, const Ball& y) {
+  const Ball h = pow(Ball(2), Ball(-100));
+  const auto slope = [&](const Ball& moved) { return abs(moved / y - 1) / h; };
+  const Ball sum = slope(film_ratio_by_inlet_length(inlet, (r * (1 + h)).midpoint(), gamma)) +
+                   slope(film_ratio_by_inlet_length(inlet, r, (gamma * (1 + h)).midpoint()));
+  return sum < 1 ? Ball(1) : sum.midpoint();
+}
+
+// Where d ln(r y)/d ln y = 0: y dG/dy = G, G = 1/r. By bisection on central differences the sign is
+// certain but within 2^-150 of the root; `digits` of the two ways differ by their step.
+Ball maximum_film_ratio(Inlet inlet, int step_bits) {
+  const Ball h = pow(Ball(2), Ball(-step_bits));
+  const auto sign = [&](const Ball& y) {
+    // Richardson: error h⁴
+    const auto log_inverse = [&](int k) { return log(inverse_ratio(inlet, y * exp(k * h))); };
+    const Ball slope =
+        (8 * (log_inverse(1) - log_inverse(-1)) - (log_inverse(2) - log_inverse(-2))) / (12 * h);
+    const Ball excess = slope - 1;
+    return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+  };
+  return bisect(sign, fraction(1, 100), fraction(99, 100));
+}
+
+}  // namespace
+
+Table starvation_ratios() {
+  Table table;
+  table.header = {"starvation_ratio",
+                  "y = h*/h_ff at r = h_ff/h_oil",
+                  "dimensionless",
+                  "r in [1e-12, 1e12], gamma in [0.5, 6] (damiens alone uses it)",
+                  "explicit, or Newton's method in ln psi with a proof by signs",
+                  "bisection on y in ball arithmetic (damiens: the other form, rho = 1/r)",
+                  "id,closure,flooded_over_inlet,damiens_exponent,value,high,low,condition,region"};
+  Sampler sampler(303);
+  int number = 0;
+  for (const Inlet inlet : inlets) {
+    std::vector<double> ratios{0.5, 1 - 0x1p-30, 1, 0.6327757634209, 0.6962389029717};
+    for (int i = 0; i < 60; ++i) ratios.push_back(sampler.log_uniform(1e-3, 1e3));
+    for (int i = 0; i < 30; ++i) ratios.push_back(sampler.log_uniform(1e-12, 1e12));
+    for (const double r : ratios) {
+      const double gamma = sampler.uniform(0.5, 6);
+      table.rows.emplace_back([=, id = fmt::format("s{:04}", number++)] {
+        const Ball y = film_ratio_by_inlet_length(inlet, Ball(r), Ball(gamma));
+        const bool collapsed = inlet == Inlet::flooded_inlet && r >= 1;
+        return Row{id,
+                   {name(inlet), hexfloat(r), hexfloat(gamma)},
+                   y,
+                   film_ratio_by_bisection(inlet, Ball(r), Ball(gamma)),
+                   collapsed ? Ball(1) : ratio_condition(inlet, Ball(r), Ball(gamma), y),
+                   collapsed             ? "collapsed"
+                   : r < 1e-3 || r > 1e3 ? "far"
+                                         : "ordinary"};
+      });
+    }
+  }
+  return table;
+}
+
+Table onset_constants() {
+  Table table;
+  table.header = {
+      "onset_constant",
+      "r, and h*/h_oil, at which h* is greatest at constant h_oil; r at a departure",
+      "dimensionless",
+      "flooded_inlet and printed_exponents (maximum); all closures (departure 0.05, gamma 3)",
+      "bisection on the slope of ln(1/r) in ln y, differences of step 2^-40",
+      "the same with a step of 2^-45; departures: substitution into r -> y by bisection",
+      "id,closure,constant,value,high,low,condition,region"};
+  int number = 0;
+  const auto add = [&](Inlet inlet, const char* constant,
+                       std::function<std::pair<Ball, Ball>()> both, const char* region) {
+    table.rows.emplace_back([=, id = fmt::format("o{:04}", number++)] {
+      const auto [first, second] = both();
+      return Row{id, {name(inlet), constant}, first, second, Ball(1), region};
+    });
+  };
+  for (const Inlet inlet : {Inlet::flooded_inlet, Inlet::printed_exponents}) {
+    // Differences of step h are off by about h⁴.
+    const auto ratio = [inlet](int bits) {
+      return with_relative_radius(
+          1 / inverse_ratio(inlet, maximum_film_ratio(inlet, bits)).midpoint(), 4 * bits - 12);
+    };
+    const auto film = [inlet](int bits) {
+      const Ball y = maximum_film_ratio(inlet, bits);
+      return with_relative_radius((y / inverse_ratio(inlet, y)).midpoint(), 4 * bits - 12);
+    };
+    add(
+        inlet, "flooded_over_inlet_at_maximum",
+        [=] {
+          return std::pair{ratio(40), ratio(45)};
+        },
+        "maximum");
+    add(
+        inlet, "film_over_inlet_at_maximum",
+        [=] {
+          return std::pair{film(40), film(45)};
+        },
+        "maximum");
+  }
+  for (const Inlet inlet : inlets)
+    add(
+        inlet, "flooded_over_inlet_at_departure_0.05",
+        [=] {
+          const Ball y = fraction(95, 100), gamma(3);
+          const Ball r = inlet == Inlet::damiens ? pow(1 - pow(y, gamma), 1 / gamma) / y
+                                                 : 1 / inverse_ratio(inlet, y);
+          // the second way: bisection on r of y(r) − 0.95
+          const Ball found = bisect(
+              [&](const Ball& x) {
+                const Ball excess = y - film_ratio_by_inlet_length(inlet, x, gamma);
+                return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+              },
+              fraction(1, 1000), inlet == Inlet::flooded_inlet ? fraction(999, 1000) : Ball(100));
+          return std::pair{r, found};
+        },
+        "departure");
+  return table;
+}
+
+Table hertz_contacts() {
+  Table table;
+  table.header = {
+      "hertz_point",
+      "a^3 = 3FR/(4E*), mean pressure F/(pi a^2), peak 3/2 of it, approach a^2/R",
+      "m, Pa, Pa, m",
+      "load [1e-6, 1e6] N, effective modulus [1e6, 1e12] Pa, radius [1e-6, 10] m",
+      "powers",
+      "a by bisection on a^3; peak pressure as 2aE*/(pi R), approach as (9F^2/(16 E*^2 R))^(1/3)",
+      "id,output,load,effective_modulus,reduced_radius,value,high,low,condition,region"};
+  Sampler sampler(404);
+  int number = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double f = i == 0 ? 50 : sampler.log_uniform(1e-6, 1e6);
+    const double e = i == 0 ? 107.9e9 : sampler.log_uniform(1e6, 1e12);
+    const double r = i == 0 ? 9.5e-3 : sampler.log_uniform(1e-6, 10);
+    for (int k = 0; k < 4; ++k)
+      table.rows.emplace_back([=, id = fmt::format("h{:04}", number++)] {
+        const Ball load(f), modulus(e), radius(r);
+        const Ball cube = 3 * load * radius / (4 * modulus);
+        const Ball a = pow(cube, fraction(1, 3));
+        const Ball b = bisect(
+            [&](const Ball& x) {
+              const Ball excess = x * x * x - cube;
+              return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+            },
+            Ball(1e-12), Ball(1e4));
+        const Ball mean = load / (ball_pi() * a * a);
+        const Ball values[] = {a, mean, mean * 3 / 2, a * a / radius};
+        const Ball others[] = {
+            b, 4 * b * modulus / (3 * ball_pi() * radius), 2 * b * modulus / (ball_pi() * radius),
+            pow(9 * load * load / (16 * modulus * modulus * radius), fraction(1, 3))};
+        constexpr const char* names[] = {"radius", "mean_pressure", "peak_pressure", "approach"};
+        return Row{id,        {names[k], hexfloat(f), hexfloat(e), hexfloat(r)},
+                   values[k], others[k],
+                   Ball(1),   "ordinary"};
+      });
+  }
+  return table;
+}
+
+}  // namespace tribo::reference

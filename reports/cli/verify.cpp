@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck verify: this model against the certified tables of reference/exact.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "accuracy/accuracy.hpp"
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "report/pending_file.hpp"
+#include "report/project_files.hpp"
+#include "report/report_error.hpp"
+#include "table.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using verification::QuantityResult;
+
+struct VerifyArguments {
+  std::string reference;  // empty: reference/exact of the project
+  std::string format = "table";
+  std::string junit;  // empty: none
+};
+
+const char* verdict(const QuantityResult& result) { return result.passed() ? "held" : "FAILED"; }
+
+// "24", "32 × condition", or the greater of both, as the contract has it.
+std::string allowed(const QuantityResult& result) {
+  if (result.allowed_ulp_per_condition == 0) return fmt::format("{}", result.allowed_ulp);
+  return fmt::format("{} or {} × cond.", result.allowed_ulp, result.allowed_ulp_per_condition);
+}
+
+void append_table(Text& to, const std::vector<QuantityResult>& results) {
+  const std::vector<ColumnHead> heads{
+      {"quantity", "", 36},       {"cases", "", 6},
+      {"worst_error", "ulp", 11}, {"worst_error/condition", "ulp", 11},
+      {"allowed", "ulp", 20},     {"of_bound", "%", 8},
+      {"worst_row", "", 9},       {"verdict", "", 7}};
+  append_heads(to, heads);
+  for (const QuantityResult& r : results) {
+    const std::string cells[] = {r.quantity,
+                                 std::to_string(r.cases),
+                                 fmt::format("{:.3g}", r.worst_ulp),
+                                 fmt::format("{:.3g}", r.worst_ulp_per_condition),
+                                 allowed(r),
+                                 fmt::format("{:.3g}", 100 * r.worst_part_of_bound),
+                                 r.worst_row,
+                                 verdict(r)};
+    for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
+    append(to, "\n");
+  }
+}
+
+void append_json(Text& to, const std::vector<QuantityResult>& results) {
+  append(to, "[");
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const QuantityResult& r = results[i];
+    // No error above infinity in JSON: a result that is no number is off by null.
+    const std::string worst = r.worst_ulp <= 1e300 ? fmt::format("{}", r.worst_ulp) : "null";
+    append(to, fmt::format("{}\n{{\"quantity\": \"{}\", \"cases\": {}, \"worst_ulp\": {}, "
+                           "\"allowed_ulp\": {}, \"allowed_ulp_per_condition\": {}, "
+                           "\"worst_row\": \"{}\", \"passed\": {}}}",
+                           i == 0 ? "" : ",", r.quantity, r.cases, worst, r.allowed_ulp,
+                           r.allowed_ulp_per_condition, r.worst_row, r.passed()));
+  }
+  append(to, "\n]\n");
+}
+
+std::string junit_text(const std::vector<QuantityResult>& results) {
+  const auto failures =
+      std::count_if(results.begin(), results.end(), [](const auto& r) { return !r.passed(); });
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\">\n",
+      results.size(), failures);
+  for (const QuantityResult& r : results) {
+    text += fmt::format("  <testcase classname=\"accuracy\" name=\"{}\"", r.quantity);
+    text += r.passed() ? "/>\n"
+                       : fmt::format(
+                             "><failure message=\"row {}: {:.3g} times the bound\"/>"
+                             "</testcase>\n",
+                             r.worst_row, r.worst_part_of_bound);
+  }
+  return text + "</testsuite>\n";
+}
+
+int verify(const VerifyArguments& arguments, OutputStream& output) {
+  try {
+    const std::string folder =
+        arguments.reference.empty()
+            ? (report::find_places({}).scenes.parent_path() / "exact").string()
+            : arguments.reference;
+    const std::vector<QuantityResult> results = verification::check_accuracy(folder);
+    if (arguments.format == "json")
+      append_json(output.text(), results);
+    else
+      append_table(output.text(), results);
+    if (!arguments.junit.empty()) report::write_file(arguments.junit, junit_text(results));
+    output.flush();
+    const bool all_held = std::all_of(results.begin(), results.end(),
+                                      [](const QuantityResult& r) { return r.passed(); });
+    return all_held ? exit_done : exit_failed;
+  } catch (const report::ReportError& error) {
+    for (const std::string& line : error.lines()) complain(line);
+  } catch (const OutputFailed&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    complain(error.what());
+  }
+  return exit_bad;
+}
+
+constexpr const char* footer =
+    R"(Each row of reference/exact holds a value that ball arithmetic encloses. An error may be as large as
+the function's contract allows: so many units in the last place, or so many times the condition number.
+Exit code 1: a contract was broken.
+
+Example:
+  tribocheck verify --junit verify.xml)";
+
+}  // namespace
+
+Command add_verify(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("verify", "this model against certified reference values");
+  app->footer(footer);
+  const auto arguments = std::make_shared<VerifyArguments>();
+  app->add_option("--reference", arguments->reference,
+                  "folder of the tables (default: reference/exact)");
+  app->add_option("--format", arguments->format, "how to write the results (default: table)")
+      ->check(CLI::IsMember({"table", "json"}));
+  app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
+  return {app, [arguments](OutputStream& output) { return verify(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

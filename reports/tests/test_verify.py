@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck verify: the model holds its contracts on the certified tables, and says so when not."""
+import hashlib
+import os
+import pathlib
+import shutil
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+from fractions import Fraction
+
+from program import run
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+EXACT = ROOT / "reference/exact"
+TABLES = ("gaussian_moment", "load_sharing", "starvation_ratio", "onset_constant", "hertz_point",
+          "operating_point")
+
+
+def rows_of(path):
+    lines = path.read_text().splitlines(keepends=True)
+    return [line for line in lines if not line.startswith("#")][1:]
+
+
+class Tables(unittest.TestCase):
+    def test_headers_carry_provenance_and_the_checksum_of_the_rows(self):
+        for table in TABLES:
+            path = EXACT / f"{table}.csv"
+            header = dict(line[2:].rstrip().split(": ", 1)
+                          for line in path.read_text().splitlines() if line.startswith("# "))
+            for field in ("quantity", "definition", "units", "domain", "generator", "digits",
+                          "first method", "second method", "date"):
+                self.assertTrue(header[field], f"{table}: {field}")
+            digest = hashlib.sha256("".join(rows_of(path)).encode()).hexdigest()
+            self.assertEqual(header["sha256 of the rows"], digest, table)
+
+    def test_decimal_value_and_the_two_doubles_are_one_number(self):
+        for table in TABLES:
+            lines = (EXACT / f"{table}.csv").read_text().splitlines()
+            columns = [line for line in lines if line.startswith("id,")][0].split(",")
+            value, high, low = (columns.index(name) for name in ("value", "high", "low"))
+            for row in rows_of(EXACT / f"{table}.csv"):
+                cells = row.split(",")
+                if not cells[value]:
+                    continue
+                exact = Fraction(cells[value])
+                pair = Fraction(float.fromhex(cells[high])) + Fraction(float.fromhex(cells[low]))
+                # 2^-104 of it, or a subnormal's half
+                self.assertLessEqual(abs(exact - pair), abs(exact) / 2**104 + Fraction(2)**-1075, row)
+
+    def test_regions_that_the_tables_promise_are_there(self):
+        for table, regions in (("gaussian_moment", {"dense", "near_zero", "branch", "worst"}),
+                               ("load_sharing", {"regular", "critical", "extreme", "worst"}),
+                               ("operating_point", {"film", "floor", "collapsed", "undefined"})):
+            found = {row.rstrip().split(",")[-1] for row in rows_of(EXACT / f"{table}.csv")}
+            self.assertEqual(found, regions, table)
+
+
+class Verify(unittest.TestCase):
+    def test_every_contract_holds(self):
+        done = run("verify", "--format", "json", cwd=ROOT)
+        self.assertEqual(done.code, 0, done.out + done.err)
+        results = done.json()
+        self.assertEqual(sum(r["cases"] for r in results),
+                         sum(1 for t in TABLES for row in rows_of(EXACT / f"{t}.csv")
+                             if not row.rstrip().endswith(",undefined")))
+        self.assertTrue(all(r["passed"] for r in results))
+
+    def test_table_and_junit_name_every_quantity(self):
+        with tempfile.TemporaryDirectory() as folder:
+            junit = pathlib.Path(folder) / "verify.xml"
+            done = run("verify", "--junit", junit, cwd=ROOT)
+            self.assertEqual(done.code, 0, done.err)
+            suite = xml.parse(junit).getroot()
+            self.assertEqual(suite.get("failures"), "0")
+            for case in suite:
+                self.assertIn(case.get("name"), done.out)
+
+    def with_changed(self, table, change):
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder) / "exact"
+            shutil.copytree(EXACT, copy)
+            path = copy / f"{table}.csv"
+            path.write_text(change(path.read_text()))
+            return run("verify", "--reference", str(copy), "--format", "json")
+
+    def test_a_value_off_by_more_than_the_contract_is_found(self):
+        for table in TABLES:
+            row = rows_of(EXACT / f"{table}.csv")[1]
+            cells = row.split(",")
+            high = cells[-4]
+            moved = (float.fromhex(high) * (1 + 2**-20)).hex()
+            done = self.with_changed(
+                table, lambda text, row=row, high=high, moved=moved: text.replace(
+                    row, row.replace(high, moved)))
+            self.assertEqual(done.code, 1, table)
+            failed = [r for r in done.json() if not r["passed"]]
+            self.assertEqual([r["worst_row"] for r in failed], [cells[0]])
+
+    def test_broken_tables_are_one_line_and_exit_code_2(self):
+        for change in (lambda text: "", lambda text: text.replace("high", "hi"),
+                       lambda text: text + "m9999,1\n", lambda text: text.replace("0x1", "zz")):
+            done = self.with_changed("gaussian_moment", change)
+            self.assertEqual(done.code, 2)
+            self.assertEqual(len(done.error_lines), 1, done.err)
+        self.assertEqual(run("verify", "--reference", "/nowhere").code, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

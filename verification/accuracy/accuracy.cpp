@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accuracy/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "accuracy/reference_table.hpp"
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::verification {
+namespace {
+
+// The position of a word in a list; the enumerations of scene.hpp have these orders.
+template <class Enum, std::size_t N>
+Enum parse(const std::string& word, const std::array<const char*, N>& words) {
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found == words.end()) throw std::runtime_error(fmt::format("unknown word {}", word));
+  return static_cast<Enum>(found - words.begin());
+}
+AsperityModel asperity_of(const ReferenceRow& row) {
+  return parse<AsperityModel>(row.text("asperity"),
+                              std::array{"greenwood_tripp", "greenwood_williamson"});
+}
+StarvationClosure closure_of(const std::string& word) {
+  return parse<StarvationClosure>(
+      word, std::array{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"});
+}
+
+class Judge {
+ public:
+  Judge(std::string quantity, const Contract& contract) {
+    result_.quantity = std::move(quantity);
+    result_.allowed_ulp = contract.ulp;
+    result_.allowed_ulp_per_condition = contract.ulp_per_condition;
+  }
+  void add(const ReferenceRow& row, double got) {
+    const double error = row.error_in_ulp(got);
+    const double condition = std::max(1.0, row.number("condition"));
+    const double bound =
+        std::max(result_.allowed_ulp, result_.allowed_ulp_per_condition * condition);
+    ++result_.cases;
+    result_.worst_ulp = std::max(result_.worst_ulp, error);
+    result_.worst_ulp_per_condition = std::max(result_.worst_ulp_per_condition, error / condition);
+    if (error / bound <= result_.worst_part_of_bound && !result_.worst_row.empty()) return;
+    result_.worst_part_of_bound = error / bound;
+    result_.worst_row = row.text("id");
+  }
+  const QuantityResult& result() const { return result_; }
+
+ private:
+  QuantityResult result_;
+};
+
+QuantityResult moments(const std::string& folder) {
+  Judge judge("gaussian_moment", gaussian_moment_contract);
+  for (const ReferenceRow& row : read_reference_table(folder + "/gaussian_moment.csv"))
+    judge.add(row, gaussian_moment(static_cast<Order>(static_cast<int>(row.number("twice_n"))),
+                                   row.number("argument")));
+  return judge.result();
+}
+
+QuantityResult roots(const std::string& folder) {
+  Judge judge("load_sharing", load_sharing_contract);
+  for (const ReferenceRow& row : read_reference_table(folder + "/load_sharing.csv"))
+    judge.add(row,
+              LoadSharing<double>(asperity_of(row), row.number("stiffness"), row.number("offset"))
+                  .solve(row.number("flooded_film_parameter"))
+                  .film_parameter);
+  return judge.result();
+}
+
+QuantityResult film_ratios(const std::string& folder) {
+  Judge judge("starvation_ratio", starvation_ratio_contract);
+  for (const ReferenceRow& row : read_reference_table(folder + "/starvation_ratio.csv"))
+    judge.add(row,
+              starvation_ratio(closure_of(row.text("closure")), row.number("flooded_over_inlet"),
+                               row.number("damiens_exponent")));
+  return judge.result();
+}
+
+double onset_constant(const std::string& constant, StarvationClosure closure) {
+  const double r = film_maximum_flooded_over_inlet<double>(closure);
+  if (constant == "flooded_over_inlet_at_maximum") return r;
+  if (constant == "film_over_inlet_at_maximum") return r * starvation_ratio(closure, r, 3.0);
+  if (constant == "flooded_over_inlet_at_departure_0.05")
+    return departure_flooded_over_inlet(closure, 0.05, 3.0);
+  throw std::runtime_error(fmt::format("unknown constant {}", constant));
+}
+
+QuantityResult onset_constants(const std::string& folder) {
+  Judge judge("onset_constant", starvation_ratio_contract);
+  for (const ReferenceRow& row : read_reference_table(folder + "/onset_constant.csv"))
+    judge.add(row, onset_constant(row.text("constant"), closure_of(row.text("closure"))));
+  return judge.result();
+}
+
+QuantityResult hertz_contacts(const std::string& folder) {
+  Judge judge("hertz_point", hertz_contract);
+  for (const ReferenceRow& row : read_reference_table(folder + "/hertz_point.csv")) {
+    const HertzPoint<double> hertz = hertz_point(
+        row.number("load"), row.number("effective_modulus"), row.number("reduced_radius"));
+    const std::string& output = row.text("output");
+    judge.add(row, output == "radius"          ? hertz.radius
+                   : output == "mean_pressure" ? hertz.mean_pressure
+                   : output == "peak_pressure" ? hertz.peak_pressure
+                                               : hertz.approach);
+  }
+  return judge.result();
+}
+
+Scene scene_of(const ReferenceRow& row) {
+  Scene scene;
+  scene.load = row.number("load");
+  scene.surface = {row.number("summit_density"), row.number("summit_radius"),
+                   row.number("summit_height_sd"), row.number("summit_plane_offset"),
+                   static_cast<int>(row.number("offset_planes"))};
+  scene.bodies = {row.number("effective_modulus"), row.number("reduced_radius"),
+                  row.number("ellipticity")};
+  scene.lubricant = {row.number("viscosity"), row.number("pressure_viscosity"),
+                     row.number("eyring_stress")};
+  scene.supply = {
+      parse<SupplyKind>(row.text("supply_kind"),
+                        std::array{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"}),
+      row.number("supply")};
+  scene.friction = {
+      row.number("boundary_coefficient"), row.number("slide_roll_ratio"),
+      parse<FluidShear>(row.text("fluid"), std::array{"eyring", "limiting"}),
+      parse<ViscosityLaw>(row.text("viscosity_law"), std::array{"barus", "ambient", "roelands"})};
+  scene.closures = {asperity_of(row), closure_of(row.text("starvation")),
+                    row.number("damiens_exponent")};
+  return scene;
+}
+
+double value_of(const OperatingPoint<double>& point, Output output) {
+  switch (output) {
+    case Output::film_flooded:
+      return point.film_flooded;
+    case Output::film:
+      return point.film;
+    case Output::separation:
+      return point.separation;
+    case Output::film_parameter:
+      return point.film_parameter;
+    case Output::asperity_load_share:
+      return point.asperity_load_share;
+    case Output::fluid_load_share:
+      return point.fluid_load_share;
+    case Output::real_area_ratio:
+      return point.real_area_ratio;
+    case Output::summit_count:
+      return point.summit_count;
+    default:
+      return point.friction;
+  }
+}
+
+std::vector<QuantityResult> operating_points(const std::string& folder) {
+  std::vector<Judge> judges;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(Output::friction); ++k)
+    judges.emplace_back(fmt::format("operating_point.{}", output_infos[k].name),
+                        operating_point_contract);
+  for (const ReferenceRow& row : read_reference_table(folder + "/operating_point.csv")) {
+    const std::optional<Output> output = output_by_name(row.text("output"));
+    if (!output) throw std::runtime_error(fmt::format("unknown output {}", row.text("output")));
+    const OperatingPoint<double> point =
+        MixedContact<double>(scene_of(row)).solve(row.number("speed"));
+    if (!row.is_defined()) {
+      if (!point.friction_undefined)
+        throw std::runtime_error(
+            fmt::format("row {} is undefined, the model gives a number", row.text("id")));
+      continue;
+    }
+    judges[static_cast<std::size_t>(*output)].add(row, value_of(point, *output));
+  }
+  std::vector<QuantityResult> results;
+  for (const Judge& judge : judges) results.push_back(judge.result());
+  return results;
+}
+
+}  // namespace
+
+std::vector<QuantityResult> check_accuracy(const std::string& folder) {
+  std::vector<QuantityResult> results{moments(folder), roots(folder), film_ratios(folder),
+                                      onset_constants(folder), hertz_contacts(folder)};
+  for (QuantityResult& result : operating_points(folder)) results.push_back(std::move(result));
+  return results;
+}
+
+}  // namespace tribo::verification

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model in double against the certified tables: per quantity, how many cases, how far off, what
+// is allowed, and the verdict. |error| ≤ max(n ulp, k·condition·ε), n and k declared beside the
+// function.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tribo::verification {
+
+struct QuantityResult {
+  std::string quantity;
+  std::size_t cases = 0;
+  double worst_ulp = 0;
+  double worst_ulp_per_condition = 0;
+  double allowed_ulp = 0;                // n
+  double allowed_ulp_per_condition = 0;  // k; 0: the condition does not count
+  double worst_part_of_bound = 0;  // the greatest error/bound; above 1 the quantity has failed
+  std::string worst_row;           // id of that row
+
+  bool passed() const { return cases > 0 && worst_part_of_bound <= 1; }
+};
+
+// Runs every table in `folder` (reference/exact). Throws std::runtime_error where one cannot be
+// read.
+std::vector<QuantityResult> check_accuracy(const std::string& folder);
+
+}  // namespace tribo::verification

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading the certified tables of reference/exact.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo::verification {
+
+using Columns = std::shared_ptr<const std::vector<std::string>>;
+
+class ReferenceRow {
+ public:
+  ReferenceRow(Columns columns, std::string_view line);
+
+  const std::string& text(std::string_view column) const;  // throws where there is no such column
+  double number(std::string_view column) const;            // hexfloat or decimal
+  bool is_defined() const { return !text("value").empty(); }
+
+  // |got − (high + low)| in units in the last place of `high` (one subnormal unit at least).
+  double error_in_ulp(double got) const;
+
+ private:
+  Columns columns_;
+  std::vector<std::string> cells_;
+};
+
+// The rows of a table. Throws std::runtime_error with one line that names the file and what is
+// wrong with it.
+std::vector<ReferenceRow> read_reference_table(const std::string& path);
+
+}  // namespace tribo::verification
