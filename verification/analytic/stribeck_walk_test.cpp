@@ -86,6 +86,23 @@ TEST(StribeckCurve, SpeedsAscendFromEndToEndWithoutGaps) {
     }
 }
 
+// A plane offset so large that λ_b and λ agree to the last bit while the shares do not.
+TEST(StribeckCurve, AbsurdOffsetsGiveSharesBetweenZeroAndOne) {
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const double offset : {1e6, 1e12, 1e30}) {
+      Scene scene = paper_scene(PaperSurface::rough, model);
+      scene.surface.summit_plane_offset = offset;
+      scene.supply = {};
+      stribeck_curve(MixedContact<double>(scene), 1e-10, 1e300, 50, OutputSet::all(),
+                     [&](const OperatingPoint<double>& p) {
+                       EXPECT_TRUE(p.asperity_load_share >= 0 && p.asperity_load_share <= 1)
+                           << describe({{"u", p.speed}, {"offset", offset}});
+                       EXPECT_TRUE(p.fluid_load_share >= 0 && p.fluid_load_share <= 1)
+                           << describe({{"u", p.speed}, {"offset", offset}});
+                     });
+    }
+}
+
 // Differences of the 50-digit walk: d ln λ/d ln u and ds/d ln u.
 TEST(StribeckWalk, SlopesAreThoseOfTheFilm) {
   for (const Scene& scene : scenes()) {

@@ -61,12 +61,16 @@ class LoadSharing {
     return film_parameter * asperities(T(film_parameter - offset_)).log_slope;
   }
 
+  // Likewise at a distance above the floor (λ = λ_b + distance).
+  T asperity_share_slope_above_floor(const T& distance) const {
+    return (floor_ + distance) * asperities(argument_above_floor(distance)).log_slope;
+  }
+
   // The shares at a distance above the floor (λ = λ_b + distance; λ_b = 0 where there is no floor).
   // Near a floor 1 − A comes from the Taylor series of F_p there, so that it does not cancel.
   LoadShares<T> shares_above_floor(const T& distance) const {
     const T lambda = floor_ + distance;
-    const T d = has_floor_ ? T(floor_argument_ + distance) : T(distance - offset_);
-    const T asperity = share_at(d);
+    const T asperity = share_at(argument_above_floor(distance));
     if (!has_floor_ || asperity < ratio<T>(3, 4))
       return {lambda, asperity, asperity < 1 ? T(1 - asperity) : T(0), 0};
     const T fluid = fluid_share_near_floor(distance);
@@ -153,14 +157,22 @@ class LoadSharing {
     return -expm1(T(exponent_ * log1p(change)));
   }
 
+  // λ − δ at λ = λ_b + distance, without the rounding of λ.
+  T argument_above_floor(const T& distance) const {
+    return has_floor_ ? T(floor_argument_ + distance) : T(distance - offset_);
+  }
+
   struct Asperities {
     T share;      // A = (K F_p(d))^q
     T log_slope;  // d ln A/dd = −qp F_{p−1}/F_p; the ratio of the scaled moments is the same
   };
   Asperities asperities(const T& d) const {
     const T scaled = scaled_gaussian_moment(order_, d);
-    return {share_from(scaled, d),
-            -exponent_ * value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled)};
+    // S_p underflows where p F_{p−1}/F_p = d to every digit.
+    const T hazard =
+        scaled > 0 ? T(value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled))
+                   : d;
+    return {share_from(scaled, d), -exponent_ * hazard};
   }
   T share_at(const T& d) const { return share_from(scaled_gaussian_moment(order_, d), d); }
   T share_from(const T& scaled, const T& d) const {

@@ -53,9 +53,11 @@ class StribeckWalk {
     using std::exp;
     WalkPoint<T> point;
     T film_rate;  // d ln λ/ds
+    T log_distance = s;
     if (by_inlet_length_) {
       const T t = log_inlet_length(s);
-      point.flooded = film(log_distance_by_inlet_length(s, t));
+      log_distance = log_distance_by_inlet_length(s, t);
+      point.flooded = film(log_distance);
       point.inlet = {exp(curve().log_film_ratio(t)), exp(T(-curve().log_inverse_r(t))), false};
       film_rate = curve().slope_of_log_inverse_r(t) * (above_floor_ ? logistic(s) : T(1));
     } else {
@@ -65,11 +67,13 @@ class StribeckWalk {
     }
     const LoadShares<T>& shares = point.flooded.shares;
     // d ln λ/d ln u = 0.67/(1 − 0.14 λA′/(1−A))
-    const T stiffening = -sharing_film_exponent<T>() *
-                         sharing_.asperity_share_slope(shares.film_parameter) * shares.asperity;
+    const T stiffening = shares.asperity > 0
+                             ? T(-sharing_film_exponent<T>() * shares.asperity *
+                                 sharing_.asperity_share_slope_above_floor(T(exp(log_distance))))
+                             : T(0);
     point.film_slope = film_speed_exponent<T>() * shares.fluid / (shares.fluid + stiffening);
     // In the logarithmic approach to the floor both slopes vanish together.
-    point.rate = is_at_floor(point.flooded, s)
+    point.rate = is_at_floor(point.flooded)
                      ? T(film_speed_exponent<T>() / sharing_film_exponent<T>())
                      : T(point.film_slope / film_rate);
     return point;
@@ -101,7 +105,7 @@ class StribeckWalk {
   }
 
   // From a coordinate to one whose ln u is within `tolerance` of the given: steps along the walk of
-  // at most 2 in ln u. NaN speeds (overflow) stop it.
+  // at most 2 in ln u and 10 in s. NaN speeds (overflow) stop it.
   T walk_to(T s, const T& log_speed, const T& tolerance) const {
     using std::abs;
     using std::log;
@@ -111,7 +115,8 @@ class StribeckWalk {
       if (!(abs(left) > tolerance)) break;
       if (left > 2) left = 2;
       if (left < -2) left = -2;
-      s += left * point.rate;
+      const T step = left * point.rate;
+      s += step > 10 ? T(10) : step < -10 ? T(-10) : step;
     }
     return s;
   }
@@ -130,16 +135,17 @@ class StribeckWalk {
     return 1 / (1 + exp(T(-x)));
   }
 
-  bool is_at_floor(const FloodedFilm<T>& film, const T& s) const {
-    return above_floor_ && s < 0 && film.shares.film_parameter == sharing_.floor();
+  // So near that 1 − A is proportional to the distance.
+  bool is_at_floor(const FloodedFilm<T>& film) const {
+    return above_floor_ && film.shares.fluid < epsilon<T>() / 4;
   }
 
   // The film at λ = λ_b + e^log_distance.
   FloodedFilm<T> film(const T& log_distance) const {
     using std::exp;
     using std::log;
-    if (above_floor_ && log_distance < log_floor_ + log(T(epsilon<T>() / 4))) {
-      const T log_fluid = log_rate_at_floor_ + log_distance;
+    const T log_fluid = log_rate_at_floor_ + log_distance;
+    if (above_floor_ && log_fluid < log(T(epsilon<T>() / 4))) {
       const T fluid = exp(log_fluid);
       const T film0 = sharing_.floor() * exp(T(sharing_film_exponent<T>() * log_fluid));
       return {contact_.speed_at(film0), {sharing_.floor(), 1 - fluid, fluid, 0}};
