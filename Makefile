@@ -39,7 +39,7 @@ test: ## build and run all tests
 	cmake --build --preset release
 	ctest --preset release
 
-test-slow: build ## stream ten million lines in flat memory; takes some five minutes
+test-slow: build ## stream ten million lines in flat memory; takes some two minutes
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_LINES=10000000 \
 	  python3 -B -m unittest -v test_stream_slow
 
