@@ -80,8 +80,7 @@ class LoadSharing {
   // The distance above the floor at which the fluid carries the share 0 < w < 1/4: 1 − A is concave
   // there, so Newton's method rises to it from w/(d(1−A)/dλ). Error: a few ε.
   T distance_above_floor(const T& fluid) const {
-    using std::exp;
-    T distance = fluid * exp(T(-log_fluid_rate_at_floor()));
+    T distance = fluid / -floor_log_slope_;
     for (int i = 0; i < 100; ++i) {
       const T here = fluid_share_near_floor(distance);
       const T slope = -(1 - here) * asperities(T(floor_argument_ + distance)).log_slope;
@@ -96,7 +95,7 @@ class LoadSharing {
   // ln of d(1−A)/dλ at the floor: 1 − A = e^this · distance while the distance is small.
   T log_fluid_rate_at_floor() const {
     using std::log;
-    return log(T(-asperities(floor_argument_).log_slope));
+    return log(T(-floor_log_slope_));
   }
 
   // λ₀ of a film: λ(1−A)^0.14, from λ and its fluid share.
@@ -142,7 +141,7 @@ class LoadSharing {
     using std::log1p;
     const T& d = floor_argument_;
     T earlier = 1;
-    T current = asperities(d).log_slope / exponent_;
+    T current = floor_log_slope_ / exponent_;
     T power = distance;
     T change = current * power;
     for (int k = 0; k < 400; ++k) {
@@ -232,6 +231,7 @@ class LoadSharing {
     }
     floor_argument_ = d > -offset_ ? d : T(-offset_);
     floor_ = offset_ + floor_argument_;
+    floor_log_slope_ = asperities(floor_argument_).log_slope;
   }
 
   Order order_;
@@ -239,7 +239,8 @@ class LoadSharing {
   T stiffness_;
   T offset_;
   T floor_{};
-  T floor_argument_{};  // λ_b − δ, without the rounding of the difference
+  T floor_argument_{};   // λ_b − δ, without the rounding of the difference
+  T floor_log_slope_{};  // d ln A/dλ there
   bool has_floor_ = false;
 };
 
