@@ -86,7 +86,7 @@ bool is_json(const std::string& path, const std::string& text) {
 std::string stem_of(std::string_view path) {
   path.remove_prefix(path.rfind('/') + 1);
   const std::size_t dot = path.rfind('.');
-  return scene_detail::printable(dot == 0 ? path : path.substr(0, dot), 255);
+  return printable(dot == 0 ? path : path.substr(0, dot), 255);
 }
 
 }  // namespace

@@ -6,7 +6,10 @@
 #include <charconv>
 #include <cstdint>
 
-namespace tribo::scene_detail {
+#include "tribo/scene_reader.hpp"
+
+namespace tribo {
+namespace scene_detail {
 namespace {
 
 struct Utf8Form {
@@ -70,29 +73,6 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   return form.length;
 }
 
-std::string printable(std::string_view text, std::size_t most) {
-  std::string result;
-  std::size_t shown = 0;
-  for (std::size_t at = 0; at < text.size(); ++shown) {
-    if (shown == most) return result + "…";
-    const std::size_t length = utf8_length(text, at);
-    if (length == 0) {
-      result += "\\x";
-      append_hex(result, static_cast<unsigned char>(text[at]), 2);
-      ++at;
-      continue;
-    }
-    const std::string_view sequence = text.substr(at, length);
-    const std::uint32_t code = code_point(sequence);
-    if (must_be_escaped(code))
-      append_escape(result, code);
-    else
-      result += sequence;
-    at += length;
-  }
-  return result;
-}
-
 std::string number_text(double number) {
   std::array<char, 32> buffer{};
   char* const begin = buffer.data();
@@ -122,4 +102,30 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
   return last[right.size()];
 }
 
-}  // namespace tribo::scene_detail
+}  // namespace scene_detail
+
+std::string printable(std::string_view text, std::size_t most) {
+  using namespace scene_detail;
+  std::string result;
+  std::size_t shown = 0;
+  for (std::size_t at = 0; at < text.size(); ++shown) {
+    if (shown == most) return result + "…";
+    const std::size_t length = utf8_length(text, at);
+    if (length == 0) {
+      result += "\\x";
+      append_hex(result, static_cast<unsigned char>(text[at]), 2);
+      ++at;
+      continue;
+    }
+    const std::string_view sequence = text.substr(at, length);
+    const std::uint32_t code = code_point(sequence);
+    if (must_be_escaped(code))
+      append_escape(result, code);
+    else
+      result += sequence;
+    at += length;
+  }
+  return result;
+}
+
+}  // namespace tribo

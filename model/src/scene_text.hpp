@@ -11,10 +11,6 @@ namespace tribo::scene_detail {
 // Bytes of the well-formed UTF-8 sequence that starts at text[at]; 0 if there is none.
 std::size_t utf8_length(std::string_view text, std::size_t at);
 
-// Control, formatting and broken signs are written as escapes, and what is longer than `most`
-// characters ends in "…".
-std::string printable(std::string_view text, std::size_t most = 60);
-
 // The shortest decimal that reads back to the same double.
 std::string number_text(double number);
 

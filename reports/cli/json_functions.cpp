@@ -154,15 +154,6 @@ bool is_in_range(double number, Range range) {
   return false;
 }
 
-// At most 60 bytes of a text from the input, cut between characters.
-std::string shortened(std::string_view text) {
-  constexpr std::size_t most = 60;
-  if (text.size() <= most) return std::string(text);
-  std::size_t end = most;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return std::string(text.substr(0, end)) + "…";
-}
-
 // The place of a text among words; `words.size()` if it is not there.
 std::size_t place_of(std::string_view text, Words words) {
   std::size_t place = 0;
@@ -178,7 +169,7 @@ std::optional<double> word_argument(const Parameter& parameter, const FlatMember
   }
   const std::size_t place = place_of(member.text, parameter.words);
   if (place < parameter.words.size()) return static_cast<double>(place);
-  complaint = '"' + shortened(member.text) + "\" is not known";
+  complaint = '"' + printable(member.text) + "\" is not known";
   return std::nullopt;
 }
 
@@ -225,7 +216,7 @@ bool is_known(const Function& function, std::string_view name) {
 std::optional<Mistake> mistake_in_names(const Function& function, const FlatObject& object) {
   for (const FlatMember& member : object.members) {
     if (!is_known(function, member.name))
-      return Mistake{shortened(member.name),
+      return Mistake{printable(member.name),
                      "unknown argument; known: " + parameter_names(function)};
     if (object.find(member.name) != &member) return Mistake{member.name, "given twice"};
   }
@@ -254,7 +245,7 @@ const Function* find_function(const FlatMember& member) {
 
 Mistake unknown_function(const FlatMember& member) {
   std::string message = member.kind == FlatMember::Kind::text
-                            ? '"' + shortened(member.text) + "\" is not known"
+                            ? '"' + printable(member.text) + "\" is not known"
                             : "this is no text";
   const char* before = "; allowed: ";
   for (const Function& function : functions) {

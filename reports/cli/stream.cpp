@@ -4,9 +4,9 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
-#include "json_answers.hpp"
 #include "line_reader.hpp"
 #include "messages.hpp"
+#include "stream_answers.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -14,42 +14,21 @@ namespace {
 // A stream may be endless, what it says on stderr may not.
 class LimitedWarnings {
  public:
-  std::vector<InputProblem>& list() { return list_; }
-
-  void report() {
-    for (const InputProblem& warning : list_) {
-      if (count_ < most) complain("warning: " + warning.line());
-      if (count_ == most) complain("warning: and more, which are not listed");
-      if (count_ <= most) ++count_;
-    }
-    list_.clear();
+  void operator()(const InputProblem& warning) {
+    if (count_ < most) complain("warning: " + warning.line());
+    if (count_ == most) complain("warning: and more, which are not listed");
+    if (count_ <= most) ++count_;
   }
 
  private:
   static constexpr int most = 20;
-  std::vector<InputProblem> list_;
   int count_ = 0;
 };
 
-bool is_blank(std::string_view line) {
-  return line.find_first_not_of(" \t\r") == std::string_view::npos;
-}
-
 int stream(OutputStream& output) {
   LineReader lines(STDIN_FILENO, max_scene_bytes);
-  LimitedWarnings warnings;
-  for (std::size_t number = 1;; ++number) {
-    // Who waits for an answer before the next question gets it.
-    if (!lines.line_waiting()) output.flush();
-    const Line line = lines.next();
-    if (line.kind == Line::Kind::end_of_input) return exit_done;
-    if (line.kind == Line::Kind::too_long)
-      append_error(output.text(), std::nullopt, "", "the line is over 1 MiB");
-    else if (!is_blank(line.text))
-      append_answer(output.text(), line.text, number, warnings.list());
-    warnings.report();
-    output.end_row();
-  }
+  answer_lines(lines, output, LimitedWarnings());
+  return exit_done;
 }
 
 constexpr const char* example =

@@ -62,11 +62,13 @@ void append_json(Text& to, const std::vector<QuantityResult>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     const QuantityResult& r = results[i];
     // No error above infinity in JSON: a result that is no number is off by null.
-    const std::string worst = r.worst_ulp <= 1e300 ? fmt::format("{}", r.worst_ulp) : "null";
+    const auto number = [](double x) { return x <= 1e300 ? fmt::format("{}", x) : "null"; };
     append(to, fmt::format("{}\n{{\"quantity\": \"{}\", \"cases\": {}, \"worst_ulp\": {}, "
+                           "\"worst_ulp_per_condition\": {}, "
                            "\"allowed_ulp\": {}, \"allowed_ulp_per_condition\": {}, "
                            "\"worst_row\": \"{}\", \"passed\": {}}}",
-                           i == 0 ? "" : ",", r.quantity, r.cases, worst, r.allowed_ulp,
+                           i == 0 ? "" : ",", r.quantity, r.cases, number(r.worst_ulp),
+                           number(r.worst_ulp_per_condition), r.allowed_ulp,
                            r.allowed_ulp_per_condition, r.worst_row, r.passed()));
   }
   append(to, "\n]\n");
@@ -92,10 +94,9 @@ std::string junit_text(const std::vector<QuantityResult>& results) {
 
 int verify(const VerifyArguments& arguments, OutputStream& output) {
   try {
-    const std::string folder =
-        arguments.reference.empty()
-            ? (report::find_places({}).scenes.parent_path() / "exact").string()
-            : arguments.reference;
+    const std::string folder = arguments.reference.empty()
+                                   ? (report::find_places({}).reference / "exact").string()
+                                   : arguments.reference;
     const std::vector<QuantityResult> results = verification::check_accuracy(folder);
     if (arguments.format == "json")
       append_json(output.text(), results);

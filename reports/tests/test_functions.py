@@ -81,6 +81,9 @@ class Values(unittest.TestCase):
                           1e-11)
         for closure in ["starved_inlet", "printed_exponents"]:
             self.assertTrue(0 < value("starvation_ratio", closure=closure, flooded_over_inlet=2) < 1)
+            for nearly_flooded in [1e-300, 1e-308, 5e-324]:
+                self.assertEqual(value("starvation_ratio", closure=closure,
+                                       flooded_over_inlet=nearly_flooded), 1)
 
     def test_load_sharing(self):
         film = value("load_sharing", **GOOD["load_sharing"])
@@ -135,6 +138,11 @@ class Mistakes(unittest.TestCase):
         twice = call("hertz_point", GOOD["hertz_point"]).replace('"load"', '"load": 1, "load"')
         self.assert_error(twice, "load", "given twice")
         self.assert_error(call("hertz_point", GOOD["hertz_point"], identity=7), "id", identity=None)
+
+    def test_texts_of_the_input_are_shown_without_control_signs(self):
+        self.assert_error(call("hertz\r\u202epoint", {}), "function", "\"hertz\\u000d\\u202epoint\"")
+        self.assert_error(call("hertz_point", {"\n\x1b": 1}), "\\n\\u001b", "unknown argument")
+        self.assert_error(call("x" * 1000, {}), "function", "x" * 60 + "…")
 
     def test_broken_json(self):
         self.assert_error('{"id": "f1", "function": "hertz_point"', "", identity=None)

@@ -59,18 +59,26 @@ AsperityContact<T> asperity_contact(AsperityModel model, const T& summit_density
           summit_density * nominal_area};
 }
 
+// n of F_n in the real area, and in the number of summits.
+constexpr Order area_order(AsperityModel model) {
+  return model == AsperityModel::greenwood_tripp ? Order::two : Order::one;
+}
+constexpr Order count_order(AsperityModel model) {
+  return model == AsperityModel::greenwood_tripp ? Order::one : Order::zero;
+}
+
 // Real area of contact over the nominal area at λ = separation/σ_s ≥ 0; not clipped at 1.
 template <class T>
 T real_area_ratio(const AsperityContact<T>& contact, const T& separation_over_sd) {
-  const Order order = contact.model == AsperityModel::greenwood_tripp ? Order::two : Order::one;
-  return moment_product(contact.area_factor, order, T(separation_over_sd - contact.offset));
+  return moment_product(contact.area_factor, area_order(contact.model),
+                        T(separation_over_sd - contact.offset));
 }
 
 // Summits in contact within the nominal area (a mean, not an integer) at λ = separation/σ_s ≥ 0.
 template <class T>
 T summit_count(const AsperityContact<T>& contact, const T& separation_over_sd) {
-  const Order order = contact.model == AsperityModel::greenwood_tripp ? Order::one : Order::zero;
-  return moment_product(contact.count_factor, order, T(separation_over_sd - contact.offset));
+  return moment_product(contact.count_factor, count_order(contact.model),
+                        T(separation_over_sd - contact.offset));
 }
 
 }  // namespace tribo

@@ -49,12 +49,16 @@ T fluid_shear_stress(FluidShear law, const T& eyring_stress, const T& viscosity,
   using std::expm1;
   using std::log;
   if (sliding_speed == 0) return T(0);
-  const T x = viscosity / eyring_stress * (sliding_speed / separation) * exp(log_viscosity_ratio);
+  T x = viscosity / eyring_stress * (sliding_speed / separation) * exp(log_viscosity_ratio);
+  T log_x = 0;
+  if (!(x > 0 && x < 1 / epsilon<T>())) {  // a factor may be beyond T where x is not
+    log_x = log(viscosity) - log(eyring_stress) + log(sliding_speed) - log(separation) +
+            log_viscosity_ratio;
+    x = exp(log_x);
+  }
   if (law == FluidShear::limiting) return -eyring_stress * expm1(T(-x));
   // asinh x = ln(2x) + 1/(4x²) − …
   if (x < 1 / epsilon<T>()) return eyring_stress * asinh(x);
-  const T log_x = log(viscosity) - log(eyring_stress) + log(sliding_speed) - log(separation) +
-                  log_viscosity_ratio;
   return eyring_stress * (log(T(2)) + log_x);
 }
 

@@ -3,18 +3,21 @@
 //
 //   F_n(d) = ∫_d^∞ (s−d)ⁿ φ(s) ds,   φ(s) = e^{−s²/2}/√(2π),   n = 0, 1/2, 1, 3/2, 2, 5/2.
 //
-// All forms are sums of positive terms, save for integer n at |d| < 1, where at most a factor 7 is
-// lost. With S_n(d) = e^{d²/2} F_n(d) for d ≥ 0 and F_n(d) below:
+// All forms are sums of positive terms. With S_n(d) = e^{d²/2} F_n(d) for d ≥ 0 and F_n(d) below:
 //   |d| large        asymptotic series, cut where its terms fall below ε
 //   half-integer n   F_n = (1/√2π) ∫_{−∞}^{∞} x^{2n+1} e^{−(x²+d)²/2} dx (s = x² + d), by the
 //                    trapezoidal rule: the integrand is entire, so the error falls as
 //                    exp(−2πy/h + 4y⁴ − 2dy²) for every y > 0 (shift of the contour by iy)
 //   integer n        the continued fraction of F_{n+1}/F_n (F is the minimal solution of
-//                    F_{n+1} + d F_n − n F_{n−1} = 0), a Taylor series of F_0 near 0, reflection
+//                    F_{n+1} + d F_n − n F_{n−1} = 0); for |d| < 1 the Taylor series about d = 1;
+//                    reflection
 //
 // Error bound: gaussian_moment_contract in double on [−40, 37], one unit of the subnormals beyond;
 // in T in general 500 ε. F_n(+∞) = 0, F_n(−∞) = ∞ (1 for n = 0), NaN gives NaN.
 #pragma once
+
+#include <array>
+#include <cstddef>
 
 #include "tribo/contract.hpp"
 #include "tribo/real.hpp"
@@ -167,23 +170,43 @@ T integer_moment_above_one(Order n, const T& d) {
   return integral / sqrt_two_pi<T>();
 }
 
-// F_0, F_1 or F_2 for |d| < 1, times `scale` = 1 or e^{d²/2}: with φ the density,
-// F_0 = 1/2 − φ Σ d^{2k+1}/(2k+1)!!, F_1 = φ − d F_0, F_2 = (1+d²) F_0 − dφ.
+// I_k/I_{k−1} at d = 1, k = 1, 2, …, likewise; element 0 is I_0. Started past the last by as much
+// as the first needs.
+inline constexpr std::size_t ratios_at_one = 256;
 template <class T>
-T integer_moment_near_zero(Order n, const T& d, const T& scale) {
-  using std::abs;
-  using std::exp;
-  T term = d;
-  T sum = d;
-  for (int k = 3; abs(term) > epsilon<T>() / 8 * abs(sum); k += 2) {
-    term *= d * d / T(k);
-    sum += term;
+std::array<T, ratios_at_one> integral_ratios_at_one() {
+  using std::sqrt;
+  std::array<T, ratios_at_one> ratios;
+  const T root = resolved_exponent<T>() / 2 + 3 + T(16);
+  const int start = static_cast<int>(root * root);
+  T tail = (sqrt(T(1 + 4 * start)) - 1) / 2;
+  for (int k = start; k >= 1; --k) {
+    tail = T(k) / (1 + tail);
+    const auto index = static_cast<std::size_t>(k);
+    if (index < ratios_at_one) ratios[index] = tail;
   }
-  const T density = scale * exp(-d * d / 2) / sqrt_two_pi<T>();
-  const T zeroth = scale / 2 - density * sum;
-  if (n == Order::zero) return zeroth;
-  if (n == Order::one) return density - d * zeroth;
-  return (1 + d * d) * zeroth - d * density;
+  ratios[0] = 1 / (1 + tail);
+  return ratios;
+}
+
+// S_0, S_1 or S_2 for |d| < 1 (F for d < 0): I_n = ∫_0^∞ uⁿ e^{−u²/2−ud} du, so its Taylor series
+// about d = 1 in 1 − d has the coefficients I_{n+k}(1)/k!, all positive.
+template <class T>
+T integer_moment_near_zero(Order n, const T& d) {
+  using std::exp;
+  static const std::array<T, ratios_at_one> ratios = integral_ratios_at_one<T>();
+  const T away = 1 - d;
+  const auto order = static_cast<std::size_t>(twice(n) / 2);
+  T term = ratios[0];
+  for (std::size_t k = 1; k <= order; ++k) term *= ratios[k];
+  T sum = term;
+  for (std::size_t k = 1; order + k < ratios_at_one; ++k) {
+    term *= ratios[order + k] * away / T(static_cast<int>(k));
+    sum += term;
+    if (term < epsilon<T>() / 8 * sum) break;
+  }
+  const T scaled = sum / sqrt_two_pi<T>();
+  return d < 0 ? T(scaled * exp(-d * d / 2)) : scaled;
 }
 
 }  // namespace detail
@@ -191,13 +214,12 @@ T integer_moment_near_zero(Order n, const T& d, const T& scale) {
 // S_n(d) = e^{d²/2} F_n(d) for d ≥ 0, F_n(d) for d < 0: never underflows on [−40, 1e100].
 template <class T>
 T scaled_gaussian_moment(Order n, const T& d) {
-  using std::exp;
   if (d != d) return d;
   if (d >= detail::asymptotic_from<T>()) return detail::far_above(n, d);
   if (d <= -detail::asymptotic_from<T>()) return detail::far_below(n, T(-d));
   if (!is_integer(n)) return detail::half_integer_moment(n, d);
   if (d >= 1) return detail::integer_moment_above_one(n, d);
-  if (d > -1) return detail::integer_moment_near_zero(n, d, d > 0 ? T(exp(d * d / 2)) : T(1));
+  if (d > -1) return detail::integer_moment_near_zero(n, d);
   const T distance = -d;
   const detail::GaussianFactor<T> factor = detail::gaussian_factor(distance);
   const T beyond = detail::integer_moment_above_one(n, distance) * (factor.first * factor.second);

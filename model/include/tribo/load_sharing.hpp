@@ -72,7 +72,7 @@ class LoadSharing {
     const T lambda = floor_ + distance;
     const T asperity = share_at(argument_above_floor(distance));
     if (!has_floor_ || asperity < ratio<T>(3, 4))
-      return {lambda, asperity, asperity < 1 ? T(1 - asperity) : T(0), 0};
+      return {lambda, asperity, asperity >= 1 ? T(0) : T(1 - asperity), 0};
     const T fluid = fluid_share_near_floor(distance);
     return {lambda, 1 - fluid, fluid, 0};
   }
@@ -104,12 +104,13 @@ class LoadSharing {
     return film_parameter * pow(fluid_share, sharing_film_exponent<T>());
   }
 
-  // The root. λ₀ > 0. Error: load_sharing_contract. Never fails: λ₀ = ∞ gives
+  // The root. λ₀ > 0, or 0 by an underflow. Error: load_sharing_contract. Never fails: λ₀ = ∞ gives
   // λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b), and 0 ≤ A ≤ 1.
   LoadShares<T> solve(const T& flooded_film_parameter) const {
     using std::expm1;
     const T& lambda0 = flooded_film_parameter;
     if (!is_finite(lambda0) || !is_finite(floor_)) return at_infinity(lambda0);
+    if (lambda0 == 0 && !has_floor_) return shares_above_floor(lambda0);
     const T p = 1 / sharing_film_exponent<T>();
     T lambda = lambda0 < floor_ ? floor_ : lambda0;
     int iterations = 0;
@@ -135,11 +136,14 @@ class LoadSharing {
  private:
   // −expm1(q ln f), f = F_p(λ_b−δ+distance)/F_p(λ_b−δ). With f = Σ c_k distance^k, F″ = pF − dF′
   // gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}.
+  // The recurrence takes up the other solution, which grows as e^{−d·distance} below d = 0: by then
+  // 1 − A no longer cancels.
   T fluid_share_near_floor(const T& distance) const {
     using std::abs;
     using std::expm1;
     using std::log1p;
     const T& d = floor_argument_;
+    if (d * distance < -4) return 1 - share_at(T(d + distance));
     T earlier = 1;
     T current = floor_log_slope_ / exponent_;
     T power = distance;
@@ -167,10 +171,11 @@ class LoadSharing {
   };
   Asperities asperities(const T& d) const {
     const T scaled = scaled_gaussian_moment(order_, d);
-    // S_p underflows where p F_{p−1}/F_p = d to every digit.
+    // Where S_p nears underflow, p F_{p−1}/F_p = d to every digit.
     const T hazard =
-        scaled > 0 ? T(value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled))
-                   : d;
+        scaled > 0 && d < 1 / (epsilon<T>() * epsilon<T>())
+            ? T(value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled))
+            : d;
     return {share_from(scaled, d), -exponent_ * hazard};
   }
   T share_at(const T& d) const { return share_from(scaled_gaussian_moment(order_, d), d); }

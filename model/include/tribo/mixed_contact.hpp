@@ -167,13 +167,16 @@ class MixedContact {
       point.inlet = inlet.collapsed                         ? Inlet::collapsed
                     : inlet.film_ratio >= ratio<T>(95, 100) ? Inlet::flooded
                                                             : Inlet::starved;
-    if (outputs.contains_any(sharing_outputs()))
-      add_shares(point,
-                 supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet));
+    if (!outputs.contains_any(asperity_outputs())) return point;
+    const LoadShares<T> shares =
+        supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
+    if (outputs.contains_any(sharing_outputs())) add_shares(point, shares);
     if (outputs.contains_any(area_outputs()))
-      point.real_area_ratio = real_area_ratio(asperities_, lambda_apart);
+      point.real_area_ratio = moment_at(asperities_.area_factor, area_order(asperities_.model),
+                                        lambda_apart, shares.asperity);
     if (outputs.contains(Output::summit_count))
-      point.summit_count = summit_count(asperities_, lambda_apart);
+      point.summit_count = moment_at(asperities_.count_factor, count_order(asperities_.model),
+                                     lambda_apart, shares.asperity);
     if (outputs.contains(Output::friction)) add_friction(point, lambda_apart);
     return point;
   }
@@ -214,6 +217,26 @@ class MixedContact {
     OutputSet set = only(Output::real_area_ratio);
     set.insert(Output::friction);
     return set;
+  }
+
+  static constexpr OutputSet asperity_outputs() {
+    OutputSet set = sharing_outputs();
+    set.insert(Output::real_area_ratio);
+    set.insert(Output::summit_count);
+    return set;
+  }
+
+  // factor · F_n(λ − δ) where the asperities carry the given share. Where a floor is high the last
+  // digit of λ − δ moves F_n by dozens of ulp, and A knows better: F_p is A^{1/q}/K, and F_n/F_p
+  // hardly depends on d.
+  T moment_at(const T& factor, Order n, const T& film_parameter, const T& share) const {
+    const T d = film_parameter - asperities_.offset;
+    if (!(sharing_.floor() > 3 && share > ratio<T>(3, 4)) || !is_finite(sharing_.floor()))
+      return moment_product(factor, n, d);
+    const Order p = load_order(asperities_.model);
+    const T load = p == Order::five_halves ? T(share * share) : share;
+    return factor * (load / asperities_.stiffness) *
+           (scaled_gaussian_moment(n, d) / scaled_gaussian_moment(p, d));
   }
 
   static void add_shares(OperatingPoint<T>& point, const LoadShares<T>& shares) {

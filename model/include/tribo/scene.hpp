@@ -43,8 +43,11 @@ struct Speeds {
     if (i == 0) return from;
     if (i + 1 == count) return to;
     const double t = static_cast<double>(i) / static_cast<double>(count - 1);
-    return spacing == Spacing::log ? from * std::exp(t * (std::log(to) - std::log(from)))
-                                   : from * (1 - t) + to * t;
+    if (spacing == Spacing::lin) return from * (1 - t) + to * t;
+    const double log_ratio = t * (std::log(to) - std::log(from));
+    if (log_ratio < 700) return from * std::exp(log_ratio);
+    const double root = std::exp(log_ratio / 2);  // its square may overflow, the speed does not
+    return from * root * root;
   }
 };
 

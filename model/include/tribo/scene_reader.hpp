@@ -51,6 +51,10 @@ struct InputProblem {
   std::string line() const;
 };
 
+// A text from an input as messages show it: control, formatting and broken signs are written as
+// escapes, and what is longer than `most` characters ends in "…".
+std::string printable(std::string_view text, std::size_t most = 60);
+
 struct SceneReading {
   std::optional<Scene> scene;          // set when `errors` is empty
   std::vector<InputProblem> errors;    // every problem found, not only the first

@@ -112,6 +112,7 @@ struct InletCurve {
       return pow(T((1 - flooded_over_inlet) / flooded_over_inlet * crook_constant<T>()),
                  ratio<T>(2, 3));
     const T t = rough_log_inlet_length(flooded_over_inlet);
+    if (t < least_log_length()) return least_inlet_length(flooded_over_inlet);
     // The rounding of t and of ln r are the error now; one step on r G(ψ) − 1 takes it out.
     return exp(t) * (1 + correction(flooded_over_inlet, t));
   }
@@ -125,6 +126,23 @@ struct InletCurve {
  private:
   // Below this ψ the powers of ψ near underflow; arctan v = v there to every digit of T.
   static T least_log_length() { return ratio<T>(1, 4) * T(std::numeric_limits<T>::min_exponent); }
+
+  // ψ there: y = κψ, and of 1/r the greater term, the other as a first correction (in float).
+  T least_inlet_length(const T& flooded_over_inlet) const {
+    using std::sqrt;
+    const T kappa = 2 * wolveridge_factor<T>() / pi<T>();
+    if (closure == StarvationClosure::printed_exponents) {
+      const T root = crook_constant<T>() * kappa * sqrt(sqrt(kappa)) / flooded_over_inlet;
+      return root * root * (root * root);
+    }
+    const T psi = 1 / (kappa * flooded_over_inlet);
+    return psi * (1 - sqrt(psi) / (crook_constant<T>() * kappa));
+  }
+
+  // Above this ψ its powers near overflow; y = 1 there to every digit of T.
+  static T greatest_log_length() {
+    return -ratio<T>(9, 20) * T(std::numeric_limits<T>::min_exponent);
+  }
 
   T rough_log_inlet_length(const T& flooded_over_inlet) const {
     using std::log;
@@ -140,7 +158,7 @@ struct InletCurve {
   T correction(const T& r, const T& t) const {
     using std::exp;
     using std::sqrt;
-    if (t < least_log_length()) return T(0);
+    if (t < least_log_length() || t > greatest_log_length()) return T(0);
     const T psi = exp(t);
     const T y = wolveridge_film_ratio(psi);
     T crook = psi * sqrt(psi) / crook_constant<T>();

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines of JSON from a reader, an answer to each: `stream` without its descriptors and its stderr.
+#pragma once
+
+#include <functional>
+
+#include "line_reader.hpp"
+#include "output_stream.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::cli {
+
+// Answers every line but blank ones, in order, until the input ends. Who waits for an answer before
+// the next question gets it: the output is flushed whenever no complete line is waiting.
+void answer_lines(LineReader& lines, OutputStream& output,
+                  const std::function<void(const InputProblem&)>& warn);
+
+}  // namespace tribo::cli
