@@ -12,8 +12,8 @@ namespace {
 
 TEST(Hertz, TableOneGivesTheHandChecks) {
   const HertzPoint<double> hertz = hertz_point(50.0, 107.9e9, 9.5e-3);
-  EXPECT_NEAR(hertz.radius, 148.9e-6, 0.05e-6);
-  EXPECT_NEAR(hertz.peak_pressure, 1.077e9, 0.0005e9);
+  EXPECT_TRUE(is_within(hertz.radius, 148.9e-6, 0.05e-6));
+  EXPECT_TRUE(is_within(hertz.peak_pressure, 1.077e9, 0.0005e9));
 }
 
 // Steel on steel, 210 GPa and 0.3 on both: E* = 210/(2·0.91) GPa.
@@ -63,9 +63,9 @@ TEST(Hertz, DoubleAgreesWithFiftyDigitsAndStressesBalance) {
 }
 
 TEST(HamrockDowson, ConstantOfTheCircularContactIs18992) {
-  EXPECT_NEAR(hamrock_dowson_constant(1.0), 1.8992, 0.00005);
+  EXPECT_TRUE(is_within(hamrock_dowson_constant(1.0), 1.8992, 0.00005));
   const double ratio_to_other_library = 1.9 / hamrock_dowson_constant(1.0);
-  EXPECT_NEAR(ratio_to_other_library, 1.00040251, 0.000000005);
+  EXPECT_TRUE(is_within(ratio_to_other_library, 1.00040251, 0.000000005));
 }
 
 TEST(HamrockDowson, AgreesWithAnotherLibraryUpToItsRoundedConstant) {
@@ -80,11 +80,11 @@ TEST(HamrockDowson, TableOneGivesTheHandChecks) {
   const auto film = [](double speed) {
     return hamrock_dowson_central(speed, 0.0202, 2e-8, 50.0, 107.9e9, 9.5e-3, 1.0) * 1e9;
   };
-  EXPECT_NEAR(film(1e-4), 0.319, 0.0005);
-  EXPECT_NEAR(film(0.01), 6.97, 0.005);
-  EXPECT_NEAR(film(0.1), 32.6, 0.05);
-  EXPECT_NEAR(film(1), 152, 0.5);
-  EXPECT_NEAR(film(3), 318, 0.5);
+  EXPECT_TRUE(is_within(film(1e-4), 0.319, 0.0005));
+  EXPECT_TRUE(is_within(film(0.01), 6.97, 0.005));
+  EXPECT_TRUE(is_within(film(0.1), 32.6, 0.05));
+  EXPECT_TRUE(is_within(film(1), 152, 0.5));
+  EXPECT_TRUE(is_within(film(3), 318, 0.5));
 }
 
 TEST(HamrockDowson, DoubleAgreesWithFiftyDigits) {

@@ -59,8 +59,8 @@ TEST(Friction, ShearStressesAgreeWithFiftyDigits) {
 
 TEST(Friction, SmallShearIsNewtonianAndLargeShearIsWhatTheLawSays) {
   // x = 1e-9: both laws give ηγ̇
-  EXPECT_NEAR(fluid_shear_stress(eyring, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-15);
-  EXPECT_NEAR(fluid_shear_stress(limiting, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-9);
+  EXPECT_TRUE(is_within(fluid_shear_stress(eyring, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-15));
+  EXPECT_TRUE(is_within(fluid_shear_stress(limiting, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-9));
   EXPECT_EQ(fluid_shear_stress(limiting, 1e6, 1.0, 800.0, 1.0, 1.0), 1e6);
   // past the overflow of x: τ₀(ln 2 + ln x)
   EXPECT_TRUE(is_close(fluid_shear_stress(eyring, 2.0, 1.0, 1000.0, 1.0, 1.0),

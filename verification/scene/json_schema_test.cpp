@@ -176,8 +176,8 @@ TEST(JsonSchema, SaysWhatTheTableOfFieldsSays) {
   ASSERT_TRUE(file) << schema_file;
   const Json committed = Json::parse(file, nullptr, false);
   ASSERT_FALSE(committed.is_discarded()) << schema_file << " is not JSON";
-  EXPECT_TRUE(committed == wanted) << "to make " << schema_file << " follow the table:\n"
-                                   << Json::diff(committed, wanted).dump(2);
+  EXPECT_EQ(committed, wanted) << "to make " << schema_file << " follow the table:\n"
+                               << Json::diff(committed, wanted).dump(2);
 }
 
 TEST(JsonSchema, CoversEveryFieldOfTheTable) {
@@ -190,7 +190,7 @@ TEST(JsonSchema, CoversEveryFieldOfTheTable) {
       node = &(*node)["properties"][std::string(field.path.substr(dot + 1))];
     ASSERT_TRUE(node->contains("description")) << field.path;
     const std::string description = (*node)["description"];
-    EXPECT_TRUE(description.starts_with(field.meaning)) << field.path;
+    EXPECT_EQ(description.substr(0, field.meaning.size()), field.meaning) << field.path;
   }
 }
 

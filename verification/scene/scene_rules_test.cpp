@@ -106,7 +106,7 @@ TEST(Scene, MinusZeroIsZero) {
     for (const char* zero : {"-0", "-0.0"}) {
       SceneText text = good();
       text.set("surface.summit_plane_offset", zero);
-      EXPECT_FALSE(std::signbit(read(format, text).scene.value().surface.summit_plane_offset));
+      EXPECT_EQ(std::signbit(read(format, text).scene.value().surface.summit_plane_offset), false);
     }
 }
 
@@ -343,9 +343,9 @@ TEST(SceneOutputs, WithoutAListAreThoseWithInputs) {
   OutputSet no_friction = OutputSet::all();
   no_friction.erase(Output::friction);
   for (const Format format : formats) {
-    EXPECT_TRUE(read(format, good()).scene.value().outputs == OutputSet::all());
+    EXPECT_EQ(read(format, good()).scene.value().outputs, OutputSet::all());
     for (const char* input : {"lubricant.eyring_stress", "friction.boundary_coefficient"})
-      EXPECT_TRUE(read(format, good().remove(input)).scene.value().outputs == no_friction);
+      EXPECT_EQ(read(format, good().remove(input)).scene.value().outputs, no_friction);
   }
 }
 
@@ -356,7 +356,7 @@ TEST(SceneOutputs, EachNameIsKnown) {
       text.set("outputs", "[\"" + std::string(output.name) + "\"]");
       OutputSet only;
       only.insert(output.output);
-      EXPECT_TRUE(read(format, text).scene.value().outputs == only) << output.name;
+      EXPECT_EQ(read(format, text).scene.value().outputs, only) << output.name;
     }
 }
 

@@ -11,9 +11,11 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <random>
 #include <string>
 #include <string_view>
+
+#include "support/case_count.hpp"
+#include "support/sampler.hpp"
 
 namespace tribo::verification {
 
@@ -46,6 +48,7 @@ template <class Real>
 testing::AssertionResult is_close(Real got, const Reference& expected, double bound,
                                   std::initializer_list<Input> inputs, double condition = 1) {
   const double error = relative_error(got, expected);
+  record_part_of_bound(error / (bound * condition));
   if (error <= bound * condition) return testing::AssertionSuccess();
   return testing::AssertionFailure()
          << describe(inputs) << "\n  expected " << expected.str(25)
@@ -57,24 +60,14 @@ testing::AssertionResult is_close(Real got, const Reference& expected, double bo
                 bound * condition, error / (bound * condition));
 }
 
-// Seeded and the same on every standard library: uniform_real_distribution is not.
-class Sampler {
- public:
-  explicit Sampler(std::uint64_t seed) : engine_(seed) {}
-  double uniform(double low, double high) {
-    const double unit = static_cast<double>(engine_() >> 11) * 0x1p-53;
-    return low + (high - low) * unit;
-  }
-  double log_uniform(double low, double high) {
-    return std::exp(uniform(std::log(low), std::log(high)));
-  }
-  template <class Choice>
-  Choice pick(std::initializer_list<Choice> choices) {
-    return choices.begin()[engine_() % choices.size()];
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
+// |got − expected| ≤ tolerance, in the unit of the two; for printed numbers, half a unit of the
+// last digit. EXPECT_NEAR, but counted as a case (see main.cpp).
+inline testing::AssertionResult is_within(double got, double expected, double tolerance) {
+  record_part_of_bound(std::abs(got - expected) / tolerance);
+  if (std::abs(got - expected) <= tolerance) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << fmt::format(
+             "\n  expected {} ({:a}) to within {:.3g}\n  got      {} ({:a}), off by {:.3g}",
+             expected, expected, tolerance, got, got, got - expected);
+}
 
 }  // namespace tribo::verification

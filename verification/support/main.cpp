@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// main of every test program. A test that no longer compares anything passes for GoogleTest; so each
-// test's comparisons that held are counted (the linker sends testing::AssertionSuccess() through
-// here, see verification/CMakeLists.txt) and recorded as its property "cases", which
-// gates/inventory.py holds against the manifest. EXPECT_TRUE of a plain bool is not counted.
+// main of every test program. A test that compares nothing passes for GoogleTest; so each test's
+// comparisons that held are counted (the linker sends testing::AssertionSuccess() through here, see
+// verification/CMakeLists.txt) and printed. EXPECT_TRUE of a plain bool is not counted.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdint>
+#include "support/case_count.hpp"
 
 namespace {
 
-std::uint64_t comparisons_held = 0;
+using tribo::verification::case_count;
 
-class CaseCount : public testing::EmptyTestEventListener {
-  void OnTestStart(const testing::TestInfo&) override { comparisons_held = 0; }
+class CaseCountPrinter : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo&) override { case_count = {}; }
   void OnTestEnd(const testing::TestInfo&) override {
-    testing::Test::RecordProperty("cases", static_cast<std::int64_t>(comparisons_held));
+    fmt::print("Ran {} cases, the nearest at {:.3g} of its bound\n", case_count.held,
+               case_count.greatest_part_of_bound);
   }
 };
 
@@ -25,14 +26,12 @@ testing::AssertionResult counted_assertion_success() __asm__(
     "__wrap__ZN7testing16AssertionSuccessEv");
 
 testing::AssertionResult counted_assertion_success() {
-  ++comparisons_held;
+  ++case_count.held;
   return assertion_success();
 }
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  // GoogleTest owns its listeners. Before the printers, which write what is recorded.
-  testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
-  listeners.Append(new CaseCount);
+  testing::UnitTest::GetInstance()->listeners().Append(new CaseCountPrinter);  // its owner now
   return RUN_ALL_TESTS();
 }

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "support/judge.hpp"
+#include "support/sampler.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::verification {
@@ -65,6 +68,39 @@ inline Scene random_scene(Sampler& sampler) {
                     StarvationClosure::printed_exponents, StarvationClosure::damiens});
   scene.closures.damiens_exponent = sampler.uniform(1, 5);
   return scene;
+}
+
+// The numbers of a scene by name, with its first speed: all that a condition number counts.
+inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene) {
+  return {{"load", &scene.load},
+          {"speed", scene.speeds.list.data()},
+          {"summit_density", &scene.surface.summit_density},
+          {"summit_radius", &scene.surface.summit_radius},
+          {"summit_height_sd", &scene.surface.summit_height_sd},
+          {"summit_plane_offset", &scene.surface.summit_plane_offset},
+          {"effective_modulus", &scene.bodies.effective_modulus},
+          {"reduced_radius", &scene.bodies.reduced_radius},
+          {"ellipticity", &scene.bodies.ellipticity},
+          {"viscosity", &scene.lubricant.viscosity},
+          {"pressure_viscosity", &scene.lubricant.pressure_viscosity},
+          {"eyring_stress", &*scene.lubricant.eyring_stress},
+          {"supply", &scene.supply.value},
+          {"boundary_coefficient", &*scene.friction.boundary_coefficient},
+          {"slide_roll_ratio", &scene.friction.slide_roll_ratio},
+          {"damiens_exponent", &scene.closures.damiens_exponent}};
+}
+
+// All of it, the choices as their places in the enumerations of scene.hpp.
+inline std::vector<std::pair<std::string_view, double>> describe_numbers(Scene scene) {
+  std::vector<std::pair<std::string_view, double>> all;
+  for (const auto& [name, number] : numbers_of(scene)) all.emplace_back(name, *number);
+  all.emplace_back("offset_planes", static_cast<double>(scene.surface.offset_planes));
+  all.emplace_back("supply_kind", static_cast<double>(scene.supply.kind));
+  all.emplace_back("fluid", static_cast<double>(scene.friction.fluid));
+  all.emplace_back("viscosity_law", static_cast<double>(scene.friction.viscosity));
+  all.emplace_back("asperity", static_cast<double>(scene.closures.asperity));
+  all.emplace_back("starvation", static_cast<double>(scene.closures.starvation));
+  return all;
 }
 
 }  // namespace tribo::verification

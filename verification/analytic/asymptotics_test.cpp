@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ends of the ranges: how the film goes with the speed where one term rules. Each limit comes
+// with a bound on the distance to it that is proved in the comment above it, and most with a bound
+// from below too, so that neither is a loose window. Slopes by automatic differentiation in 50
+// digits; those digits are the only allowance made.
+#include <gtest/gtest.h>
+
+#include "support/autodiff.hpp"
+#include "support/judge.hpp"
+#include "support/scenes.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo::verification {
+namespace {
+
+using enum StarvationClosure;
+
+constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
+
+// What 50 digits leave of a slope; 1 − A and s + e·dln y/dln r lose some.
+const Reference digits("1e-45");
+
+// low ≤ got ≤ high, to rounding.
+testing::AssertionResult is_between(const Reference& low, const Reference& got,
+                                    const Reference& high, std::initializer_list<Input> inputs) {
+  const Reference rounding = digits * (1 + abs(low) + abs(high));
+  const Reference part = abs(got - (low + high) / 2) / ((high - low) / 2 + rounding);
+  record_part_of_bound(static_cast<double>(part));
+  if (part <= 1) return testing::AssertionSuccess();
+  return testing::AssertionFailure()
+         << describe(inputs) << "\n  " << got.str(12) << " is not between " << low.str(12)
+         << " and " << high.str(12);
+}
+
+const Reference film_exponent("0.67");
+const Reference sharing_exponent_of_film("0.14");
+
+// Two-sided bounds on A and on −d ln A/dλ for d = λ − δ > 0, p the order in the load:
+//   F_p(d) = φ(d) ∫ t^p e^{−td−t²/2} dt lies between φ(d)Γ(p+1)d^{−p−1}(1 − (p+1)(p+2)/(2d²)) and
+//   φ(d)Γ(p+1)d^{−p−1}, for 1 − t²/2 ≤ e^{−t²/2} ≤ 1; and below F_p(0)e^{−d²/2}, for e^{−td} ≤ 1;
+//   −F_p′/F_p = d + F_{p+1}/F_p, where F_{p+1}/F_p is the mean of t under t^p e^{−td−t²/2}:
+//   positive, and below the same mean without e^{−t²/2}, (p+1)/d.
+struct ShareBounds {
+  Reference share_low, share_high, hazard_low, hazard_high;
+};
+ShareBounds share_bounds(AsperityModel model, const Reference& stiffness, const Reference& d) {
+  const bool tripp = model == AsperityModel::greenwood_tripp;
+  const Reference p = tripp ? Reference("2.5") : Reference("1.5");
+  const Reference q = tripp ? Reference("0.5") : Reference(1);
+  const Reference root_pi = sqrt(pi<Reference>());
+  const Reference gamma = tripp ? 15 * root_pi / 8 : 3 * root_pi / 4;  // Γ(p+1)
+  // F_p(0) = 2^{p/2−1} Γ((p+1)/2)/√π, with Γ(7/4) and Γ(5/4)
+  const Reference at_zero = pow(Reference(2), p / 2 - 1) * tgamma(Reference((p + 1) / 2)) / root_pi;
+  const Reference decay = exp(-d * d / 2);
+  const Reference leading = decay / sqrt(2 * pi<Reference>()) * gamma * pow(d, -p - 1);
+  const Reference correction = 1 - (p + 1) * (p + 2) / (2 * d * d);
+  const Reference high = std::min(leading, Reference(at_zero * decay));
+  const Reference low = correction > 0 ? Reference(leading * correction) : Reference(0);
+  return {pow(Reference(stiffness * low), q), pow(Reference(stiffness * high), q), q * d,
+          q * (d + (p + 1) / d)};
+}
+
+// 0.67 − s for s = d ln h/d ln u = 0.67/(1 + m), m = 0.14 λ|A′|/(1−A): it is 0.67 m/(1 + m).
+struct SlopeDeficit {
+  Reference low, high;
+};
+SlopeDeficit flooded_slope_deficit(AsperityModel model, const Reference& stiffness,
+                                   const Reference& offset, const Reference& lambda) {
+  const ShareBounds b = share_bounds(model, stiffness, lambda - offset);
+  const Reference m_low = sharing_exponent_of_film * lambda * b.share_low * b.hazard_low;
+  const Reference m_high =
+      sharing_exponent_of_film * lambda * b.share_high * b.hazard_high / (1 - b.share_high);
+  return {film_exponent * m_low / (1 + m_high), film_exponent * m_high};
+}
+
+TEST(Asymptotics, FloodedFilmTendsToTheSlope067AsTheAsperitiesLetGo) {
+  for (const auto model : models)
+    for (const PaperSurface surface : paper_surfaces) {
+      Scene scene = paper_scene(surface, model);
+      scene.supply = {};
+      const MixedContact<Reference> contact(scene);
+      const LoadSharing<Reference>& sharing = contact.sharing();
+      for (const double above : {2.5, 4.0, 6.0, 10.0}) {
+        const Reference lambda = sharing.offset() + above;
+        const Reference u = contact.speed_at(LoadSharing<Reference>::flooded_film_parameter(
+            lambda, Reference(1 - sharing.asperity_share(lambda))));
+        const SlopeDeficit bounds =
+            flooded_slope_deficit(model, sharing.stiffness(), sharing.offset(), lambda);
+        EXPECT_TRUE(is_between(bounds.low, film_exponent - film_log_slope(scene, u), bounds.high,
+                               {{"d", above}}));
+        // the two meet as 1 − O(1/d²)
+        if (above > 5) {
+          EXPECT_LT(bounds.high, 2 * bounds.low) << describe({{"d", above}});
+        }
+      }
+    }
+}
+
+// At the floor A = 1: with w = 1 − A = (λ₀/λ)^{1/0.14} ≤ (λ₀/λ_b)^{1/0.14},
+//   s = 0.67 w/(w + 0.14 λ|A′|) ≤ 0.67 w/(0.14 (1−w) λ_b H),  H the least −d ln A/dλ:
+// q p F_{p−1}/F_p grows with d, and F_p/F_{p−1}, the mean of t under t^{p−1}e^{−(t+d)²/2}, grows by
+// no more than |d| from d = 0 to d < 0, for the variance of t is below 1 (Brascamp and Lieb).
+TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
+  Scene scene = paper_scene(PaperSurface::rough, AsperityModel::greenwood_williamson);
+  scene.supply = {};
+  scene.surface.offset_planes = 2;
+  for (const auto model : models) {
+    scene.closures.asperity = model;
+    const bool tripp = model == AsperityModel::greenwood_tripp;
+    const MixedContact<Reference> contact(scene);
+    const LoadSharing<Reference>& sharing = contact.sharing();
+    ASSERT_TRUE(sharing.has_floor());
+    const Reference p = tripp ? Reference("2.5") : Reference("1.5");
+    const Reference q = tripp ? Reference("0.5") : Reference(1);
+    // F_p(0)/F_{p−1}(0) = √2 Γ((p+1)/2)/Γ(p/2)
+    const Reference mean =
+        sqrt(Reference(2)) * tgamma(Reference((p + 1) / 2)) / tgamma(Reference(p / 2));
+    const Reference d = sharing.floor() - sharing.offset();
+    const Reference hazard = q * p / (mean + (d < 0 ? Reference(-d) : Reference(0)));
+    for (const double part : {0.5, 0.1, 0.01, 1e-3}) {  // λ₀/λ_b
+      const Reference u = contact.speed_at(Reference(part * sharing.floor()));
+      const Reference w = pow(Reference(part), Reference(1) / sharing_exponent_of_film);
+      const Reference bound =
+          film_exponent * w / (sharing_exponent_of_film * (1 - w) * sharing.floor() * hazard);
+      const Reference slope = film_log_slope(scene, u);
+      EXPECT_GT(slope, 0);
+      EXPECT_LT(slope, bound) << describe({{"part", part}});
+      EXPECT_GT(5 * slope, bound) << describe({{"part", part}});
+    }
+  }
+}
+
+// A scene whose inlet film is so thin that r = h_ff/h_oil has about the given value at speed u.
+Scene starved_scene(StarvationClosure closure, SupplyKind supply, double r, double u) {
+  Scene scene = paper_scene(PaperSurface::smooth);
+  scene.closures.starvation = closure;
+  scene.supply = {};
+  const double film = MixedContact<double>(scene).solve(u).film_flooded;
+  scene.supply = {supply, supply == SupplyKind::inlet_flow ? film / r * u : film / r};
+  return scene;
+}
+
+// r, x = h*/h_oil = r y and 0.67 − s of such a scene.
+struct StarvedState {
+  Reference r, x;
+  SlopeDeficit deficit;
+};
+StarvedState starved_state(const Scene& scene, const Reference& u) {
+  const MixedContact<Reference> contact(scene);
+  const FloodedFilm<Reference> film = contact.flooded(u);
+  const InletState<Reference> inlet = contact.inlet(film);
+  return {inlet.flooded_over_inlet, inlet.flooded_over_inlet * inlet.film_ratio,
+          flooded_slope_deficit(scene.closures.asperity, contact.sharing().stiffness(),
+                                contact.sharing().offset(), film.shares.film_parameter)};
+}
+
+// `starved_inlet`: 1 = x + r ψ^{3/2}/c. With b = 5.4/π, κ = 1/(c b^{3/2}) = 0.837 and z = πy/2 =
+// πx/(2r), ψ = tan(z)/2.7 lies between y/b and (y/b)/(1 − 4z²/π²) (Becker and Stark), so that
+//   κ r^{−1/2} x^{3/2} ≤ 1 − x ≤ κ r^{−1/2} x^{3/2} (1 − x²/r²)^{−3/2}.
+// With x ≤ 1 the right side is below U = κ r^{−1/2} (1 − r^{−2})^{−3/2}; then x^{3/2} ≥ 1 − 3U/2 on
+// the left: h*/h_oil = 1 − κ r^{−1/2} with an error of the order of 1/r.
+TEST(Asymptotics, StarvedInletTendsToTheInletFilmAsTheRootOfTheRatio) {
+  const Reference c = 3 / (4 * sqrt(Reference(2)));
+  const Reference b = Reference("5.4") / pi<Reference>();
+  const Reference kappa = 1 / (c * b * sqrt(b));
+  EXPECT_LT(abs(kappa - Reference("0.837")), Reference("0.0005"));
+  for (const double ratio : {4.0, 100.0, 1e4, 1e8, 1e16, 1e30}) {
+    const Reference r(ratio);
+    const Reference x = r * starvation_ratio(starved_inlet, r, Reference(3));
+    const Reference leading = kappa / sqrt(r);
+    const Reference high = leading * pow(Reference(1 - 1 / (r * r)), Reference(-3) / 2);
+    EXPECT_TRUE(is_between(leading * (1 - 3 * high / 2), 1 - x, high, {{"r", ratio}}));
+  }
+}
+
+// d ln h*/d ln u at constant flow is −1 + (1 + s)(1 + σ), σ = d ln y/d ln r. With k = ψ^{3/2}/c and
+// w = d ln y/d ln ψ, d ln(1/r)/d ln ψ = (yw + 3k/2)/(y + k), so that
+//   1 + σ = k(3/2 − w)/(yw + 3k/2),  k/y = (1 − x)/x.
+// w = 1/((v + 1/v) arctan v) lies between 1/(1 + v²) and 1, v = 2.7ψ = tan(πx/(2r)).
+TEST(Asymptotics, StarvedInletAtConstantFlowTendsToTheSlopeMinus1) {
+  for (const double ratio : {10.0, 1e3, 1e6, 1e10}) {
+    const double u = 1;
+    const Scene scene = starved_scene(starved_inlet, SupplyKind::inlet_flow, ratio, u);
+    const StarvedState at = starved_state(scene, Reference(u));
+    const Reference v = tan(Reference(pi<Reference>() * at.x / (2 * at.r)));
+    const Reference k_over_y = (1 - at.x) / at.x;
+    const Reference least_w = 1 / (1 + v * v);
+    const Reference low = k_over_y / 2 / (1 + 3 * k_over_y / 2);
+    const Reference high = k_over_y * (Reference("1.5") - least_w) / (least_w + 3 * k_over_y / 2);
+    const Reference distance = 1 + film_log_slope(scene, Reference(u));
+    EXPECT_TRUE(is_between((1 + film_exponent - at.deficit.high) * low, distance,
+                           (1 + film_exponent) * high, {{"r", ratio}}));
+    // both are 1.67/2·κ r^{−1/2} in the end
+    EXPECT_LT(high, low * (1 + 10 / (at.r * at.r))) << describe({{"r", ratio}});
+    EXPECT_LT(distance, Reference("1.67") / sqrt(at.r));
+  }
+}
+
+// `damiens`: x = (1 + r^−γ)^{−1/γ}, d ln x/d ln r = 1/(1 + r^γ): the slope is
+// −1 + (1 + s)/(1 + r^γ), and Bernoulli gives 0 ≤ 1 − x ≤ r^−γ/γ.
+TEST(Asymptotics, DamiensAtConstantFlowTendsToTheSlopeMinus1) {
+  for (const double gamma : {1.0, 3.0, 4.5})
+    for (const double ratio : {2.0, 30.0, 1e4, 1e8}) {
+      const double u = 1;
+      Scene scene = starved_scene(damiens, SupplyKind::inlet_flow, ratio, u);
+      scene.closures.damiens_exponent = gamma;
+      const StarvedState at = starved_state(scene, Reference(u));
+      const Reference power = pow(at.r, Reference(gamma));
+      EXPECT_TRUE(is_between(0, 1 - at.x, 1 / (gamma * power), {{"r", ratio}, {"gamma", gamma}}));
+      EXPECT_TRUE(is_between((1 + film_exponent - at.deficit.high) / (1 + power),
+                             1 + film_log_slope(scene, Reference(u)),
+                             (1 + film_exponent - at.deficit.low) / (1 + power),
+                             {{"r", ratio}, {"gamma", gamma}}));
+    }
+}
+
+// `printed_exponents`: k = ψ^{3/2}y^{−5/4}/c, d ln(1/r)/d ln ψ = D/(y + k), D = yw + k(3/2 − 5w/4),
+// and
+//   σ + 4 = (3yw + 6k(1 − w))/D,  D ≥ k/4.
+// y ≤ bψ and 1 − w ≤ v² = (2.7ψ)² give 0 ≤ σ + 4 ≤ B(ψ) = 12 c b^{9/4} ψ^{3/4} + 24 (2.7ψ)²; and
+// 1/r ≥ k gives ψ ≤ (c b^{5/4}/r)⁴. The slopes are s(1 + σ) at constant h_oil and s + (1 + s)σ at
+// constant flow: −2.01 and −6.01 at s = 0.67 and σ = −4, and with |1 + σ| ≤ 3 off by no more than
+// 3(0.67 − s) + 0.67 B and 3(0.67 − s) + 1.67 B.
+TEST(Asymptotics, PrintedExponentsTendToTheSlopesMinus201AndMinus601) {
+  const Reference c = 3 / (4 * sqrt(Reference(2)));
+  const Reference b = Reference("5.4") / pi<Reference>();
+  for (const auto supply : {SupplyKind::inlet_film, SupplyKind::inlet_flow})
+    for (const double ratio : {3.0, 10.0, 100.0, 1e4, 1e7}) {
+      const double u = 1;
+      const Scene scene = starved_scene(printed_exponents, supply, ratio, u);
+      const StarvedState at = starved_state(scene, Reference(u));
+      const bool flow = supply == SupplyKind::inlet_flow;
+      const Reference limit = flow ? Reference("-6.01") : Reference("-2.01");
+      const Reference root = c * b * sqrt(sqrt(b)) / at.r;  // of √√ψ, at most
+      const Reference v = Reference("2.7") * root * root * root * root;
+      const Reference departure = 12 * c * b * b * sqrt(sqrt(b)) * root * root * root + 24 * v * v;
+      const Reference bound =
+          3 * at.deficit.high + (flow ? Reference("1.67") : film_exponent) * departure;
+      EXPECT_TRUE(is_between(-bound, film_log_slope(scene, Reference(u)) - limit, bound,
+                             {{"r", ratio}, {"flow", flow ? 1.0 : 0.0}}));
+      // ψ^{3/4} is r^−3
+      if (ratio > 5) {
+        EXPECT_LT(bound - 3 * at.deficit.high, 100 / (at.r * at.r * at.r))
+            << describe({{"r", ratio}});
+      }
+    }
+}
+
+// At a film maximum the slope is 0. The reported speed is a double within `contract` of it: a
+// little to the left the film rises, a little to the right it falls, and between them the slope is
+// no greater than curvature × contract.
+TEST(Asymptotics, SlopeAtTheOnsetIs0WithinTheRoundingOfTheSpeed) {
+  const Reference contract("1e-13");  // onset.hpp
+  for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens})
+    for (const auto supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
+      for (const auto model : models) {
+        Scene scene = paper_scene(PaperSurface::medium, model);
+        scene.closures.starvation = closure;
+        scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 4};
+        const Onset<double> found = onset(MixedContact<double>(scene), scene,
+                                          OnsetCriterion::film_maximum, default_departure);
+        if (!found.exists) continue;
+        const Reference u(found.speed);
+        const Reference left = film_log_slope(scene, u * (1 - contract));
+        const Reference here = film_log_slope(scene, u);
+        const Reference right = film_log_slope(scene, u * (1 + contract));
+        EXPECT_GT(left, 0) << describe({{"u", found.speed}});
+        EXPECT_LT(right, 0) << describe({{"u", found.speed}});
+        const Reference curvature = (left - right) / (2 * contract);
+        // of the order of 1, no plateau, and the same on both sides
+        EXPECT_TRUE(is_between(Reference("0.1"), curvature, 100, {{"u", found.speed}}));
+        EXPECT_LT(abs(here), curvature * contract) << describe({{"u", found.speed}});
+      }
+}
+
+}  // namespace
+}  // namespace tribo::verification

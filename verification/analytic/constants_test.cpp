@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every constant of the model, as the number type should hold it: equal to the specification's
+// rational number or closed form to the last bit, in each type. Beside the checks of the formulas,
+// which a change of the last digit might pass.
+#include <gtest/gtest.h>
+
+#include "support/judge.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo::verification {
+namespace {
+
+const Reference root_two = sqrt(Reference(2));
+const Reference pi_50("3.14159265358979323846264338327950288419716939937510582");
+
+template <class T>
+class Constants : public testing::Test {
+ protected:
+  static T nearest(const Reference& exact) { return static_cast<T>(exact); }
+  static T fraction(long numerator, long denominator) {
+    return nearest(Reference(numerator) / denominator);
+  }
+};
+using Numbers = testing::Types<float, double, long double>;
+TYPED_TEST_SUITE(Constants, Numbers);
+
+TYPED_TEST(Constants, OfTheNumberTypesAreTheNearest) {
+  using T = TypeParam;
+  EXPECT_EQ(pi<T>(), this->nearest(pi_50));
+  EXPECT_EQ(sqrt_two_pi<T>(), this->nearest(sqrt(2 * pi_50)));
+  EXPECT_EQ(resolved_exponent<T>(),
+            this->nearest((std::numeric_limits<T>::digits - 1) * log(Reference(2))));
+}
+
+TYPED_TEST(Constants, OfTheFilmAreThoseOfHamrockAndDowson) {
+  using T = TypeParam;
+  EXPECT_EQ(film_speed_exponent<T>(), this->fraction(67, 100));
+  EXPECT_EQ(film_material_exponent<T>(), this->fraction(53, 100));
+  EXPECT_EQ(sharing_film_exponent<T>(), this->fraction(67 - 53, 100));
+  const auto exact = [](const Reference& k) {
+    return Reference(269) / 100 * (1 - Reference(61) / 100 * exp(-Reference(73) / 100 * k));
+  };
+  for (const T k : {T(0.5), T(1), T(3)}) {
+    const Reference ulps = abs(Reference(hamrock_dowson_constant(k)) / exact(Reference(k)) - 1) /
+                           Reference(std::numeric_limits<T>::epsilon());
+    EXPECT_LE(ulps, 4) << "k = " << k;
+  }
+}
+
+TYPED_TEST(Constants, OfTheInletAreThoseOfCrookAndWolveridge) {
+  using T = TypeParam;
+  const T crook = crook_constant<T>();
+  EXPECT_GE(crook, std::nexttoward(this->nearest(3 / (4 * root_two)), 0.0L));
+  EXPECT_LE(crook, std::nexttoward(this->nearest(3 / (4 * root_two)), 1.0L));
+  EXPECT_EQ(wolveridge_factor<T>(), this->fraction(27, 10));
+}
+
+TYPED_TEST(Constants, OfRoelandsAreThoseOfTheSpecification) {
+  using T = TypeParam;
+  EXPECT_EQ(roelands_pressure<T>(), T(196000000));
+  EXPECT_EQ(roelands_log_viscosity<T>(), this->fraction(967, 100));
+}
+
+TYPED_TEST(Constants, OfTheRoughContactAreThoseOfHertzOnParaboloids) {
+  using T = TypeParam;
+  // n = β = σ_s = E* = A_nom = F = 1 leaves the numbers alone.
+  const T one = 1;
+  const auto gt =
+      asperity_contact(AsperityModel::greenwood_tripp, one, one, one, T(0), one, one, one);
+  const auto gw =
+      asperity_contact(AsperityModel::greenwood_williamson, one, one, one, T(0), one, one, one);
+  const auto ulps = [](T got, const Reference& exact) {
+    return abs(Reference(got) / exact - 1) / Reference(std::numeric_limits<T>::epsilon());
+  };
+  EXPECT_LE(ulps(gt.stiffness, 16 * root_two * pi_50 / 15), 4);
+  EXPECT_LE(ulps(gt.area_factor, pi_50 * pi_50), 4);
+  EXPECT_LE(ulps(gt.count_factor, 4 * pi_50), 4);
+  EXPECT_LE(ulps(gw.stiffness, Reference(4) / 3), 4);
+  EXPECT_LE(ulps(gw.area_factor, pi_50), 4);
+  EXPECT_LE(ulps(gw.count_factor, 1), 4);
+}
+
+// A contract is a promise to those who read it: to make one wider is a decision, not a repair.
+TEST(Contracts, AreNoWiderThanPromised) {
+  const auto same = [](const Contract& a, const Contract& b) {
+    EXPECT_LE(a.ulp, b.ulp);
+    EXPECT_LE(a.ulp_per_condition, b.ulp_per_condition);
+  };
+  same(gaussian_moment_contract, {24, 0});
+  same(hertz_contract, {10, 0});
+  same(starvation_ratio_contract, {24, 0});
+  same(load_sharing_contract, {4, 8.5});
+  same(operating_point_contract, {8, 16});
+}
+
+TEST(Defaults, AreThoseOfTheSpecification) {
+  const Scene scene;
+  EXPECT_EQ(scene.surface.summit_plane_offset, 0);
+  EXPECT_EQ(scene.surface.offset_planes, 1);
+  EXPECT_EQ(scene.bodies.ellipticity, 1);
+  EXPECT_EQ(scene.friction.slide_roll_ratio, 1);
+  EXPECT_EQ(scene.friction.fluid, FluidShear::eyring);
+  EXPECT_EQ(scene.friction.viscosity, ViscosityLaw::barus);
+  EXPECT_EQ(scene.supply.kind, SupplyKind::flooded);
+  EXPECT_EQ(scene.closures.asperity, AsperityModel::greenwood_tripp);
+  EXPECT_EQ(scene.closures.starvation, StarvationClosure::flooded_inlet);
+  EXPECT_EQ(scene.closures.damiens_exponent, 3);
+  EXPECT_EQ(default_departure, 0.05);
+}
+
+}  // namespace
+}  // namespace tribo::verification

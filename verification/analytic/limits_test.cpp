@@ -1,0 +1,764 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits that are other people's formulas (smooth film, Hertz' single contact), the choice of
+// units, and continuity where the code changes from one form to another.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "support/contracts.hpp"
+#include "support/judge.hpp"
+#include "support/scenes.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo::verification {
+namespace {
+
+using enum StarvationClosure;
+
+constexpr double ulp = 0x1p-52;
+constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
+constexpr std::array closures{flooded_inlet, starved_inlet, printed_exponents, damiens};
+
+// ---- smooth surfaces
+
+// h/h₀ = (1−A)^−0.14, and A falls with λ = h/σ_s faster than any power.
+TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
+  for (const auto model : models)
+    for (const double sd : {3e-10, 1e-10, 1e-20, 1e-100, 1e-250}) {
+      Scene scene = paper_scene(PaperSurface::smooth, model);
+      scene.supply = {};
+      scene.surface.summit_height_sd = sd;
+      scene.surface.summit_density = 0.05 / (scene.surface.summit_radius * sd);
+      const MixedContact<double> contact(scene);
+      for (const double u : {0.1, 3.0}) {
+        const OperatingPoint<double> p = contact.solve(u);
+        EXPECT_EQ(p.film_parameter, contact.flooded_film_parameter(u)) << describe({{"sd", sd}});
+        EXPECT_EQ(p.film, p.film_flooded);
+        EXPECT_EQ(p.separation, p.film);
+        EXPECT_EQ(p.asperity_load_share, 0);
+        EXPECT_EQ(p.fluid_load_share, 1);
+        EXPECT_EQ(p.real_area_ratio, 0);
+        EXPECT_EQ(p.summit_count, 0);
+        const Reference h0 = hamrock_dowson_central(
+            Reference(u), Reference(scene.lubricant.viscosity),
+            Reference(scene.lubricant.pressure_viscosity), Reference(scene.load),
+            Reference(scene.bodies.effective_modulus), Reference(scene.bodies.reduced_radius),
+            Reference(scene.bodies.ellipticity));
+        const Conditions condition = conditions_at(scene, u);
+        EXPECT_TRUE(is_close(p.film, h0, allowed_by(operating_point_contract, h0, condition[1], 1),
+                             {{"sd", sd}, {"u", u}}));
+        // All of Hertz' area shears a film under his mean pressure.
+        const HertzPoint<Reference> hertz =
+            hertz_point(Reference(scene.load), Reference(scene.bodies.effective_modulus),
+                        Reference(scene.bodies.reduced_radius));
+        const Reference tau0 = *scene.lubricant.eyring_stress;
+        const Reference eta =
+            Reference(scene.lubricant.viscosity) *
+            exp(Reference(scene.lubricant.pressure_viscosity) * hertz.mean_pressure);
+        const Reference friction =
+            tau0 * asinh(eta * Reference(u) / (h0 * tau0)) * hertz.nominal_area / scene.load;
+        EXPECT_TRUE(is_close(p.friction, friction,
+                             allowed_by(operating_point_contract, friction, condition[8], 1),
+                             {{"sd", sd}, {"u", u}}));
+      }
+    }
+}
+
+// On the way there 1 ≤ h/h₀ = (1−A)^−0.14 with A ≤ (K F_p(0) e^{−(λ₀−δ)²/2})^q, for e^{−td} ≤ 1 in
+// F_p(d) and λ ≥ λ₀.
+TEST(SmoothLimit, FilmFallsToThatOfSmoothFacesUnderAProvenBound) {
+  for (const auto model : models) {
+    double previous = 2;
+    for (double sd = 1e-7; sd > 2e-9; sd *= 0.8) {
+      Scene scene = paper_scene(PaperSurface::smooth, model);
+      scene.supply = {};
+      scene.surface.summit_height_sd = sd;
+      scene.surface.summit_density = 0.05 / (scene.surface.summit_radius * sd);
+      const MixedContact<double> contact(scene);
+      const double u = 1;
+      const double thicker = contact.solve(u).film_parameter / contact.flooded_film_parameter(u);
+      const double d = contact.flooded_film_parameter(u) - contact.sharing().offset();
+      EXPECT_GE(thicker, 1) << describe({{"sd", sd}});
+      EXPECT_LE(thicker, previous * (1 + 16 * ulp)) << describe({{"sd", sd}});
+      previous = thicker;
+      if (d < 0) continue;
+      const double share =
+          std::pow(contact.sharing().stiffness() * gaussian_moment(load_order(model), 0.0) *
+                       std::exp(-d * d / 2),
+                   sharing_exponent<double>(model));
+      if (share >= 1) continue;
+      EXPECT_LE(thicker, std::pow(1 - share, -0.14) * (1 + 16 * ulp)) << describe({{"sd", sd}});
+    }
+  }
+}
+
+// The other end: u → 0 without a floor. A → A(0) < 1, h/h₀ → (1−A(0))^−0.14; from convexity of A
+// the distance is at most 0.14 (1−A(0))^−1.14 |A′(0)| λ.
+TEST(SmoothLimit, ThinnestFilmsAreThickenedByTheSharesAtContact) {
+  for (const auto model : models) {
+    Scene scene = paper_scene(PaperSurface::smooth, model);
+    scene.supply = {};
+    scene.surface.summit_density /= model == AsperityModel::greenwood_tripp ? 1 : 2;
+    const MixedContact<double> contact(scene);
+    const LoadSharing<double>& sharing = contact.sharing();
+    ASSERT_FALSE(sharing.has_floor());
+    const double share = sharing.asperity_share(0);
+    EXPECT_GT(share, 0.1);
+    const double limit = std::pow(1 - share, -0.14);
+    const double tiny = 1e-100;  // |A′(0)| from d ln A/d ln λ at a λ that is nearly 0
+    const double slope = -share * sharing.asperity_share_slope(tiny) / tiny;
+    for (const double u : {1e-5, 1e-10, 1e-30, 1e-200}) {
+      const LoadShares<double> at = contact.flooded(u).shares;
+      const double thicker = at.film_parameter / contact.flooded_film_parameter(u);
+      EXPECT_TRUE(is_within(thicker, limit,
+                            0.14 * std::pow(1 - share, -1.14) * slope * at.film_parameter +
+                                32 * ulp * limit / (1 - share)));
+      EXPECT_LE(thicker, limit * (1 + 32 * ulp / (1 - share)));
+    }
+  }
+}
+
+// ---- one summit
+
+// Summits of all but the same height, pressed by w = Dσ_s: each is Hertz' contact. With Z normal,
+// F_n(−D)/Dⁿ = E[(1+x)₊ⁿ] at x = Z/D. Taylor's cubic of (1+x)ⁿ at 0 leaves a rest of the sign of
+// the fourth derivative, and, that falling or rising on one side only, of at most its size at x =
+// −1 times x⁴: 1/16 for n = 3/2 (positive) and n = 5/2 (negative). With E x² = 1/D², E x⁴ = 3/D⁴,
+//   F_{3/2}: 3/(8D²) to 3/(8D²) + 3/(16D⁴),  F_{5/2}: 15/(8D²) − 3/(16D⁴) to 15/(8D²),
+// and F_1(−D) = D + F_1(D). What lies beyond x < −1 weighs less than e^{−D²/2}.
+struct Excess {
+  double low, high;
+};
+void expect_excess(double got_over_hertz, const Excess& excess, double depth) {
+  const double rounding = 2 * gaussian_moment_contract.ulp * ulp;  // its ratio, and the prefactors'
+  const double tail = std::exp(-depth * depth / 2);
+  EXPECT_TRUE(is_within(got_over_hertz - 1, (excess.low + excess.high) / 2,
+                        (excess.high - excess.low) / 2 + tail + rounding))
+      << describe({{"D", depth}});
+}
+
+TEST(SingleSummit, CarriesHertzLoadOnHertzArea) {
+  const double density = 7e10, radius = 1.3e-5, modulus = 9e10, load = 30, area = 7e-8;
+  const double w = 2e-7;
+  // One pressed summit, and one pair of them within the lateral offset x² ≤ 4βw: the mean over x²
+  // of (4/3)E*√(β/2)(w − x²/4β)^{3/2} is 2/5 of its greatest, of the area πβ(w − x²/4β)/2 it is
+  // 1/2.
+  const double one_load = 4.0 / 3 * modulus * std::sqrt(radius) * w * std::sqrt(w);
+  const double one_area = M_PI * radius * w;
+  const double pairs = density * density * area * M_PI * 4 * radius * w;
+  const double pair_load = 0.4 * 4.0 / 3 * modulus * std::sqrt(radius / 2) * w * std::sqrt(w);
+  const double pair_area = 0.5 * M_PI * radius / 2 * w;
+  for (const double depth : {3.0, 6.0, 9.0, 30.0, 1e3, 1e5, 1e8}) {
+    const double sd = w / depth, square = depth * depth;
+    const auto contact = [&](AsperityModel model) {
+      return asperity_contact(model, density, radius, sd, depth, modulus, area, load);
+    };
+    // λ = 0 and δ = D: the mean of the summits lies w above the plane
+    const auto single = contact(AsperityModel::greenwood_williamson);
+    const double summits = density * area;
+    expect_excess(
+        moment_product(single.stiffness, Order::three_halves, -depth) * load / (summits * one_load),
+        {3 / (8 * square), 3 / (8 * square) + 3 / (16 * square * square)}, depth);
+    expect_excess(real_area_ratio(single, 0.0) * area / (summits * one_area), {0, 0}, depth);
+    expect_excess(summit_count(single, 0.0) / summits, {0, 0}, depth);
+    const auto pair = contact(AsperityModel::greenwood_tripp);
+    expect_excess(
+        moment_product(pair.stiffness, Order::five_halves, -depth) * load / (pairs * pair_load),
+        {15 / (8 * square) - 3 / (16 * square * square), 15 / (8 * square)}, depth);
+    // F_2(−D) = D² + 1 less a tail
+    expect_excess(real_area_ratio(pair, 0.0) * area / (pairs * pair_area), {1 / square, 1 / square},
+                  depth);
+    expect_excess(summit_count(pair, 0.0) / pairs, {0, 0}, depth);
+  }
+}
+
+// ---- units
+
+// New units of length, mass and time; factors by which numbers grow.
+struct Units {
+  explicit Units(Sampler& sampler)
+      : m(sampler.log_uniform(0.01, 100)),
+        kg(sampler.log_uniform(0.01, 100)),
+        s(sampler.log_uniform(0.01, 100)) {}
+  double m, kg, s;
+  double newton = kg * m / (s * s), pascal = newton / (m * m);
+
+  Scene of(Scene scene) const {
+    scene.load *= newton;
+    for (double* u : {&scene.speeds.from, &scene.speeds.to}) *u *= m / s;
+    for (double& u : scene.speeds.list) u *= m / s;
+    scene.surface.summit_density /= m * m;
+    scene.surface.summit_radius *= m;
+    scene.surface.summit_height_sd *= m;
+    scene.bodies.effective_modulus *= pascal;
+    scene.bodies.reduced_radius *= m;
+    scene.lubricant.viscosity *= pascal * s;
+    scene.lubricant.pressure_viscosity /= pascal;
+    *scene.lubricant.eyring_stress *= pascal;
+    if (scene.supply.kind == SupplyKind::inlet_film) scene.supply.value *= m;
+    if (scene.supply.kind == SupplyKind::inlet_flow) scene.supply.value *= m * m / s;
+    return scene;
+  }
+};
+
+// ln(η/η₀) after Roelands in any units, from the two constants that have a unit: p_R and the
+// viscosity e^−9.67 Pa·s to which all oils tend.
+double roelands(double viscosity, double pressure_viscosity, double pressure,
+                double roelands_pascals, double roelands_viscosity) {
+  const double scale = std::log(viscosity / roelands_viscosity);
+  const double z = pressure_viscosity * roelands_pascals / scale;
+  return scale * (std::pow(1 + pressure / roelands_pascals, z) - 1);
+}
+
+TEST(Units, RoelandsLawIsTheSameWithItsConstantsRescaled) {
+  Sampler sampler(71);
+  for (int i = 0; i < 500; ++i) {
+    const Units units(sampler);
+    const double viscosity = sampler.log_uniform(1e-3, 10);
+    const double alpha = sampler.log_uniform(5e-9, 4e-8), pressure = sampler.log_uniform(1e7, 4e9);
+    const double there =
+        roelands(viscosity * units.pascal * units.s, alpha / units.pascal, pressure * units.pascal,
+                 0.196e9 * units.pascal, std::exp(-9.67) * units.pascal * units.s);
+    // pow(…) − 1 cancels where the result is below 1; ln η₀ + 9.67 from e^−9.67 is good to 10 ε
+    EXPECT_TRUE(is_close(log_viscosity_ratio(ViscosityLaw::roelands, viscosity, alpha, pressure),
+                         Reference(there), 64 * ulp,
+                         {{"viscosity", viscosity}, {"alpha", alpha}, {"pressure", pressure}},
+                         1 + 9.67 / there));
+  }
+}
+
+// Friction under Roelands' law: the model in SI; in the other units its shares and area, and this
+// law, the shear laws and the load balance written out. A density in the place of a viscosity, or
+// one of the two constants left in SI, would not survive.
+TEST(Units, FrictionUnderRoelandsLawDoesNotDependOnThem) {
+  Sampler sampler(72);
+  for (int i = 0; i < 200; ++i) {
+    Scene scene = random_scene(sampler);
+    scene.friction.viscosity = ViscosityLaw::roelands;
+    const Units units(sampler);
+    const double u = scene.speeds[0];
+    const OperatingPoint<double> here = MixedContact<double>(scene).solve(u);
+    if (here.friction_undefined) continue;
+    Scene moved = units.of(scene);
+    moved.friction.viscosity = ViscosityLaw::ambient;
+    const MixedContact<double> contact(moved);
+    const OperatingPoint<double> there = contact.solve(moved.speeds[0]);
+    const double mean = contact.hertz().mean_pressure;
+    const double viscosity = moved.lubricant.viscosity;
+    const double log_ratio =
+        roelands(viscosity, moved.lubricant.pressure_viscosity, there.fluid_load_share * mean,
+                 0.196e9 * units.pascal, std::exp(-9.67) * units.pascal * units.s);
+    const double tau0 = *moved.lubricant.eyring_stress;
+    const double x = viscosity * std::exp(log_ratio) * moved.friction.slide_roll_ratio *
+                     moved.speeds[0] / there.separation / tau0;
+    const double tau =
+        scene.friction.fluid == FluidShear::eyring ? tau0 * std::asinh(x) : tau0 * -std::expm1(-x);
+    const double friction = *scene.friction.boundary_coefficient * there.asperity_load_share +
+                            tau * std::max(0.0, 1 - there.real_area_ratio) / mean;
+    const Reference expected(here.friction);
+    EXPECT_TRUE(
+        is_close(friction, expected,
+                 allowed_by(operating_point_contract, expected, conditions_at(scene, u)[8], 2) +
+                     64 * ulp * (1 + log_ratio),
+                 {{"m", units.m}, {"kg", units.kg}, {"s", units.s}, {"u", u}}));
+  }
+}
+
+TEST(Units, PartsScaleWithTheirDimension) {
+  Sampler sampler(73);
+  for (int i = 0; i < 200; ++i) {
+    const Scene scene = random_scene(sampler);
+    const Units units(sampler);
+    const Scene moved = units.of(scene);
+    const MixedContact<double> here(scene), there(moved);
+    const auto same = [&](double got, double expected, const char* what) {
+      EXPECT_TRUE(is_close(got, Reference(expected), 64 * ulp,
+                           {{"m", units.m}, {"kg", units.kg}, {"s", units.s}}))
+          << what;
+    };
+    same(there.hertz().radius, here.hertz().radius * units.m, "a");
+    same(there.hertz().nominal_area, here.hertz().nominal_area * units.m * units.m, "A_nom");
+    same(there.hertz().peak_pressure, here.hertz().peak_pressure * units.pascal, "peak pressure");
+    same(there.hertz().approach, here.hertz().approach * units.m, "approach");
+    same(there.asperities().stiffness, here.asperities().stiffness, "K");
+    same(there.asperities().area_factor, here.asperities().area_factor, "area");
+    same(there.asperities().count_factor, here.asperities().count_factor, "count");
+    same(there.flooded_film_parameter(moved.speeds[0]),
+         here.flooded_film_parameter(scene.speeds[0]), "h0/sd");
+    if (scene.supply.kind != SupplyKind::flooded)
+      same(there.inlet_film_parameter(moved.speeds[0]), here.inlet_film_parameter(scene.speeds[0]),
+           "h_oil/sd");
+    const double x = sampler.log_uniform(1e-3, 30), thickening = sampler.uniform(0, 20);
+    const double speed = x * scene.bodies.reduced_radius;
+    same(fluid_shear_stress(scene.friction.fluid, *moved.lubricant.eyring_stress,
+                            moved.lubricant.viscosity, thickening, speed * units.m / units.s,
+                            moved.bodies.reduced_radius),
+         fluid_shear_stress(scene.friction.fluid, *scene.lubricant.eyring_stress,
+                            scene.lubricant.viscosity, thickening, speed,
+                            scene.bodies.reduced_radius) *
+             units.pascal,
+         "tau");
+  }
+}
+
+TEST(Units, OnsetsScaleAsSpeedsAndFilms) {
+  Sampler sampler(74);
+  for (const auto model : models)
+    for (const auto closure : closures)
+      for (const auto kind :
+           {SupplyKind::inlet_film, SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow}) {
+        Scene scene = paper_scene(PaperSurface::medium, model);
+        scene.closures.starvation = closure;
+        scene.supply = {kind, kind == SupplyKind::inlet_film   ? 2e-7
+                              : kind == SupplyKind::inlet_flow ? 1e-8
+                                                               : 4};
+        const Units units(sampler);
+        const Scene moved = units.of(scene);
+        for (const auto criterion : {OnsetCriterion::film_maximum, OnsetCriterion::film_departure,
+                                     OnsetCriterion::asperity_minimum}) {
+          const auto found = [&](const Scene& s) {
+            return onset(MixedContact<double>(s), s, criterion, default_departure);
+          };
+          const Onset<double> here = found(scene), there = found(moved);
+          EXPECT_EQ(there.exists, here.exists) << name(criterion);
+          if (!here.exists) continue;
+          EXPECT_TRUE(is_close(there.speed, Reference(here.speed * units.m / units.s), 2e-13, {}))
+              << name(criterion);
+          EXPECT_TRUE(is_close(there.film, Reference(here.film * units.m), 2e-13, {}))
+              << name(criterion);
+        }
+      }
+}
+
+// ---- continuity
+
+// Two neighbouring doubles.
+struct Edge {
+  double below, above;
+};
+Edge edge_at(double x) { return {std::nextafter(x, -INFINITY), x}; }
+
+// Neighbours between which a predicate changes. It does so between low and high.
+template <class Predicate>
+Edge edge_of(double low, double high, Predicate&& predicate) {
+  const bool at_low = predicate(low);
+  EXPECT_NE(at_low, predicate(high)) << "no edge" << describe({{"low", low}, {"high", high}});
+  while (std::nextafter(low, high) != high) {
+    double middle =
+        low > 0 && high > 4 * low ? std::sqrt(low) * std::sqrt(high) : low / 2 + high / 2;
+    if (middle == low || middle == high) middle = std::nextafter(low, high);
+    (predicate(middle) == at_low ? low : high) = middle;
+  }
+  return {low, high};
+}
+
+// f at both neighbours: within the errors that each may have, and the change that the exact
+// function has between neighbours, condition × ε.
+template <class Function>
+void expect_no_step(const char* where, const Edge& edge, const Contract& contract,
+                    Function&& function, double condition = 1) {
+  const double below = function(edge.below), above = function(edge.above);
+  const Reference expected(above);
+  EXPECT_TRUE(is_close(below, expected,
+                       allowed_by(contract, expected, condition, 2) + condition * ulp,
+                       {{"below", edge.below}, {"above", edge.above}, {"condition", condition}}))
+      << where;
+}
+
+// The exact change is known here and taken out: what remains is a step.
+TEST(Continuity, MomentsHaveNoStepAtAnyBranch) {
+  std::vector<double> branches{-10, -1, 1, 10};
+  // e^{−d²/2} is split at the sixteenths
+  for (int k = 1; k <= 16 * 37; k += 13) branches.push_back(k / 16.0);
+  for (int k = 1; k <= 16 * 9; k += 13) branches.push_back(-k / 16.0);
+  for (int twice_n = 0; twice_n <= 5; ++twice_n) {
+    const auto n = static_cast<Order>(twice_n);
+    const auto expect_none = [&](double branch, auto&& moment) {
+      const Edge edge = edge_at(branch);
+      const Reference change = moment(Reference(edge.below)) / moment(Reference(edge.above));
+      const Reference expected = Reference(moment(edge.above)) * change;
+      EXPECT_TRUE(is_close(moment(edge.below), expected,
+                           allowed_by(gaussian_moment_contract, expected, 1, 2),
+                           {{"2n", static_cast<double>(twice_n)}, {"d", branch}}));
+    };
+    for (const double branch : branches) {
+      expect_none(branch, [&](const auto& d) { return gaussian_moment(n, d); });
+      expect_none(branch, [&](const auto& d) { return scaled_gaussian_moment(n, d); });
+    }
+    // S_n turns from F_n to e^{d²/2}F_n at 0
+    for (const double tiny : {0x1p-1074, 1e-300, 1e-100})
+      for (const double zero : {0.0, -0.0}) {
+        EXPECT_TRUE(is_close(gaussian_moment(n, tiny), Reference(gaussian_moment(n, zero)),
+                             2 * gaussian_moment_contract.ulp * ulp, {{"d", tiny}}));
+        EXPECT_TRUE(is_close(gaussian_moment(n, -tiny), Reference(gaussian_moment(n, zero)),
+                             2 * gaussian_moment_contract.ulp * ulp, {{"d", -tiny}}));
+        EXPECT_TRUE(is_close(log_gaussian_moment(n, tiny), Reference(log_gaussian_moment(n, zero)),
+                             4 * gaussian_moment_contract.ulp * ulp, {{"d", tiny}}));
+      }
+  }
+}
+
+TEST(Continuity, ShearStressHasNoStepWhereTheLogarithmTakesOver) {
+  // asinh beyond ln(2x) weighs 1/(4x²); friction.hpp: 20 ε
+  const Edge edge = edge_at(1 / epsilon<double>());
+  expect_no_step("x", edge, {20, 0}, [](double x) {
+    return fluid_shear_stress(FluidShear::eyring, 1.0, x, 0.0, 1.0, 1.0);
+  });
+  // x = 0: τ = ηγ̇ of a vanishing speed
+  for (const auto law : {FluidShear::eyring, FluidShear::limiting}) {
+    EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0.0, 1.0), 0);
+    EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0x1p-1074, 1.0), 0x1p-1074);
+  }
+}
+
+TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
+  for (const auto closure : closures) {
+    if (closure == flooded_inlet) continue;
+    for (const double gamma : {0.5, 3.0, 300.0}) {
+      // r = 1: damiens' two forms, and the ends of the brackets
+      expect_no_step("y at r = 1", {std::nextafter(1.0, 0.0), 1.0}, starvation_ratio_contract,
+                     [&](double r) { return starvation_ratio(closure, r, gamma); });
+      expect_no_step("y at r = 1", {1.0, std::nextafter(1.0, 2.0)}, starvation_ratio_contract,
+                     [&](double r) { return starvation_ratio(closure, r, gamma); });
+    }
+  }
+  for (const auto closure : {starved_inlet, printed_exponents}) {
+    const InletCurve<double> curve{closure};
+    // ψ so small that arctan v = v: where the step that refines ψ stops, too
+    const double least = std::numeric_limits<double>::min_exponent / 4.0;
+    const Edge lengths = edge_at(least);
+    const Contract logarithm{20, 0};  // starvation.hpp
+    expect_no_step("ln y", lengths, logarithm, [&](double t) { return curve.log_film_ratio(t); });
+    expect_no_step("ln 1/r", lengths, logarithm, [&](double t) { return curve.log_inverse_r(t); });
+    const double r = std::exp(-curve.log_inverse_r(least));
+    const Edge ratios = edge_of(
+        r / 2, 2 * r, [&](double x) { return curve.log_inverse_r(least) + std::log(x) < 0; });
+    // its t is good to ε × |t| there, without the refinement
+    const double slope = std::abs(starvation_slope(closure, r, 3.0));
+    expect_no_step(
+        "y", ratios, starvation_ratio_contract,
+        [&](double x) { return starvation_ratio(closure, x, 3.0); }, slope);
+  }
+  // The two terms of 1/r change places; for printed_exponents one of them always rules.
+  for (const auto closure : {flooded_inlet, starved_inlet}) {
+    const InletCurve<double> curve{closure};
+    const Edge terms = edge_of(-20, 20, [&](double t) {
+      const double log_y = curve.log_film_ratio(t);
+      return curve.log_crook_term(t, log_y) > (closure == flooded_inlet ? 0 : log_y);
+    });
+    for (const bool slope : {false, true})
+      expect_no_step(
+          "ln 1/r", terms, {20, 0},
+          [&](double t) {
+            return slope ? curve.slope_of_log_inverse_r(t) : curve.log_inverse_r(t);
+          },
+          std::max(1.0, std::abs(terms.below)));
+  }
+  expect_no_step("d ln y/d ln psi",
+                 edge_of(1e-40, 1e-20,
+                         [](double psi) {
+                           const double v = wolveridge_factor<double>() * psi;
+                           return v > epsilon<double>() * epsilon<double>();
+                         }),
+                 starvation_ratio_contract, [](double psi) { return wolveridge_slope(psi); });
+}
+
+// flooded_inlet at r → 1: y = (2/π) arctan(2.7ψ), ψ = ((1−r)c/r)^{2/3}, so that 0 ≤ y ≤ (5.4/π)ψ.
+TEST(Continuity, FloodedInletFallsToItsCollapse) {
+  const double c = 3 / (4 * std::sqrt(2.0));
+  for (double gap = 0x1p-53; gap < 0.1; gap *= 16) {
+    const double y = starvation_ratio(flooded_inlet, 1 - gap, 3.0);
+    EXPECT_GT(y, 0);
+    EXPECT_LE(y, 5.4 / M_PI * std::pow(gap * c / (1 - gap), 2.0 / 3) * (1 + 24 * ulp))
+        << describe({{"1 - r", gap}});
+    EXPECT_TRUE(is_close(starvation_deficit(flooded_inlet, 1 - gap, 3.0), Reference(1 - y),
+                         24 * ulp, {{"1 - r", gap}}));
+  }
+  EXPECT_EQ(starvation_ratio(flooded_inlet, 1.0, 3.0), 0);
+  EXPECT_EQ(starvation_deficit(flooded_inlet, 1.0, 3.0), 1);
+}
+
+double condition_of_root(AsperityModel model, double stiffness, double offset, double lambda0) {
+  const LoadSharing<long double> sharing(model, static_cast<long double>(stiffness),
+                                         static_cast<long double>(offset));
+  return root_condition(model, static_cast<long double>(offset),
+                        sharing.solve(static_cast<long double>(lambda0)));
+}
+
+TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
+  for (const auto model : models)
+    for (const double stiffness : {3.0, 50.0})
+      for (const double offset : {0.0, 1.146}) {
+        const LoadSharing<double> sharing(model, stiffness, offset);
+        const auto film = [&](double lambda0) { return sharing.solve(lambda0).film_parameter; };
+        const auto at_root = [&](const char* where, const Edge& edge) {
+          expect_no_step(where, edge, load_sharing_contract, film,
+                         condition_of_root(model, stiffness, offset, edge.above));
+        };
+        ASSERT_TRUE(sharing.has_floor());
+        const double floor = sharing.floor();
+        at_root("lambda0 = floor", edge_at(floor));
+        at_root("lambda0 = lambda/2", edge_of(floor / 100, floor, [&](double lambda0) {
+                  return (lambda0 - film(lambda0)) / film(lambda0) > -0.5;
+                }));
+        // A from w, or from the moments
+        const Edge half = edge_of(floor / 2, 2 * floor + 10, [&](double lambda0) {
+          return sharing.solve(lambda0).fluid < 0.5;
+        });
+        at_root("w = 1/2", half);
+        const double w_condition =
+            1 + condition_of_root(model, stiffness, offset, half.above) / 0.14;
+        expect_no_step(
+            "A at w = 1/2", half, load_sharing_contract,
+            [&](double lambda0) { return sharing.solve(lambda0).asperity; }, w_condition);
+        // 1 − A from the Taylor series, or from the difference; 1e-14 stands in load_sharing_test
+        const Edge series = edge_of(1e-6, 10, [&](double distance) {
+          return sharing.shares_above_floor(distance).asperity < 0.75;
+        });
+        const double condition =
+            1 - sharing.asperity_share_slope(floor + series.above) * 3;  // A/(1−A)
+        expect_no_step(
+            "1 - A at A = 3/4", series, {45, 45},
+            [&](double x) { return sharing.shares_above_floor(x).fluid; }, condition);
+        expect_no_step(
+            "A at A = 3/4", series, {45, 45},
+            [&](double x) { return sharing.shares_above_floor(x).asperity; }, condition);
+        // and back: the distance at which w is 1/4, from the series
+        const double quarter = std::nextafter(0.25, 0.0);
+        const double distance = sharing.distance_above_floor(quarter);
+        EXPECT_TRUE(is_close(1 - sharing.asperity_share(floor + distance), Reference(quarter),
+                             90 * ulp, {{"K", stiffness}, {"delta", offset}}, condition));
+      }
+}
+
+// K at which a floor appears, A(0) = 1, and at which Newton's start changes, K F_p(0) = 1.
+TEST(Continuity, RootsHaveNoStepWhereAFloorAppears) {
+  for (const auto model : models)
+    for (const double offset : {0.0, 1.146}) {
+      const Edge appears = edge_of(1e-3, 1e3, [&](double stiffness) {
+        return LoadSharing<double>(model, stiffness, offset).has_floor();
+      });
+      EXPECT_EQ(LoadSharing<double>(model, appears.below, offset).floor(), 0);
+      // λ_b = (ln A(0))/|d ln A/dλ|, of the rounding of A(0)
+      EXPECT_LE(LoadSharing<double>(model, appears.above, offset).floor(),
+                2 * gaussian_moment_contract.ulp * ulp);
+      const Edge start = edge_of(1e-3, 1e3, [&](double stiffness) {
+        return std::log(stiffness) + log_gaussian_moment(load_order(model), 0.0) > 0;
+      });
+      for (const double lambda0 : {1e-12, 1e-3, 0.3, 2.0})
+        for (const Edge& edge : {appears, start})
+          expect_no_step(
+              "lambda", edge, load_sharing_contract,
+              [&](double stiffness) {
+                return LoadSharing<double>(model, stiffness, offset).solve(lambda0).film_parameter;
+              },
+              condition_of_root(model, edge.above, offset, lambda0));
+      if (offset > 0)
+        expect_no_step(
+            "floor at delta", start, load_sharing_contract,
+            [&](double stiffness) { return LoadSharing<double>(model, stiffness, offset).floor(); },
+            2 + 1 / offset);
+    }
+}
+
+// All outputs of a scene at neighbouring speeds.
+void expect_no_step_of_outputs(const char* where, const Scene& scene, const Edge& speeds) {
+  const MixedContact<double> contact(scene);
+  const auto below = numbers_of(contact.solve(speeds.below));
+  const auto above = numbers_of(contact.solve(speeds.above));
+  const Conditions condition = conditions_at(scene, speeds.above);
+  const Conditions other = conditions_at(scene, speeds.below);
+  for (std::size_t k = 0; k < number_count; ++k) {
+    const double worst = std::max(condition[k], other[k]);
+    const Reference expected(above[k]);
+    if (above[k] == 0 || below[k] == 0) {
+      // of a share that vanishes: no larger than rounding of the other
+      EXPECT_LE(std::abs(below[k] - above[k]), 64 * ulp * worst)
+          << where << ' ' << output_infos[k].name;
+      continue;
+    }
+    EXPECT_TRUE(is_close(below[k], expected,
+                         allowed_by(operating_point_contract, expected, worst, 2) + worst * ulp,
+                         {{"u below", speeds.below}, {"u above", speeds.above}}))
+        << where << ' ' << output_infos[k].name;
+  }
+}
+
+TEST(Continuity, OperatingPointsHaveNoStepAtAnyBranch) {
+  for (const auto model : models)
+    for (const auto closure : closures) {
+      Scene scene = paper_scene(PaperSurface::rough, model);
+      scene.closures.starvation = closure;
+      scene.surface.offset_planes = 2;
+      scene.supply.value = 60;
+      const MixedContact<double> contact(scene);
+      ASSERT_TRUE(contact.sharing().has_floor());
+      // the distance above the floor, from the flooded share or as a difference
+      expect_no_step_of_outputs("w = 1/4", scene, edge_of(1e-4, 3, [&](double u) {
+                                  return contact.flooded(u).shares.fluid < 0.25;
+                                }));
+      // r = 1, or 0.95 of the flooded film: labels alone
+      if (closure != flooded_inlet)
+        expect_no_step_of_outputs("r = 1", scene, edge_of(1e-4, 1e5, [&](double u) {
+                                    return contact.inlet(contact.flooded(u)).flooded_over_inlet < 1;
+                                  }));
+      expect_no_step_of_outputs("y = 0.95", scene, edge_of(1e-4, 1e5, [&](double u) {
+                                  return contact.inlet(contact.flooded(u)).film_ratio >= 0.95;
+                                }));
+    }
+}
+
+// λ* falls to the floor: the asperities take the last of the load.
+TEST(Continuity, OutputsHaveNoStepWhereTheStarvedFilmMeetsTheFloor) {
+  for (const auto model : models)
+    for (const auto closure : {flooded_inlet, printed_exponents}) {
+      Scene scene = paper_scene(PaperSurface::rough, model);
+      scene.closures.starvation = closure;
+      scene.surface.offset_planes = 2;
+      scene.supply.value = 12;
+      const MixedContact<double> contact(scene);
+      const double floor = contact.sharing().floor();
+      const double top =
+          onset(contact, scene, OnsetCriterion::film_maximum, default_departure).speed;
+      const Edge edge =
+          edge_of(top, 1e4 * top, [&](double u) { return contact.solve(u).fluid_load_share > 0; });
+      const auto before = contact.solve(edge.below), after = contact.solve(edge.above);
+      EXPECT_EQ(after.asperity_load_share, 1);
+      EXPECT_EQ(after.separation, floor * contact.summit_height_sd());
+      // 1 − A = |A′| (λ* − λ_b), and u is known to an ulp, λ* to its condition
+      const Conditions condition = conditions_at(scene, edge.above);
+      const double lambda_error =
+          (2 * std::max(8.0, 16 * condition[3]) + condition[3]) * ulp * floor;
+      const double rate = std::exp(contact.sharing().log_fluid_rate_at_floor());
+      EXPECT_LE(before.fluid_load_share, rate * lambda_error);
+      for (const Output output :
+           {Output::film, Output::separation, Output::real_area_ratio, Output::summit_count}) {
+        const auto k = static_cast<std::size_t>(output);
+        const Reference expected(numbers_of(after)[k]);
+        const double worst = std::max(condition[k], condition[3]);
+        EXPECT_TRUE(is_close(numbers_of(before)[k], expected,
+                             allowed_by(operating_point_contract, expected, worst, 2) + worst * ulp,
+                             {{"u", edge.above}}))
+            << info(output).name;
+      }
+      // μ_b A + τA_H/F: τ barely moves, A by what is above
+      EXPECT_TRUE(is_close(before.friction, Reference(after.friction),
+                           (rate * lambda_error + 64 * ulp) * (1 + 30 / after.friction),
+                           {{"u", edge.above}}));
+    }
+}
+
+// At r = 1 the flooded inlet's film is gone, and without a floor the faces touch: λ* → 0 as
+// (1−r)^{2/3}, A → A(0) by |A′(0)|λ*.
+TEST(Continuity, SharesHaveNoStepWhereTheInletCollapses) {
+  for (const auto model : models) {
+    const Scene scene = paper_scene(PaperSurface::smooth, model);
+    const MixedContact<double> contact(scene);
+    ASSERT_FALSE(contact.sharing().has_floor());
+    const Edge edge =
+        edge_of(1e-3, 100, [&](double u) { return contact.solve(u).inlet == Inlet::collapsed; });
+    const auto before = contact.solve(edge.below), after = contact.solve(edge.above);
+    EXPECT_EQ(after.film, 0);
+    EXPECT_GT(before.film, 0);
+    // r is known to its contract: 1 − r to as many ulp
+    const double gap = 64 * ulp * conditions_at(scene, 0.9 * edge.below)[0];
+    const double lambda = 4 * 5.4 / M_PI * std::pow(gap * 0.53033008588991064, 2.0 / 3);
+    EXPECT_LE(before.film_parameter, lambda);
+    EXPECT_LE(before.asperity_load_share, after.asperity_load_share);
+    const double tiny = 1e-100;
+    const double slope = -contact.sharing().asperity_share_slope(tiny) / tiny;
+    EXPECT_TRUE(is_close(before.asperity_load_share, Reference(after.asperity_load_share),
+                         slope * lambda + 64 * ulp, {{"u", edge.above}}));
+    EXPECT_EQ(after.asperity_load_share, contact.sharing().asperity_share(0));
+  }
+}
+
+// Where the real area fills the nominal one, no area is left for the film to shear: A_H → 0.
+TEST(Continuity, FrictionHasNoStepWhereTheRealAreaFillsTheNominalOne) {
+  Scene scene = paper_scene(PaperSurface::rough, AsperityModel::greenwood_williamson);
+  scene.supply = {};
+  scene.surface.summit_density *= 8;
+  scene.surface.summit_plane_offset = 3;
+  scene.bodies.effective_modulus = 1e7;  // soft: much area under little share
+  const MixedContact<double> contact(scene);
+  const Edge edge =
+      edge_of(1e-9, 1e3, [&](double u) { return contact.solve(u).real_area_ratio < 1; });
+  expect_no_step_of_outputs("A_r = A_nom", scene, edge);
+}
+
+// The walk: the form next to the floor, the differences of G near it, the series of 1 − A.
+TEST(Continuity, WalkHasNoStepAtAnyBranch) {
+  for (const auto model : models)
+    for (const auto closure : closures) {
+      Scene scene = paper_scene(PaperSurface::rough, model);
+      scene.closures.starvation = closure;
+      scene.surface.offset_planes = 2;
+      scene.supply.value = 12;
+      const MixedContact<double> contact(scene);
+      const StribeckWalk<double> walk(contact);
+      std::vector<Edge> edges{edge_at(-1), {0, 0x1p-1074}, {-0x1p-1074, 0}};
+      // by fluid share: ε/4, where the film is taken on the floor, and 1/4
+      for (const double share : {epsilon<double>() / 4, 0.25}) {
+        const Edge edge =
+            edge_of(-200, 5, [&](double s) { return walk.at(s).flooded.shares.fluid < share; });
+        // the code compares ln w, and A: some ulp to either side
+        edges.push_back({edge.below - 1e-13, edge.above + 1e-13});
+      }
+      for (const Edge& edge : edges) {
+        const WalkPoint<double> at = walk.at(edge.above);
+        const double step = std::abs(edge.above - edge.below);
+        const auto same = [&](const char* what, auto&& quantity, double bound) {
+          // what moves by `rate` e-foldings in u for each e-folding of s, does so here
+          EXPECT_TRUE(is_close(quantity(walk.at(edge.below)), Reference(quantity(at)),
+                               bound + 10 * step * (1 + 1 / at.rate), {{"s", edge.above}}))
+              << what << " closure " << static_cast<int>(closure);
+        };
+        // coordinates near −40 are logarithms: an ulp of them is 32 ε of what they stand for
+        const double bound = 2 * (16 + std::abs(edge.above)) * 16 * ulp;
+        same(
+            "u", [](const auto& p) { return p.flooded.speed; }, bound);
+        same(
+            "lambda", [](const auto& p) { return p.flooded.shares.film_parameter; }, bound);
+        same(
+            "w", [](const auto& p) { return p.flooded.shares.fluid; }, bound);
+        same(
+            "y", [](const auto& p) { return p.inlet.film_ratio; }, bound);
+        same(
+            "slope", [](const auto& p) { return p.film_slope; }, bound);
+        same(
+            "rate", [](const auto& p) { return p.rate; }, bound);
+      }
+    }
+}
+
+// As h_oil falls, the film maximum meets the floor, and there is none any more: its film ends at
+// the floor's, its speed at 0.
+TEST(Continuity, OnsetEndsOnTheFloor) {
+  for (const auto model : models)
+    for (const auto closure : {flooded_inlet, printed_exponents}) {
+      Scene scene = paper_scene(PaperSurface::rough, model);
+      scene.closures.starvation = closure;
+      scene.surface.offset_planes = 2;
+      const auto at = [&](double inlet_film) {
+        scene.supply.value = inlet_film;
+        return onset(MixedContact<double>(scene), scene, OnsetCriterion::film_maximum,
+                     default_departure);
+      };
+      const Edge edge = edge_of(0.01, 100, [&](double h) { return at(h).exists; });
+      const double floor = MixedContact<double>(scene).sharing().floor();
+      const double r = film_maximum_flooded_over_inlet<double>(closure);
+      const Onset<double> last = at(edge.above);
+      EXPECT_TRUE(is_close(last.film_parameter,
+                           Reference(floor) * Reference(starvation_ratio(closure, r, 3.0)),
+                           64 * ulp, {{"h_oil", edge.above}}));
+      EXPECT_GT(last.speed, 0);
+      // 1 − A is at most the rounding of λ; u goes as (1 − A)^{0.14/0.67}
+      const MixedContact<double> contact(scene);
+      const double fluid = std::exp(contact.sharing().log_fluid_rate_at_floor()) * 8 * ulp * floor;
+      EXPECT_LE(last.speed, contact.speed_at(LoadSharing<double>::flooded_film_parameter(
+                                floor * (1 + 8 * ulp), fluid)));
+    }
+}
+
+}  // namespace
+}  // namespace tribo::verification

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model in the directed rounding modes: within twice the contract that stands beside each
+// function (nearest: once), and no loop that waits for a step to vanish may wait for ever. Compiled
+// with -frounding-math; the expected values have 50 digits and are made in nearest, as are the
+// condition numbers.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <vector>
+
+#include "support/conditioning.hpp"
+#include "support/contracts.hpp"
+#include "support/judge.hpp"
+#include "support/scenes.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo::verification {
+namespace {
+
+struct Mode {
+  int mode;
+  const char* name;
+  double multiple;  // of the contracts that it is allowed
+};
+constexpr std::array modes{Mode{FE_TONEAREST, "nearest", 1}, Mode{FE_UPWARD, "upward", 2},
+                           Mode{FE_DOWNWARD, "downward", 2}, Mode{FE_TOWARDZERO, "toward zero", 2}};
+
+// A rounding mode for the life of the object.
+class RoundingMode {
+ public:
+  explicit RoundingMode(int mode) : before_(std::fegetround()) { std::fesetround(mode); }
+  ~RoundingMode() { std::fesetround(before_); }
+  RoundingMode(const RoundingMode&) = delete;
+  RoundingMode& operator=(const RoundingMode&) = delete;
+
+ private:
+  int before_;
+};
+
+// A function's value in a mode; whatever it is compared to is made outside.
+template <class Function>
+auto rounded(const Mode& mode, Function&& f) {
+  const RoundingMode in_force(mode.mode);
+  return f();
+}
+
+// Else the other tests would hold nearest four times: the compiler must not have folded, hoisted or
+// shared what depends on the mode. clang++ folds constants in spite of -frounding-math, hence
+// volatile.
+TEST(RoundingModes, AreInForceInsideTheModelAndEndWithTheirScope) {
+  volatile int one = 1, three = 3;
+  for (const Mode& mode : modes) {
+    const double third = rounded(mode, [&] { return ratio<double>(one, three); });
+    const double minus_third = rounded(mode, [&] { return ratio<double>(-one, three); });
+    const double below = 0x1.5555555555555p-2;  // of the neighbours of 1/3 the nearer
+    const double above = std::nextafter(below, 1.0);
+    EXPECT_EQ(third, mode.mode == FE_UPWARD ? above : below) << mode.name;
+    EXPECT_EQ(minus_third, mode.mode == FE_DOWNWARD ? -above : -below) << mode.name;
+    int different = 0;
+    for (double d = -9; d < 9; d += 0.37)
+      different += rounded(mode, [&] { return gaussian_moment(Order::five_halves, d); }) !=
+                   gaussian_moment(Order::five_halves, d);
+    if (mode.mode == FE_TONEAREST) {
+      EXPECT_EQ(different, 0);
+    } else {
+      EXPECT_GT(different, 20) << mode.name;
+    }
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST) << mode.name;
+  }
+}
+
+TEST(RoundingModes, MomentsKeepTheirContract) {
+  Sampler sampler(91);
+  std::vector<double> arguments{0.0, 37.0, -40.0, 1e-300, -1e-300, 0x1p-1074, -0x1p-1074};
+  for (const double branch : {-10.0, -1.0, 0.0, 1.0, 10.0})
+    for (const double towards : {-100.0, 100.0})
+      arguments.push_back(std::nextafter(branch, towards));
+  for (int i = 0; i < 60; ++i) arguments.push_back(sampler.uniform(-40, 37));
+  for (int i = 0; i < 120; ++i) arguments.push_back(sampler.uniform(-10.5, 10.5));
+  for (int i = 0; i < 100; ++i) arguments.push_back(sampler.uniform(-1.1, 1.1));
+  for (int i = 0; i < 120; ++i) arguments.push_back(sampler.uniform(0.8, 1));
+  for (int twice_n = 0; twice_n <= 5; ++twice_n)
+    for (const double d : arguments) {
+      const auto n = static_cast<Order>(twice_n);
+      const Reference exact = gaussian_moment(n, Reference(d));
+      for (const Mode& mode : modes)
+        EXPECT_TRUE(is_close(rounded(mode, [&] { return gaussian_moment(n, d); }), exact,
+                             allowed_by(gaussian_moment_contract, exact, 1, mode.multiple),
+                             {{"2n", static_cast<double>(twice_n)}, {"d", d}}))
+            << mode.name;
+    }
+}
+
+TEST(RoundingModes, HertzKeepsItsContract) {
+  Sampler sampler(92);
+  for (int i = 0; i < 300; ++i) {
+    const double load = sampler.log_uniform(1e-3, 1e5);
+    const double modulus = sampler.log_uniform(1e8, 1e12);
+    const double radius = sampler.log_uniform(1e-4, 1);
+    const auto exact = hertz_point(Reference(load), Reference(modulus), Reference(radius));
+    for (const Mode& mode : modes) {
+      const auto got = rounded(mode, [&] { return hertz_point(load, modulus, radius); });
+      const auto close = [&](double value, const Reference& expected) {
+        EXPECT_TRUE(is_close(value, expected,
+                             allowed_by(hertz_contract, expected, 1, mode.multiple),
+                             {{"F", load}, {"E*", modulus}, {"R", radius}}))
+            << mode.name;
+      };
+      close(got.radius, exact.radius);
+      close(got.nominal_area, exact.nominal_area);
+      close(got.mean_pressure, exact.mean_pressure);
+      close(got.peak_pressure, exact.peak_pressure);
+      close(got.approach, exact.approach);
+    }
+  }
+}
+
+TEST(RoundingModes, StarvedFilmsKeepTheirContract) {
+  using enum StarvationClosure;
+  Sampler sampler(93);
+  for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens}) {
+    std::vector<double> ratios{std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0), 1e-300,
+                               1e300};
+    for (int i = 0; i < 150; ++i) ratios.push_back(sampler.log_uniform(1e-3, 1e3));
+    for (int i = 0; i < 50; ++i) ratios.push_back(sampler.log_uniform(1e-12, 1e12));
+    for (const double r : ratios) {
+      const double gamma = sampler.uniform(1, 6);
+      const Reference exact = starvation_ratio(closure, Reference(r), Reference(gamma));
+      for (const Mode& mode : modes) {
+        const double got = rounded(mode, [&] { return starvation_ratio(closure, r, gamma); });
+        if (exact < Reference("1e-299")) {  // the film that collapsed, and an underflow
+          EXPECT_LT(got, 1e-299) << mode.name;
+          continue;
+        }
+        EXPECT_TRUE(
+            is_close(got, exact, allowed_by(starvation_ratio_contract, exact, 1, mode.multiple),
+                     {{"closure", static_cast<double>(closure)}, {"r", r}, {"gamma", gamma}}))
+            << mode.name;
+      }
+    }
+  }
+}
+
+TEST(RoundingModes, LoadSharingKeepsItsContract) {
+  Sampler sampler(94);
+  for (int i = 0; i < 120; ++i) {
+    const auto model =
+        sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
+    const double stiffness = sampler.log_uniform(1e-6, 10), offset = sampler.uniform(0, 3);
+    const double lambda0 = sampler.log_uniform(1e-4, 100);
+    const Reference exact = LoadSharing<Reference>(model, Reference(stiffness), Reference(offset))
+                                .solve(Reference(lambda0))
+                                .film_parameter;
+    const double condition = root_condition(model, stiffness, offset, lambda0);
+    for (const Mode& mode : modes)
+      EXPECT_TRUE(is_close(
+          rounded(mode,
+                  [&] { return LoadSharing<double>(model, stiffness, offset).solve(lambda0); })
+              .film_parameter,
+          exact, allowed_by(load_sharing_contract, exact, condition, mode.multiple),
+          {{"model", static_cast<double>(model)},
+           {"K", stiffness},
+           {"delta", offset},
+           {"lambda0", lambda0},
+           {"condition", condition}}))
+          << mode.name;
+  }
+}
+
+TEST(RoundingModes, OperatingPointsKeepTheirContract) {
+  Sampler sampler(95);
+  for (int i = 0; i < 100; ++i) {
+    const Scene scene = random_scene(sampler);
+    const double u = scene.speeds[0];
+    const auto exact = MixedContact<Reference>(scene).solve(Reference(u));
+    const auto expected = numbers_of(exact);
+    const auto condition = conditions_at(scene, u);
+    for (const Mode& mode : modes) {
+      const auto got = rounded(mode, [&] { return MixedContact<double>(scene).solve(u); });
+      EXPECT_EQ(got.inlet, exact.inlet);
+      EXPECT_EQ(got.friction_undefined, exact.friction_undefined);
+      const auto numbers = numbers_of(got);
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        if (abs(expected[k]) < Reference("1e-290")) continue;  // underflows on its way
+        EXPECT_TRUE(
+            is_close(numbers[k], expected[k],
+                     allowed_by(operating_point_contract, expected[k], condition[k], mode.multiple),
+                     {{"scene", static_cast<double>(i)}, {"u", u}, {"condition", condition[k]}}))
+            << mode.name << ' ' << info(static_cast<Output>(k)).name;
+      }
+    }
+  }
+}
+
+// Loops end when a step is no longer positive, or small. Rounded to one side a step may never be
+// either: no mode may take many more steps than nearest takes, or end elsewhere.
+TEST(RoundingModes, RootsAtTheEndsOfTheRangeTakeNoMoreStepsThanInNearest) {
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const double stiffness : {1e-300, 1e-20, 0.3, 1.0, 7.0, 1e6, 1e300})
+      for (const double offset : {0.0, 1.146, 10.0})
+        for (const double lambda0 : {1e-300, 1e-20, 1e-3, 0.7, 2.1, 40.0, 1e10, 1e300}) {
+          const auto solve = [&] {
+            return LoadSharing<double>(model, stiffness, offset).solve(lambda0);
+          };
+          const LoadShares<double> nearest = solve();
+          const double condition = root_condition(model, stiffness, offset, lambda0);
+          for (const Mode& mode : modes) {
+            const LoadShares<double> got = rounded(mode, solve);
+            EXPECT_LE(got.iterations, nearest.iterations + 3)
+                << mode.name
+                << describe({{"K", stiffness}, {"delta", offset}, {"lambda0", lambda0}});
+            const Reference expected(nearest.film_parameter);
+            EXPECT_TRUE(
+                is_close(got.film_parameter, expected,
+                         allowed_by(load_sharing_contract, expected, condition, mode.multiple + 1),
+                         {{"K", stiffness}, {"delta", offset}, {"lambda0", lambda0}}))
+                << mode.name;
+          }
+        }
+}
+
+// The walk, the brackets at constant flow and the golden section come to an end, at the same place.
+TEST(RoundingModes, CurvesAndOnsetsComeToTheirEnd) {
+  using enum StarvationClosure;
+  for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens})
+    for (const auto supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
+      for (const int planes : {1, 2}) {
+        Scene scene = paper_scene(PaperSurface::rough);
+        scene.speeds.count = 40;
+        scene.closures.starvation = closure;
+        scene.surface.offset_planes = planes;
+        scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 4};
+        const auto onset_by = [&](OnsetCriterion criterion) {
+          return onset(MixedContact<double>(scene), scene, criterion, default_departure);
+        };
+        for (const Mode& mode : modes) {
+          int points = 0;
+          double last_speed = 0;
+          rounded(mode, [&] {
+            stribeck_curve(MixedContact<double>(scene), scene.speeds.from, scene.speeds.to,
+                           scene.speeds.count, scene.outputs, [&](const auto& point) {
+                             ++points;
+                             last_speed = point.speed;
+                           });
+            return 0;
+          });
+          EXPECT_EQ(points, 40) << mode.name;
+          EXPECT_TRUE(is_close(last_speed, Reference(scene.speeds.to), 1.1e-9, {})) << mode.name;
+          for (const OnsetCriterion criterion : onset_criteria) {
+            const Onset<double> nearest = onset_by(criterion);
+            const Onset<double> got = rounded(mode, [&] { return onset_by(criterion); });
+            EXPECT_EQ(got.exists, nearest.exists) << mode.name << ' ' << name(criterion);
+            if (!nearest.exists) continue;
+            if (criterion != OnsetCriterion::friction_minimum) {
+              EXPECT_TRUE(is_close(got.speed, Reference(nearest.speed), mode.multiple * 1e-13, {}))
+                  << mode.name << ' ' << name(criterion);
+              continue;
+            }
+            // A minimum is as flat as its value is uncertain: it is held by the value.
+            const Reference least(MixedContact<double>(scene).solve(nearest.speed).friction);
+            const double condition =
+                conditions_at(scene, nearest.speed)[static_cast<std::size_t>(Output::friction)];
+            EXPECT_TRUE(
+                is_close(MixedContact<double>(scene).solve(got.speed).friction, least,
+                         allowed_by(operating_point_contract, least, condition, mode.multiple + 1),
+                         {{"u", got.speed}, {"u in nearest", nearest.speed}}))
+                << mode.name;
+          }
+        }
+      }
+}
+
+}  // namespace
+}  // namespace tribo::verification

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model's formulas with derivatives: Boost's forward automatic differentiation in 50 digits,
+// and what it lacks of the functions that the formulas name.
+#pragma once
+
+#include <boost/math/differentiation/autodiff.hpp>
+
+#include "support/judge.hpp"
+#include "tribo/mixed_contact.hpp"
+
+// Found by argument-dependent lookup, as the model finds the others; Boost 1.74 has neither.
+namespace boost::math::differentiation::detail {
+
+template <class Real>
+fvar<Real, 1> log1p(const fvar<Real, 1>& x) {
+  using std::log1p;
+  const Real at(x);
+  return x.apply_derivatives(
+      1, [&](std::size_t i) { return i == 0 ? Real(log1p(at)) : Real(1 / (1 + at)); });
+}
+
+template <class Real>
+fvar<Real, 1> expm1(const fvar<Real, 1>& x) {
+  using std::exp;
+  using std::expm1;
+  const Real at(x);
+  return x.apply_derivatives(
+      1, [&](std::size_t i) { return i == 0 ? Real(expm1(at)) : Real(exp(at)); });
+}
+
+}  // namespace boost::math::differentiation::detail
+
+namespace tribo {
+
+namespace verification {
+
+// A number with its derivative in the one variable.
+using Dual = boost::math::differentiation::autodiff_fvar<Reference, 1>;
+
+inline Dual variable(const Reference& x) {
+  return boost::math::differentiation::make_fvar<Reference, 1>(x);
+}
+inline Reference value(const Dual& x) { return x.derivative(0); }
+inline Reference derivative(const Dual& x) { return x.derivative(1); }
+
+// d ln y/d ln x, for y a function of the variable x.
+inline Reference log_slope(const Dual& y, const Reference& x) {
+  return derivative(y) * x / value(y);
+}
+
+}  // namespace verification
+
+// arccos(−1) has no derivative for the general form to multiply by 0.
+template <>
+inline verification::Dual pi<verification::Dual>() {
+  return verification::Dual(pi<verification::Reference>());
+}
+
+namespace verification {
+
+// g(λ) = ln λ − ln λ₀ + 0.14 ln(1 − A(λ)), whose root λ is.
+inline Dual sharing_residual(const LoadSharing<Dual>& sharing, const Dual& lambda,
+                             const Dual& lambda0) {
+  return log(lambda) - log(lambda0) +
+         ratio<Dual>(14, 100) * log1p(Dual(-sharing.asperity_share(lambda)));
+}
+
+// The root with its derivative. Inside `solve` the value may have converged a step before the
+// derivative; one more Newton step at the converged root makes it whole. g′ comes from automatic
+// differentiation too, not from the model's F_p′.
+inline Dual root_with_derivative(AsperityModel model, const Dual& stiffness, const Dual& offset,
+                                 const Dual& lambda0) {
+  const LoadSharing<Dual> moving(model, stiffness, offset);
+  const LoadSharing<Dual> fixed(model, Dual(value(stiffness)), Dual(value(offset)));
+  const Dual lambda0_fixed(value(lambda0));
+  const Reference root = value(fixed.solve(lambda0_fixed).film_parameter);
+  const Reference slope = derivative(sharing_residual(fixed, variable(root), lambda0_fixed));
+  return Dual(root) - sharing_residual(moving, Dual(root), lambda0) / Dual(slope);
+}
+
+// d ln h*/d ln u of a scene, from film and inlet of the model alone.
+inline Reference film_log_slope(const Scene& scene, const Reference& u) {
+  const MixedContact<Dual> contact(scene);
+  const Dual speed = variable(u);
+  const Dual root =
+      root_with_derivative(scene.closures.asperity, contact.sharing().stiffness(),
+                           contact.sharing().offset(), contact.flooded_film_parameter(speed));
+  // Of the shares `inlet` needs λ alone. Its scalar root ends with a Newton step of its own.
+  return log_slope(root * contact.inlet({speed, {root, Dual(0), Dual(1), 0}}).film_ratio, u);
+}
+
+}  // namespace verification
+
+}  // namespace tribo

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands behind a test's verdict: how many comparisons held, and how near the nearest came to
+// its bound. main.cpp prints both after each test, and gates/inventory.py holds them against the
+// manifest: a test that no longer compares anything, and a bound that was widened, are red.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+namespace tribo::verification {
+
+struct CaseCount {
+  std::size_t held = 0;               // comparisons
+  double greatest_part_of_bound = 0;  // error/bound
+};
+
+inline CaseCount case_count;
+
+// A comparison with a bound: to be called by whoever judges, held or not.
+inline void record_part_of_bound(double part) {
+  case_count.greatest_part_of_bound = std::max(case_count.greatest_part_of_bound, part);
+}
+
+}  // namespace tribo::verification

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model's templates on Arb's real balls: their own text, every operation of it an enclosure, so
+// that what comes out encloses what the text says of the exact inputs.
+//
+// Run as they stand: all formulas of hertz.hpp, film_thickness.hpp, asperity_contact.hpp,
+// friction.hpp and mixed_contact.hpp; of load_sharing.hpp the shares; of starvation.hpp the
+// closures and the step that refines ψ; of gaussian_moment.hpp the products with e^{−d²/2}.
+//
+// Replaced, because a ball does not know what an iteration or a sum leaves out:
+//   scaled_gaussian_moment   by confluent hypergeometric functions (generators/moments.hpp). Sums,
+//                            series and the continued fraction are held to the tables instead.
+//   bracketed_root           the model's own iteration on midpoints proposes, a certain change of
+//                            sign of the model's own equation a little to the left and to the right
+//                            proves, and all between is the root.
+//   LoadSharing: the root (solve), the floor (find_floor), the way back from a share to a film
+//                            (distance_above_floor): likewise, from the root in long double. The
+//                            equations are written out here after the comment that heads
+//                            load_sharing.hpp; A in them is the model's asperity_share.
+//   LoadSharing: the Taylor series of 1 − A near the floor, by 1 − A itself: 320 bits stand the
+//                            cancellation.
+// So what is checked here is each formula's text, its branches, and that the numbers of the
+// iterations solve the equations; not how fast or from where they converge.
+//
+// What the text leaves out on purpose is below left_out of a value: 1/(4x²) of asinh x past
+// x = 1/ε, with the ε of this type 2^−300. Past d = 100000 it takes e^{−d²/2} for 0.
+#pragma once
+
+#include <arb.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "generators/moments.hpp"
+#include "tribo/bracketed_root.hpp"
+#include "tribo/gaussian_moment.hpp"
+#include "tribo/load_sharing.hpp"
+
+template <>
+class std::numeric_limits<tribo::reference::Ball> {
+ public:
+  static constexpr bool is_specialized = true;
+  static tribo::reference::Ball epsilon() {
+    return pow(tribo::reference::Ball(2), tribo::reference::Ball(-300));
+  }
+  static double quiet_NaN() { return numeric_limits<double>::quiet_NaN(); }
+  // Nothing underflows.
+  static constexpr int min_exponent = -2000000000;
+};
+
+namespace tribo::verification {
+
+using Enclosure = reference::Ball;
+
+// Widths of proof that are tried, in bits; the first is near what 320 bits can tell.
+inline constexpr int proof_bits[] = {290, 270, 250, 220, 190, 160, 130};
+
+// Comparisons inside a proof may be undecided: the proof is then given with less bits, or not at
+// all.
+class Proof {
+ public:
+  Proof() : before_(reference::undecided_comparisons) {}
+  ~Proof() { reference::undecided_comparisons = before_; }
+  Proof(const Proof&) = delete;
+  Proof& operator=(const Proof&) = delete;
+
+ private:
+  std::uint64_t before_;
+};
+
+// The zero near `candidate` of a function that is certainly negative on one side of it and
+// certainly positive on the other, at a distance of `scale`·2^−bits. Throws std::runtime_error if
+// there is no such proof.
+template <class Function>
+Enclosure proven_zero(Function&& f, const Enclosure& candidate, const Enclosure& scale) {
+  for (const int bits : proof_bits) {
+    const Enclosure step = (scale * pow(Enclosure(2), Enclosure(-bits))).midpoint();
+    const Enclosure below = f((candidate - step).midpoint());
+    const Enclosure above = f((candidate + step).midpoint());
+    if (!((below < 0 && above > 0) || (below > 0 && above < 0))) continue;
+    Enclosure zero;
+    arb_union(zero.get(), (candidate - step).midpoint().get(), (candidate + step).midpoint().get(),
+              reference::ball_precision);
+    return zero;
+  }
+  throw std::runtime_error("no change of sign is certain near " + candidate.decimal(20));
+}
+
+inline long double as_long_double(const Enclosure& x) {
+  const double high = x.nearest();
+  return static_cast<long double>(high) +
+         (std::isfinite(high) ? static_cast<long double>((x - high).nearest()) : 0);
+}
+inline Enclosure as_enclosure(long double x) {
+  int exponent = 0;
+  const long double mantissa = std::frexp(x, &exponent);  // two doubles hold it
+  const double high = static_cast<double>(mantissa);
+  Enclosure value =
+      Enclosure(high) + Enclosure(static_cast<double>(mantissa - static_cast<long double>(high)));
+  arb_mul_2exp_si(value.get(), value.get(), exponent);
+  return value;
+}
+
+// |got − truth| at most, in a given unit.
+inline double error_in(const Enclosure& unit, const Enclosure& got, const Enclosure& truth) {
+  const Enclosure difference = abs(got - truth) / unit;
+  arf_t most;
+  arf_init(most);
+  arb_get_ubound_arf(most, difference.get(), 60);
+  const double error = arf_get_d(most, ARF_RND_UP);
+  arf_clear(most);
+  return error;
+}
+
+// Likewise in units in the last place of the truth (one subnormal unit at least).
+inline double error_in_ulp(double got, const Enclosure& truth) {
+  const double nearest = truth.nearest();
+  if (!std::isfinite(got))
+    return got == nearest ? 0 : std::numeric_limits<double>::infinity();  // both past the largest
+  const double unit = nearest == 0 || !std::isfinite(nearest)
+                          ? std::numeric_limits<double>::denorm_min()
+                          : std::max(std::numeric_limits<double>::denorm_min(),
+                                     std::ldexp(1.0, std::ilogb(nearest) - 52));
+  return error_in(unit, Enclosure(got), truth);
+}
+inline double error_in_ulp(long double got, const Enclosure& truth) {
+  if (!std::isfinite(got)) return std::numeric_limits<double>::infinity();
+  if (got == 0) return truth == 0 ? 0 : std::numeric_limits<double>::infinity();
+  return error_in(as_enclosure(std::ldexp(1.0L, std::ilogb(got) - 63)), as_enclosure(got), truth);
+}
+
+// Bits by which the radius is below the midpoint.
+inline bool is_narrow(const Enclosure& x, double relative_radius) {
+  return is_finite(x) &&
+         (x == 0 || static_cast<double>(x.accurate_bits()) >= -std::log2(relative_radius));
+}
+
+}  // namespace tribo::verification
+
+namespace tribo::reference {
+
+// A whole number within 1 of the midpoint: the model splits d there, wherever it is.
+inline Ball trunc(const Ball& x) { return Ball(std::trunc(x.nearest())); }
+
+// S_n(d ± ρ) = S_n(d) e^{±(n+2)ρ} or, d above 1, e^{±(n+1)ρ/(d−ρ)}. With h = −F_n′/F_n: for d ≥ 0
+// (ln S_n)′ = d − h lies between 0 and −(n+1)/d (h − d = F_{n+1}/F_n = (n+1)/h_{n+1}, and h > d),
+// and above −(n+2); for d < 0 S is F, and 0 < h < n+2.
+inline Ball scaled_gaussian_moment(Order order, const Ball& d) {
+  const Ball middle = d.midpoint();
+  Ball value = scaled_moment_by_hypergeometric(twice(order), middle);
+  if (middle < 0) value *= exp(-middle * middle / 2);
+  Ball radius;
+  arb_get_rad_arb(radius.get(), d.get());
+  const Ball n = fraction(twice(order), 2);
+  const Ball slope = middle - radius > 1 ? (n + 1) / (middle - radius) : n + 2;
+  const Ball widening = abs(value) * expm1(slope * radius);
+  arb_add_error(value.get(), widening.get());
+  return value;
+}
+
+template <class Function>
+Ball bracketed_root(Function&& f, Ball low, Ball high, const Ball& least_width) {
+  const verification::Proof proof;
+  const Ball candidate =
+      tribo::bracketed_root<Ball>([&](const Ball& x) { return f(x.midpoint()).midpoint(); }, low,
+                                  high, least_width)
+          .midpoint();
+  return verification::proven_zero(f, candidate, abs(candidate) + 1);
+}
+
+}  // namespace tribo::reference
+
+namespace tribo {
+
+template <>
+inline void LoadSharing<reference::Ball>::find_floor() {
+  using reference::Ball;
+  has_floor_ = moment_product(stiffness_, order_, Ball(-offset_)) >= 1;
+  floor_ = 0;
+  if (!has_floor_) return;
+  const verification::Proof proof;
+  const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
+                                                  : AsperityModel::greenwood_williamson;
+  const long double offset = verification::as_long_double(offset_);
+  Ball d = verification::as_enclosure(
+      LoadSharing<long double>(model, verification::as_long_double(stiffness_), offset).floor() -
+      offset);
+  for (int i = 0; i < 60; ++i) {
+    const Asperities at = asperities(d);
+    const Ball step = (log(at.share) / -at.log_slope).midpoint();
+    d = (d + step).midpoint();
+    if (abs(step) < (abs(d) + 1) * epsilon<Ball>()) break;
+  }
+  floor_argument_ = verification::proven_zero([&](const Ball& x) { return share_at(x) - 1; }, d,
+                                              abs(d) + Ball(1e-10));
+  floor_ = offset_ + floor_argument_;
+  floor_log_slope_ = asperities(floor_argument_).log_slope;
+}
+
+template <>
+inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::solve(
+    const reference::Ball& flooded_film_parameter) const {
+  using reference::Ball;
+  const Ball& lambda0 = flooded_film_parameter;
+  const auto root = [&] {
+    const verification::Proof proof;
+    const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
+                                                    : AsperityModel::greenwood_williamson;
+    Ball lambda = verification::as_enclosure(
+        LoadSharing<long double>(model, verification::as_long_double(stiffness_),
+                                 verification::as_long_double(offset_))
+            .solve(verification::as_long_double(lambda0))
+            .film_parameter);
+    const Ball p = 1 / sharing_film_exponent<Ball>();
+    for (int i = 0; i < 60; ++i) {
+      const Asperities at = asperities(Ball(lambda - offset_));
+      const Ball fluid = pow(lambda0 / lambda, p);
+      const Ball step =
+          ((at.share + fluid - 1) / (p * fluid / lambda - at.share * at.log_slope)).midpoint();
+      lambda = (lambda + step).midpoint();
+      if (abs(step) < lambda * epsilon<Ball>()) break;
+    }
+    // ln λ − ln λ₀ + 0.14 ln(1 − A), and as good as −∞ where A ≥ 1.
+    const auto residual = [&](const Ball& x) {
+      const Ball share = asperity_share(x);
+      if (share >= 1) return Ball(-1);
+      return log(x / lambda0) + sharing_film_exponent<Ball>() * log1p(-share);
+    };
+    return verification::proven_zero(residual, lambda, lambda);
+  }();
+  return shares(lambda0, root, 0);
+}
+
+// Below 2^−130 by −ln A = ∫ of the slope of −ln A from the floor to there, which lies between
+// distance × its values at the two ends: 1 − A would cancel.
+template <>
+inline reference::Ball LoadSharing<reference::Ball>::fluid_share_near_floor(
+    const reference::Ball& distance) const {
+  using reference::Ball;
+  const verification::Proof proof;
+  if (!(abs(distance) < pow(Ball(2), Ball(-130))))
+    return 1 - share_at(argument_above_floor(distance));
+  Ball between = floor_argument_;
+  const Ball reach = abs(distance);
+  arb_add_error(between.get(), reach.get());
+  return -expm1(distance * asperities(between).log_slope);
+}
+
+template <>
+inline reference::Ball LoadSharing<reference::Ball>::distance_above_floor(
+    const reference::Ball& fluid) const {
+  using reference::Ball;
+  const verification::Proof proof;
+  if (fluid < pow(Ball(2), Ball(-110))) {
+    Ball between = floor_argument_;
+    const Ball reach = 2 * fluid / -floor_log_slope_;
+    arb_add_error(between.get(), reach.get());
+    return log1p(-fluid) / asperities(between).log_slope;
+  }
+  Ball distance = (fluid / -floor_log_slope_).midpoint();
+  for (int i = 0; i < 60; ++i) {
+    const Asperities at = asperities(Ball(floor_argument_ + distance));
+    const Ball step = ((fluid - 1 + at.share) / (-at.share * at.log_slope)).midpoint();
+    distance = (distance + step).midpoint();
+    if (abs(step) < distance * epsilon<Ball>()) break;
+  }
+  return verification::proven_zero([&](const Ball& x) { return fluid_share_near_floor(x) - fluid; },
+                                   distance, distance);
+}
+
+}  // namespace tribo

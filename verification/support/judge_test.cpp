@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The judges judge: what is inside a bound passes, what is outside fails and says by how much.
+#include "support/judge.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tribo::verification {
+namespace {
+
+TEST(Judge, PassesInsideTheBoundAndFailsOutside) {
+  const Reference expected = 3;
+  const double ulp = 0x1p-51;  // of 3
+  EXPECT_EQ(bool(is_close(3.0 + ulp, expected, 1.01 * ulp / 3, {})), true);
+  EXPECT_EQ(bool(is_close(3.0 + ulp, expected, 0.99 * ulp / 3, {})), false);
+  EXPECT_EQ(bool(is_close(3.0 - ulp, expected, 0.99 * ulp / 3, {})), false);
+  EXPECT_EQ(bool(is_close(3.0 + ulp, expected, 0.11 * ulp / 3, {}, 10)), true);
+  EXPECT_EQ(bool(is_close(3.0 + ulp, expected, 0.09 * ulp / 3, {}, 10)), false);
+  EXPECT_EQ(bool(is_within(1.05, 1, 0.06)), true);
+  EXPECT_EQ(bool(is_within(1.05, 1, 0.04)), false);
+  EXPECT_EQ(bool(is_within(0.95, 1, 0.04)), false);
+}
+
+TEST(Judge, NothingButTheNumberItselfIsCloseToNothing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(bool(is_close(nan, 1, 1e300, {})), false);
+  EXPECT_EQ(bool(is_close(infinity, 1, 1e300, {})), false);
+  EXPECT_EQ(bool(is_close(1e-300, 0, 1, {})), false);
+  EXPECT_EQ(bool(is_close(0.0, 0, 1, {})), true);
+  EXPECT_EQ(bool(is_within(nan, 1, 1e300)), false);
+}
+
+TEST(Judge, SaysInputExpectedGotErrorConditionBoundAndFactor) {
+  const std::string text = is_close(1.5, 1, 0.1, {{"x", 0.5}}, 2).message();
+  for (const char* part : {"x = 0.5 (0x1p-1)", "expected 1", "got      1.5 (0x1.8p+0)",
+                           "error 0.5 relative", "ulp", "condition 2", "bound 0.2", "factor 2.5"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in" << text;
+}
+
+TEST(Judge, CountsWhatItHasHeldAndHowNearTheBoundItCame) {
+  case_count = {};
+  EXPECT_TRUE(is_close(1.25, 1, 0.5, {}));
+  EXPECT_EQ(case_count.held, 1u);
+  EXPECT_EQ(case_count.greatest_part_of_bound, 0.5);
+}
+
+// The C++ standard gives the ten thousandth number of mt19937_64 with its default seed.
+TEST(Sampler, GivesTheSameNumbersEverywhere) {
+  Sampler sampler(5489);
+  for (int i = 1; i < 10000; ++i) sampler.uniform(0, 1);
+  EXPECT_EQ(sampler.uniform(0, 1), static_cast<double>(9981545732273789042ULL >> 11) * 0x1p-53);
+}
+
+}  // namespace
+}  // namespace tribo::verification
