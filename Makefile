@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # A thin face on CMake's presets: each target sets up what it needs, and no more.
 PURPOSE ?= build report test
+FUZZ_SECONDS ?= 600
+SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check report test test-slow install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check report test test-slow fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 deps: ## install the packages of PURPOSE="build report test check"
@@ -22,32 +24,71 @@ references: ## make the tables of reference/exact anew, in ball arithmetic; take
 	cmake --build --preset release --target generate_references
 	build/release/reference/generators/generate_references reference/exact
 
-references-check: ## make a sample of the rows again and compare bytes
+references-check: ## make SAMPLE rows of each table again, 8 unless told, and compare bytes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references
-	build/release/reference/generators/generate_references reference/exact --sample 8 --seed 1
+	build/release/reference/generators/generate_references reference/exact --sample $(SAMPLE) --seed 1
 
 report: ## solve the paper's scenes and draw its figures: reports/out/index.html
 	@.ci/deps build report
 	@$(MAKE) --no-print-directory build
 	build/release/tribocheck report
 
-test: ## build and run all tests
+test: ## build and run all tests, and hold what ran against verification/gates/manifest.tsv
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release
-	ctest --preset release
+	ctest --preset release --output-junit ctest.xml --test-output-size-passed 1000000
+	python3 verification/gates/inventory.py build/release/ctest.xml
 
 test-slow: build ## stream ten million lines in flat memory; takes some two minutes
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_LINES=10000000 \
 	  python3 -B -m unittest -v test_stream_slow
+
+manifest: ## the manifest of checks made anew from what the last `make test` ran
+	python3 verification/gates/inventory.py build/release/ctest.xml --write
+
+faults: ## plant every fault of verification/gates/faults and see it caught; takes some ten minutes
+	@.ci/deps build test
+	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
+
+verify-full: ## all verification, the slow parts too, and what each took; takes some 50 minutes
+	.ci/verify-full
 
 debug: ## build with sanitizers and run the quick tests
 	@.ci/deps build test
 	cmake --preset debug
 	cmake --build --preset debug
 	ctest --preset debug
+
+fuzz-short: ## each fuzz target on a fixed number of inputs; some 20 s a target, the build a minute
+	@.ci/deps build check
+	cmake --preset fuzz
+	cmake --build --preset fuzz
+	verification/stress/fuzz/run build/fuzz
+
+fuzz: ## each fuzz target for FUZZ_SECONDS, 600 unless told: half an hour
+	@.ci/deps build check
+	cmake --preset fuzz
+	cmake --build --preset fuzz
+	verification/stress/fuzz/run build/fuzz $(FUZZ_SECONDS)
+
+stress: ## ten million random points against long double: reference/baselines/stress.json; some ten minutes
+	@.ci/deps build test
+	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
+	cmake --build --preset release --target model_stress
+	build/release/verification/model_stress --points 10000000 --threads $$(nproc) \
+	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" \
+	  --out reference/baselines/stress.json
+
+baseline: build ## what accuracy the ratchet holds: reference/baselines/accuracy.json
+	@mkdir -p reference/baselines
+	build/release/tribocheck verify --format json > build/accuracy.json
+	printf '{"commit": "%s",\n"date": "%s",\n"environment": {"compiler": "%s", "cpu": "%s"},\n"quantities": %s}\n' \
+	  "$$(git describe --always --dirty --abbrev=40 --exclude '*')" "$$(date -u +%F)" \
+	  "$$(g++ --version | head -1)" "$$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
+	  "$$(cat build/accuracy.json)" > reference/baselines/accuracy.json
 
 install: build ## install under PREFIX, or /usr/local
 	cmake --install build/release $(if $(PREFIX),--prefix "$(PREFIX)")

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // A thin value type over Arb's real balls (FLINT): midpoint and radius, every operation an
 // enclosure. Comparisons are certain: a < b only where every point of a is below every point of b.
+// Where neither a comparison nor its opposite is certain, the answer is no, and is counted.
 #pragma once
 
 #include <arb.h>
 #include <arf.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
 namespace tribo::reference {
 
 inline constexpr slong ball_precision = 320;  // bits
+
+// Comparisons of this thread that were not certain either way. Text that is written for numbers
+// takes one of two branches after such a comparison, and may no longer give an enclosure.
+inline thread_local std::uint64_t undecided_comparisons = 0;
 
 class Ball {
  public:
@@ -48,12 +54,12 @@ class Ball {
     return result;
   }
 
-  friend bool operator<(const Ball& a, const Ball& b) { return arb_lt(a.x_, b.x_) != 0; }
-  friend bool operator>(const Ball& a, const Ball& b) { return arb_gt(a.x_, b.x_) != 0; }
-  friend bool operator<=(const Ball& a, const Ball& b) { return arb_le(a.x_, b.x_) != 0; }
-  friend bool operator>=(const Ball& a, const Ball& b) { return arb_ge(a.x_, b.x_) != 0; }
-  friend bool operator==(const Ball& a, const Ball& b) { return arb_eq(a.x_, b.x_) != 0; }
-  friend bool operator!=(const Ball& a, const Ball& b) { return arb_ne(a.x_, b.x_) != 0; }
+  friend bool operator<(const Ball& a, const Ball& b) { return certain(arb_lt, arb_ge, a, b); }
+  friend bool operator>(const Ball& a, const Ball& b) { return certain(arb_gt, arb_le, a, b); }
+  friend bool operator<=(const Ball& a, const Ball& b) { return certain(arb_le, arb_gt, a, b); }
+  friend bool operator>=(const Ball& a, const Ball& b) { return certain(arb_ge, arb_lt, a, b); }
+  friend bool operator==(const Ball& a, const Ball& b) { return certain(arb_eq, arb_ne, a, b); }
+  friend bool operator!=(const Ball& a, const Ball& b) { return certain(arb_ne, arb_eq, a, b); }
 
   friend bool overlaps(const Ball& a, const Ball& b) { return arb_overlaps(a.x_, b.x_) != 0; }
   friend bool is_finite(const Ball& a) { return arb_is_finite(a.x_) != 0; }
@@ -90,6 +96,13 @@ class Ball {
   }
 
  private:
+  using Comparison = int(const arb_t, const arb_t);
+  static bool certain(Comparison* holds, Comparison* fails, const Ball& a, const Ball& b) {
+    if (holds(a.x_, b.x_) != 0) return true;
+    if (fails(a.x_, b.x_) == 0) ++undecided_comparisons;
+    return false;
+  }
+
   arb_t x_;
 };
 
@@ -99,6 +112,7 @@ inline Ball log(const Ball& x) { return unary(arb_log, x); }
 inline Ball log1p(const Ball& x) { return unary(arb_log1p, x); }
 inline Ball sqrt(const Ball& x) { return unary(arb_sqrt, x); }
 inline Ball atan(const Ball& x) { return unary(arb_atan, x); }
+inline Ball acos(const Ball& x) { return unary(arb_acos, x); }
 inline Ball tan(const Ball& x) { return unary(arb_tan, x); }
 inline Ball asinh(const Ball& x) { return unary(arb_asinh, x); }
 inline Ball gamma(const Ball& x) { return unary(arb_gamma, x); }

@@ -34,14 +34,12 @@ inline Ball nothing() {
   return result;
 }
 
-// By confluent hypergeometric functions, with n = twice_n/2: the Hermite function to d = 25,
-// F_n(d) = Γ(n+1)/√(2π) 2^{(n+1)/2} e^{−d²/2} H_{−n−1}(d/√2), whose two series cancel by e^{d²},
-// and F_n(d) = Γ(n+1)/√(2π) 2^{−(n+1)/2} e^{−d²/2} U((n+1)/2, 1/2, d²/2) beyond, by its asymptotic
-// series.
-inline Ball moment_by_hypergeometric(int twice_n, const Ball& ball) {
+// e^{d²/2} F_n(d), d without a radius, n = twice_n/2, by confluent hypergeometric functions: the
+// Hermite function to d = 25, F_n(d) = Γ(n+1)/√(2π) 2^{(n+1)/2} e^{−d²/2} H_{−n−1}(d/√2), whose two
+// series cancel by e^{d²}, and F_n(d) = Γ(n+1)/√(2π) 2^{−(n+1)/2} e^{−d²/2} U((n+1)/2, 1/2, d²/2)
+// beyond, by its asymptotic series.
+inline Ball scaled_moment_by_hypergeometric(int twice_n, const Ball& d) {
   const Ball n = fraction(twice_n, 2);
-  const Ball d = ball.midpoint();
-  if (d > 10000) return nothing();
   const Ball half = (n + 1) / 2;
   Ball function;
   if (d > 25) {
@@ -59,7 +57,13 @@ inline Ball moment_by_hypergeometric(int twice_n, const Ball& ball) {
     arb_hypgeom_hermite_h(function.get(), order.get(), argument.get(), working);
     function *= pow(Ball(2), half);
   }
-  return widened(gamma(n + 1) / sqrt(2 * ball_pi()) * exp(-d * d / 2) * function, twice_n, ball);
+  return gamma(n + 1) / sqrt(2 * ball_pi()) * function;
+}
+
+inline Ball moment_by_hypergeometric(int twice_n, const Ball& ball) {
+  const Ball d = ball.midpoint();
+  if (d > 10000) return nothing();
+  return widened(exp(-d * d / 2) * scaled_moment_by_hypergeometric(twice_n, d), twice_n, ball);
 }
 
 namespace detail {

@@ -13,10 +13,11 @@ struct ReportOptions {
 };
 
 struct ReportPlaces {
-  std::filesystem::path out;      // absolute
-  std::filesystem::path scenes;   // absolute
-  std::filesystem::path gnuplot;  // absolute: the folder of the scripts
-  std::filesystem::path root;     // of the project, or empty
+  std::filesystem::path out;        // absolute
+  std::filesystem::path scenes;     // absolute
+  std::filesystem::path gnuplot;    // absolute: the folder of the scripts
+  std::filesystem::path root;       // of the project, or empty
+  std::filesystem::path reference;  // absolute: the folder of exact/ and baselines/
 
   // A file as provenance names it: from the project's root if it lies below it.
   std::string shown(const std::filesystem::path& file) const;

@@ -14,6 +14,7 @@
 #include "report/page.hpp"
 #include "report/pending_file.hpp"
 #include "report/report_error.hpp"
+#include "report/verification_tables.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::report {
@@ -128,7 +129,9 @@ Report write_report(const ReportOptions& options,
   std::vector<std::string> data = writer.report.written;
   std::vector<Figure> drawn = figures(findings);
   for (Figure& figure : drawn) writer.draw(figure);
-  const Page page = make_page(findings, comparisons, std::move(drawn), std::move(data));
+  progress("holding the model to the certified tables");
+  const Page page = make_page(findings, comparisons, std::move(drawn), verification_tables(places),
+                              std::move(data));
   writer.write("report.md", markdown_page(page));
   writer.write("index.html", html_page(page));
   writer.report.tables = tables_text(comparisons);

@@ -137,6 +137,9 @@ std::string plain_table(const TextTable& table) {
 }
 
 std::string html_table(const TextTable& table) {
+  if (table.rows.empty())
+    return fmt::format("<p class=\"note\"><strong>{}.</strong> {}</p>\n", to_html(table.caption),
+                       to_html(table.note));
   std::string text = fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n<table>\n"
       "<caption>{1}</caption>\n<thead>\n{2}</thead>\n<tbody>\n",
@@ -149,6 +152,8 @@ std::string html_table(const TextTable& table) {
 }
 
 std::string markdown_table(const TextTable& table) {
+  if (table.rows.empty())
+    return fmt::format("**{}.** {}\n", to_markdown(table.caption), to_markdown(table.note));
   std::string rule = "|";
   for (const bool is_number : table.is_number) rule += is_number ? " ---: |" : " --- |";
   std::string text = fmt::format("**{}**\n\n{}{}\n", to_markdown(table.caption),

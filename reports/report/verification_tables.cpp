@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/verification_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "accuracy/accuracy.hpp"
+#include "report/number_text.hpp"
+
+namespace tribo::report {
+namespace {
+
+using Json = nlohmann::json;
+
+// A baseline, or the reason why there is none.
+struct Baseline {
+  Json content;
+  std::string missing;
+};
+
+Baseline read_baseline(const ReportPlaces& places, const char* name) {
+  const auto path = places.reference / "baselines" / name;
+  std::ifstream file(path);
+  if (!file) return {{}, fmt::format("`{}` is not there", places.shown(path))};
+  Json content = Json::parse(file, nullptr, false);
+  if (content.is_discarded()) return {{}, fmt::format("`{}` is not JSON", places.shown(path))};
+  return {std::move(content), {}};
+}
+
+// “measured at 0123abcd on 2026-11-21, …”
+std::string provenance(const Json& baseline) {
+  const Json& environment = baseline.at("environment");
+  return fmt::format(
+      "Measured on {} at commit `{}`, in {} s; {}; {}.", baseline.at("date").get<std::string>(),
+      baseline.at("commit").get<std::string>(), rounded(baseline.at("seconds").get<double>(), 3),
+      environment.at("cpu").get<std::string>(), environment.at("compiler").get<std::string>());
+}
+
+TextTable certified_table(const ReportPlaces& places) {
+  TextTable table{"The model in double against the certified tables of `reference/exact`",
+                  {"quantity", "cases", "worst error, ulp", "worst error/condition, ulp",
+                   "allowed, ulp", "verdict"},
+                  {false, true, true, true, true, false},
+                  {},
+                  "Each row of the tables is a value that ball arithmetic encloses to 40 digits. "
+                  "Where two numbers are allowed, the second counts times the condition number of "
+                  "the row. `tribocheck verify` prints the same."};
+  for (const verification::QuantityResult& r :
+       verification::check_accuracy((places.reference / "exact").string())) {
+    std::string allowed = rounded(r.allowed_ulp, 3);
+    if (r.allowed_ulp_per_condition > 0)
+      allowed += " or " + rounded(r.allowed_ulp_per_condition, 3) + " × condition";
+    table.rows.push_back({fmt::format("`{}`", r.quantity), std::to_string(r.cases),
+                          rounded(r.worst_ulp, 3), rounded(r.worst_ulp_per_condition, 3),
+                          std::move(allowed), r.passed() ? "held" : "FAILED"});
+  }
+  return table;
+}
+
+TextTable fault_table(const ReportPlaces& places) {
+  TextTable table{"Faults planted in the tree, and the check that caught each",
+                  {"fault", "in", "check", "time, s", "verdict"},
+                  {false, false, false, true, false},
+                  {},
+                  {}};
+  const Baseline baseline = read_baseline(places, "planted_faults.json");
+  if (!baseline.missing.empty()) {
+    table.note = baseline.missing + "; `make faults` writes it.";
+    return table;
+  }
+  std::size_t caught = 0;
+  for (const Json& fault : baseline.content.at("faults")) {
+    const bool is_caught = fault.at("caught").get<bool>();
+    caught += is_caught ? 1 : 0;
+    table.rows.push_back(
+        {fault.at("id").get<std::string>() + ": " + fault.at("fault").get<std::string>(),
+         fmt::format("`{}`", fault.at("file").get<std::string>()),
+         fmt::format("`{}`", fault.at("check").get<std::string>()),
+         rounded(fault.at("seconds").get<double>(), 3), is_caught ? "caught" : "SURVIVED"});
+  }
+  table.note =
+      fmt::format("{} of {} caught; the time is that of building and running the check. {}", caught,
+                  table.rows.size(), provenance(baseline.content));
+  return table;
+}
+
+// What a table says when its source cannot be used.
+template <class Make>
+TextTable made_or_excused(const char* caption, Make&& make) {
+  try {
+    return make();
+  } catch (const std::exception& error) {
+    return {caption, {}, {}, {}, error.what()};
+  }
+}
+
+}  // namespace
+
+std::vector<TextTable> verification_tables(const ReportPlaces& places) {
+  return {made_or_excused("Certified tables", [&] { return certified_table(places); }),
+          made_or_excused("Planted faults", [&] { return fault_table(places); })};
+}
+
+}  // namespace tribo::report

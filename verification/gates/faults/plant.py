@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Plants the faults of catalogue.toml, one at a time, in a scratch copy, and sees them caught.
+
+A fault is a patch: `find`, a text that stands exactly once in `file`, and `replace`. Each names the check
+that has to turn red: a CTest test (`analytic.Hertz.…`), or with `inventory:` before it the inventory
+gate on that test, for faults that leave the test green. Red: a patch that no longer applies, a fault that
+does not build, one that survives.
+
+  verification/gates/faults/plant.py                     all of them; ten minutes on two cores
+  verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
+  verification/gates/faults/plant.py --only E3 --keep    one, and leave its scratch copy
+"""
+import argparse
+import concurrent.futures
+import datetime
+import json
+import os
+import pathlib
+import platform
+import queue
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
+FIELDS = {"id", "fault", "file", "find", "replace", "check"}
+INVENTORY = "inventory:"
+CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
+
+
+class Red(Exception):
+    """The fault was not caught, or could not be planted."""
+
+
+def run(command, **options):
+    return subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, **options)
+
+
+def read_catalogue():
+    faults = tomllib.loads(CATALOGUE.read_text())["fault"]
+    seen = set()
+    for fault in faults:
+        if set(fault) != FIELDS or fault["id"] in seen:
+            sys.exit(f"{CATALOGUE}: {fault.get('id')}: needs the fields {sorted(FIELDS)}, and an id of its own")
+        seen.add(fault["id"])
+    return faults
+
+
+def stale(fault):
+    """Why the patch does not apply, or None."""
+    path = ROOT / fault["file"]
+    if not path.is_file():
+        return f"{fault['file']} is not there"
+    times = path.read_text().count(fault["find"])
+    return None if times == 1 else f"its text stands {times} times in {fault['file']}"
+
+
+def test_of(check):
+    return check.removeprefix(INVENTORY)
+
+
+def program_of(check):
+    """The build target that runs a check."""
+    if test_of(check).startswith("program."):
+        return "tribocheck"
+    # concern.Suite.Test, with Prefix/ and /parameter where there are parameters or types
+    _, suites, test = test_of(check).split(".")
+    suite = "|".join(re.escape(part) for part in suites.split("/"))
+    pattern = re.compile(rf"TEST(?:_[FP])?\(\s*(?:{suite}),\s*{re.escape(re.split('[/<]', test)[0])}\)")
+    for source in sorted(ROOT.glob("verification/**/*_test.cpp")):
+        if pattern.search(source.read_text()):
+            return source.stem
+    sys.exit(f"{check}: no source has this test")
+
+
+def green_checks(junit):
+    """The tests that passed in a CTest run of the tree without faults."""
+    passed = set()
+    for test in ElementTree.parse(junit).iter("testcase"):
+        if test.get("status") == "run":
+            passed.add(test.get("name").split("  #")[0])
+    return passed
+
+
+class Scratch:
+    """A copy of the tree with a build of its own."""
+
+    def __init__(self, folder):
+        self.tree = folder / "tree"
+        self.build = folder / "build"
+        files = run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT).stdout
+        for name in filter(None, files.split("\0")):
+            if (ROOT / name).is_file():
+                (self.tree / name).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(ROOT / name, self.tree / name)
+        done = run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
+                    "-DCMAKE_CXX_FLAGS=-O1", "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"])
+        if done.returncode != 0:
+            sys.exit(done.stdout)
+
+    def try_fault(self, fault):
+        """What the check said. Raises Red where the fault was not caught."""
+        path = self.tree / fault["file"]
+        whole = path.read_text()
+        path.write_text(whole.replace(fault["find"], fault["replace"]))
+        try:
+            self.make(program_of(fault["check"]))
+            return self.look(fault["check"])
+        finally:
+            path.write_text(whole)
+
+    def make(self, target):
+        done = run(["cmake", "--build", self.build, "--target", target, "-j1"])
+        if done.returncode != 0:
+            first = next((line for line in done.stdout.splitlines() if "error" in line), done.stdout[-300:])
+            raise Red(f"does not build: {first}")
+
+    def look(self, check):
+        test = test_of(check)
+        only = f"^{re.escape(test)}$"
+        junit = self.build / "fault.xml"
+        command = ["ctest", "--test-dir", self.build, "-R", only + "|" + only[:-1] + "  #", "--timeout", str(CHECK_SECONDS),
+                   "--output-junit", junit, "--test-output-size-passed", "1000000"]
+        done = run(command)
+        if f"No tests were found" in done.stdout:
+            raise Red(f"{test} is not there to run")
+        if not check.startswith(INVENTORY):
+            if done.returncode == 0:
+                raise Red("survived")
+            return "timed out" if "***Timeout" in done.stdout else "failed"
+        if done.returncode != 0:
+            raise Red(f"{test} itself failed: then it should be named, without {INVENTORY}")
+        gate = run([sys.executable, self.tree / "verification/gates/inventory.py", junit, "--only", only])
+        if gate.returncode != 1:
+            raise Red("survived")
+        return gate.stdout.splitlines()[0]
+
+
+def environment():
+    cpu = next((line.split(":", 1)[1].strip() for line in open("/proc/cpuinfo") if line.startswith("model name")),
+               platform.machine())
+    compiler = run(["c++", "--version"]).stdout.splitlines()[0]
+    return {"cpu": cpu, "cores": os.cpu_count(), "compiler": compiler, "system": platform.platform()}
+
+
+def commit():
+    head = run(["git", "rev-parse", "HEAD"], cwd=ROOT).stdout.strip()
+    changed = run(["git", "status", "--porcelain"], cwd=ROOT).stdout.strip()
+    return head + (" and changes" if changed else "")
+
+
+def plant(faults, workers, folder, tell):
+    """A row for each fault, in the order of the catalogue."""
+    scratches = queue.SimpleQueue()
+    for i in range(workers):
+        scratches.put(folder / str(i))
+    ready = {}
+
+    def one(fault):
+        place = scratches.get()
+        start = time.monotonic()
+        row = {key: fault[key] for key in ("id", "fault", "file", "check")}
+        try:
+            if place not in ready:
+                ready[place] = Scratch(place)
+                start = time.monotonic()
+            row |= {"caught": True, "said": ready[place].try_fault(fault)}
+        except Red as red:
+            row |= {"caught": False, "said": str(red)}
+        finally:
+            scratches.put(place)
+        row["seconds"] = round(time.monotonic() - start, 1)
+        tell(row)
+        return row
+
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        return list(pool.map(one, faults))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sample", type=int, metavar="N", help="N of them, chosen by the seed")
+    parser.add_argument("--seed", help="any text; the commit's hash if not given")
+    parser.add_argument("--only", metavar="ID", action="append", help="this fault; may be given again")
+    parser.add_argument("--green", type=pathlib.Path, default=ROOT / "build/release/ctest.xml", metavar="FILE",
+                        help="JUnit file of a CTest run without faults, in which every check named has to have "
+                             "passed (default: what `make test` left)")
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--out", type=pathlib.Path, metavar="FILE", help="write the ledger there as JSON")
+    parser.add_argument("--keep", action="store_true", help="leave the scratch copies, and say where")
+    arguments = parser.parse_args()
+
+    faults = read_catalogue()
+    for fault in faults:
+        program_of(fault["check"])
+    red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
+    try:
+        green = green_checks(arguments.green)
+    except (OSError, ElementTree.ParseError) as error:
+        print(f"plant.py: --green: {error}; `make test` writes it", file=sys.stderr)
+        return 2
+    red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"
+            for fault in faults if test_of(fault["check"]) not in green]
+    count = len(faults)
+    if arguments.only:
+        faults = [fault for fault in faults if fault["id"] in arguments.only]
+        if len(faults) != len(set(arguments.only)):
+            print("plant.py: --only: no such id in the catalogue", file=sys.stderr)
+            return 2
+    if arguments.sample is not None:
+        seed = arguments.seed or commit()
+        faults = random.Random(seed).sample(faults, min(arguments.sample, len(faults)))
+        print(f"{len(faults)} of {count} faults, seed {seed}")
+    for line in red:
+        print(f"RED       {line}")
+
+    started = time.monotonic()
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="tribocheck-faults-"))
+
+    def tell(row):
+        verdict = "caught" if row["caught"] else "RED"
+        print(f"{verdict:8}  {row['seconds']:5.1f} s  {row['id']:28}  {row['check']}  ({row['said']})", flush=True)
+
+    try:
+        rows = plant(faults, arguments.workers, folder, tell)
+    finally:
+        if arguments.keep:
+            print(f"scratch copies: {folder}")
+        else:
+            shutil.rmtree(folder, ignore_errors=True)
+    seconds = round(time.monotonic() - started)
+    survived = sum(not row["caught"] for row in rows)
+    print(f"{len(rows)} faults planted, {len(rows) - survived} caught, in {seconds} s; {len(red)} cannot be planted")
+    if arguments.out:
+        ledger = {"commit": commit(), "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
+                  "environment": environment(), "seconds": seconds, "catalogue": count, "faults": rows}
+        arguments.out.parent.mkdir(parents=True, exist_ok=True)
+        arguments.out.write_text(json.dumps(ledger, indent=1, ensure_ascii=False) + "\n")
+    return 1 if survived or red else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

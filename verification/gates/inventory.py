@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The inventory gate: what the manifest lists is what ran, each on no fewer cases than listed.
+
+Reads the JUnit file that `ctest --output-junit` wrote (`make test` does) and gates/manifest.tsv. Red:
+a check that is listed and did not run, or was skipped; one that ran on no case or on fewer than listed;
+one that ran and is not listed; one whose errors have all shrunk to under a quarter of what the manifest
+says that they take of their bounds, because a bound was widened (or the code became better: then the
+bound has to be tightened). Cases are the comparisons of a C++ test and the tests of a Python file; what
+is a single command counts as one.
+
+  python3 verification/gates/inventory.py build/release/ctest.xml            hold
+  python3 verification/gates/inventory.py build/release/ctest.xml --write    make the manifest anew
+"""
+import argparse
+import pathlib
+import re
+import sys
+import typing
+import xml.etree.ElementTree as ElementTree
+
+HERE = pathlib.Path(__file__).resolve().parent
+MANIFEST = HERE / "manifest.tsv"
+RAN_LINE = re.compile(r"^Ran (\d+) (?:cases|tests?)\b(?:, the nearest at (\S+) of its bound)?", re.MULTILINE)
+
+
+class Ran(typing.NamedTuple):
+    cases: int
+    part_of_bound: float  # the greatest error/bound; 0 where nothing is held to a bound
+
+
+def checks_that_ran(junit):
+    """Name → Ran of each check; no cases where it was skipped or not run."""
+    ran = {}
+    for test in ElementTree.parse(junit).iter("testcase"):
+        name = test.get("name").split("  #")[0]
+        output = test.findtext("system-out") or ""
+        counts = RAN_LINE.findall(output)
+        # A failed test ran: that it failed is for CTest to say.
+        if test.get("status") not in ("run", "fail"):
+            ran[name] = Ran(0, 0)
+        elif counts:
+            ran[name] = Ran(sum(int(cases) for cases, _ in counts),
+                            max(float(part or 0) for _, part in counts))
+        else:
+            ran[name] = Ran(1, 0)
+    return ran
+
+
+def read_manifest(path):
+    listed = {}
+    for line in path.read_text().splitlines():
+        if line and not line.startswith("#"):
+            name, cases, part = line.split("\t")
+            listed[name] = Ran(int(cases), float(part))
+    return listed
+
+
+def write_manifest(path, ran):
+    rows = "".join(f"{name}\t{row.cases}\t{row.part_of_bound:.3g}\n" for name, row in sorted(ran.items()))
+    path.write_text("# check, the fewest cases it may run on, greatest error/bound among them; "
+                    "made by inventory.py --write\n" + rows)
+
+
+def findings(listed, ran):
+    for name, row in sorted(listed.items()):
+        if name not in ran:
+            yield f"{name}: listed, but it did not run"
+        elif ran[name].cases == 0:
+            yield f"{name}: skipped, or ran on no case"
+        elif ran[name].cases < row.cases:
+            yield f"{name}: ran on {ran[name].cases} cases, {row.cases} are listed"
+        elif ran[name].part_of_bound < row.part_of_bound / 4:
+            yield (f"{name}: the greatest error is {ran[name].part_of_bound:.3g} of its bound, "
+                   f"{row.part_of_bound:.3g} is listed: a bound is too wide now")
+    for name in sorted(ran.keys() - listed.keys()):
+        yield f"{name}: not on the manifest (inventory.py --write puts it there)"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("junit", type=pathlib.Path, help="what ctest --output-junit wrote")
+    parser.add_argument("--only", metavar="REGEX", type=re.compile, help="hold these checks alone")
+    parser.add_argument("--manifest", type=pathlib.Path, default=MANIFEST)
+    parser.add_argument("--write", action="store_true", help="make the manifest anew from this run")
+    arguments = parser.parse_args()
+    try:
+        ran = checks_that_ran(arguments.junit)
+        if arguments.write:
+            empty = [name for name, row in ran.items() if row.cases == 0]
+            if empty:
+                sys.exit("not written, these ran on no case: " + ", ".join(sorted(empty)))
+            write_manifest(arguments.manifest, ran)
+        listed = read_manifest(arguments.manifest)
+        if arguments.only:
+            ran = {name: row for name, row in ran.items() if arguments.only.search(name)}
+            listed = {name: row for name, row in listed.items() if arguments.only.search(name)}
+    except (OSError, ValueError, ElementTree.ParseError) as error:
+        print(f"inventory: {error}", file=sys.stderr)
+        return 2
+    found = list(findings(listed, ran))
+    for line in found:
+        print(f"inventory: {line}")
+    print(f"inventory: {len(listed)} checks listed, {len(ran)} ran, {sum(row.cases for row in ran.values())} cases")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
