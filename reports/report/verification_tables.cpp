@@ -31,13 +31,14 @@ Baseline read_baseline(const ReportPlaces& places, const char* name) {
   return {std::move(content), {}};
 }
 
-// “measured at 0123abcd on 2026-11-21, …”
+// “Measured on 2026-11-21 at commit 0123abcd, in 600 s; …”
 std::string provenance(const Json& baseline) {
   const Json& environment = baseline.at("environment");
   return fmt::format(
       "Measured on {} at commit `{}`, in {} s; {}; {}.", baseline.at("date").get<std::string>(),
-      baseline.at("commit").get<std::string>(), rounded(baseline.at("seconds").get<double>(), 3),
-      environment.at("cpu").get<std::string>(), environment.at("compiler").get<std::string>());
+      baseline.at("commit").get<std::string>().substr(0, 12),
+      rounded(baseline.at("seconds").get<double>(), 3), environment.at("cpu").get<std::string>(),
+      environment.at("compiler").get<std::string>());
 }
 
 TextTable certified_table(const ReportPlaces& places) {
@@ -88,6 +89,51 @@ TextTable fault_table(const ReportPlaces& places) {
   return table;
 }
 
+// Of the worst point; nothing where every case was exact.
+std::string input_list(const Json& at) {
+  if (at.is_null()) return "";
+  std::string text;
+  for (const auto& [name, value] : at.at("inputs").items())
+    text += fmt::format("{}`{}` {}", text.empty() ? "" : ", ", name,
+                        rounded(value.at(0).get<double>(), 5));
+  return text;
+}
+
+// The worst of an output: infinity is null in JSON.
+std::string worst(const Json& output, const char* key) {
+  const Json& value = output.at(key);
+  return value.is_null() ? "∞" : rounded(value.get<double>(), 3);
+}
+
+TextTable stress_table(const ReportPlaces& places) {
+  TextTable table{"Random points through the whole model, double against long double",
+                  {"output", "cases", "worst error, ulp", "worst error/condition, ulp", "in balls",
+                   "verdict", "inputs of the worst error/condition"},
+                  {false, true, true, true, true, false, false},
+                  {},
+                  {}};
+  const Baseline baseline = read_baseline(places, "stress.json");
+  if (!baseline.missing.empty()) {
+    table.note = baseline.missing + "; `make stress` writes it.";
+    return table;
+  }
+  for (const Json& output : baseline.content.at("outputs")) {
+    table.rows.push_back({fmt::format("`{}`", output.at("output").get<std::string>()),
+                          std::to_string(output.at("cases").get<long long>()),
+                          worst(output, "worst_ulp"), worst(output, "worst_ulp_per_condition"),
+                          worst(output.at("in_balls"), "worst_ulp_per_condition"),
+                          output.at("held").get<bool>() ? "held" : "BROKEN",
+                          input_list(output.at("worst_ulp_per_condition_at"))});
+  }
+  table.note = fmt::format(
+      "{} points, seed {}. The worst were repeated in ball arithmetic: the column in balls is "
+      "their worst error/condition against an enclosure. Where the condition is large, so is the "
+      "worst error. `reference/baselines/stress.json` has the inputs to the bit. {}",
+      baseline.content.at("points").get<long long>(), baseline.content.at("seed").get<long long>(),
+      provenance(baseline.content));
+  return table;
+}
+
 // What a table says when its source cannot be used.
 template <class Make>
 TextTable made_or_excused(const char* caption, Make&& make) {
@@ -102,6 +148,7 @@ TextTable made_or_excused(const char* caption, Make&& make) {
 
 std::vector<TextTable> verification_tables(const ReportPlaces& places) {
   return {made_or_excused("Certified tables", [&] { return certified_table(places); }),
+          made_or_excused("Random points", [&] { return stress_table(places); }),
           made_or_excused("Planted faults", [&] { return fault_table(places); })};
 }
 
