@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check report test test-slow fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check pieces pieces-check report test test-slow fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 deps: ## install the packages of PURPOSE="build report test check"
@@ -23,6 +23,19 @@ references: ## make the tables of reference/exact anew, in ball arithmetic; take
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references
 	build/release/reference/generators/generate_references reference/exact
+
+pieces: ## make the polynomials of the moment kernels anew, with their proven error; takes a minute
+	@.ci/deps build references
+	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
+	cmake --build --preset release --target generate_moment_pieces
+	build/release/reference/generators/generate_moment_pieces model/src/gaussian_moment_pieces.inc
+
+pieces-check: ## make them again beside, and compare bytes
+	@.ci/deps build references
+	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
+	cmake --build --preset release --target generate_moment_pieces
+	build/release/reference/generators/generate_moment_pieces build/pieces.inc
+	cmp build/pieces.inc model/src/gaussian_moment_pieces.inc
 
 references-check: ## make SAMPLE rows of each table again, 8 unless told, and compare bytes
 	@.ci/deps build references
@@ -78,7 +91,7 @@ stress: ## ten million random points against long double: reference/baselines/st
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target model_stress
-	build/release/verification/model_stress --points 10000000 --threads $$(nproc) \
+	build/release/verification/model_stress --points 10000000 --seed 2 --threads $$(nproc) \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" \
 	  --out reference/baselines/stress.json
 

@@ -50,13 +50,9 @@ T epsilon() {
 // ln(1/ε), the number of e-foldings that T resolves.
 template <class T>
 T resolved_exponent() {
-  if constexpr (std::is_same_v<T, double>) {
-    return 36.04365338911715;  // 52 ln 2
-  } else {
-    using std::log;
-    static const T value = -log(epsilon<T>());
-    return value;
-  }
+  using std::log;
+  static const T value = -log(epsilon<T>());
+  return value;
 }
 
 template <class T>

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// F_n and S_n in double (gaussian_moment.hpp): polynomials in pieces (gaussian_moment_pieces.inc),
+// and e^{−d²/2} with d² split. What is rounded is carried along as a second double until the last
+// operation, so that the result is off by little more than half a unit. The text is compiled twice,
+// with and without fused multiply-add, and chosen at run time; both keep the contract.
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "tribo/gaussian_moment.hpp"
+
+namespace tribo {
+namespace {
+
+#include "gaussian_moment_pieces.inc"
+
+// A number as the unrounded sum of two doubles.
+struct Sum {
+  double high, low;
+};
+
+struct Fused {
+  [[gnu::always_inline]] static double multiply_add(double a, double b, double c) {
+    return __builtin_fma(a, b, c);
+  }
+  [[gnu::always_inline]] static Sum product(double a, double b) {
+    const double high = a * b;
+    return {high, __builtin_fma(a, b, -high)};
+  }
+  // a·b + c, |c| far below |a·b|, rounded once or nearly so.
+  [[gnu::always_inline]] static double product_and_sum(double a, double b, double c) {
+    return __builtin_fma(a, b, c);
+  }
+};
+
+struct Unfused {
+  [[gnu::always_inline]] static double multiply_add(double a, double b, double c) {
+    return a * b + c;
+  }
+  // Dekker's product; |a|, |b| < 2^995.
+  [[gnu::always_inline]] static Sum product(double a, double b) {
+    const double high = a * b;
+    const Sum x = halves(a), y = halves(b);
+    return {high, ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low};
+  }
+  [[gnu::always_inline]] static double product_and_sum(double a, double b, double c) {
+    const Sum exact = product(a, b);
+    return exact.high + (exact.low + c);
+  }
+
+ private:
+  [[gnu::always_inline]] static Sum halves(double a) {
+    const double scaled = 134217729 * a;
+    const double high = scaled - (scaled - a);
+    return {high, a - high};
+  }
+};
+
+// a + b for |a| ≥ |b|.
+[[gnu::always_inline]] inline Sum ordered_sum(double a, double b) {
+  const double high = a + b;
+  return {high, b - (high - a)};
+}
+
+constexpr double pieces_end = 45;  // of |d|
+
+// Σ c_k t^k from k = 1 on over t, by even and odd powers.
+template <class Arithmetic>
+[[gnu::always_inline]] inline double slope_polynomial(const double* c, double t) {
+  const double square = t * t;
+  double odd = c[11], even = c[10];  // of c_12 and c_11
+  for (int k = 9; k >= 1; k -= 2) {
+    odd = Arithmetic::multiply_add(odd, square, c[k]);
+    even = Arithmetic::multiply_add(even, square, c[k - 1]);
+  }
+  return Arithmetic::multiply_add(odd, t, even);
+}
+
+// S_n at |d| = x < pieces_end for d ≥ 0, F_n for d < 0.
+template <class Arithmetic>
+[[gnu::always_inline]] inline Sum in_pieces(Order n, bool below_zero, double x) {
+  constexpr int kept = 48;  // bits below those that number the pieces of x + 3
+  const auto bits = std::bit_cast<std::uint64_t>(x + 3.0);
+  constexpr auto first = std::bit_cast<std::uint64_t>(3.0) >> kept;
+  const double* c = fine_pieces[twice(n)][below_zero ? 1 : 0][(bits >> kept) - first];
+  const double centre =
+      std::bit_cast<double>((bits >> kept << kept) | (std::uint64_t{1} << (kept - 1))) - 3.0;
+  const double t = x - centre;
+  return ordered_sum(c[0],
+                     Arithmetic::multiply_add(t, slope_polynomial<Arithmetic>(c + 2, t), c[1]));
+}
+
+// scale·S·e^{−d²/2} for 0 ≤ d < pieces_end.
+template <class Arithmetic>
+[[gnu::always_inline]] inline double times_gaussian(Sum s, double d) {
+  constexpr double steps = 128;  // to a factor 2
+  // ln 2/128 in two parts, the first with 34 bits: its multiples here are exact.
+  constexpr double step_high = 0x1.62e42fefp-8, step_low = 0x1.473de6af278edp-41;
+  const double head =
+      std::bit_cast<double>(std::bit_cast<std::uint64_t>(d) & ~((std::uint64_t{1} << 27) - 1));
+  const double square = 0.5 * head * head;            // exact
+  const double rest = 0.5 * (d - head) * (d + head);  // d²/2 = square + rest
+  constexpr double shifter = 0x1.8p52;
+  const double shifted = square * (steps / 0.69314718055994530942) + shifter;
+  const double k = shifted - shifter;
+  const auto whole = std::bit_cast<std::uint64_t>(shifted) - std::bit_cast<std::uint64_t>(shifter);
+  const double r = Arithmetic::multiply_add(-k, step_high, square) +
+                   Arithmetic::multiply_add(-k, step_low, rest);
+  // e^{−r} − 1, |r| < 0.0028, and what the power of two is short of
+  const double* power = powers_of_two[whole % 128];
+  const double r2 = r * r;
+  const double upper = Arithmetic::multiply_add(r, -1.0 / 120, 1.0 / 24);
+  const double lower = Arithmetic::multiply_add(r, -1.0 / 6, 0.5);
+  const double p =
+      Arithmetic::multiply_add(Arithmetic::multiply_add(upper, r2, lower), r2, power[1]) - r;
+  const Sum y = ordered_sum(s.high, Arithmetic::multiply_add(s.high, p, s.low));
+  const double value = Arithmetic::product_and_sum(power[0], y.high, power[0] * y.low);
+  const auto exponent = static_cast<std::int64_t>(whole / 128);
+  // 2^−exponent; in two steps where that, or the result, is subnormal.
+  if (exponent < 900)
+    return value * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
+  return value * 0x1p-700 *
+         std::bit_cast<double>(static_cast<std::uint64_t>(1023 - (exponent - 700)) << 52);
+}
+
+// F_n(−x) for x ≥ pieces_end: xⁿ (1 + n(n−1)/(2x²) + …), the second factor to far below an ulp.
+template <class Arithmetic>
+[[gnu::always_inline]] inline double far_below_zero(Order n, double x) {
+  const double plain = detail::power(x, n);
+  if (!(plain < 1e300)) return plain;  // so near overflow two products would lose their low parts
+  const double order = 0.5 * twice(n);
+  const double u = 0.5 / (x * x);  // < 2.5e-4
+  double series = 1;
+  for (int k = 6; k >= 2; --k)
+    series = 1 + (order - (2 * k - 2)) * (order - (2 * k - 1)) * u / k * series;
+  series *= order * (order - 1) * u;
+  Sum power = twice(n) < 2 ? Sum{1, 0} : twice(n) < 4 ? Sum{x, 0} : Arithmetic::product(x, x);
+  if (!is_integer(n)) {
+    const double root = __builtin_sqrt(x);
+    const Sum square = Arithmetic::product(root, root);
+    const double root_low = ((x - square.high) - square.low) / (2 * root);
+    const Sum next = Arithmetic::product(power.high, root);
+    power = ordered_sum(next.high, next.low + power.low * root + power.high * root_low);
+  }
+  return power.high + (power.low + power.high * series);
+}
+
+template <class Arithmetic>
+[[gnu::always_inline]] inline double scaled_moment(Order n, double d) {
+  if (d >= 0)
+    return d < pieces_end ? in_pieces<Arithmetic>(n, false, d).high : detail::far_above(n, d);
+  if (d > -pieces_end) return in_pieces<Arithmetic>(n, true, -d).high;
+  return d == d ? far_below_zero<Arithmetic>(n, -d) : d;
+}
+
+template <class Arithmetic>
+[[gnu::always_inline]] inline double moment(Order n, double d) {
+  if (d >= 0)
+    return d < 40 ? times_gaussian<Arithmetic>(in_pieces<Arithmetic>(n, false, d), d) : 0.0;
+  if (d > -pieces_end) return in_pieces<Arithmetic>(n, true, -d).high;
+  return d == d ? far_below_zero<Arithmetic>(n, -d) : d;
+}
+
+[[gnu::target("fma")]] double scaled_moment_fused(Order n, double d) {
+  return scaled_moment<Fused>(n, d);
+}
+double scaled_moment_unfused(Order n, double d) { return scaled_moment<Unfused>(n, d); }
+[[gnu::target("fma")]] double moment_fused(Order n, double d) { return moment<Fused>(n, d); }
+double moment_unfused(Order n, double d) { return moment<Unfused>(n, d); }
+
+// Until the processor has been asked, which happens before main, the choice is the one that runs
+// everywhere.
+constinit auto chosen_scaled_moment = &scaled_moment_unfused;
+constinit auto chosen_moment = &moment_unfused;
+[[maybe_unused]] const bool has_chosen = [] {
+  if (__builtin_cpu_supports("fma")) {
+    chosen_scaled_moment = &scaled_moment_fused;
+    chosen_moment = &moment_fused;
+  }
+  return true;
+}();
+
+}  // namespace
+
+double scaled_gaussian_moment(Order n, double d) { return chosen_scaled_moment(n, d); }
+double gaussian_moment(Order n, double d) { return chosen_moment(n, d); }
+
+namespace detail {
+
+double scaled_gaussian_moment_unfused(Order n, double d) { return scaled_moment_unfused(n, d); }
+double gaussian_moment_unfused(Order n, double d) { return moment_unfused(n, d); }
+
+}  // namespace detail
+
+}  // namespace tribo
