@@ -89,7 +89,7 @@ TEST(Contracts, AreNoWiderThanPromised) {
   };
   same(gaussian_moment_contract, {1, 0});
   same(hertz_contract, {10, 0});
-  same(starvation_ratio_contract, {24, 0});
+  same(starvation_ratio_contract, {16, 0});
   same(load_sharing_contract, {4, 8.5});
   same(operating_point_contract, {8, 16});
 }

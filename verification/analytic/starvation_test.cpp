@@ -45,8 +45,8 @@ TEST(Starvation, DoubleAgreesWithFiftyDigits) {
       const double gamma = sampler.uniform(0.5, 6);
       const Reference exact = starvation_ratio(closure, Reference(r), Reference(gamma));
       // near collapse 1 − r is exact, so that the flooded inlet keeps its digits too
-      EXPECT_TRUE(is_close(starvation_ratio(closure, r, gamma), exact, 50 * 0x1p-52,
-                           {{"r", r}, {"gamma", gamma}}));
+      EXPECT_TRUE(is_close(starvation_ratio(closure, r, gamma), exact,
+                           starvation_ratio_contract.ulp * 0x1p-52, {{"r", r}, {"gamma", gamma}}));
     }
 }
 
@@ -58,8 +58,8 @@ TEST(Starvation, DeficitIsOneMinusTheRatioToEveryDigit) {
       const double r = sampler.log_uniform(1e-8, closure == flooded_inlet ? 1 : 1e8);
       const double gamma = sampler.uniform(0.5, 3);
       const Reference exact = 1 - starvation_ratio(closure, Reference(r), Reference(gamma));
-      EXPECT_TRUE(is_close(starvation_deficit(closure, r, gamma), exact, 50 * 0x1p-52,
-                           {{"r", r}, {"gamma", gamma}}));
+      EXPECT_TRUE(is_close(starvation_deficit(closure, r, gamma), exact,
+                           starvation_ratio_contract.ulp * 0x1p-52, {{"r", r}, {"gamma", gamma}}));
     }
 }
 
@@ -127,7 +127,8 @@ TEST(Starvation, DepartureIsTheInverseOfTheRatio) {
           departure_flooded_over_inlet(closure, Reference(departure), Reference(gamma));
       EXPECT_LT(abs(starvation_ratio(closure, r, Reference(gamma)) - (1 - Reference(departure))),
                 Reference("1e-45"));
-      EXPECT_TRUE(is_close(departure_flooded_over_inlet(closure, departure, gamma), r, 50 * 0x1p-52,
+      EXPECT_TRUE(is_close(departure_flooded_over_inlet(closure, departure, gamma), r,
+                           starvation_ratio_contract.ulp * 0x1p-52,
                            {{"departure", departure}, {"gamma", gamma}},
                            1 / departure + 1 / (1 - departure)));
     }

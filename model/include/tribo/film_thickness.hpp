@@ -10,16 +10,21 @@
 
 namespace tribo {
 
+// The exponents of U, G and W.
+inline constexpr Fraction speed_exponent{67, 100};
+inline constexpr Fraction material_exponent{53, 100};
+inline constexpr Fraction load_exponent{-67, 1000};
+
 // d ln h₀/d ln u.
 template <class T>
 T film_speed_exponent() {
-  return ratio<T>(67, 100);
+  return ratio<T>(speed_exponent);
 }
 
 // d ln h₀/d ln α, and the exponent of γ that remains after load sharing is 0.67 − 0.53 = 0.14.
 template <class T>
 T film_material_exponent() {
-  return ratio<T>(53, 100);
+  return ratio<T>(material_exponent);
 }
 
 // 2.69 (1 − 0.61 e^{−0.73k}), 1.8992… for a circular contact, k = 1.
@@ -31,19 +36,19 @@ T hamrock_dowson_constant(const T& ellipticity) {
 
 // h₀ in m. speed u in m/s (entrainment, the mean of the two surfaces), viscosity η₀ in Pa·s,
 // pressure_viscosity α in 1/Pa, load F in N, effective_modulus E* in Pa, reduced_radius R in m,
-// ellipticity k; all > 0. Error: 100 ε relative (the powers of numbers near 1e-12).
+// ellipticity k; all > 0. Error: 20 ε relative.
 template <class T>
 T hamrock_dowson_central(const T& speed, const T& viscosity, const T& pressure_viscosity,
                          const T& load, const T& effective_modulus, const T& reduced_radius,
                          const T& ellipticity) {
-  using std::pow;
   const T modulus = 2 * effective_modulus;
   const T speed_number = viscosity * speed / (modulus * reduced_radius);
   const T material_number = pressure_viscosity * modulus;
   const T load_number = load / (modulus * reduced_radius * reduced_radius);
   return reduced_radius * hamrock_dowson_constant(ellipticity) *
-         pow(speed_number, film_speed_exponent<T>()) *
-         pow(material_number, film_material_exponent<T>()) * pow(load_number, -ratio<T>(67, 1000));
+         decimal_power(speed_number, speed_exponent) *
+         decimal_power(material_number, material_exponent) *
+         decimal_power(load_number, load_exponent);
 }
 
 }  // namespace tribo

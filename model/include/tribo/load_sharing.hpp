@@ -20,10 +20,11 @@ namespace tribo {
 // Of the root λ.
 inline constexpr Contract load_sharing_contract{4, 8.5};
 
-// 0.14: λ = λ₀(1−A)^−0.14.
+// λ = λ₀(1−A)^−0.14
+inline constexpr Fraction sharing_exponent_of_film{14, 100};
 template <class T>
 T sharing_film_exponent() {
-  return ratio<T>(14, 100);
+  return ratio<T>(sharing_exponent_of_film);
 }
 
 // The state of load sharing at one film.
@@ -100,8 +101,7 @@ class LoadSharing {
 
   // λ₀ of a film: λ(1−A)^0.14, from λ and its fluid share.
   static T flooded_film_parameter(const T& film_parameter, const T& fluid_share) {
-    using std::pow;
-    return film_parameter * pow(fluid_share, sharing_film_exponent<T>());
+    return film_parameter * decimal_power(fluid_share, sharing_exponent_of_film);
   }
 
   // The root. λ₀ > 0, or 0 by an underflow. Error: load_sharing_contract. Never fails: λ₀ = ∞ gives
@@ -148,6 +148,7 @@ class LoadSharing {
     T current = floor_log_slope_ / exponent_;
     T power = distance;
     T change = current * power;
+    T last = change;
     for (int k = 0; k < 400; ++k) {
       const T next = ((value_of<T>(order_) - T(k)) * earlier / T(k + 1) - d * current) / T(k + 2);
       earlier = current;
@@ -155,7 +156,9 @@ class LoadSharing {
       power *= distance;
       const T term = current * power;
       change += term;
-      if (abs(term) < epsilon<T>() / 8 * abs(change)) break;
+      // Two in a row: one may be small because its coefficient changes sign.
+      if (abs(term) + abs(last) < epsilon<T>() / 8 * abs(change)) break;
+      last = term;
     }
     return -expm1(T(exponent_ * log1p(change)));
   }
@@ -196,8 +199,15 @@ class LoadSharing {
   LoadShares<T> shares(const T& lambda0, const T& lambda, int iterations) const {
     using std::exp;
     using std::expm1;
-    const T log_fluid = log_ratio(lambda0, lambda) / sharing_film_exponent<T>();
-    const T fluid = exp(log_fluid);
+    const T log_film = log_ratio(lambda0, lambda);
+    const T exponent = sharing_film_exponent<T>();
+    const T log_fluid = log_film / exponent;
+    T fluid = exp(log_fluid);
+    // A large logarithm makes much of the rounding of the quotient and of 0.14.
+    if constexpr (std::is_floating_point_v<T>)
+      fluid += fluid * ((std::fma(-log_fluid, exponent, log_film) -
+                         log_fluid * ratio_residual<T>(sharing_exponent_of_film)) /
+                        exponent);
     const T asperity = fluid < ratio<T>(1, 2) ? T(-expm1(log_fluid)) : asperity_share(lambda);
     return {lambda, asperity, fluid, iterations};
   }

@@ -121,13 +121,11 @@ class MixedContact {
 
   // λ₀ = h₀/σ_s at speed u in m/s, and the speed at which λ₀ is reached.
   T flooded_film_parameter(const T& speed) const {
-    using std::pow;
-    return film_parameter_at_unit_speed_ * pow(speed, film_speed_exponent<T>());
+    return film_parameter_at_unit_speed_ * decimal_power(speed, speed_exponent);
   }
   T speed_at(const T& flooded_film_parameter) const {
-    using std::pow;
-    return pow(T(flooded_film_parameter / film_parameter_at_unit_speed_),
-               T(1 / film_speed_exponent<T>()));
+    return decimal_power(T(flooded_film_parameter / film_parameter_at_unit_speed_),
+                         inverse(speed_exponent));
   }
 
   FloodedFilm<T> flooded(const T& speed) const {
