@@ -18,7 +18,7 @@ build: ## build/release/tribocheck
 	cmake --preset release
 	cmake --build --preset release --target tribocheck
 
-references: ## make the tables of reference/exact anew, in ball arithmetic; takes some ten minutes
+references: ## make the tables of reference/exact anew, in ball arithmetic; takes a minute or two
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references
@@ -62,11 +62,11 @@ test-slow: build ## stream ten million lines in flat memory; takes some two minu
 manifest: ## the manifest of checks made anew from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write
 
-faults: ## plant every fault of verification/gates/faults and see it caught; takes some ten minutes
+faults: ## plant every fault of verification/gates/faults and see it caught; takes some seven minutes
 	@.ci/deps build test
 	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
 
-verify-full: ## all verification, the slow parts too, and what each took; takes some 50 minutes
+verify-full: ## all verification, the slow parts too, and what each took; takes some 25 minutes
 	.ci/verify-full
 
 debug: ## build with sanitizers and run the quick tests
@@ -87,7 +87,7 @@ fuzz: ## each fuzz target for FUZZ_SECONDS, 600 unless told: half an hour
 	cmake --build --preset fuzz
 	verification/stress/fuzz/run build/fuzz $(FUZZ_SECONDS)
 
-stress: ## ten million random points against long double: reference/baselines/stress.json; some ten minutes
+stress: ## ten million random points against long double: reference/baselines/stress.json; some four minutes
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target model_stress

@@ -82,7 +82,7 @@ template <class Arithmetic>
   constexpr int kept = 48;  // bits below those that number the pieces of x + 3
   const auto bits = std::bit_cast<std::uint64_t>(x + 3.0);
   constexpr auto first = std::bit_cast<std::uint64_t>(3.0) >> kept;
-  const double* c = fine_pieces[twice(n)][below_zero ? 1 : 0][(bits >> kept) - first];
+  const double* c = pieces[twice(n)][below_zero ? 1 : 0][(bits >> kept) - first];
   const double centre =
       std::bit_cast<double>((bits >> kept << kept) | (std::uint64_t{1} << (kept - 1))) - 3.0;
   const double t = x - centre;

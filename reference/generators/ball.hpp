@@ -72,6 +72,15 @@ class Ball {
   }
   // The nearest double to the midpoint.
   double nearest() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
+  // No point of the ball is above it.
+  double upper_bound() const {
+    arf_t bound;
+    arf_init(bound);
+    arb_get_ubound_arf(bound, x_, 60);
+    const double result = arf_get_d(bound, ARF_RND_CEIL);
+    arf_clear(bound);
+    return result;
+  }
   // Bits of relative accuracy: radius below 2^−this of the midpoint.
   slong accurate_bits() const { return arb_rel_accuracy_bits(x_); }
   // `digits` significant decimal digits, the last of which may be off by one.

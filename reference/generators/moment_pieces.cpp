@@ -29,13 +29,8 @@ using tribo::reference::Ball;
 
 namespace {
 
-struct Layout {
-  const char* name;
-  int pieces_a_binade;  // of |d| + 3
-  int degree;
-};
-constexpr Layout layouts[] = {{"fine", 16, 12}, {"coarse", 4, 19}};
-
+constexpr int pieces_a_binade = 16;  // of |d| + 3
+constexpr int degree = 12;
 constexpr double shift = 3, end = 48;  // of |d| + 3
 
 constexpr int powers = 128;
@@ -44,16 +39,16 @@ struct Piece {
   double centre, half_width;  // of |d|
 };
 
-std::vector<Piece> pieces_of(const Layout& layout) {
-  std::vector<Piece> pieces;
+std::vector<Piece> pieces() {
+  std::vector<Piece> all;
   for (double binade = 2; binade < end; binade *= 2)
-    for (int i = 0; i < layout.pieces_a_binade; ++i) {
-      const double width = binade / layout.pieces_a_binade;
+    for (int i = 0; i < pieces_a_binade; ++i) {
+      const double width = binade / pieces_a_binade;
       const double low = binade + i * width;
       if (low < shift || low >= end) continue;
-      pieces.push_back({low + width / 2 - shift, width / 2});
+      all.push_back({low + width / 2 - shift, width / 2});
     }
-  return pieces;
+  return all;
 }
 
 // f at |d| = x on one side of 0.
@@ -132,29 +127,19 @@ Ball greatest_on_ellipse(int twice_n, bool below_zero, const Piece& piece, doubl
   return greatest;
 }
 
-double upper_bound(const Ball& x) {
-  arf_t bound;
-  arf_init(bound);
-  arb_get_ubound_arf(bound, x.get(), 60);
-  const double result = arf_get_d(bound, ARF_RND_CEIL);
-  arf_clear(bound);
-  return result;
-}
-
 // The least proven truncation error over a range of ρ.
-double truncation_error(int twice_n, bool below_zero, const Piece& piece, int degree,
-                        const Ball& least) {
+double truncation_error(int twice_n, bool below_zero, const Piece& piece, const Ball& least) {
   double best = INFINITY;
   for (double rho = 3; rho < 1000; rho *= 1.2) {
     if (!below_zero && piece.centre - piece.half_width * rho / 2 < -12) break;
     const Ball error = Ball(4) * greatest_on_ellipse(twice_n, below_zero, piece, rho) *
                        pow(Ball(rho), Ball(-degree)) / (Ball(rho) - 1) / least;
-    best = std::min(best, upper_bound(error));
+    best = std::min(best, error.upper_bound());
   }
   return best;
 }
 
-Polynomial fit(int twice_n, bool below_zero, const Piece& piece, int degree) {
+Polynomial fit(int twice_n, bool below_zero, const Piece& piece) {
   const int count = degree + 1;
   std::vector<Ball> values(static_cast<std::size_t>(count));
   std::vector<std::vector<Ball>> cosines(values.size(), std::vector<Ball>(values.size()));
@@ -191,7 +176,7 @@ Polynomial fit(int twice_n, bool below_zero, const Piece& piece, int degree) {
     rounding += abs(exact[k] - Ball(result.coefficients.back())) * power;
   }
   result.relative_error =
-      truncation_error(twice_n, below_zero, piece, degree, least) + upper_bound(rounding / least);
+      truncation_error(twice_n, below_zero, piece, least) + Ball(rounding / least).upper_bound();
   return result;
 }
 
@@ -212,32 +197,29 @@ int main(int argc, char** argv) {
       "// Made by reference/generators/moment_pieces.cpp, which says what these are and why the\n"
       "// errors are proven. [order][d < 0][piece][c0 high, c0 low, c1, c2, …]\n"
       "// clang-format off\n";
-  for (const Layout& layout : layouts) {
-    const std::vector<Piece> pieces = pieces_of(layout);
-    double worst = 0;
-    std::string rows;
-    for (int twice_n = 0; twice_n <= 5; ++twice_n) {
-      rows += "{";
-      for (const bool below_zero : {false, true}) {
-        rows += "{\n";
-        for (const Piece& piece : pieces) {
-          const Polynomial p = fit(twice_n, below_zero, piece, layout.degree);
-          worst = std::max(worst, p.relative_error);
-          rows += "{";
-          for (const double c : p.coefficients) rows += fmt::format("{:a},", c);
-          rows += "},\n";
-        }
-        rows += below_zero ? "}" : "},";
+  const std::vector<Piece> all = pieces();
+  double worst = 0;
+  std::string rows;
+  for (int twice_n = 0; twice_n <= 5; ++twice_n) {
+    rows += "{";
+    for (const bool below_zero : {false, true}) {
+      rows += "{\n";
+      for (const Piece& piece : all) {
+        const Polynomial p = fit(twice_n, below_zero, piece);
+        worst = std::max(worst, p.relative_error);
+        rows += "{";
+        for (const double c : p.coefficients) rows += fmt::format("{:a},", c);
+        rows += "},\n";
       }
-      rows += "},\n";
-      std::cerr << fmt::format("{}: order {}/2, error so far below {:.3g}\n", layout.name, twice_n,
-                               worst);
+      rows += below_zero ? "}" : "},";
     }
-    text += fmt::format(
-        "\n// |polynomial − f| ≤ {:.3g} |f|, {:.3f} ulp\n"
-        "constexpr double {}_pieces[6][2][{}][{}] = {{\n{}}};\n",
-        worst, worst * 0x1p52, layout.name, pieces.size(), layout.degree + 2, rows);
+    rows += "},\n";
+    std::cerr << fmt::format("order {}/2, error so far below {:.3g}\n", twice_n, worst);
   }
+  text += fmt::format(
+      "\n// |polynomial − f| ≤ {:.3g} |f|, {:.3f} ulp\n"
+      "constexpr double pieces[6][2][{}][{}] = {{\n{}}};\n",
+      worst, worst * 0x1p52, all.size(), degree + 2, rows);
   // 2^{−j/128} as a double, and what it is short of relative to it, for e^{−d²/2}.
   text += fmt::format("\nconstexpr double powers_of_two[{}][2] = {{\n", powers);
   for (int j = 0; j < powers; ++j) {

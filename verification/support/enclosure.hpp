@@ -105,13 +105,7 @@ inline Enclosure as_enclosure(long double x) {
 
 // |got − truth| at most, in a given unit.
 inline double error_in(const Enclosure& unit, const Enclosure& got, const Enclosure& truth) {
-  const Enclosure difference = abs(got - truth) / unit;
-  arf_t most;
-  arf_init(most);
-  arb_get_ubound_arf(most, difference.get(), 60);
-  const double error = arf_get_d(most, ARF_RND_UP);
-  arf_clear(most);
-  return error;
+  return Enclosure(abs(got - truth) / unit).upper_bound();
 }
 
 // Likewise in units in the last place of the truth (one subnormal unit at least).

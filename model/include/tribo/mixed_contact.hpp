@@ -165,14 +165,17 @@ class MixedContact {
       point.inlet = inlet.collapsed                         ? Inlet::collapsed
                     : inlet.film_ratio >= ratio<T>(95, 100) ? Inlet::flooded
                                                             : Inlet::starved;
-    if (!outputs.contains_any(asperity_outputs())) return point;
-    const LoadShares<T> shares =
-        supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
-    if (outputs.contains_any(sharing_outputs())) add_shares(point, shares);
-    if (outputs.contains_any(area_outputs()))
+    const bool has_area = outputs.contains_any(area_outputs());
+    const bool has_count = outputs.contains(Output::summit_count);
+    const bool has_shares = outputs.contains_any(sharing_outputs());
+    LoadShares<T> shares{};
+    if (has_shares || (has_high_floor() && (has_area || has_count)))
+      shares = supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
+    if (has_shares) add_shares(point, shares);
+    if (has_area)
       point.real_area_ratio = moment_at(asperities_.area_factor, area_order(asperities_.model),
                                         lambda_apart, shares.asperity);
-    if (outputs.contains(Output::summit_count))
+    if (has_count)
       point.summit_count = moment_at(asperities_.count_factor, count_order(asperities_.model),
                                      lambda_apart, shares.asperity);
     if (outputs.contains(Output::friction)) add_friction(point, lambda_apart);
@@ -217,20 +220,15 @@ class MixedContact {
     return set;
   }
 
-  static constexpr OutputSet asperity_outputs() {
-    OutputSet set = sharing_outputs();
-    set.insert(Output::real_area_ratio);
-    set.insert(Output::summit_count);
-    return set;
-  }
+  // The rounding of λ moves F_n(λ − δ), whose logarithm falls as (λ − δ)²/2, by up to λ²/2 ulp: a
+  // few at a floor of 3, dozens beyond.
+  bool has_high_floor() const { return sharing_.floor() > 3 && is_finite(sharing_.floor()); }
 
-  // factor · F_n(λ − δ) where the asperities carry the given share. Where a floor is high the last
-  // digit of λ − δ moves F_n by dozens of ulp, and A knows better: F_p is A^{1/q}/K, and F_n/F_p
-  // hardly depends on d.
+  // factor · F_n(λ − δ). Near a high floor A, which must be given there, knows better than λ: F_p
+  // is A^{1/q}/K, and F_n/F_p hardly depends on d.
   T moment_at(const T& factor, Order n, const T& film_parameter, const T& share) const {
     const T d = film_parameter - asperities_.offset;
-    if (!(sharing_.floor() > 3 && share > ratio<T>(3, 4)) || !is_finite(sharing_.floor()))
-      return moment_product(factor, n, d);
+    if (!has_high_floor() || !(share > ratio<T>(3, 4))) return moment_product(factor, n, d);
     const Order p = load_order(asperities_.model);
     const T load = p == Order::five_halves ? T(share * share) : share;
     return factor * (load / asperities_.stiffness) *
