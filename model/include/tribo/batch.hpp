@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many points in one call, in double: vector code of Google Highway, compiled for each instruction
+// set and chosen at run time. A point's bits do not depend on its place in a batch, nor on the
+// batch's size. Nothing is allocated, nothing throws, any thread may call.
+//
+// All spans of a call have one length; the result may be the span of an argument.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "tribo/contract.hpp"
+#include "tribo/gaussian_moment.hpp"
+#include "tribo/load_sharing.hpp"
+
+namespace tribo {
+
+// Error of each of the three, on every instruction set; one unit where the result is subnormal. Of
+// the logarithm: so many ε·max(1, |ln F_n|).
+inline constexpr Contract gaussian_moment_batch_contract{2, 0};
+
+// F_n(d), S_n(d) (= e^{d²/2} F_n(d) for d ≥ 0, F_n(d) below) and ln F_n(d), for every double.
+void gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
+void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
+void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms);
+
+// The film parameters λ of load sharing (load_sharing.hpp) at flooded film parameters λ₀: of many
+// surfaces, K ≥ 0 and δ ≥ 0 a point; and of one. Error and failures are those of
+// LoadSharing<double>::solve, which gives the same bits.
+void film_parameter(AsperityModel model, std::span<const double> stiffness,
+                    std::span<const double> offset, std::span<const double> flooded_film_parameter,
+                    std::span<double> film_parameter);
+void film_parameter(const LoadSharing<double>& sharing,
+                    std::span<const double> flooded_film_parameter,
+                    std::span<double> film_parameter);
+
+// The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SSSE3, …
+std::string_view instruction_set();
+// Those that this machine has, the best first.
+std::span<const std::string_view> instruction_sets();
+// Makes batches use one of them from now on, for tests and benchmarks; false if the machine lacks
+// it. Not to be called beside a batch.
+bool use_instruction_set(std::string_view name);
+
+}  // namespace tribo

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many operating points of one scene in one pass, in double (mixed_contact.hpp has the single one).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo {
+
+// Operating points as a structure of arrays; an array of what was not asked for is empty.
+struct OperatingPoints {
+  std::vector<double> speed;
+  std::vector<double> film_flooded;
+  std::vector<double> film;
+  std::vector<double> separation;
+  std::vector<double> film_parameter;
+  std::vector<double> asperity_load_share;
+  std::vector<double> fluid_load_share;
+  std::vector<double> real_area_ratio;
+  std::vector<double> summit_count;
+  std::vector<double> friction;
+  std::vector<Regime> regime;
+  std::vector<Inlet> inlet;
+  std::vector<std::uint8_t> friction_undefined;
+
+  std::size_t size() const { return speed.size(); }
+  // Room for so many points with these outputs; what room there is already is kept.
+  void resize(std::size_t count, OutputSet outputs);
+  // One of them; what was not asked for is 0.
+  OperatingPoint<double> operator[](std::size_t i) const;
+};
+
+// All outputs of a set at speeds in m/s, into points [first, first + speeds.size()) of a structure
+// that has been given room for them. Each has the bits of contact.solve(speed, outputs). Allocates
+// nothing, so that threads may fill parts of one structure.
+void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
+           OperatingPoints& points, std::size_t first = 0);
+
+}  // namespace tribo
