@@ -28,14 +28,16 @@ pieces: ## make the polynomials of the moment kernels anew, with their proven er
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_moment_pieces
-	build/release/reference/generators/generate_moment_pieces model/src/gaussian_moment_pieces.inc
+	build/release/reference/generators/generate_moment_pieces model/src
 
 pieces-check: ## make them again beside, and compare bytes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_moment_pieces
-	build/release/reference/generators/generate_moment_pieces build/pieces.inc
-	cmp build/pieces.inc model/src/gaussian_moment_pieces.inc
+	mkdir -p build/pieces
+	build/release/reference/generators/generate_moment_pieces build/pieces
+	cmp build/pieces/gaussian_moment_pieces.inc model/src/gaussian_moment_pieces.inc
+	cmp build/pieces/gaussian_moment_rows.inc model/src/gaussian_moment_rows.inc
 
 references-check: ## make SAMPLE rows of each table again, 8 unless told, and compare bytes
 	@.ci/deps build references

@@ -3,66 +3,15 @@
 // and e^{−d²/2} with d² split. What is rounded is carried along as a second double until the last
 // operation, so that the result is off by little more than half a unit. The text is compiled twice,
 // with and without fused multiply-add, and chosen at run time; both keep the contract.
-#include <array>
 #include <bit>
 #include <cstdint>
 
-#include "tribo/gaussian_moment.hpp"
+#include "gaussian_moment_scalar.hpp"
 
 namespace tribo {
 namespace {
 
-#include "gaussian_moment_pieces.inc"
-
-// A number as the unrounded sum of two doubles.
-struct Sum {
-  double high, low;
-};
-
-struct Fused {
-  [[gnu::always_inline]] static double multiply_add(double a, double b, double c) {
-    return __builtin_fma(a, b, c);
-  }
-  [[gnu::always_inline]] static Sum product(double a, double b) {
-    const double high = a * b;
-    return {high, __builtin_fma(a, b, -high)};
-  }
-  // a·b + c, |c| far below |a·b|, rounded once or nearly so.
-  [[gnu::always_inline]] static double product_and_sum(double a, double b, double c) {
-    return __builtin_fma(a, b, c);
-  }
-};
-
-struct Unfused {
-  [[gnu::always_inline]] static double multiply_add(double a, double b, double c) {
-    return a * b + c;
-  }
-  // Dekker's product; |a|, |b| < 2^995.
-  [[gnu::always_inline]] static Sum product(double a, double b) {
-    const double high = a * b;
-    const Sum x = halves(a), y = halves(b);
-    return {high, ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low};
-  }
-  [[gnu::always_inline]] static double product_and_sum(double a, double b, double c) {
-    const Sum exact = product(a, b);
-    return exact.high + (exact.low + c);
-  }
-
- private:
-  [[gnu::always_inline]] static Sum halves(double a) {
-    const double scaled = 134217729 * a;
-    const double high = scaled - (scaled - a);
-    return {high, a - high};
-  }
-};
-
-// a + b for |a| ≥ |b|.
-[[gnu::always_inline]] inline Sum ordered_sum(double a, double b) {
-  const double high = a + b;
-  return {high, b - (high - a)};
-}
-
-constexpr double pieces_end = 45;  // of |d|
+using namespace scalar;
 
 // Σ c_k t^k from k = 1 on over t, by even and odd powers.
 template <class Arithmetic>
@@ -79,13 +28,7 @@ template <class Arithmetic>
 // S_n at |d| = x < pieces_end for d ≥ 0, F_n for d < 0.
 template <class Arithmetic>
 [[gnu::always_inline]] inline Sum in_pieces(Order n, bool below_zero, double x) {
-  constexpr int kept = 48;  // bits below those that number the pieces of x + 3
-  const auto bits = std::bit_cast<std::uint64_t>(x + 3.0);
-  constexpr auto first = std::bit_cast<std::uint64_t>(3.0) >> kept;
-  const double* c = pieces[twice(n)][below_zero ? 1 : 0][(bits >> kept) - first];
-  const double centre =
-      std::bit_cast<double>((bits >> kept << kept) | (std::uint64_t{1} << (kept - 1))) - 3.0;
-  const double t = x - centre;
+  const auto [c, t] = piece_at(n, below_zero, x);
   return ordered_sum(c[0],
                      Arithmetic::multiply_add(t, slope_polynomial<Arithmetic>(c + 2, t), c[1]));
 }

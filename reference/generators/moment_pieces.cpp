@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes model/src/gaussian_moment_pieces.inc: the polynomials of the double kernels of F_n, with a
-// proven bound of their error.
+// Makes model/src/gaussian_moment_pieces.inc and gaussian_moment_rows.inc: the polynomials of the
+// scalar and the vector kernels of F_n in double, with a proven bound of their error.
 //
 //   S_n(d) = e^{d²/2} F_n(d) for d ≥ 0,  F_n(d) for d < 0,  |d| < 45,
 //
@@ -29,8 +29,13 @@ using tribo::reference::Ball;
 
 namespace {
 
-constexpr int pieces_a_binade = 16;  // of |d| + 3
-constexpr int degree = 12;
+struct Layout {
+  int pieces_a_binade;  // of |d| + 3
+  int degree;
+};
+constexpr Layout scalar_layout{16, 12};
+// 16 pieces, which two vector registers hold.
+constexpr Layout vector_layout{4, 19};
 constexpr double shift = 3, end = 48;  // of |d| + 3
 
 constexpr int powers = 128;
@@ -39,11 +44,11 @@ struct Piece {
   double centre, half_width;  // of |d|
 };
 
-std::vector<Piece> pieces() {
+std::vector<Piece> pieces_of(const Layout& layout) {
   std::vector<Piece> all;
   for (double binade = 2; binade < end; binade *= 2)
-    for (int i = 0; i < pieces_a_binade; ++i) {
-      const double width = binade / pieces_a_binade;
+    for (int i = 0; i < layout.pieces_a_binade; ++i) {
+      const double width = binade / layout.pieces_a_binade;
       const double low = binade + i * width;
       if (low < shift || low >= end) continue;
       all.push_back({low + width / 2 - shift, width / 2});
@@ -128,7 +133,8 @@ Ball greatest_on_ellipse(int twice_n, bool below_zero, const Piece& piece, doubl
 }
 
 // The least proven truncation error over a range of ρ.
-double truncation_error(int twice_n, bool below_zero, const Piece& piece, const Ball& least) {
+double truncation_error(int twice_n, bool below_zero, const Piece& piece, int degree,
+                        const Ball& least) {
   double best = INFINITY;
   for (double rho = 3; rho < 1000; rho *= 1.2) {
     if (!below_zero && piece.centre - piece.half_width * rho / 2 < -12) break;
@@ -139,7 +145,7 @@ double truncation_error(int twice_n, bool below_zero, const Piece& piece, const 
   return best;
 }
 
-Polynomial fit(int twice_n, bool below_zero, const Piece& piece) {
+Polynomial fit(int twice_n, bool below_zero, const Piece& piece, int degree) {
   const int count = degree + 1;
   std::vector<Ball> values(static_cast<std::size_t>(count));
   std::vector<std::vector<Ball>> cosines(values.size(), std::vector<Ball>(values.size()));
@@ -175,62 +181,93 @@ Polynomial fit(int twice_n, bool below_zero, const Piece& piece) {
     result.coefficients.push_back(exact[k].nearest());
     rounding += abs(exact[k] - Ball(result.coefficients.back())) * power;
   }
-  result.relative_error =
-      truncation_error(twice_n, below_zero, piece, least) + Ball(rounding / least).upper_bound();
+  result.relative_error = truncation_error(twice_n, below_zero, piece, degree, least) +
+                          Ball(rounding / least).upper_bound();
   return result;
+}
+
+// Of one order on one side of 0, and the worst error of all so far.
+std::vector<Polynomial> fits(const Layout& layout, int twice_n, bool below_zero, double& worst) {
+  std::vector<Polynomial> all;
+  for (const Piece& piece : pieces_of(layout)) {
+    all.push_back(fit(twice_n, below_zero, piece, layout.degree));
+    worst = std::max(worst, all.back().relative_error);
+  }
+  return all;
+}
+
+// {{…},{…},…}, a piece or a coefficient a row.
+std::string table(const std::vector<Polynomial>& all, bool a_coefficient_a_row) {
+  const std::size_t pieces = all.size(), coefficients = all[0].coefficients.size();
+  std::string text = "{\n";
+  for (std::size_t i = 0; i < (a_coefficient_a_row ? coefficients : pieces); ++i) {
+    text += "{";
+    for (std::size_t j = 0; j < (a_coefficient_a_row ? pieces : coefficients); ++j)
+      text += fmt::format("{:a},",
+                          a_coefficient_a_row ? all[j].coefficients[i] : all[i].coefficients[j]);
+    text += "},\n";
+  }
+  return text + "}";
+}
+
+// Of all orders on both sides.
+std::string tables(const Layout& layout, bool a_coefficient_a_row, std::string_view declaration,
+                   std::string_view specifiers = "") {
+  double worst = 0;
+  std::string text;
+  for (int twice_n = 0; twice_n <= 5; ++twice_n) {
+    text += "{";
+    for (const bool below_zero : {false, true})
+      text += table(fits(layout, twice_n, below_zero, worst), a_coefficient_a_row) + ",";
+    text += "},\n";
+    std::cerr << fmt::format("{}: order {}/2, error so far below {:.3g}\n", declaration, twice_n,
+                             worst);
+  }
+  return fmt::format(
+      "\n// |polynomial − f| ≤ {:.3g} |f|, {:.3f} ulp\n{}constexpr double {} = {{\n{}}};\n", worst,
+      worst * 0x1p52, specifiers, declaration, text);
+}
+
+// 2^{−j/128} as a double, and what it is short of relative to it, for e^{−d²/2}.
+std::string powers_of_two() {
+  std::string text = fmt::format("\ninline constexpr double powers_of_two[{}][2] = {{\n", powers);
+  for (int j = 0; j < powers; ++j) {
+    const Ball power = pow(Ball(2), -tribo::reference::fraction(j, powers));
+    const double high = power.nearest();
+    text += fmt::format("{{{:a},{:a}}},\n", high, ((power - Ball(high)) / Ball(high)).nearest());
+  }
+  return text + "};\n";
+}
+
+bool write(const std::string& path, std::string_view order_of_indices, const std::string& text) {
+  std::ofstream file(path);
+  file << "// SPDX-License-Identifier: Apache-2.0\n"
+          "// Made by reference/generators/moment_pieces.cpp, which says what these are and why "
+          "the\n"
+          "// errors are proven. [order][d < 0]"
+       << order_of_indices << "\n// clang-format off\n"
+       << text;
+  if (file.flush()) return true;
+  std::cerr << path << ": cannot be written\n";
+  return false;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Makes the polynomials of the double kernels of F_n, with their proven error"};
-  app.footer("Example:\n  generate_moment_pieces model/src/gaussian_moment_pieces.inc");
-  std::string path;
-  app.add_option("file", path, "where to write")->required();
+  app.footer("Example:\n  generate_moment_pieces model/src");
+  std::string folder;
+  app.add_option("folder", folder, "where to write")->required()->check(CLI::ExistingDirectory);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  std::string text =
-      "// SPDX-License-Identifier: Apache-2.0\n"
-      "// Made by reference/generators/moment_pieces.cpp, which says what these are and why the\n"
-      "// errors are proven. [order][d < 0][piece][c0 high, c0 low, c1, c2, …]\n"
-      "// clang-format off\n";
-  const std::vector<Piece> all = pieces();
-  double worst = 0;
-  std::string rows;
-  for (int twice_n = 0; twice_n <= 5; ++twice_n) {
-    rows += "{";
-    for (const bool below_zero : {false, true}) {
-      rows += "{\n";
-      for (const Piece& piece : all) {
-        const Polynomial p = fit(twice_n, below_zero, piece);
-        worst = std::max(worst, p.relative_error);
-        rows += "{";
-        for (const double c : p.coefficients) rows += fmt::format("{:a},", c);
-        rows += "},\n";
-      }
-      rows += below_zero ? "}" : "},";
-    }
-    rows += "},\n";
-    std::cerr << fmt::format("order {}/2, error so far below {:.3g}\n", twice_n, worst);
-  }
-  text += fmt::format(
-      "\n// |polynomial − f| ≤ {:.3g} |f|, {:.3f} ulp\n"
-      "constexpr double pieces[6][2][{}][{}] = {{\n{}}};\n",
-      worst, worst * 0x1p52, all.size(), degree + 2, rows);
-  // 2^{−j/128} as a double, and what it is short of relative to it, for e^{−d²/2}.
-  text += fmt::format("\nconstexpr double powers_of_two[{}][2] = {{\n", powers);
-  for (int j = 0; j < powers; ++j) {
-    const Ball power = pow(Ball(2), -tribo::reference::fraction(j, powers));
-    const double high = power.nearest();
-    text += fmt::format("{{{:a},{:a}}},\n", high, ((power - Ball(high)) / Ball(high)).nearest());
-  }
-  text += "};\n";
-  std::ofstream file(path);
-  if (!(file << text).flush()) {
-    std::cerr << path << ": cannot be written\n";
-    return 2;
-  }
+  const bool written =
+      write(folder + "/gaussian_moment_pieces.inc", "[piece][c0 high, c0 low, c1, c2, …]",
+            tables(scalar_layout, false, "pieces[6][2][64][14]", "inline ") + powers_of_two()) &&
+      write(folder + "/gaussian_moment_rows.inc", "[c0 high, c0 low, c1, c2, …][piece]",
+            tables(vector_layout, true, "rows[6][2][21][16]", "alignas(64) "));
+  return written ? 0 : 2;
 }

@@ -11,6 +11,8 @@
 // monotonically to the root: they never fail.
 #pragma once
 
+#include <algorithm>
+
 #include "tribo/asperity_contact.hpp"
 #include "tribo/contract.hpp"
 #include "tribo/film_thickness.hpp"
@@ -36,6 +38,39 @@ struct LoadShares {
   int iterations;    // Newton steps that were taken
 };
 
+namespace detail {
+
+// One surface, as the double kernels of the root want it (src/load_sharing_vector-inl.hpp).
+struct SharingSurface {
+  Order order;               // p of F_p
+  double stiffness, offset;  // K, δ
+  double floor, hazard;      // λ_b, 0 without one; −d ln A/dλ there
+  double floor_up_to = 0;    // λ = λ_b to half an ulp for λ₀ from 0 to here
+  double film_from = 0;      // λ = λ₀ to half an ulp for λ₀ from here on
+};
+
+// The root λ of one surface at λ₀, and the steps to it. NaN where the kernel leaves it to
+// Newton's method: beyond its range, or not there after max_sharing_steps.
+struct SharingRoot {
+  double film_parameter;
+  int iterations;
+};
+inline constexpr int max_sharing_steps = 16;
+SharingRoot film_parameter(const SharingSurface& surface, double flooded_film_parameter);
+
+}  // namespace detail
+
+// From this λ₀ on, A/p < 2^−54 and λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0.
+// K in [1e-300, 1e300].
+inline double sharing_film_from(double stiffness, double offset) {
+  const int exponent = std::ilogb(stiffness) + 1;
+  return offset + std::sqrt(exponent > -101 ? 141.1 + 1.3863 * exponent : 0.0);
+}
+
+// λ of one point in double: what LoadSharing would give, without the floor that it finds first.
+double film_parameter(AsperityModel model, double stiffness, double offset,
+                      double flooded_film_parameter);
+
 template <class T>
 class LoadSharing {
  public:
@@ -46,11 +81,14 @@ class LoadSharing {
         stiffness_(stiffness),
         offset_(offset) {
     find_floor();
+    if constexpr (std::is_same_v<T, double>) find_free_ranges();
   }
 
   const T& stiffness() const { return stiffness_; }
   const T& offset() const { return offset_; }
   bool has_floor() const { return has_floor_; }
+  // What the double kernels need; only in double.
+  const detail::SharingSurface& surface() const { return surface_; }
   // λ_b, 0 where there is none. Error: 20 ε × condition, which grows as A(0) → 1.
   const T& floor() const { return floor_; }
 
@@ -112,6 +150,11 @@ class LoadSharing {
     if (!is_finite(lambda0) || !is_finite(floor_)) return at_infinity(lambda0);
     if (lambda0 == 0 && !has_floor_) return shares_above_floor(lambda0);
     const T p = 1 / sharing_film_exponent<T>();
+    if constexpr (std::is_same_v<T, double>) {
+      const detail::SharingRoot root = detail::film_parameter(surface_, lambda0);
+      if (root.film_parameter == root.film_parameter)
+        return shares(lambda0, root.film_parameter, root.iterations);
+    }
     T lambda = lambda0 < floor_ ? floor_ : lambda0;
     int iterations = 0;
     while (iterations < max_iterations) {
@@ -249,6 +292,16 @@ class LoadSharing {
     floor_log_slope_ = asperities(floor_argument_).log_slope;
   }
 
+  // What the double kernels need once a surface. A is log-concave, so that A ≤ e^{−h(λ−λ_b)} above
+  // the floor and λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^p)/h: below 2^−54 λ_b up to floor_up_to.
+  void find_free_ranges() {
+    surface_ = {order_, stiffness_, offset_, floor_, has_floor_ ? -floor_log_slope_ : T(0)};
+    if (has_floor_)
+      surface_.floor_up_to =
+          floor_ * std::pow(0.99 * 0x1p-54 * surface_.hazard * floor_, sharing_film_exponent<T>());
+    surface_.film_from = sharing_film_from(stiffness_, offset_);
+  }
+
   Order order_;
   T exponent_;
   T stiffness_;
@@ -257,6 +310,7 @@ class LoadSharing {
   T floor_argument_{};   // λ_b − δ, without the rounding of the difference
   T floor_log_slope_{};  // d ln A/dλ there
   bool has_floor_ = false;
+  detail::SharingSurface surface_{};
 };
 
 }  // namespace tribo

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The polynomials of the vector kernels of F_n.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "tribo/gaussian_moment.hpp"
+
+namespace tribo {
+
+// Row k of order n: coefficient k of its 16 pieces for d ≥ 0; vector_side_stride doubles on, for
+// d < 0.
+const double* vector_rows(Order n);
+// Points that the batch root holds at once.
+inline constexpr std::size_t sharing_block = 512;
+
+inline constexpr std::size_t vector_side_stride = std::size_t{21} * 16;
+
+}  // namespace tribo

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// The root of load sharing (load_sharing.hpp) of one point in double: the method of
+// load_sharing_vector-inl.hpp, which explains it, with a branch where a vector takes both ways.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "gaussian_moment_scalar.hpp"
+#include "sharing_method.hpp"
+#include "tribo/load_sharing.hpp"
+
+namespace tribo {
+namespace {
+
+using namespace scalar;
+using detail::SharingRoot;
+using detail::SharingSurface;
+
+struct Asperities {
+  double share;   // A
+  double hazard;  // −d ln A/dλ
+  double slope;   // of the hazard, ≥ 0
+};
+
+template <class Arithmetic>
+[[gnu::always_inline]] inline Asperities asperities(const SharingSurface& surface, double lambda) {
+  const double d = lambda - surface.offset;
+  const bool below_zero = d < 0;
+  const double x = std::min(below_zero ? -d : d, 0x1.67fffffffffffp5);
+  const auto [c, t] = piece_at(surface.order, below_zero, x);
+  const double square = t * t;
+  // E(t²) + t O(t²), and their derivatives in t²
+  double even = c[13], odd = c[12], even_slope = 0, odd_slope = 0;
+  for (int k = 11; k >= 3; k -= 2) {
+    even_slope = Arithmetic::multiply_add(even_slope, square, even);
+    odd_slope = Arithmetic::multiply_add(odd_slope, square, odd);
+    even = Arithmetic::multiply_add(even, square, c[k]);
+    odd = Arithmetic::multiply_add(odd, square, c[k - 1]);
+  }
+  even_slope = Arithmetic::multiply_add(even_slope, square, even);
+  even = Arithmetic::multiply_add(even, square, c[0]);
+  const double moment = Arithmetic::multiply_add(odd, t, even);
+  const double log_slope =
+      Arithmetic::multiply_add(2 * t, Arithmetic::multiply_add(odd_slope, t, even_slope), odd) /
+      moment;
+  const bool is_root = surface.order == Order::five_halves;
+  const double exponent = is_root ? 0.5 : 1;
+  const double n = 0.5 * twice(surface.order);
+  // h = −d ln F_n/dd and h′ = h² − dh − n
+  const double h = below_zero ? log_slope : x - log_slope;
+  const double less_d = below_zero ? h + x : -log_slope;
+  double share = surface.stiffness * moment;
+  if (is_root) share = std::sqrt(share);
+  if (!below_zero) share *= std::exp(-0.5 * exponent * (x * x));
+  return {share, exponent * h, exponent * std::max(h * less_d - n, 0.0)};
+}
+
+struct Iterate {
+  double film_parameter, log_rise;  // λ, y = ln(λ/λ₀)
+};
+
+// A little above a floor, where A falls as e^{−hx} and (λ₀/λ)^p hardly changes.
+Iterate above_floor(double floor, double hazard, double flooded) {
+  const double w = 0.999 * std::exp(-sharing_p * std::log(floor / flooded));
+  const double rate = sharing_p / floor * (w / (1 - w)) + hazard;
+  const double lambda = floor - std::log1p(-w) / rate;
+  return {lambda, std::log(lambda / flooded)};
+}
+
+Iterate jump_above_floor(const SharingSurface& surface, const Asperities& at, double flooded) {
+  const double log_share = std::log(at.share);
+  const double root = std::sqrt(at.hazard * at.hazard + 2 * at.slope * log_share);
+  const double log_at_zero =
+      std::log(std::max(surface.stiffness * sharing_moment_at_zero(surface.order), 1.0));
+  const double limit = surface.offset + std::sqrt(2 * log_at_zero);
+  const double distance =
+      std::min(2 * log_share / (at.hazard + root), std::max(limit - flooded, 0.0));
+  return above_floor(flooded + distance, at.hazard + at.slope * distance, flooded);
+}
+
+template <class Arithmetic>
+[[gnu::always_inline]] inline SharingRoot root_from(const SharingSurface& surface, double flooded,
+                                                    Iterate now) {
+  constexpr double p = sharing_p;
+  for (int steps = 1; steps <= detail::max_sharing_steps; ++steps) {
+    const Asperities at = asperities<Arithmetic>(surface, now.film_parameter);
+    if (at.share >= 1 && now.log_rise == 0) {
+      now = jump_above_floor(surface, at, flooded);
+      continue;
+    }
+    const double py = p * now.log_rise;
+    const double w = now.log_rise == 0 ? 1 : std::exp(-py);
+    const double a = at.hazard * now.film_parameter;
+    const double b = at.slope * now.film_parameter * now.film_parameter + a;
+    double g, g1, g2;
+    if (at.share > w) {
+      const double rest = std::max(1 - w, 0x1p-60);
+      const double r = w / rest;
+      g = std::log(rest / at.share);
+      g1 = p * r + a;
+      g2 = b - p * p * (r + r * r);
+    } else {
+      const double rest = std::max(1 - at.share, 0x1p-60);
+      const double r = at.share / rest;
+      g = std::log(rest) + py;
+      g1 = a * r + p;
+      g2 = r * b - a * a * (r + r * r);
+    }
+    const double inverse = 1 / g1;
+    const double newton = -g * inverse;
+    const double t = 0.5 * newton * (g2 * inverse);
+    const double step = newton * std::clamp(t * t - t + 1, 0.5, 2.0);
+    const double rise = std::max(now.log_rise + std::clamp(step, -0.7, 1.2), 0.0);
+    const bool is_near = rise < 0.125;
+    const double base = is_near ? flooded : now.film_parameter;
+    const double shift = is_near ? rise : rise - now.log_rise;
+    now.log_rise = rise;
+    if (std::fabs(shift) < 0x1p-8) {
+      const double sum = 0.5 + shift * (1.0 / 6 + shift * (1.0 / 24 + shift * (1.0 / 120)));
+      now.film_parameter = base + base * (shift + shift * shift * sum);
+    } else {
+      now.film_parameter = base * std::exp(shift);
+    }
+    if (std::fabs(newton) * (p + a) < 0x1p-17) return {now.film_parameter, steps};
+  }
+  return {std::numeric_limits<double>::quiet_NaN(), detail::max_sharing_steps};
+}
+
+template <class Arithmetic>
+[[gnu::always_inline]] inline SharingRoot root(const SharingSurface& surface, double flooded) {
+  if (!(surface.stiffness >= sharing_least_stiffness &&
+        surface.stiffness <= sharing_greatest_stiffness && surface.offset >= 0 &&
+        surface.offset <= sharing_greatest_offset && flooded >= sharing_least_film &&
+        flooded <= sharing_greatest_film))
+    return {std::numeric_limits<double>::quiet_NaN(), 0};
+  if (flooded >= surface.film_from) return {flooded, 0};
+  if (flooded <= surface.floor_up_to) return {surface.floor, 0};
+  const Iterate start = flooded < surface.floor
+                            ? above_floor(surface.floor, surface.hazard, flooded)
+                            : Iterate{flooded, 0};
+  return root_from<Arithmetic>(surface, flooded, start);
+}
+
+[[gnu::target("fma")]] SharingRoot root_fused(const SharingSurface& surface, double flooded) {
+  return root<Fused>(surface, flooded);
+}
+SharingRoot root_unfused(const SharingSurface& surface, double flooded) {
+  return root<Unfused>(surface, flooded);
+}
+
+constinit auto chosen_root = &root_unfused;
+[[maybe_unused]] const bool has_chosen = [] {
+  if (__builtin_cpu_supports("fma")) chosen_root = &root_fused;
+  return true;
+}();
+
+}  // namespace
+
+detail::SharingRoot detail::film_parameter(const SharingSurface& surface, double flooded) {
+  return chosen_root(surface, flooded);
+}
+
+double film_parameter(AsperityModel model, double stiffness, double offset, double flooded) {
+  SharingSurface surface{load_order(model), stiffness, offset, 0, 0};
+  surface.film_from = sharing_film_from(stiffness, offset);
+  const double lambda = chosen_root(surface, flooded).film_parameter;
+  if (lambda == lambda) return lambda;
+  return LoadSharing<double>(model, stiffness, offset).solve(flooded).film_parameter;
+}
+
+}  // namespace tribo

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// The root of load sharing (load_sharing.hpp) for a vector of points, once for each instruction
+// set.
+//
+// In y = ln(λ/λ₀), with U = ln A, A = (K F_p(λ−δ))^q, and w = e^{−py} = 1 − A at the root, p =
+// 1/0.14,
+//
+//   where A ≤ w   g = p y + ln(1 − A)       where A > w   g = ln(1 − w) − U
+//
+// both increase and are nearly straight, so that Halley's steps reach the root in one to three from
+//   λ₀                   where A(λ₀) < 1,
+//   just above the floor where not: there U = −h(λ − λ_b), and 1 − w hardly changes.
+// The floor is the surface's; unknown, it is found to a few digits from U and its derivatives at
+// λ₀.
+//
+// A step is the last where it is below 2^−17 of the length over which g bends, 1/(p + λ|dU/dλ|):
+// its error is cubic, below 2^−51 of that length. No iterate falls below one that was left of the
+// root, and a lane that is not there after max_sharing_steps is left to Newton's method on the
+// convex form.
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include "gaussian_moment_vector-inl.hpp"
+#include "sharing_method.hpp"
+#include "tribo/load_sharing.hpp"
+
+#if defined(TRIBO_LOAD_SHARING_VECTOR) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIBO_LOAD_SHARING_VECTOR
+#undef TRIBO_LOAD_SHARING_VECTOR
+#else
+#define TRIBO_LOAD_SHARING_VECTOR
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace tribo::HWY_NAMESPACE {
+
+// Points of load sharing: K, δ, λ₀.
+template <class V>
+struct SharingInputs {
+  V stiffness, offset, flooded;
+};
+
+template <class V>
+struct Asperities {
+  V share;   // A
+  V hazard;  // −d ln A/dλ
+  V slope;   // of the hazard, ≥ 0
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Asperities<V> asperities(D d, Order order, const SharingInputs<V>& in, V lambda) {
+  const V exponent = hn::Set(d, order == Order::five_halves ? 0.5 : 1.0);
+  const V n = hn::Set(d, 0.5 * twice(order));
+  const V argument = hn::Sub(lambda, in.offset);
+  const auto below_zero = hn::Lt(argument, hn::Zero(d));
+  const V x = distance_in_pieces(d, argument);
+  const V square = hn::IfThenZeroElse(below_zero, hn::Mul(x, x));
+  const V gaussian = hn::Exp(d, hn::Mul(hn::Mul(hn::Set(d, -0.5), exponent), square));
+  const VectorSum<V> moment = moment_and_log_slope(d, order, below_zero, x);
+  const V product = hn::Mul(in.stiffness, moment.high);
+  // h = −d ln F_n/dd and h′ = h² − dh − n
+  const V h = hn::IfThenElse(below_zero, moment.low, hn::Sub(x, moment.low));
+  const V less_d = hn::IfThenElse(below_zero, hn::Add(h, x), hn::Neg(moment.low));
+  return {hn::Mul(order == Order::five_halves ? hn::Sqrt(product) : product, gaussian),
+          hn::Mul(exponent, h), hn::Mul(exponent, hn::Max(hn::MulSub(h, less_d, n), hn::Zero(d)))};
+}
+
+// A point on its way: λ and y = ln(λ/λ₀).
+template <class V>
+struct Iterate {
+  V film_parameter, log_rise;
+};
+
+// A little above a floor, where A falls as e^{−hx} and (λ₀/λ)^p hardly changes.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Iterate<V> above_floor(D d, V floor, V hazard, V flooded) {
+  const V p = hn::Set(d, sharing_p), one = hn::Set(d, 1.0);
+  const V log_ratio = hn::Log(d, hn::Div(floor, flooded));
+  const V w = hn::Mul(hn::Exp(d, hn::Neg(hn::Mul(p, log_ratio))), hn::Set(d, 0.999));
+  const V rest = hn::Sub(one, w);
+  const V rate = hn::MulAdd(hn::Div(p, floor), hn::Div(w, rest), hazard);
+  const V lambda = hn::Sub(floor, hn::Div(hn::Log(d, rest), rate));
+  return {lambda, hn::Log(d, hn::Div(lambda, flooded))};
+}
+
+// A start from a λ₀ below the floor: where ln A, continued from there as a parabola, is 0, but not
+// beyond δ + √(2 ln K F_p(0)), which no floor passes; and from there a little above.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, const SharingInputs<V>& in,
+                                       const Asperities<V>& at) {
+  const V one = hn::Set(d, 1.0), two = hn::Set(d, 2.0);
+  const V log_share = hn::Log(d, hn::Max(at.share, one));
+  const V root =
+      hn::Sqrt(hn::MulAdd(hn::Mul(two, at.slope), log_share, hn::Mul(at.hazard, at.hazard)));
+  V distance = hn::Div(hn::Mul(two, log_share), hn::Add(at.hazard, root));
+  const V at_zero = hn::Mul(in.stiffness, hn::Set(d, sharing_moment_at_zero(order)));
+  const V limit = hn::Add(in.offset, hn::Sqrt(hn::Mul(two, hn::Log(d, hn::Max(at_zero, one)))));
+  distance = hn::Min(distance, hn::Max(hn::Sub(limit, in.flooded), hn::Zero(d)));
+  return above_floor(d, hn::Add(in.flooded, distance), hn::MulAdd(at.slope, distance, at.hazard),
+                     in.flooded);
+}
+
+// x e^s, without the whole exponential where no lane needs it.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V times_exp(D d, V x, V s) {
+  V sum = hn::MulAdd(s, hn::Set(d, 1.0 / 120), hn::Set(d, 1.0 / 24));
+  sum = hn::MulAdd(sum, s, hn::Set(d, 1.0 / 6));
+  sum = hn::MulAdd(sum, s, hn::Set(d, 0.5));
+  const V near = hn::MulAdd(x, hn::MulAdd(hn::Mul(s, s), sum, s), x);
+  const auto is_near = hn::Lt(hn::Abs(s), hn::Set(d, 0x1p-8));  // s⁶/720 < 2^−57
+  if (hn::AllTrue(d, is_near)) return near;
+  return hn::IfThenElse(is_near, near, hn::Mul(x, hn::Exp(d, s)));
+}
+
+// A step is four functions of a point. A batch runs each over all its points before the next: the
+// chain of all four is longer than a processor looks ahead.
+
+// w = (λ₀/λ)^p
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V film_share(D d, V log_rise) {
+  if (hn::AllTrue(d, hn::Eq(log_rise, hn::Zero(d)))) return hn::Set(d, 1.0);
+  return hn::Exp(d, hn::Mul(hn::Set(d, -sharing_p), log_rise));
+}
+
+// 1 − x, not below 2^−60
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V complement(D d, V x) {
+  return hn::Max(hn::Sub(hn::Set(d, 1.0), x), hn::Set(d, 0x1p-60));
+}
+
+// ln(1 − A) where A ≤ w, ln((1 − w)/A) where not
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V log_balance(D d, V share, V w) {
+  const V rest = complement(d, hn::Min(share, w));
+  return hn::Log(d, hn::IfThenElse(hn::Gt(share, w), hn::Div(rest, share), rest));
+}
+
+template <class D>
+struct Step {
+  hn::Vec<D> log_rise;     // the next y
+  hn::Vec<D> base, shift;  // the next λ = base e^shift
+  hn::Mask<D> is_last;
+};
+
+// Chebyshev's step on g; `logarithm` is log_balance.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Step<D> sharing_step(D d, V flooded, const Iterate<V>& from, const Asperities<V>& at,
+                                V w, V logarithm) {
+  const V one = hn::Set(d, 1.0), p = hn::Set(d, sharing_p), zero = hn::Zero(d);
+  const auto by_floor = hn::Gt(at.share, w);
+  const V small = hn::Min(at.share, w);
+  const V r = hn::Div(small, complement(d, small));
+  // −dU/dy and −d²U/dy²
+  const V a = hn::Mul(at.hazard, from.film_parameter);
+  const V b = hn::MulAdd(hn::Mul(at.slope, from.film_parameter), from.film_parameter, a);
+  const V r_bend = hn::MulAdd(r, r, r);
+  const V g = hn::Add(logarithm, hn::IfThenZeroElse(by_floor, hn::Mul(p, from.log_rise)));
+  const V g1 = hn::IfThenElse(by_floor, hn::MulAdd(p, r, a), hn::MulAdd(a, r, p));
+  const V g2 = hn::IfThenElse(by_floor, hn::NegMulAdd(hn::Mul(p, p), r_bend, b),
+                              hn::MulSub(r, b, hn::Mul(hn::Mul(a, a), r_bend)));
+  const V inverse = hn::Div(one, g1);
+  const V newton = hn::Neg(hn::Mul(g, inverse));
+  // 1 − t + t² for Halley's 1/(1 + t): of the same order
+  const V t = hn::Mul(hn::Mul(hn::Set(d, 0.5), newton), hn::Mul(g2, inverse));
+  const V stretch = hn::Add(hn::MulSub(t, t, t), one);
+  const V step = hn::Mul(newton, hn::Min(hn::Max(stretch, hn::Set(d, 0.5)), hn::Set(d, 2.0)));
+  const V bounded = hn::Min(hn::Max(step, hn::Set(d, -0.7)), hn::Set(d, 1.2));
+  const V rise = hn::Max(hn::Add(from.log_rise, bounded), zero);
+  // From λ₀ where y is small; from the last λ where y need not be known so well.
+  const auto is_near = hn::Lt(rise, hn::Set(d, 0.125));
+  return {rise, hn::IfThenElse(is_near, flooded, from.film_parameter),
+          hn::Sub(rise, hn::IfThenZeroElse(is_near, from.log_rise)),
+          hn::Lt(hn::Mul(hn::Abs(newton), hn::Add(p, a)), hn::Set(d, 0x1p-17))};
+}
+
+// λ = λ₀ on or below a floor: a jump, not a step.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterate<V>& now) {
+  return hn::And(hn::Ge(at.share, hn::Set(d, 1.0)), hn::Eq(now.log_rise, hn::Zero(d)));
+}
+
+// Where λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 puts A/p below 2^−54.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const SharingInputs<V>& in) {
+  const hn::RebindToSigned<D> integers;
+  const auto biased = hn::ShiftRight<52>(hn::BitCast(hn::RebindToUnsigned<D>(), in.stiffness));
+  const V exponent =
+      hn::ConvertTo(d, hn::Sub(hn::BitCast(integers, biased), hn::Set(integers, 1022)));
+  const V distance = hn::Sub(in.flooded, in.offset);
+  const V limit = hn::MulAdd(exponent, hn::Set(d, 1.3863), hn::Set(d, 141.1));
+  return hn::And(hn::Ge(distance, hn::Zero(d)), hn::Gt(hn::Mul(distance, distance), limit));
+}
+
+}  // namespace tribo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // toggle

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the scalar and the vector text of the root of load sharing share.
+#pragma once
+
+#include "tribo/gaussian_moment.hpp"
+
+namespace tribo {
+
+// p = 1/0.14
+inline constexpr double sharing_p = 50.0 / 7;
+
+// Where they may be used: nothing in them overflows or loses digits. Beyond, Newton's method.
+inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiffness = 1e300;
+inline constexpr double sharing_greatest_offset = 40;
+inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;
+
+// F_p(0), rounded up.
+constexpr double sharing_moment_at_zero(Order order) {
+  return order == Order::five_halves ? 0.61664 : 0.43003;
+}
+
+}  // namespace tribo
