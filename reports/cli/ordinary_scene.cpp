@@ -23,6 +23,24 @@ using scene_detail::ValueKind;
 constexpr std::size_t most_bytes = 4096;
 constexpr std::size_t most_entries = 64;
 
+// Might a number be nearer to 0 than 4.9e-324? It has an exponent of three digits then, or well
+// over a hundred digits before it.
+bool may_underflow(std::string_view line) {
+  std::size_t digits = 0;  // in a row, with their point
+  bool negative_exponent = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if ((c >= '0' && c <= '9') || c == '.') {
+      ++digits;
+      if (digits > 100 || (negative_exponent && digits == 3)) return true;
+      continue;
+    }
+    digits = 0;
+    negative_exponent = c == '-' && at > 0 && (line[at - 1] == 'e' || line[at - 1] == 'E');
+  }
+  return false;
+}
+
 class OrdinaryReader {
  public:
   bool read(std::string_view line) {
@@ -30,9 +48,10 @@ class OrdinaryReader {
     if (line.size() > most_bytes) return false;
     dom::object scene;
     if (parser_.parse(line.data(), line.size()).get(scene) != simdjson::SUCCESS) return false;
+    zero_ = false;
     for (const auto& [name, element] : scene)
       if (!take(name, element)) return false;
-    return true;
+    return !zero_ || !may_underflow(line);
   }
 
   std::span<const Entry> entries() const { return {entries_.data(), count_}; }
@@ -67,12 +86,13 @@ class OrdinaryReader {
     return true;
   }
 
-  static bool take_value(const dom::element& element, Value& value) {
+  bool take_value(const dom::element& element, Value& value) {
     switch (element.type()) {
       case dom::element_type::DOUBLE:
         value.kind = ValueKind::number;
         value.number = element.get_double().value_unsafe();
-        return value.number != 0;  // 0 or an underflow: simdjson does not say
+        zero_ = zero_ || value.number == 0;  // 0 or an underflow: simdjson does not say
+        return true;
       case dom::element_type::INT64:
         value.kind = ValueKind::number;
         value.number = static_cast<double>(element.get_int64().value_unsafe());
@@ -98,6 +118,7 @@ class OrdinaryReader {
   dom::parser parser_;
   std::array<Entry, most_entries> entries_;  // with the memory of their texts and lists
   std::size_t count_ = 0;                    // of those that this line has
+  bool zero_ = false;                        // is there a 0.0 among them?
 };
 
 }  // namespace

@@ -47,8 +47,22 @@ TEST(OrdinaryScene, EveryFieldIsReadAlike) {
   }
 }
 
+TEST(OrdinaryScene, ZerosAreToldFromUnderflows) {
+  for (const char* zero : {"0.0", "-0.0", "0e0", "0.000e-99", "0E-1"}) {
+    const std::string line = SceneText::good().set("surface.summit_plane_offset", zero).json();
+    EXPECT_EQ(is_taken(line), true) << line;
+    EXPECT_EQ(broken_property(check_ordinary_scene, line), "");
+  }
+  for (std::size_t zeros = 0; zeros < 400; ++zeros)
+    for (const char* end : {"", "e-1", "e-99", "E-99", "e-100", "e-0100", "e-324", "e99"}) {
+      const std::string number = "0." + std::string(zeros, '0') + '1' + end;
+      const std::string line = SceneText::good().set("surface.summit_plane_offset", number).json();
+      EXPECT_EQ(broken_property(check_ordinary_scene, line), "");
+    }
+}
+
 TEST(OrdinaryScene, WhatSimdjsonReadsOtherwiseIsLeft) {
-  for (const char* number : {"0.0", "-0.0", "1e-400", "1e400", "9223372036854775808",
+  for (const char* number : {"1e-400", "0e-400", "1e400", "9223372036854775808",
                              "99999999999999999999", "true", "null", "[[1]]", "{}"}) {
     const std::string line = SceneText::good().set("load", number).json();
     EXPECT_EQ(is_taken(line), false) << line;
