@@ -57,7 +57,7 @@ test: ## build and run all tests, and hold what ran against verification/gates/m
 	ctest --preset release --output-junit ctest.xml --test-output-size-passed 1000000
 	python3 verification/gates/inventory.py build/release/ctest.xml
 
-test-slow: build ## stream ten million lines in flat memory; takes some two minutes
+test-slow: build ## stream ten million lines in flat memory, and print the rate; takes some half a minute
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_LINES=10000000 \
 	  python3 -B -m unittest -v test_stream_slow
 

@@ -17,6 +17,7 @@ std::string InputProblem::line() const {
 namespace scene_detail {
 namespace {
 
+constexpr std::size_t longest_source = 4096;
 constexpr std::size_t longest_path = 160;
 constexpr std::size_t longest_message = 600;
 
@@ -29,11 +30,9 @@ bool is_bare(std::string_view key) {
 
 }  // namespace
 
-Problems::Problems(SceneReading& reading, std::string_view source)
-    : reading_(reading), source_(printable(source, 4096)) {}
-
 InputProblem Problems::problem(std::string_view field, std::string_view message) const {
-  return {source_, printable(field, longest_path), printable(message, longest_message)};
+  return {printable(source_, longest_source), printable(field, longest_path),
+          printable(message, longest_message)};
 }
 
 void Problems::error(std::string_view field, std::string_view message) {

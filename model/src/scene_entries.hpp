@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,10 +35,10 @@ inline constexpr std::size_t max_depth = 16;      // of lists and tables within 
 inline constexpr std::size_t max_entries = 1000;  // far more than there are fields
 inline constexpr std::size_t max_problems = 50;   // reported of one scene
 
-// The errors and warnings of one input.
+// The errors and warnings of one input, whose name must outlive it.
 class Problems {
  public:
-  Problems(SceneReading& reading, std::string_view source);
+  Problems(SceneReading& reading, std::string_view source) : reading_(reading), source_(source) {}
   void error(std::string_view field, std::string_view message);
   void error_at(std::size_t row, std::size_t column, std::string_view field,
                 std::string_view message);
@@ -48,7 +49,7 @@ class Problems {
   InputProblem problem(std::string_view field, std::string_view message) const;
 
   SceneReading& reading_;
-  std::string source_;
+  std::string_view source_;
 };
 
 // A key as a part of a path: quoted where it could be taken for something else, and shortened.
@@ -60,7 +61,7 @@ extern const std::string_view too_many_fields_text;
 extern const std::string_view too_deep_text;
 
 // Fills reading.scene from the entries, or reading.errors.
-void bind_scene(const std::vector<Entry>& entries, SceneUse use, Problems& problems,
+void bind_scene(std::span<const Entry> entries, SceneUse use, Problems& problems,
                 SceneReading& reading);
 
 }  // namespace tribo::scene_detail

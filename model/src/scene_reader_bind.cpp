@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "scene_entries.hpp"
@@ -62,7 +63,7 @@ class SceneBinder {
   SceneBinder(SceneUse use, Problems& problems, SceneReading& reading)
       : use_(use), problems_(problems), reading_(reading) {}
 
-  void bind(const std::vector<Entry>& entries) {
+  void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
     for (std::size_t field = 0; field < field_count; ++field) take(field);
     check_supply();
@@ -343,8 +344,9 @@ class SceneBinder {
   void check_supply() {
     std::string_view first;
     for (std::size_t field = 0; field < field_count; ++field) {
+      if (given_[field] == nullptr) continue;
       const std::string_view path = scene_fields()[field].path;
-      if (section_of(path) != "supply" || given_[field] == nullptr) continue;
+      if (section_of(path) != "supply") continue;
       if (!first.empty())
         problems_.error(path, "given beside " + std::string(first) + "; allowed: exactly one of " +
                                   names_in("supply"));
@@ -411,7 +413,7 @@ class SceneBinder {
 
 }  // namespace
 
-void bind_scene(const std::vector<Entry>& entries, SceneUse use, Problems& problems,
+void bind_scene(std::span<const Entry> entries, SceneUse use, Problems& problems,
                 SceneReading& reading) {
   SceneBinder(use, problems, reading).bind(entries);
 }

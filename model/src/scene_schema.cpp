@@ -245,12 +245,18 @@ constexpr std::array<FieldInfo, field_count> infos = [] {
   return result;
 }();
 
-// Places in the table, by rising path: a stream looks up some twenty names a line.
+// Shorter paths first: most comparisons are of lengths alone, and a stream makes a hundred a line.
+constexpr bool is_before(std::string_view left, std::string_view right) {
+  if (left.size() != right.size()) return left.size() < right.size();
+  return left < right;
+}
+
+// Places in the table, in that order.
 constexpr std::array<std::size_t, field_count> by_path = [] {
   std::array<std::size_t, field_count> places{};
   for (std::size_t i = 0; i < field_count; ++i) places[i] = i;
   std::sort(places.begin(), places.end(), [](std::size_t left, std::size_t right) {
-    return rows[left].info.path < rows[right].info.path;
+    return is_before(rows[left].info.path, rows[right].info.path);
   });
   return places;
 }();
@@ -330,9 +336,9 @@ std::string output_names() {
 Store store_of(std::size_t field) { return rows[field].store; }
 
 std::optional<std::size_t> find_field(std::string_view path) {
-  const auto place =
-      std::lower_bound(by_path.begin(), by_path.end(), path,
-                       [](std::size_t i, std::string_view p) { return rows[i].info.path < p; });
+  const auto place = std::lower_bound(
+      by_path.begin(), by_path.end(), path,
+      [](std::size_t i, std::string_view p) { return is_before(rows[i].info.path, p); });
   if (place == by_path.end() || rows[*place].info.path != path) return std::nullopt;
   return *place;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "answer_object.hpp"
 
+#include <fmt/compile.h>
+
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -29,7 +30,7 @@ void append_json_text(Text& to, std::string_view text) {
 }
 
 void append_number(Text& to, double number) {
-  fmt::format_to(std::back_inserter(to), "{}", number);
+  fmt::format_to(fmt::appender(to), FMT_COMPILE("{}"), number);
 }
 
 AnswerObject::AnswerObject(Text& to, std::optional<std::string_view> id) : to_(to) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "answer_object.hpp"
+#include "ordinary_scene.hpp"
 #include "output_values.hpp"
 #include "tribo/mixed_contact.hpp"
 
@@ -20,10 +21,7 @@ void append_first_error(Text& to, const SceneReading& reading) {
   append_error(to, reading.id, problem.field, message);
 }
 
-void append_scene_answer(Text& to, std::string_view line, std::size_t number,
-                         std::vector<InputProblem>& warnings) {
-  SceneReading reading =
-      parse_scene_json(line, fmt::format("line {}", number), SceneUse::one_speed);
+void append_scene_answer(Text& to, SceneReading reading, std::vector<InputProblem>& warnings) {
   if (!reading.scene) return append_first_error(to, reading);
   append_point(to, *reading.scene, reading.id);
   for (InputProblem& warning : reading.warnings) warnings.push_back(std::move(warning));
@@ -52,10 +50,13 @@ void append_point(Text& to, const Scene& scene, std::optional<std::string_view> 
 
 void append_answer(Text& to, std::string_view line, std::size_t number,
                    std::vector<InputProblem>& warnings) {
-  // Most lines are scenes: only those that may call a function are parsed for one.
+  const std::string source = fmt::format("line {}", number);
+  if (std::optional<SceneReading> reading = read_ordinary_scene(line, source))
+    return append_scene_answer(to, *std::move(reading), warnings);
+  // Most of the others are scenes too: only those that may call a function are parsed for one.
   const bool may_call = line.find("\"function\"") != std::string_view::npos;
   if (may_call && append_function_answer(to, line)) return;
-  append_scene_answer(to, line, number, warnings);
+  append_scene_answer(to, parse_scene_json(line, source, SceneUse::one_speed), warnings);
 }
 
 }  // namespace tribo::cli

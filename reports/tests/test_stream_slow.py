@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stream over a million lines: memory stays flat. TRIBOCHECK_LINES asks for another number."""
+"""stream over a million lines: memory stays flat, and how many lines it answers a second is printed.
+TRIBOCHECK_LINES asks for another number."""
 
 import os
+import resource
 import subprocess
 import threading
 import unittest
@@ -19,6 +21,7 @@ class LongStream(unittest.TestCase):
     def memory_for(self, count):
         block = "".join(json_value(scene(id=f"p{i}", speed=1e-3 * (1 + i))) + "\n"
                         for i in range(1000)).encode()
+        before = self.processor_seconds()
         process = start("stream", stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         received = []
         reader = threading.Thread(target=lambda: received.append(self.count_lines(process.stdout)))
@@ -30,7 +33,14 @@ class LongStream(unittest.TestCase):
         process.stdout.close()
         code, memory = wait_for(process)
         self.assertEqual((code, received), (0, [count // 1000 * 1000]))
+        seconds = self.processor_seconds() - before
+        print(f"{count} lines: {count / seconds:.0f} a second of processor time", flush=True)
         return memory
+
+    @staticmethod
+    def processor_seconds():
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return usage.ru_utime + usage.ru_stime
 
     @staticmethod
     def count_lines(file):

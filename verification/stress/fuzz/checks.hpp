@@ -27,6 +27,10 @@ void check_json_scene(std::string_view text);
 // whichever way the bytes arrive, with an error or with outputs that are in their ranges.
 void check_stream(std::string_view text);
 
+// The text as a line of a stream: the same scene and the same messages by the reader of any JSON,
+// and by the one of ordinary lines if it takes this one.
+void check_ordinary_scene(std::string_view line);
+
 // Empty where the check holds; else what it throws.
 inline std::string broken_property(void (*check)(std::string_view), std::string_view text) {
   try {

@@ -37,10 +37,11 @@ void replay(const char* corpus, void (*check)(std::string_view)) {
 
 TEST(FuzzCorpus, TomlScenesHoldTheirProperties) { replay("toml", check_toml_scene); }
 TEST(FuzzCorpus, JsonScenesHoldTheirProperties) { replay("json", check_json_scene); }
+TEST(FuzzCorpus, JsonScenesAreReadAlikeByBothReaders) { replay("json", check_ordinary_scene); }
 TEST(FuzzCorpus, StreamsHoldTheirProperties) { replay("stream", check_stream); }
 
 TEST(FuzzCorpus, EmptyAndRepeatedInputsHoldTheProperties) {
-  for (const auto check : {check_toml_scene, check_json_scene, check_stream})
+  for (const auto check : {check_toml_scene, check_json_scene, check_ordinary_scene, check_stream})
     for (const char sign : {'\n', '\r', ' ', '{', '[', '"', '#', '=', 'a', '0', '\0', '\xff'})
       for (const std::size_t size : {0u, 1u, 2u, 999u, 1000u, 1001u, 1002u, 5000u})
         EXPECT_EQ(broken_property(check, std::string(size, sign)), "") << size << " × " << sign;

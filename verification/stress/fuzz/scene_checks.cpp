@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <tuple>
 #include <vector>
 
 #include "stress/fuzz/checks.hpp"
+#include "stress/fuzz/same_reading.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::fuzz {
@@ -121,26 +121,6 @@ void check_rules(const Scene& scene) {
 }
 
 // --- A scene written again.
-
-auto values_of(const Scene& scene) {
-  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
-      scene;
-  const auto& [list, from, to, count, spacing] = speeds;
-  const auto& [density, radius, height_sd, offset, planes] = surface;
-  const auto& [modulus, reduced_radius, ellipticity] = bodies;
-  const auto& [viscosity, pressure_viscosity, eyring_stress] = lubricant;
-  const auto& [boundary_coefficient, slide_roll_ratio, fluid, law] = friction;
-  const auto& [asperity, starvation, damiens_exponent] = closures;
-  return std::tuple_cat(
-      std::tuple(id, load, list, from, to, count, spacing, density, radius, height_sd, offset),
-      std::tuple(planes, modulus, reduced_radius, ellipticity, viscosity, pressure_viscosity),
-      std::tuple(eyring_stress, supply.kind, supply.value, boundary_coefficient, slide_roll_ratio),
-      std::tuple(fluid, law, asperity, starvation, damiens_exponent));
-}
-
-bool same(const Scene& left, const Scene& right) {
-  return values_of(left) == values_of(right) && left.outputs == right.outputs;
-}
 
 const char* word(SupplyKind kind) {
   constexpr const char* words[] = {"", "inlet_film", "inlet_film_ratio", "inlet_flow"};
@@ -261,19 +241,9 @@ SceneReading check_reading(Parse parse, std::string_view text, SceneUse use) {
   return reading;
 }
 
-bool same_lines(const std::vector<InputProblem>& left, const std::vector<InputProblem>& right) {
-  return std::equal(
-      left.begin(), left.end(), right.begin(), right.end(),
-      [](const InputProblem& a, const InputProblem& b) { return a.line() == b.line(); });
-}
-
 void check_read_again(Parse parse, std::string_view text, const SceneReading& reading) {
   const SceneReading again = parse(text, source, SceneUse::onset);
-  require(same_lines(reading.errors, again.errors) && same_lines(reading.warnings, again.warnings),
-          "a second reading says the same");
-  require(reading.id == again.id, "a second reading has the same id");
-  require(!reading.scene || same(*reading.scene, *again.scene),
-          "a second reading gives the same scene");
+  require(same(reading, again), "a second reading gives the same");
 }
 
 void check_text(Parse parse, std::string_view text) {

@@ -248,6 +248,7 @@ void check_stream(std::string_view text) {
       require(answer.find("over 1 MiB") != std::string::npos, "too long a line is told", answer);
       continue;
     }
+    check_ordinary_scene(line);
     cli::Text alone;
     std::vector<InputProblem> warnings;
     cli::append_answer(alone, line, number, warnings);

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// simdjson in the place of the model's JSON parser; entries and binder are the model's.
+#include "ordinary_scene.hpp"
+
+#include <simdjson.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "src/scene_entries.hpp"
+#include "src/scene_schema.hpp"
+
+namespace tribo::cli {
+namespace {
+
+namespace dom = simdjson::dom;
+using scene_detail::Entry;
+using scene_detail::Value;
+using scene_detail::ValueKind;
+
+// What is kept from line to line grows with both; a scene needs less than either.
+constexpr std::size_t most_bytes = 4096;
+constexpr std::size_t most_entries = 64;
+
+// Might a number be nearer to 0 than 4.9e-324? It has an exponent of three digits then, or well
+// over a hundred digits before it.
+bool may_underflow(std::string_view line) {
+  std::size_t digits = 0;  // in a row, with their point
+  bool negative_exponent = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if ((c >= '0' && c <= '9') || c == '.') {
+      ++digits;
+      if (digits > 100 || (negative_exponent && digits == 3)) return true;
+      continue;
+    }
+    digits = 0;
+    negative_exponent = c == '-' && at > 0 && (line[at - 1] == 'e' || line[at - 1] == 'E');
+  }
+  return false;
+}
+
+class OrdinaryReader {
+ public:
+  bool read(std::string_view line) {
+    count_ = 0;
+    if (line.size() > most_bytes) return false;
+    dom::object scene;
+    if (parser_.parse(line.data(), line.size()).get(scene) != simdjson::SUCCESS) return false;
+    zero_ = false;
+    for (const auto& [name, element] : scene)
+      if (!take(name, element)) return false;
+    return !zero_ || !may_underflow(line);
+  }
+
+  std::span<const Entry> entries() const { return {entries_.data(), count_}; }
+
+ private:
+  bool take(std::string_view name, const dom::element& element) {
+    dom::object section;
+    if (name.find('.') != std::string_view::npos) return false;  // "surface.summit_radius" is none
+    if (element.get(section) != simdjson::SUCCESS) return take_field("", name, element);
+    if (!scene_detail::is_section(name)) return false;
+    Entry* const entry = next_entry();
+    if (entry == nullptr) return false;
+    entry->path = name;
+    entry->value.kind = ValueKind::table;
+    for (const auto& [inner_name, inner] : section)
+      if (!take_field(name, inner_name, inner)) return false;
+    return true;
+  }
+
+  bool take_field(std::string_view section, std::string_view name, const dom::element& element) {
+    Entry* const entry = next_entry();
+    if (entry == nullptr) return false;
+    entry->path = section;
+    if (!section.empty()) entry->path += '.';
+    entry->path += name;
+    if (!scene_detail::find_field(entry->path)) return false;
+    dom::array list;
+    if (element.get(list) != simdjson::SUCCESS) return take_value(element, entry->value);
+    entry->value.kind = ValueKind::list;
+    for (const dom::element& part : list)
+      if (!take_value(part, entry->elements.emplace_back())) return false;
+    return true;
+  }
+
+  bool take_value(const dom::element& element, Value& value) {
+    switch (element.type()) {
+      case dom::element_type::DOUBLE:
+        value.kind = ValueKind::number;
+        value.number = element.get_double().value_unsafe();
+        zero_ = zero_ || value.number == 0;  // 0 or an underflow: simdjson does not say
+        return true;
+      case dom::element_type::INT64:
+        value.kind = ValueKind::number;
+        value.number = static_cast<double>(element.get_int64().value_unsafe());
+        return true;
+      case dom::element_type::STRING:
+        value.kind = ValueKind::text;
+        value.text = element.get_string().value_unsafe();
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  Entry* next_entry() {
+    if (count_ == entries_.size()) return nullptr;
+    Entry& entry = entries_[count_++];
+    entry.value.number = 0;
+    entry.value.text.clear();
+    entry.elements.clear();
+    return &entry;
+  }
+
+  dom::parser parser_;
+  std::array<Entry, most_entries> entries_;  // with the memory of their texts and lists
+  std::size_t count_ = 0;                    // of those that this line has
+  bool zero_ = false;                        // is there a 0.0 among them?
+};
+
+}  // namespace
+
+std::optional<SceneReading> read_ordinary_scene(std::string_view line, std::string_view source) {
+  thread_local OrdinaryReader reader;
+  if (!reader.read(line)) return std::nullopt;
+  std::optional<SceneReading> reading(std::in_place);
+  scene_detail::Problems problems(*reading, source);
+  bind_scene(reader.entries(), SceneUse::one_speed, problems, *reading);
+  return reading;
+}
+
+}  // namespace tribo::cli
