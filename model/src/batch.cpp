@@ -422,7 +422,8 @@ void film_parameter(const LoadSharing<double>& sharing, std::span<const double> 
     const std::size_t count = std::min(sharing_block, flooded.size() - first);
     HWY_DYNAMIC_DISPATCH(one_surface)(sharing.surface(), &flooded[first], lambda.data(), count);
     for (std::size_t i = 0; i < count; ++i)
-      if (std::isnan(lambda[i])) lambda[i] = sharing.solve(flooded[first + i]).film_parameter;
+      lambda[i] = std::isnan(lambda[i]) ? sharing.film_parameter(flooded[first + i])
+                                        : std::max(lambda[i], sharing.floor());
     std::copy_n(lambda.begin(), count, film_parameter.begin() + static_cast<std::ptrdiff_t>(first));
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // F_n and S_n in double (gaussian_moment.hpp): polynomials in pieces (gaussian_moment_pieces.inc),
-// and e^{−d²/2} with d² split. What is rounded is carried along as a second double until the last
-// operation, so that the result is off by little more than half a unit. The text is compiled twice,
-// with and without fused multiply-add, and chosen at run time; both keep the contract.
+// and e^{−d²/2} from d² unrounded. What is rounded is carried along as a second double until the
+// last operation, so that the result is off by little more than half a unit. The text is compiled
+// twice, with and without fused multiply-add, and chosen at run time; both keep the contract.
 #include <bit>
 #include <cstdint>
 
@@ -13,42 +13,20 @@ namespace {
 
 using namespace scalar;
 
-// Σ c_k t^k from k = 1 on over t, by even and odd powers.
-template <class Arithmetic>
-[[gnu::always_inline]] inline double slope_polynomial(const double* c, double t) {
-  const double square = t * t;
-  double odd = c[11], even = c[10];  // of c_12 and c_11
-  for (int k = 9; k >= 1; k -= 2) {
-    odd = Arithmetic::multiply_add(odd, square, c[k]);
-    even = Arithmetic::multiply_add(even, square, c[k - 1]);
-  }
-  return Arithmetic::multiply_add(odd, t, even);
-}
-
-// S_n at |d| = x < pieces_end for d ≥ 0, F_n for d < 0.
-template <class Arithmetic>
-[[gnu::always_inline]] inline Sum in_pieces(Order n, bool below_zero, double x) {
-  const auto [c, t] = piece_at(n, below_zero, x);
-  return ordered_sum(c[0],
-                     Arithmetic::multiply_add(t, slope_polynomial<Arithmetic>(c + 2, t), c[1]));
-}
-
 // scale·S·e^{−d²/2} for 0 ≤ d < pieces_end.
 template <class Arithmetic>
 [[gnu::always_inline]] inline double times_gaussian(Sum s, double d) {
   constexpr double steps = 128;  // to a factor 2
   // ln 2/128 in two parts, the first with 34 bits: its multiples here are exact.
   constexpr double step_high = 0x1.62e42fefp-8, step_low = 0x1.473de6af278edp-41;
-  const double head =
-      std::bit_cast<double>(std::bit_cast<std::uint64_t>(d) & ~((std::uint64_t{1} << 27) - 1));
-  const double square = 0.5 * head * head;            // exact
-  const double rest = 0.5 * (d - head) * (d + head);  // d²/2 = square + rest
+  const Sum square = Arithmetic::product(d, d);
+  const double half = 0.5 * square.high;
   constexpr double shifter = 0x1.8p52;
-  const double shifted = square * (steps / 0.69314718055994530942) + shifter;
+  const double shifted = half * (steps / 0.69314718055994530942) + shifter;
   const double k = shifted - shifter;
   const auto whole = std::bit_cast<std::uint64_t>(shifted) - std::bit_cast<std::uint64_t>(shifter);
-  const double r = Arithmetic::multiply_add(-k, step_high, square) +
-                   Arithmetic::multiply_add(-k, step_low, rest);
+  const double r = Arithmetic::multiply_add(-k, step_high, half) +
+                   Arithmetic::multiply_add(-k, step_low, 0.5 * square.low);
   // e^{−r} − 1, |r| < 0.0028, and what the power of two is short of
   const double* power = powers_of_two[whole % 128];
   const double r2 = r * r;
@@ -68,7 +46,7 @@ template <class Arithmetic>
 
 // F_n(−x) for x ≥ pieces_end: xⁿ (1 + n(n−1)/(2x²) + …), the second factor to far below an ulp.
 template <class Arithmetic>
-[[gnu::always_inline]] inline double far_below_zero(Order n, double x) {
+[[gnu::noinline, gnu::cold]] double far_below_zero(Order n, double x) {
   const double plain = detail::power(x, n);
   if (!(plain < 1e300)) return plain;  // so near overflow two products would lose their low parts
   const double order = 0.5 * twice(n);

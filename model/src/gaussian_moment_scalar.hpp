@@ -77,4 +77,24 @@ struct Piece {
   return {pieces[twice(n)][below_zero ? 1 : 0][(bits >> kept) - first], x - centre};
 }
 
+// Σ c_k t^k from k = 1 on over t, by even and odd powers.
+template <class Arithmetic>
+[[gnu::always_inline]] inline double slope_polynomial(const double* c, double t) {
+  const double square = t * t;
+  double odd = c[11], even = c[10];  // of c_12 and c_11
+  for (int k = 9; k >= 1; k -= 2) {
+    odd = Arithmetic::multiply_add(odd, square, c[k]);
+    even = Arithmetic::multiply_add(even, square, c[k - 1]);
+  }
+  return Arithmetic::multiply_add(odd, t, even);
+}
+
+// S_n at |d| = x < pieces_end for d ≥ 0, F_n for d < 0.
+template <class Arithmetic>
+[[gnu::always_inline]] inline Sum in_pieces(Order n, bool below_zero, double x) {
+  const auto [c, t] = piece_at(n, below_zero, x);
+  return ordered_sum(c[0],
+                     Arithmetic::multiply_add(t, slope_polynomial<Arithmetic>(c + 2, t), c[1]));
+}
+
 }  // namespace tribo::scalar

@@ -135,12 +135,15 @@ HWY_INLINE VectorSum<V> moment_in_pieces(D d, Order n, hn::Mask<D> below_zero, V
       odd = hn::MulAdd(odd, square, rows(k));
       even = hn::MulAdd(even, square, rows(k - 1));
     }
-    odd = hn::MulAdd(odd, square, rows(2));
-    const V slope = hn::MulAdd(even, t, odd);
-    const V first = rows(0);
-    const V rest = hn::MulAdd(t, slope, rows(1));
-    const V high = hn::Add(first, rest);
-    return VectorSum<V>{high, hn::Sub(rest, hn::Sub(high, first))};
+    // c_0 + c_1 t unrounded, but for the product where there is no fused multiply-add
+    const V first = rows(0), product = hn::Mul(t, rows(2));
+    const V product_low = hn::MulSub(t, rows(2), product);
+    const V leading = hn::Add(first, product);
+    const V leading_low = hn::Sub(product, hn::Sub(leading, first));
+    const V rest = hn::MulAdd(hn::MulAdd(odd, t, even), square, hn::Add(rows(1), product_low));
+    const V low = hn::Add(leading_low, rest);
+    const V high = hn::Add(leading, low);
+    return VectorSum<V>{high, hn::Sub(low, hn::Sub(high, leading))};
   });
 }
 

@@ -35,7 +35,7 @@ struct LoadShares {
   T film_parameter;  // λ
   T asperity;        // A
   T fluid;           // 1 − A, without the cancellation
-  int iterations;    // Newton steps that were taken
+  int iterations;    // steps to the root that were taken
 };
 
 namespace detail {
@@ -57,6 +57,10 @@ struct SharingRoot {
 };
 inline constexpr int max_sharing_steps = 16;
 SharingRoot film_parameter(const SharingSurface& surface, double flooded_film_parameter);
+// A root with the rounding of A taken out where its condition makes much of that: next to a
+// critical stiffness, K F_p(−δ) = 1. For CompiledFilm, which fits polynomials to roots.
+double polished_film_parameter(const SharingSurface& surface, double flooded_film_parameter,
+                               double film_parameter);
 
 }  // namespace detail
 
@@ -142,19 +146,53 @@ class LoadSharing {
     return film_parameter * decimal_power(fluid_share, sharing_exponent_of_film);
   }
 
-  // The root. λ₀ > 0, or 0 by an underflow. Error: load_sharing_contract. Never fails: λ₀ = ∞ gives
-  // λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b), and 0 ≤ A ≤ 1.
+  // The root, with its load shares. λ₀ > 0, or 0 by an underflow. Error: load_sharing_contract.
+  // Never fails: λ₀ = ∞ gives λ = ∞, NaN gives NaN; otherwise λ is finite, at least max(λ₀, λ_b),
+  // and 0 ≤ A ≤ 1.
   LoadShares<T> solve(const T& flooded_film_parameter) const {
-    using std::expm1;
+    return shares_at(flooded_film_parameter, root(flooded_film_parameter));
+  }
+
+  // The root λ alone.
+  T film_parameter(const T& flooded_film_parameter) const {
+    return root(flooded_film_parameter).film_parameter;
+  }
+
+  struct Root {
+    T film_parameter;
+    int iterations;
+  };
+  Root root(const T& flooded_film_parameter) const {
     const T& lambda0 = flooded_film_parameter;
-    if (!is_finite(lambda0) || !is_finite(floor_)) return at_infinity(lambda0);
-    if (lambda0 == 0 && !has_floor_) return shares_above_floor(lambda0);
-    const T p = 1 / sharing_film_exponent<T>();
+    if (lambda0 != lambda0 || floor_ != floor_) return {quiet_nan<T>(), 0};
+    if (!is_finite(lambda0)) return {lambda0, 0};
+    if (!is_finite(floor_)) return {floor_, 0};
+    if (lambda0 == 0 && !has_floor_) return {lambda0, 0};
     if constexpr (std::is_same_v<T, double>) {
-      const detail::SharingRoot root = detail::film_parameter(surface_, lambda0);
-      if (root.film_parameter == root.film_parameter)
-        return shares(lambda0, root.film_parameter, root.iterations);
+      const detail::SharingRoot found = detail::film_parameter(surface_, lambda0);
+      if (found.film_parameter == found.film_parameter)
+        return {found.film_parameter, found.iterations};
     }
+    return newton_root(lambda0);
+  }
+
+  // The load shares at the root of a λ₀.
+  LoadShares<T> shares_at(const T& flooded_film_parameter, const Root& root) const {
+    if (!is_finite(flooded_film_parameter) || !is_finite(floor_))
+      return at_infinity(flooded_film_parameter);
+    if (flooded_film_parameter == 0 && !has_floor_) return shares_above_floor(T(0));
+    return shares(flooded_film_parameter, root.film_parameter, root.iterations);
+  }
+
+  // Newton gains a factor of about 1.14 in λ a step where A stays near 1 (up to 45 steps in double,
+  // 130 in 50 digits), then converges quadratically.
+  static constexpr int max_iterations = 1000;
+
+ private:
+  // From max(λ₀, λ_b) on the convex q: rises to the root.
+  Root newton_root(const T& lambda0) const {
+    using std::expm1;
+    const T p = 1 / sharing_film_exponent<T>();
     T lambda = lambda0 < floor_ ? floor_ : lambda0;
     int iterations = 0;
     while (iterations < max_iterations) {
@@ -169,14 +207,9 @@ class LoadSharing {
       lambda += step;
       if (step < 2 * epsilon<T>() * lambda) break;
     }
-    return shares(lambda0, lambda, iterations);
+    return {lambda, iterations};
   }
 
-  // Newton gains a factor of about 1.14 in λ a step where A stays near 1 (up to 45 steps in double,
-  // 130 in 50 digits), then converges quadratically.
-  static constexpr int max_iterations = 1000;
-
- private:
   // −expm1(q ln f), f = F_p(λ_b−δ+distance)/F_p(λ_b−δ). With f = Σ c_k distance^k, F″ = pF − dF′
   // gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}.
   // The recurrence takes up the other solution, which grows as e^{−d·distance} below d = 0: by then
