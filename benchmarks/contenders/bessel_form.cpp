@@ -12,11 +12,10 @@ namespace {
 
 namespace policies = boost::math::policies;
 // NaN and ∞ instead of exceptions.
-using Quiet =
-    policies::policy<policies::domain_error<policies::ignore_error>,
-                     policies::overflow_error<policies::ignore_error>,
-                     policies::pole_error<policies::ignore_error>,
-                     policies::evaluation_error<policies::ignore_error>>;
+using Quiet = policies::policy<policies::domain_error<policies::ignore_error>,
+                               policies::overflow_error<policies::ignore_error>,
+                               policies::pole_error<policies::ignore_error>,
+                               policies::evaluation_error<policies::ignore_error>>;
 
 double bessel_k(double order, double x) { return boost::math::cyl_bessel_k(order, x, Quiet()); }
 double bessel_i(double order, double x) { return boost::math::cyl_bessel_i(order, x, Quiet()); }

@@ -5,6 +5,7 @@
 #include <exception>
 #include <limits>
 
+#include "contenders/gsl_quadrature.hpp"
 #include "contenders/integrand.hpp"
 #include "contenders/moment_families.hpp"
 
@@ -38,16 +39,18 @@ struct GaussKronrodPow {
   double tolerance;
   double operator()(double d) const {
     using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-    return value_or_nan(
-        [&] { return Rule::integrate(PowIntegrand<Count>{d, 2.5}, d, infinity, 15, tolerance); });
+    return value_or_nan([&] {
+      return Rule::integrate(PowIntegrand<Count>{d, 2.5}, d, infinity, 15, tolerance);
+    });
   }
 };
 
+// To a finite end: its abscissas reach far enough out for u·u·√u to overflow.
 template <class Count>
 struct TanhSinh {
   mutable boost::math::quadrature::tanh_sinh<double> rule{};
   double operator()(double d) const {
-    return value_or_nan([&] { return rule.integrate(RootIntegrand<Count>{d}, d, infinity); });
+    return value_or_nan([&] { return rule.integrate(RootIntegrand<Count>{d}, d, finite_end(d)); });
   }
 };
 

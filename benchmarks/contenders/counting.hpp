@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counting the evaluations of an integrand or a moment. A contender takes one of these as a template
-// argument, so that the timed one does not count.
+// Counting the evaluations of an integrand or a moment. A contender takes one of these as a
+// template argument, so that the timed one does not count.
 #pragma once
 
 namespace tribo::benchmarks {

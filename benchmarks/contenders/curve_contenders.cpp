@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene is prepared anew in each call, as for one curve. Roots of others are completed by our
 // film formula, starvation and friction, which favours them.
-#include "contenders/curve_contender.hpp"
-
 #include <utility>
 
+#include "contenders/curve_contender.hpp"
 #include "contenders/root_contender.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/stribeck_walk.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixed rules of 32 points in u = s − d: with the weight e^{−u}, and with u^{5/2} e^{−u}, which takes
-// up the root of the integrand.
+// Fixed rules of 32 points in u = s − d: with the weight e^{−u}, and with u^{5/2} e^{−u}, which
+// takes up the root of the integrand.
 #include <gsl/gsl_integration.h>
 
 #include <cmath>

@@ -44,7 +44,8 @@ std::vector<MomentContender> gsl_quadratures() {
   all.push_back(quadrature<Qags<PowIntegrand>::Method>("GSL", "QAGS 1e-08 pow", order, n, 1e-8));
   all.push_back(quadrature<Qags<RootIntegrand>::Method>("GSL", "QAGS 1e-08 sqrt", order, n, 1e-8));
   all.push_back(quadrature<Cquad<PowIntegrand>::Method>("GSL", "CQUAD 1e-08 pow", order, n, 1e-8));
-  all.push_back(quadrature<Cquad<RootIntegrand>::Method>("GSL", "CQUAD 1e-08 sqrt", order, n, 1e-8));
+  all.push_back(
+      quadrature<Cquad<RootIntegrand>::Method>("GSL", "CQUAD 1e-08 sqrt", order, n, 1e-8));
   return all;
 }
 

@@ -24,8 +24,8 @@ SplineTable inverse_table(const LoadSharing<double>& sharing) {
   for (int i = 0; i < knots; ++i) {
     const double distance = nearest * std::pow(highest / nearest, i / (knots - 1.0));
     const LoadShares<double> at = sharing.shares_above_floor(distance);
-    log_flooded.push_back(std::log(
-        LoadSharing<double>::flooded_film_parameter(at.film_parameter, at.fluid)));
+    log_flooded.push_back(
+        std::log(LoadSharing<double>::flooded_film_parameter(at.film_parameter, at.fluid)));
     log_film.push_back(std::log(at.film_parameter));
   }
   return {log_flooded, log_film};
@@ -34,15 +34,16 @@ SplineTable inverse_table(const LoadSharing<double>& sharing) {
 }  // namespace
 
 std::vector<RootContender> inverse_tables() {
-  return {{"table", "inverse spline 400 knots",
+  return {{"table",
+           "inverse spline 400 knots",
            [](const RootCases& surface) -> RootRun {
-             const LoadSharing<double> sharing(AsperityModel::greenwood_tripp,
-                                               surface.stiffness[0], surface.offset[0]);
-             return [table = inverse_table(sharing)](const RootCases& cases,
-                                                     std::span<double> film) {
-               for (std::size_t i = 0; i < cases.size(); ++i)
-                 film[i] = std::exp(table(std::log(cases.flooded[i])));
-             };
+             const LoadSharing<double> sharing(AsperityModel::greenwood_tripp, surface.stiffness[0],
+                                               surface.offset[0]);
+             return
+                 [table = inverse_table(sharing)](const RootCases& cases, std::span<double> film) {
+                   for (std::size_t i = 0; i < cases.size(); ++i)
+                     film[i] = std::exp(table(std::log(cases.flooded[i])));
+                 };
            },
            {}}};
 }

@@ -46,8 +46,13 @@ MomentBatch point_by_point(Function function) {
 template <class Function>
 MomentContender closed_form(std::string family, std::string name, Order order, Function function,
                             Range claimed = {}) {
-  return {std::move(family), std::move(name), order, point_by_point(std::move(function)), {},
-          claimed, {}};
+  return {std::move(family),
+          std::move(name),
+          order,
+          point_by_point(std::move(function)),
+          {},
+          claimed,
+          {}};
 }
 
 // Method<Count>(argument…) is a function of d that calls Count::one() for each value of its
@@ -55,9 +60,13 @@ MomentContender closed_form(std::string family, std::string name, Order order, F
 template <template <class> class Method, class... Arguments>
 MomentContender quadrature(std::string family, std::string name, Order order,
                            const Arguments&... arguments) {
-  return {std::move(family), std::move(name), order,
+  return {std::move(family),
+          std::move(name),
+          order,
           point_by_point(Method<Uncounted>(arguments...)),
-          point_by_point(Method<Counted>(arguments...)), {}, {}};
+          point_by_point(Method<Counted>(arguments...)),
+          {},
+          {}};
 }
 
 // Every one, family by family; ours last.

@@ -8,7 +8,8 @@
 namespace tribo::benchmarks {
 namespace {
 
-void batch(Order order, std::string_view set, std::span<const double> d, std::span<double> moments) {
+void batch(Order order, std::string_view set, std::span<const double> d,
+           std::span<double> moments) {
   const std::string_view usual = instruction_set();
   use_instruction_set(set);
   gaussian_moment(order, d, moments);
@@ -31,9 +32,11 @@ std::vector<MomentContender> own_moments() {
                      },
                      {}});
   }
-  all.push_back(closed_form("tribocheck", "template in long double", Order::five_halves, [](double d) {
-    return static_cast<double>(gaussian_moment(Order::five_halves, static_cast<long double>(d)));
-  }));
+  all.push_back(
+      closed_form("tribocheck", "template in long double", Order::five_halves, [](double d) {
+        return static_cast<double>(
+            gaussian_moment(Order::five_halves, static_cast<long double>(d)));
+      }));
   constexpr Range nowhere{1, 0};
   all.push_back(closed_form(
       "control", "std::exp", Order::five_halves, [](double d) { return std::exp(d); }, nowhere));

@@ -42,28 +42,27 @@ std::vector<RootContender> own_wide_roots() {
        },
        steps}};
   for (const std::string_view set : instruction_sets())
-    all.push_back({"tribocheck", "batch, all inputs vary, " + std::string(set),
-                   [set](const RootCases&) {
-                     return prepared_with_set(
-                         set, [](const RootCases& cases, std::span<double> film) {
-                           film_parameter(model, cases.stiffness, cases.offset, cases.flooded,
-                                          film);
-                         });
-                   },
-                   steps});
+    all.push_back(
+        {"tribocheck", "batch, all inputs vary, " + std::string(set),
+         [set](const RootCases&) {
+           return prepared_with_set(set, [](const RootCases& cases, std::span<double> film) {
+             film_parameter(model, cases.stiffness, cases.offset, cases.flooded, film);
+           });
+         },
+         steps});
   return all;
 }
 
 std::vector<RootContender> own_one_surface_roots() {
-  std::vector<RootContender> all{
-      {"tribocheck", "scalar",
-       [](const RootCases& surface) -> RootRun {
-         return [sharing = sharing_of(surface[0])](const RootCases& cases, std::span<double> film) {
-           for (std::size_t i = 0; i < cases.size(); ++i)
-             film[i] = sharing.solve(cases.flooded[i]).film_parameter;
-         };
-       },
-       steps}};
+  std::vector<RootContender> all{{"tribocheck", "scalar",
+                                  [](const RootCases& surface) -> RootRun {
+                                    return [sharing = sharing_of(surface[0])](
+                                               const RootCases& cases, std::span<double> film) {
+                                      for (std::size_t i = 0; i < cases.size(); ++i)
+                                        film[i] = sharing.solve(cases.flooded[i]).film_parameter;
+                                    };
+                                  },
+                                  steps}};
   for (const std::string_view set : instruction_sets())
     all.push_back({"tribocheck", "batch, one surface, " + std::string(set),
                    [set](const RootCases& surface) {
@@ -74,7 +73,8 @@ std::vector<RootContender> own_one_surface_roots() {
                          });
                    },
                    steps});
-  all.push_back({"tribocheck", "compiled film",
+  all.push_back({"tribocheck",
+                 "compiled film",
                  [](const RootCases& surface) -> RootRun {
                    return [compiled = CompiledFilm(sharing_of(surface[0]), 1e-4, 100)](
                               const RootCases& cases, std::span<double> film) {

@@ -16,13 +16,16 @@ inline constexpr double film_exponent = 0.14;
 template <class Count, class Moment>
 class LoadBalance {
  public:
-  LoadBalance(const RootCase& root_case, const Moment& moment) : case_(root_case), moment_(moment) {}
+  LoadBalance(const RootCase& root_case, const Moment& moment)
+      : case_(root_case), moment_(moment) {}
 
   double asperity_share(double film) const {
     Count::one();
     return std::sqrt(case_.stiffness * moment_(film - case_.offset));
   }
-  double fluid_share(double film) const { return std::pow(case_.flooded / film, 1 / film_exponent); }
+  double fluid_share(double film) const {
+    return std::pow(case_.flooded / film, 1 / film_exponent);
+  }
   double operator()(double film) const { return asperity_share(film) + fluid_share(film) - 1; }
 
  private:

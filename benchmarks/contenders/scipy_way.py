@@ -23,7 +23,7 @@ def film_parameter(stiffness, offset, flooded):
     def balance(film):
         share = math.sqrt(stiffness * moment(film[0] - offset))
         return share + (flooded / film[0]) ** (1 / 0.14) - 1
-    root, _, found, _ = fsolve(balance, max(flooded, 0.5), full_output=True)
+    root, _, found, _ = fsolve(balance, flooded, full_output=True)
     return root[0] if found == 1 else math.nan
 
 

@@ -20,9 +20,8 @@ struct FixedPoint {
   double operator()(const RootCase& c, const Balance& balance) const {
     double film = c.flooded;
     for (int i = 0; i < most_iterations; ++i) {
-      const double next =
-          c.flooded * std::pow(1 - balance.asperity_share(film), -film_exponent);
-      if (std::abs(next - film) <= tolerance * next) return next;
+      const double next = c.flooded * std::pow(1 - balance.asperity_share(film), -film_exponent);
+      if (!(std::abs(next - film) > tolerance * next)) return next;  // NaN too
       film = next;
     }
     return std::numeric_limits<double>::quiet_NaN();
@@ -43,7 +42,7 @@ double newton_on_film(const RootCase& c) {
     const double slope = 1 - film_exponent * thicker * asperity_slope / (1 - asperity);
     const double step = (film - thicker) / slope;
     film -= step;
-    if (std::abs(step) <= tolerance * film) return film;
+    if (!(std::abs(step) > tolerance * film)) return film;  // NaN too
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
