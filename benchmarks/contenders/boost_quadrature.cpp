@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -48,35 +50,50 @@ struct GaussKronrodPow {
 // To a finite end: its abscissas reach far enough out for u·u·√u to overflow.
 template <class Count>
 struct TanhSinh {
+  double tolerance;
   mutable boost::math::quadrature::tanh_sinh<double> rule{};
   double operator()(double d) const {
-    return value_or_nan([&] { return rule.integrate(RootIntegrand<Count>{d}, d, finite_end(d)); });
+    return value_or_nan(
+        [&] { return rule.integrate(RootIntegrand<Count>{d}, d, finite_end(d), tolerance); });
   }
 };
 
 // In u = s − d, as the abscissas crowd at the end of the range.
 template <class Count>
 struct ExpSinh {
+  double tolerance;
   mutable boost::math::quadrature::exp_sinh<double> rule{};
   double operator()(double d) const {
     return value_or_nan([&] {
-      return rule.integrate([d](double u) {
-        Count::one();
-        return u * u * std::sqrt(u) * normal_density(u + d);
-      });
+      return rule.integrate(
+          [d](double u) {
+            Count::one();
+            return u * u * std::sqrt(u) * normal_density(u + d);
+          },
+          tolerance);
     });
   }
 };
 
 }  // namespace
 
-std::vector<MomentContender> boost_quadratures() {
+std::vector<MomentContender> boost_quadratures(Settings settings) {
   constexpr Order order = Order::five_halves;
-  return {quadrature<GaussKronrod>("Boost", "Gauss-Kronrod 31 1e-08 sqrt", order, 1e-8),
-          quadrature<GaussKronrodPow>("Boost", "Gauss-Kronrod 31 1e-08 pow", order, 1e-8),
-          quadrature<GaussKronrod>("Boost", "Gauss-Kronrod 31 1e-13 sqrt", order, 1e-13),
-          quadrature<TanhSinh>("Boost", "tanh-sinh", order),
-          quadrature<ExpSinh>("Boost", "exp-sinh", order)};
+  std::vector<MomentContender> all;
+  for (const double tolerance :
+       chosen(settings, {1e-8, 1e-13}, {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13})) {
+    all.push_back(quadrature<GaussKronrodPow>(
+        "Boost", fmt::format("Gauss-Kronrod 31 {:.0e} pow", tolerance), order, tolerance));
+    all.push_back(quadrature<GaussKronrod>(
+        "Boost", fmt::format("Gauss-Kronrod 31 {:.0e} sqrt", tolerance), order, tolerance));
+  }
+  for (const double tolerance : chosen(settings, {1e-8}, {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})) {
+    all.push_back(quadrature<TanhSinh>("Boost", fmt::format("tanh-sinh {:.0e}", tolerance), order,
+                                       tolerance));
+    all.push_back(
+        quadrature<ExpSinh>("Boost", fmt::format("exp-sinh {:.0e}", tolerance), order, tolerance));
+  }
+  return all;
 }
 
 }  // namespace tribo::benchmarks

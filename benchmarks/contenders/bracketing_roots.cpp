@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brent's method of GSL and TOMS 748 of Boost on the load balance, bracketed upward from λ₀.
+#include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "contenders/bessel_form.hpp"
 #include "contenders/gsl_quadrature.hpp"
@@ -43,7 +45,10 @@ struct Brent {
   }
 };
 
+constexpr int full_bits = std::numeric_limits<double>::digits - 1;
+
 struct Toms748 {
+  int bits;
   template <class Residual>
   double operator()(const RootCase& root_case, const Residual& residual) const {
     const Bracket bracket = bracket_above(root_case, residual);
@@ -52,7 +57,7 @@ struct Toms748 {
     std::uintmax_t iterations = most_iterations;
     const auto [low, high] = boost::math::tools::toms748_solve(
         residual, bracket.low, bracket.high, bracket.at_low, bracket.at_high,
-        boost::math::tools::eps_tolerance<double>(), iterations);
+        boost::math::tools::eps_tolerance<double>(bits), iterations);
     return low + (high - low) / 2;
   }
 };
@@ -61,18 +66,30 @@ double fast_moment(double d) { return gaussian_moment(Order::five_halves, d); }
 
 }  // namespace
 
-std::vector<RootContender> bracketing_roots() {
+std::vector<RootContender> bracketing_roots(Settings settings) {
   gsl_set_error_handler_off();  // the default one aborts
-  const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, 1e-10};
-  const Qagiu<RootIntegrand>::Method<Uncounted> by_root{2.5, 1e-10};
-  std::vector<RootContender> all{
-      on_load_balance("GSL", "Brent + QAGIU 1e-10 pow", by_pow, Brent{1e-10}),
-      on_load_balance("GSL", "Brent + QAGIU 1e-10 sqrt", by_root, Brent{1e-10}),
-      on_load_balance("Boost", "TOMS 748 + Bessel form", bessel_moment, Toms748{}),
-      on_load_balance("Boost", "TOMS 748 + our F", fast_moment, Toms748{}),
-      on_load_balance("GSL", "Brent + our F", fast_moment, Brent{1e-15}),
+  std::vector<RootContender> all;
+  const auto add_slow = [&](RootContender contender) {
+    contender.is_slow = true;
+    all.push_back(std::move(contender));
   };
-  for (std::size_t slow = 0; slow < 3; ++slow) all[slow].is_slow = true;
+  // The quadrature as fine as the root.
+  for (const double tolerance : chosen(settings, {1e-10}, {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})) {
+    const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, tolerance};
+    const Qagiu<RootIntegrand>::Method<Uncounted> by_root{2.5, tolerance};
+    add_slow(on_load_balance("GSL", fmt::format("Brent + QAGIU {:.0e} pow", tolerance), by_pow,
+                             Brent{tolerance}));
+    add_slow(on_load_balance("GSL", fmt::format("Brent + QAGIU {:.0e} sqrt", tolerance), by_root,
+                             Brent{tolerance}));
+  }
+  add_slow(on_load_balance("Boost", "TOMS 748 + Bessel form", bessel_moment, Toms748{full_bits}));
+  for (const int bits : chosen(settings, {full_bits}, {8, 16, 24, 32, 40, full_bits}))
+    all.push_back(on_load_balance("Boost", fmt::format("TOMS 748 {} bits + our F", bits),
+                                  fast_moment, Toms748{bits}));
+  for (const double tolerance :
+       chosen(settings, {1e-15}, {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15}))
+    all.push_back(on_load_balance("GSL", fmt::format("Brent {:.0e} + our F", tolerance),
+                                  fast_moment, Brent{tolerance}));
   return all;
 }
 

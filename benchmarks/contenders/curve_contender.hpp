@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contenders/settings.hpp"
 #include "tribo/operating_points.hpp"
 #include "tribo/scene.hpp"
 
@@ -24,6 +25,6 @@ struct CurveContender {
 OutputSet curve_outputs();
 
 // Ours last.
-std::vector<CurveContender> curve_contenders();
+std::vector<CurveContender> curve_contenders(Settings settings = Settings::usual);
 
 }  // namespace tribo::benchmarks

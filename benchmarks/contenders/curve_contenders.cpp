@@ -64,9 +64,9 @@ OutputSet curve_outputs() {
   return outputs;
 }
 
-std::vector<CurveContender> curve_contenders() {
+std::vector<CurveContender> curve_contenders(Settings settings) {
   std::vector<CurveContender> all;
-  for (const RootContender& root : one_surface_root_contenders())
+  for (const RootContender& root : one_surface_root_contenders(settings))
     if (root.family != "tribocheck" && root.family != "SciPy")
       all.push_back({root.family, root.name,
                      [root](const Scene& scene, std::span<const double> speeds,

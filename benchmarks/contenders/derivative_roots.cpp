@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newton's and Halley's methods of Boost on the load balance, with our moments: A = √(K F),
 // A′ = A F′/2F, A″ = A (F″/2F − (F′/2F)²), F′ = −(5/2)F_{3/2}, F″ = (15/4)F_{1/2}.
+#include <fmt/format.h>
+
 #include <boost/math/tools/roots.hpp>
 #include <cstdint>
 #include <exception>
@@ -38,7 +40,6 @@ Derivatives derivatives(const RootCase& c, double film, bool with_curvature) {
   return at;
 }
 
-constexpr int digits = std::numeric_limits<double>::digits;
 constexpr double highest = 200;
 
 template <class Iterate>
@@ -51,36 +52,48 @@ double value_or_nan(const Iterate& iterate) {
 }
 
 template <class Count>
-double newton(const RootCase& c) {
-  return value_or_nan([&] {
-    std::uintmax_t iterations = 200;
-    return boost::math::tools::newton_raphson_iterate(
-        [&](double film) {
-          const Derivatives at = derivatives<Count>(c, film, false);
-          return std::pair(at.residual, at.slope);
-        },
-        c.flooded, c.flooded, highest, digits - 4, iterations);
-  });
-}
+struct Newton {
+  int bits;
+  double operator()(const RootCase& c) const {
+    return value_or_nan([&] {
+      std::uintmax_t iterations = 200;
+      return boost::math::tools::newton_raphson_iterate(
+          [&](double film) {
+            const Derivatives at = derivatives<Count>(c, film, false);
+            return std::pair(at.residual, at.slope);
+          },
+          c.flooded, c.flooded, highest, bits, iterations);
+    });
+  }
+};
 
 template <class Count>
-double halley(const RootCase& c) {
-  return value_or_nan([&] {
-    std::uintmax_t iterations = 200;
-    return boost::math::tools::halley_iterate(
-        [&](double film) {
-          const Derivatives at = derivatives<Count>(c, film, true);
-          return std::tuple(at.residual, at.slope, at.curvature);
-        },
-        c.flooded, c.flooded, highest, digits / 2, iterations);
-  });
-}
+struct Halley {
+  int bits;
+  double operator()(const RootCase& c) const {
+    return value_or_nan([&] {
+      std::uintmax_t iterations = 200;
+      return boost::math::tools::halley_iterate(
+          [&](double film) {
+            const Derivatives at = derivatives<Count>(c, film, true);
+            return std::tuple(at.residual, at.slope, at.curvature);
+          },
+          c.flooded, c.flooded, highest, bits, iterations);
+    });
+  }
+};
 
 }  // namespace
 
-std::vector<RootContender> derivative_roots() {
-  return {one_by_one("Boost", "Newton + our F", newton<Uncounted>, newton<Counted>),
-          one_by_one("Boost", "Halley + our F", halley<Uncounted>, halley<Counted>)};
+std::vector<RootContender> derivative_roots(Settings settings) {
+  std::vector<RootContender> all;
+  for (const int bits : chosen(settings, {49}, {6, 12, 24, 49}))
+    all.push_back(one_by_one("Boost", fmt::format("Newton {} bits + our F", bits),
+                             Newton<Uncounted>{bits}, Newton<Counted>{bits}));
+  for (const int bits : chosen(settings, {26}, {4, 8, 16, 26}))  // it stops at the square
+    all.push_back(one_by_one("Boost", fmt::format("Halley {} bits + our F", bits),
+                             Halley<Uncounted>{bits}, Halley<Counted>{bits}));
+  return all;
 }
 
 }  // namespace tribo::benchmarks

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixed rules of 32 points in u = s − d: with the weight e^{−u}, and with u^{5/2} e^{−u}, which
+// Fixed rules in u = s − d: with the weight e^{−u}, and with u^{5/2} e^{−u}, which
 // takes up the root of the integrand.
+#include <fmt/format.h>
 #include <gsl/gsl_integration.h>
 
 #include <cmath>
@@ -12,17 +13,16 @@
 namespace tribo::benchmarks {
 namespace {
 
-constexpr std::size_t points = 32;
-
 using Rule = std::shared_ptr<gsl_integration_fixed_workspace>;
-Rule laguerre(double exponent) {
+Rule laguerre(double exponent, std::size_t points) {
   return {gsl_integration_fixed_alloc(gsl_integration_fixed_laguerre, points, 0, 1, exponent, 0),
           gsl_integration_fixed_free};
 }
 
 template <class Count>
 struct Plain {
-  Rule rule = laguerre(0);
+  std::size_t points;
+  Rule rule = laguerre(0, points);
   double operator()(double d) const {
     auto integrand = [d](double u) {
       Count::one();
@@ -37,7 +37,8 @@ struct Plain {
 
 template <class Count>
 struct Generalised {
-  Rule rule = laguerre(2.5);
+  std::size_t points;
+  Rule rule = laguerre(2.5, points);
   double operator()(double d) const {
     auto integrand = [d](double u) {
       Count::one();
@@ -52,10 +53,16 @@ struct Generalised {
 
 }  // namespace
 
-std::vector<MomentContender> gauss_laguerre_rules() {
+std::vector<MomentContender> gauss_laguerre_rules(Settings settings) {
   constexpr Order order = Order::five_halves;
-  return {quadrature<Plain>("fixed rule", "Gauss-Laguerre 32", order),
-          quadrature<Generalised>("fixed rule", "generalised Gauss-Laguerre 32", order)};
+  std::vector<MomentContender> all;
+  for (const std::size_t points : chosen<std::size_t>(settings, {32}, {4, 8, 16, 32, 64, 128})) {
+    all.push_back(
+        quadrature<Plain>("fixed rule", fmt::format("Gauss-Laguerre {}", points), order, points));
+    all.push_back(quadrature<Generalised>(
+        "fixed rule", fmt::format("generalised Gauss-Laguerre {}", points), order, points));
+  }
+  return all;
 }
 
 }  // namespace tribo::benchmarks

@@ -9,6 +9,9 @@
 namespace tribo::benchmarks {
 namespace {
 
+constexpr Order order = Order::five_halves;
+constexpr double n = 2.5;
+
 template <template <class> class Integrand>
 struct Cquad {
   template <class Count>
@@ -30,22 +33,25 @@ struct Cquad {
 
 }  // namespace
 
-std::vector<MomentContender> gsl_quadratures() {
+std::vector<MomentContender> gsl_quadratures(Settings settings) {
   gsl_set_error_handler_off();  // the default one aborts
-  constexpr Order order = Order::five_halves;
-  const double n = value_of<double>(order);
   std::vector<MomentContender> all;
-  for (const double tolerance : {1e-8, 1e-10, 1e-13}) {
-    all.push_back(quadrature<Qagiu<PowIntegrand>::Method>(
-        "GSL", fmt::format("QAGIU {:.0e} pow", tolerance), order, n, tolerance));
-    all.push_back(quadrature<Qagiu<RootIntegrand>::Method>(
-        "GSL", fmt::format("QAGIU {:.0e} sqrt", tolerance), order, n, tolerance));
-  }
-  all.push_back(quadrature<Qags<PowIntegrand>::Method>("GSL", "QAGS 1e-08 pow", order, n, 1e-8));
-  all.push_back(quadrature<Qags<RootIntegrand>::Method>("GSL", "QAGS 1e-08 sqrt", order, n, 1e-8));
-  all.push_back(quadrature<Cquad<PowIntegrand>::Method>("GSL", "CQUAD 1e-08 pow", order, n, 1e-8));
-  all.push_back(
-      quadrature<Cquad<RootIntegrand>::Method>("GSL", "CQUAD 1e-08 sqrt", order, n, 1e-8));
+  const auto add = [&]<template <class> class Pow, template <class> class Root>(
+                       const char* rule, std::initializer_list<double> usual) {
+    const std::vector<double> tolerances =
+        chosen(settings, usual, {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13});
+    for (const double tolerance : tolerances) {
+      all.push_back(quadrature<Pow>("GSL", fmt::format("{} {:.0e} pow", rule, tolerance), order, n,
+                                    tolerance));
+      all.push_back(quadrature<Root>("GSL", fmt::format("{} {:.0e} sqrt", rule, tolerance), order,
+                                     n, tolerance));
+    }
+  };
+  add.template operator()<Qagiu<PowIntegrand>::Method, Qagiu<RootIntegrand>::Method>(
+      "QAGIU", {1e-8, 1e-10, 1e-13});
+  add.template operator()<Qags<PowIntegrand>::Method, Qags<RootIntegrand>::Method>("QAGS", {1e-8});
+  add.template operator()<Cquad<PowIntegrand>::Method, Cquad<RootIntegrand>::Method>("CQUAD",
+                                                                                     {1e-8});
   return all;
 }
 

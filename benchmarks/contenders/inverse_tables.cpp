@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ln λ as a spline of ln λ₀ for one surface: 400 knots, found by walking λ.
+// ln λ as a spline of ln λ₀ for one surface; the knots are found by walking λ.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "contenders/gsl_spline_table.hpp"
@@ -9,11 +11,10 @@
 namespace tribo::benchmarks {
 namespace {
 
-constexpr int knots = 400;
 constexpr double lowest = 1e-5;  // λ₀
 constexpr double highest = 1000;
 
-SplineTable inverse_table(const LoadSharing<double>& sharing) {
+SplineTable inverse_table(const LoadSharing<double>& sharing, int knots) {
   // λ₀ = λ(1−A)^0.14 is lowest where 1 − A is about (lowest/λ_b)^{1/0.14}.
   double nearest = lowest / 10;
   if (sharing.has_floor())
@@ -33,19 +34,21 @@ SplineTable inverse_table(const LoadSharing<double>& sharing) {
 
 }  // namespace
 
-std::vector<RootContender> inverse_tables() {
-  return {{"table",
-           "inverse spline 400 knots",
-           [](const RootCases& surface) -> RootRun {
-             const LoadSharing<double> sharing(AsperityModel::greenwood_tripp, surface.stiffness[0],
-                                               surface.offset[0]);
-             return
-                 [table = inverse_table(sharing)](const RootCases& cases, std::span<double> film) {
-                   for (std::size_t i = 0; i < cases.size(); ++i)
-                     film[i] = std::exp(table(std::log(cases.flooded[i])));
-                 };
-           },
-           {}}};
+std::vector<RootContender> inverse_tables(Settings settings) {
+  std::vector<RootContender> all;
+  for (const int knots : chosen(settings, {400}, {50, 100, 200, 400, 800, 1600, 6400})) {
+    const auto prepare = [knots](const RootCases& surface) -> RootRun {
+      const LoadSharing<double> sharing(AsperityModel::greenwood_tripp, surface.stiffness[0],
+                                        surface.offset[0]);
+      return
+          [table = inverse_table(sharing, knots)](const RootCases& cases, std::span<double> film) {
+            for (std::size_t i = 0; i < cases.size(); ++i)
+              film[i] = std::exp(table(std::log(cases.flooded[i])));
+          };
+    };
+    all.push_back({"table", fmt::format("inverse spline {} knots", knots), prepare, {}});
+  }
+  return all;
 }
 
 }  // namespace tribo::benchmarks

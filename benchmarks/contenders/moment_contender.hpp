@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "contenders/counting.hpp"
+#include "contenders/settings.hpp"
 #include "tribo/gaussian_moment.hpp"
 
 namespace tribo::benchmarks {
@@ -70,6 +71,6 @@ MomentContender quadrature(std::string family, std::string name, Order order,
 }
 
 // Every one, family by family; ours last.
-std::vector<MomentContender> moment_contenders();
+std::vector<MomentContender> moment_contenders(Settings settings = Settings::usual);
 
 }  // namespace tribo::benchmarks

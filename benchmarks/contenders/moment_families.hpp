@@ -8,12 +8,12 @@
 
 namespace tribo::benchmarks {
 
-std::vector<MomentContender> gsl_quadratures();
+std::vector<MomentContender> gsl_quadratures(Settings settings);
 std::vector<MomentContender> gsl_special_functions();
-std::vector<MomentContender> boost_quadratures();
+std::vector<MomentContender> boost_quadratures(Settings settings);
 std::vector<MomentContender> bessel_forms();
-std::vector<MomentContender> gauss_laguerre_rules();
-std::vector<MomentContender> splines();
+std::vector<MomentContender> gauss_laguerre_rules(Settings settings);
+std::vector<MomentContender> splines(Settings settings);
 std::vector<MomentContender> published_fits();
 std::vector<MomentContender> own_moments();
 

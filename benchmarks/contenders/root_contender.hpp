@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contenders/counting.hpp"
+#include "contenders/settings.hpp"
 
 namespace tribo::benchmarks {
 
@@ -40,7 +41,7 @@ struct RootContender {
 
 // Those that take a surface a case, and those for one surface (all cases have the same K and δ).
 // Ours last.
-std::vector<RootContender> wide_root_contenders();
-std::vector<RootContender> one_surface_root_contenders();
+std::vector<RootContender> wide_root_contenders(Settings settings = Settings::usual);
+std::vector<RootContender> one_surface_root_contenders(Settings settings = Settings::usual);
 
 }  // namespace tribo::benchmarks

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <initializer_list>
+#include <iterator>
+#include <utility>
 
 #include "contenders/root_families.hpp"
 #include "contenders/scipy_way.hpp"
@@ -7,24 +8,23 @@
 namespace tribo::benchmarks {
 namespace {
 
-using Family = std::vector<RootContender> (*)();
-
-std::vector<RootContender> joined(std::initializer_list<Family> families) {
+std::vector<RootContender> joined(std::vector<std::vector<RootContender>> families) {
   std::vector<RootContender> all;
-  for (const Family family : families)
-    for (RootContender& contender : family()) all.push_back(std::move(contender));
+  for (std::vector<RootContender>& family : families)
+    std::move(family.begin(), family.end(), std::back_inserter(all));
   return all;
 }
 
 }  // namespace
 
-std::vector<RootContender> wide_root_contenders() {
-  return joined({bracketing_roots, derivative_roots, textbook_roots, scipy_roots, own_wide_roots});
+std::vector<RootContender> wide_root_contenders(Settings settings) {
+  return joined({bracketing_roots(settings), derivative_roots(settings), textbook_roots(settings),
+                 scipy_roots(), own_wide_roots()});
 }
 
-std::vector<RootContender> one_surface_root_contenders() {
-  return joined({bracketing_roots, derivative_roots, textbook_roots, inverse_tables, scipy_roots,
-                 own_one_surface_roots});
+std::vector<RootContender> one_surface_root_contenders(Settings settings) {
+  return joined({bracketing_roots(settings), derivative_roots(settings), textbook_roots(settings),
+                 inverse_tables(settings), scipy_roots(), own_one_surface_roots()});
 }
 
 }  // namespace tribo::benchmarks

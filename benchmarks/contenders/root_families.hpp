@@ -8,10 +8,10 @@
 
 namespace tribo::benchmarks {
 
-std::vector<RootContender> bracketing_roots();  // Brent, TOMS 748
-std::vector<RootContender> derivative_roots();  // Newton, Halley
-std::vector<RootContender> textbook_roots();    // fixed point, Newton on the film
-std::vector<RootContender> inverse_tables();    // one surface only
+std::vector<RootContender> bracketing_roots(Settings settings);  // Brent, TOMS 748
+std::vector<RootContender> derivative_roots(Settings settings);  // Newton, Halley
+std::vector<RootContender> textbook_roots(Settings settings);    // fixed point, Newton on the film
+std::vector<RootContender> inverse_tables(Settings settings);    // one surface only
 std::vector<RootContender> own_wide_roots();
 std::vector<RootContender> own_one_surface_roots();
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// ln F_{5/2} in 400 knots, made once with GSL's quadrature.
+// ln F_{5/2} in knots, made once with GSL's quadrature.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "contenders/gsl_quadrature.hpp"
@@ -10,10 +12,9 @@ namespace tribo::benchmarks {
 namespace {
 
 constexpr Range knots_range{-5, 12};
-constexpr int knots = 400;
 
-SplineTable log_table() {
-  const Qagiu<PowIntegrand>::Method<Uncounted> moment{2.5, 1e-10};
+SplineTable log_table(int knots) {
+  const Qagiu<PowIntegrand>::Method<Uncounted> moment{2.5, 1e-13};
   std::vector<double> d;
   std::vector<double> logarithm;
   for (int i = 0; i < knots; ++i) {
@@ -25,10 +26,13 @@ SplineTable log_table() {
 
 }  // namespace
 
-std::vector<MomentContender> splines() {
-  return {closed_form(
-      "table", "spline of ln F 400 knots", Order::five_halves,
-      [table = log_table()](double d) { return std::exp(table(d)); }, knots_range)};
+std::vector<MomentContender> splines(Settings settings) {
+  std::vector<MomentContender> all;
+  for (const int knots : chosen(settings, {400}, {25, 50, 100, 200, 400, 800, 1600, 6400}))
+    all.push_back(closed_form(
+        "table", fmt::format("spline of ln F {} knots", knots), Order::five_halves,
+        [table = log_table(knots)](double d) { return std::exp(table(d)); }, knots_range));
+  return all;
 }
 
 }  // namespace tribo::benchmarks
