@@ -8,10 +8,11 @@
 #include <iostream>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "kernels/measured.hpp"
 #include "kernels/progress.hpp"
+#include "kernels/registered.hpp"
 
 namespace {
 
@@ -50,16 +51,16 @@ int main(int count, char** arguments) {
   const bool is_console = !asks_for_another_format(count, arguments);
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
-  tribo::benchmarks::register_moments();
-  tribo::benchmarks::register_roots();
-  tribo::benchmarks::register_curves();
+  using namespace tribo::benchmarks;
+  for (const auto& [job, title] : job_titles()) benchmark::AddCustomContext(job, title);
+  for (Measured& measured : all_jobs(Settings::usual)) register_benchmark(std::move(measured));
   if (!matches_any(benchmark::GetBenchmarkFilter())) {
     if (is_console) std::cerr << "tribocheck_bench: no contender matches the filter\n";
     return 2;
   }
   Console console;
   benchmark::RunSpecifiedBenchmarks(is_console ? &console : nullptr);
-  tribo::benchmarks::show_progress("");
+  show_progress("");
   benchmark::Shutdown();
   return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/measured.hpp"
+#include "kernels/registered.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -68,10 +68,6 @@ std::vector<std::string>& names() {
 }  // namespace
 
 const std::vector<std::string>& registered_names() { return names(); }
-
-void describe_job(const std::string& job, const std::string& title) {
-  benchmark::AddCustomContext(job, title);
-}
 
 void register_benchmark(Measured measured) {
   const std::string name = measured.job + "/" + measured.family + "/" + measured.name;

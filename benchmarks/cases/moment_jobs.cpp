@@ -2,8 +2,8 @@
 // F_{5/2} and F_2 at 2048 arguments in (0, 6).
 #include <memory>
 
+#include "cases/measured.hpp"
 #include "cases/moment_cases.hpp"
-#include "kernels/measured.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -17,12 +17,11 @@ double evaluations_a_point(const MomentContender& contender, const std::vector<d
 
 }  // namespace
 
-void register_moments() {
-  describe_job("moment_5_2", "F_5/2(d), d in (0, 6)");
-  describe_job("moment_2", "F_2(d), d in (0, 6)");
+std::vector<Measured> moment_jobs(Settings settings) {
+  std::vector<Measured> all;
   const auto d = std::make_shared<const std::vector<double>>(moment_arguments(count));
   const auto moments = std::make_shared<std::vector<double>>(count);
-  for (const MomentContender& contender : moment_contenders()) {
+  for (const MomentContender& contender : moment_contenders(settings)) {
     Measured measured{contender.order == Order::two ? "moment_2" : "moment_5_2",
                       contender.family,
                       contender.name,
@@ -33,8 +32,9 @@ void register_moments() {
                       contender.own_seconds};
     if (contender.counted)
       measured.evaluations = [=] { return evaluations_a_point(contender, *d); };
-    register_benchmark(std::move(measured));
+    all.push_back(std::move(measured));
   }
+  return all;
 }
 
 }  // namespace tribo::benchmarks
