@@ -65,6 +65,15 @@ bench: ## speed and true error of every contender, as a table; FILTER=RE chooses
 	cmake --build --preset release --target tribocheck tribocheck_bench
 	build/release/tribocheck bench $(if $(FILTER),--filter '$(FILTER)')
 
+work-precision: ## true error against work, with diagrams: reports/out/work_precision; some eight minutes
+	@.ci/deps build bench
+	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
+	cmake --build --preset release --target tribocheck_work_precision
+	build/release/benchmarks/tribocheck_work_precision --out reports/out/work_precision \
+	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" --date "$$(date -u +%F)" \
+	  --baseline reference/baselines/work_precision.json
+	benchmarks/work_precision/draw reports/out/work_precision
+
 manifest: ## the manifest of checks made anew from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write
 

@@ -26,7 +26,7 @@ void ErrorTally::add(double got, long double exact) {
 }
 
 Errors ErrorTally::errors() const {
-  Errors result{judged_, failures_, 0, 0, 0};
+  Errors result{judged_, failures_, judged_ - ulps_.size(), 0, 0, 0};
   if (ulps_.empty()) return result;
   std::vector<double> sorted = ulps_;
   std::sort(sorted.begin(), sorted.end());

@@ -37,7 +37,7 @@ std::vector<std::pair<Measured, Errors>> judged(std::vector<Measured> all) {
 
 nlohmann::ordered_json ulps(const Errors& errors, double value) {
   if (errors.judged == 0) return nullptr;
-  return value;
+  return four_digits(value);
 }
 
 }  // namespace
@@ -51,17 +51,18 @@ Rows errors_against_work(const Effort& effort) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& [measured, errors] = all[i];
     nlohmann::ordered_json evaluations;
-    if (measured.evaluations) evaluations = measured.evaluations();
+    if (measured.evaluations) evaluations = four_digits(measured.evaluations());
     rows.push_back({{"job", measured.job},
                     {"family", measured.family},
                     {"series", series_of(measured)},
                     {"name", measured.name},
-                    {"ns", 1e9 * seconds[i] / static_cast<double>(measured.points)},
+                    {"ns", four_digits(1e9 * seconds[i] / static_cast<double>(measured.points))},
                     {"evaluations", evaluations},
                     {"max_ulp", ulps(errors, errors.max_ulp)},
                     {"p99_ulp", ulps(errors, errors.p99_ulp)},
                     {"mean_ulp", ulps(errors, errors.mean_ulp)},
                     {"failures", errors.failures},
+                    {"no_numbers", errors.no_numbers},
                     {"judged", errors.judged}});
   }
   return rows;

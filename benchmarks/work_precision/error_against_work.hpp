@@ -7,7 +7,8 @@
 
 namespace tribo::benchmarks {
 
-// job, family, series, name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures, judged
+// job, family, series, name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures,
+// no_numbers, judged
 Rows errors_against_work(const Effort& effort);
 
 // Greatest error of each way to F_{5/2} in ulp, by ranges of d.

@@ -54,13 +54,14 @@ Rows performance_profile(const Effort& effort) {
     for (std::size_t c = 0; c < cases; ++c) best[c] = std::min(best[c], of_solver[c]);
   Rows rows;
   for (std::size_t s = 0; s < solvers.size(); ++s)
-    for (int step = 0; step <= 80; ++step) {
-      const double tau = std::pow(10, step / 20.0);
+    for (int step = 0; step <= 40; ++step) {
+      const double tau = std::pow(10, step / 10.0);
       std::size_t within = 0;
       for (std::size_t c = 0; c < cases; ++c) within += times[s][c] <= tau * best[c] ? 1 : 0;
-      rows.push_back({{"solver", solvers[s].family + ": " + solvers[s].name},
-                      {"tau", tau},
-                      {"fraction", static_cast<double>(within) / static_cast<double>(cases)}});
+      rows.push_back(
+          {{"solver", solvers[s].family + ": " + solvers[s].name},
+           {"tau", four_digits(tau)},
+           {"fraction", four_digits(static_cast<double>(within) / static_cast<double>(cases))}});
     }
   return rows;
 }

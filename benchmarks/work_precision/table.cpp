@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "work_precision/table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
@@ -26,6 +28,8 @@ std::string heads(const nlohmann::ordered_json& row) {
 }
 
 }  // namespace
+
+double four_digits(double x) { return std::stod(fmt::format("{:.4g}", x)); }
 
 std::string tsv(const Rows& rows) {
   if (rows.empty()) return "";

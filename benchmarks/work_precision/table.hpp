@@ -12,6 +12,9 @@ namespace tribo::benchmarks {
 // One row a JSON object, all with the same keys; null: nothing to say.
 using Rows = std::vector<nlohmann::ordered_json>;
 
+// What a measured number is worth: four digits.
+double four_digits(double x);
+
 // Columns under their names, null empty.
 std::string tsv(const Rows& rows);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t threaded_points = std::size_t{1} << 21;
 
 double gigabytes(double points_per_second, std::size_t bytes) {
-  return 1e-9 * points_per_second * static_cast<double>(bytes);
+  return four_digits(1e-9 * points_per_second * static_cast<double>(bytes));
 }
 
 // Wall time of one pass over all points, the least of the rounds.
@@ -54,12 +54,12 @@ Rows throughput_by_size(const Effort& effort) {
       const double rate = static_cast<double>(points) / seconds[k];
       rows.push_back({{"kernel", kernels[k].name},
                       {"points", points},
-                      {"ns", 1e9 / rate},
-                      {"points_per_second", rate},
+                      {"ns", four_digits(1e9 / rate)},
+                      {"points_per_second", four_digits(rate)},
                       {"bytes", kernels[k].bytes},
                       {"gigabytes_per_second", gigabytes(rate, kernels[k].bytes)},
-                      {"share_of_copy",
-                       gigabytes(rate, kernels[k].bytes) / gigabytes(copied, kernels[0].bytes)}});
+                      {"share_of_copy", four_digits(gigabytes(rate, kernels[k].bytes) /
+                                                    gigabytes(copied, kernels[0].bytes))}});
     }
   }
   return rows;
@@ -77,9 +77,9 @@ Rows throughput_by_threads(const Effort& effort) {
       const double rate = static_cast<double>(threaded_points) / seconds;
       rows.push_back({{"kernel", kernel.name},
                       {"threads", threads},
-                      {"points_per_second", rate},
+                      {"points_per_second", four_digits(rate)},
                       {"gigabytes_per_second", gigabytes(rate, kernel.bytes)},
-                      {"speedup", alone / seconds}});
+                      {"speedup", four_digits(alone / seconds)}});
     }
   }
   return rows;
