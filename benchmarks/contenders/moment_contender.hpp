@@ -64,8 +64,8 @@ MomentContender quadrature(std::string family, std::string name, Order order,
   return {std::move(family),
           std::move(name),
           order,
-          point_by_point(Method<Uncounted>(arguments...)),
-          point_by_point(Method<Counted>(arguments...)),
+          point_by_point(Method<Uncounted>{arguments...}),
+          point_by_point(Method<Counted>{arguments...}),
           {},
           {}};
 }
