@@ -11,9 +11,9 @@ n = STATS_blocks
 counted = ""
 array family[n]
 do for [i=0:n-1] {
-  stats table index i using (last = strcol(2), column(evaluations)) nooutput name "e"
+  stats table index i using (last = strcol(2), is_counted = strcol(evaluations) ne "NaN", $5) nooutput
+  if (is_counted) { counted = counted.sprintf(" %d", i) }
   family[i+1] = last
-  if (e_records > 0) { counted = counted.sprintf(" %d", i) }
 }
 plot for [i in counted] table index (i + 0) using evaluations:max_ulp with linespoints \
   pointtype shape(i) pointsize size(family[i+1]) linewidth (is_ours(family[i+1]) ? 2.2 : 1.2) \
