@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "work_precision/timing.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <ctime>
 #include <numeric>
 #include <random>
 
@@ -12,7 +11,7 @@ namespace tribo::benchmarks {
 namespace {
 
 double seconds_of(clockid_t clock) {
-  timespec now{};
+  std::timespec now{};
   ::clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
