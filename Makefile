@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check pieces pieces-check report test test-slow fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check pieces pieces-check report test test-slow bench work-precision fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 deps: ## install the packages of PURPOSE="build report test check"
@@ -60,6 +60,21 @@ test: ## build and run all tests, and hold what ran against verification/gates/m
 test-slow: build ## stream ten million lines in flat memory, and print the rate; takes some half a minute
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_LINES=10000000 \
 	  python3 -B -m unittest -v test_stream_slow
+
+bench: ## speed and true error of every contender, as a table; FILTER=RE chooses; some four minutes
+	@.ci/deps build bench
+	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
+	cmake --build --preset release --target tribocheck tribocheck_bench
+	build/release/tribocheck bench $(if $(FILTER),--filter '$(FILTER)')
+
+work-precision: ## true error against work, with diagrams: reports/out/work_precision; some eight minutes
+	@.ci/deps build bench
+	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
+	cmake --build --preset release --target tribocheck_work_precision
+	build/release/benchmarks/tribocheck_work_precision --out reports/out/work_precision \
+	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" --date "$$(date -u +%F)" \
+	  --baseline reference/baselines/work_precision.json
+	benchmarks/work_precision/draw reports/out/work_precision
 
 manifest: ## the manifest of checks made anew from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write

@@ -20,5 +20,6 @@ Command add_onset(CLI::App& program);
 Command add_stream(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_verify(CLI::App& program);
+Command add_bench(CLI::App& program);
 
 }  // namespace tribo::cli

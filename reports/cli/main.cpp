@@ -20,7 +20,7 @@ namespace {
 
 // Every command, in the order of the help.
 constexpr std::array commands{
-    &add_solve, &add_curve, &add_onset, &add_stream, &add_report, &add_verify,
+    &add_solve, &add_curve, &add_onset, &add_stream, &add_report, &add_verify, &add_bench,
 };
 
 constexpr const char* program_footer =

@@ -7,23 +7,8 @@ script = ARG1
 scripts = ARG0[1:strlen(ARG0) - strlen("style.gp")]
 data = ARG4."/"
 tall = int(ARG6)
-set encoding utf8
-set minussign
-if (ARG2 eq "svg") {
-  set terminal svg size 960,tall dynamic enhanced font "DejaVu Sans,Verdana,sans-serif,16" \
-    name ARG5 background rgb "white" linewidth 1.2
-  small = ",14"
-  point = 0.6; outline = 0.9; x_words = 0.75; y_words = 2
-} else {
-  set terminal pngcairo size 1920,2*tall enhanced font "DejaVu Sans,12" fontscale 2 \
-    background rgb "white" linewidth 2.4 pointscale 2
-  small = ",10.5"
-  point = 1; outline = 1; x_words = 0; y_words = 0
-}
-set output ARG3
-set datafile separator "\t"
-set datafile commentschars "#"
-set title ARG7."\n{/*0.8 ".ARG8."}"
+kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
+load scripts."canvas.gp"
 
 # Okabe and Ito's colours, told apart by every eye; one for each surface, in every figure.
 colour(surface) = surface eq "rough" ? 0xD55E00 : surface eq "medium" ? 0x009E73 : 0x0072B2

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// True errors of a contender over certified or recomputed values.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace tribo::benchmarks {
+
+struct Errors {
+  std::size_t judged = 0;
+  std::size_t failures = 0;    // no number, or off by more than failed_beyond
+  std::size_t no_numbers = 0;  // of these
+  double max_ulp = 0;          // of those that are numbers, as the next two
+  double p99_ulp = 0;
+  double mean_ulp = 0;
+};
+
+class ErrorTally {
+ public:
+  static constexpr double failed_beyond = 1e-6;  // relative
+
+  // Against high + low.
+  void add(double got, double high, double low);
+  void add(double got, long double exact);
+  Errors errors() const;
+
+ private:
+  std::vector<double> ulps_;
+  std::size_t judged_ = 0;
+  std::size_t failures_ = 0;
+};
+
+// |got − (high + low)| in units in the last place of high.
+double ulps_off(double got, double high, double low);
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The arguments at which moments are timed and judged.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cases/errors.hpp"
+#include "contenders/moment_contender.hpp"
+
+namespace tribo::benchmarks {
+
+// d spread evenly over (0, 6), in a seeded random order.
+std::vector<double> moment_arguments(std::size_t count);
+
+// Over the certified rows (reference/exact) of the contender's order with from < d < to that it
+// claims.
+Errors judge(const MomentContender& contender, double from = 0, double to = 6);
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways to many operating points of one scene: film, load share of the asperities and friction.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contenders/settings.hpp"
+#include "tribo/operating_points.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::benchmarks {
+
+struct CurveContender {
+  std::string family;
+  std::string name;
+  // Fills points that have room; those that walk choose speeds of their own in the same range.
+  std::function<void(const Scene& scene, std::span<const double> speeds, OperatingPoints& points)>
+      run;
+  bool is_slow;  // tens of microseconds a point
+};
+
+OutputSet curve_outputs();
+
+// Ours last.
+std::vector<CurveContender> curve_contenders(Settings settings = Settings::usual);
+
+}  // namespace tribo::benchmarks

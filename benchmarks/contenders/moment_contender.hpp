@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways to F_n(d), each as its users write it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contenders/counting.hpp"
+#include "contenders/settings.hpp"
+#include "tribo/gaussian_moment.hpp"
+
+namespace tribo::benchmarks {
+
+using MomentBatch = std::function<void(std::span<const double> d, std::span<double> moments)>;
+
+// Where a contender claims to hold; elsewhere it is not judged.
+struct Range {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+  bool contains(double x) const { return from <= x && x <= to; }
+};
+
+struct MomentContender {
+  std::string family;
+  std::string name;
+  Order order;
+  MomentBatch run;
+  MomentBatch counted;  // the same, counting its integrand in Counted; empty: it has none
+  Range claimed{};
+  // CPU time of the last call, where it was spent in another process; empty: here.
+  std::function<double()> own_seconds{};
+};
+
+// A function of one argument, asked point by point.
+template <class Function>
+MomentBatch point_by_point(Function function) {
+  return [function](std::span<const double> d, std::span<double> moments) {
+    for (std::size_t i = 0; i < d.size(); ++i) moments[i] = function(d[i]);
+  };
+}
+
+template <class Function>
+MomentContender closed_form(std::string family, std::string name, Order order, Function function,
+                            Range claimed = {}) {
+  return {std::move(family),
+          std::move(name),
+          order,
+          point_by_point(std::move(function)),
+          {},
+          claimed,
+          {}};
+}
+
+// Method<Count>(argument…) is a function of d that calls Count::one() for each value of its
+// integrand.
+template <template <class> class Method, class... Arguments>
+MomentContender quadrature(std::string family, std::string name, Order order,
+                           const Arguments&... arguments) {
+  return {std::move(family),
+          std::move(name),
+          order,
+          point_by_point(Method<Uncounted>{arguments...}),
+          point_by_point(Method<Counted>{arguments...}),
+          {},
+          {}};
+}
+
+// Every one, family by family; ours last.
+std::vector<MomentContender> moment_contenders(Settings settings = Settings::usual);
+
+}  // namespace tribo::benchmarks

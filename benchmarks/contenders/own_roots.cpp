@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// This project's: the root point by point and in batch, and the compiled film.
+#include "contenders/root_families.hpp"
+#include "tribo/batch.hpp"
+#include "tribo/compiled_film.hpp"
+#include "tribo/load_sharing.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+constexpr AsperityModel model = AsperityModel::greenwood_tripp;
+
+LoadSharing<double> sharing_of(const RootCase& c) { return {model, c.stiffness, c.offset}; }
+
+// Steps of the root, each one evaluation of F with its derivative; the batch takes the same.
+double steps(const RootCases& cases) {
+  double sum = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    sum += sharing_of(cases[i]).solve(cases[i].flooded).iterations;
+  return sum;
+}
+
+RootRun prepared_with_set(std::string_view set, RootRun run) {
+  return [set, run = std::move(run)](const RootCases& cases, std::span<double> film) {
+    const std::string_view usual = instruction_set();
+    use_instruction_set(set);
+    run(cases, film);
+    use_instruction_set(usual);
+  };
+}
+
+}  // namespace
+
+std::vector<RootContender> own_wide_roots() {
+  std::vector<RootContender> all{
+      {"tribocheck", "scalar, with its construction",
+       [](const RootCases&) -> RootRun {
+         return [](const RootCases& cases, std::span<double> film) {
+           for (std::size_t i = 0; i < cases.size(); ++i)
+             film[i] = sharing_of(cases[i]).solve(cases.flooded[i]).film_parameter;
+         };
+       },
+       steps}};
+  for (const std::string_view set : instruction_sets())
+    all.push_back(
+        {"tribocheck", "batch, all inputs vary, " + std::string(set),
+         [set](const RootCases&) {
+           return prepared_with_set(set, [](const RootCases& cases, std::span<double> film) {
+             film_parameter(model, cases.stiffness, cases.offset, cases.flooded, film);
+           });
+         },
+         steps});
+  return all;
+}
+
+std::vector<RootContender> own_one_surface_roots() {
+  std::vector<RootContender> all{{"tribocheck", "scalar",
+                                  [](const RootCases& surface) -> RootRun {
+                                    return [sharing = sharing_of(surface[0])](
+                                               const RootCases& cases, std::span<double> film) {
+                                      for (std::size_t i = 0; i < cases.size(); ++i)
+                                        film[i] = sharing.solve(cases.flooded[i]).film_parameter;
+                                    };
+                                  },
+                                  steps}};
+  for (const std::string_view set : instruction_sets())
+    all.push_back({"tribocheck", "batch, one surface, " + std::string(set),
+                   [set](const RootCases& surface) {
+                     return prepared_with_set(
+                         set, [sharing = sharing_of(surface[0])](const RootCases& cases,
+                                                                 std::span<double> film) {
+                           film_parameter(sharing, cases.flooded, film);
+                         });
+                   },
+                   steps});
+  all.push_back({"tribocheck",
+                 "compiled film",
+                 [](const RootCases& surface) -> RootRun {
+                   return [compiled = CompiledFilm(sharing_of(surface[0]), 1e-4, 100)](
+                              const RootCases& cases, std::span<double> film) {
+                     compiled.film_parameter(cases.flooded, film);
+                   };
+                 },
+                 {}});
+  return all;
+}
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways to the film parameter λ of load sharing (model/README.md, section 6) after Greenwood and
+// Tripp:  A(λ) + (λ₀/λ)^{1/0.14} = 1,  A = √(K F_{5/2}(λ−δ)).
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contenders/counting.hpp"
+#include "contenders/settings.hpp"
+
+namespace tribo::benchmarks {
+
+struct RootCase {
+  double stiffness, offset, flooded;  // K, δ, λ₀
+};
+
+struct RootCases {
+  std::span<const double> stiffness;  // K
+  std::span<const double> offset;     // δ
+  std::span<const double> flooded;    // λ₀
+  std::size_t size() const { return flooded.size(); }
+  RootCase operator[](std::size_t i) const { return {stiffness[i], offset[i], flooded[i]}; }
+};
+
+using RootRun = std::function<void(const RootCases&, std::span<double> film_parameter)>;
+
+struct RootContender {
+  std::string family;
+  std::string name;
+  // Makes what is kept between calls, from the surface of the first case.
+  std::function<RootRun(const RootCases&)> prepare;
+  // Moments evaluated over these cases; a pair with its derivative counts once. Empty: none.
+  std::function<double(const RootCases&)> evaluations;
+  bool is_slow = false;                   // tens of microseconds a case, or more
+  std::function<double()> own_seconds{};  // CPU time of the last call, where not spent here
+};
+
+// Those that take a surface a case, and those for one surface (all cases have the same K and δ).
+// Ours last.
+std::vector<RootContender> wide_root_contenders(Settings settings = Settings::usual);
+std::vector<RootContender> one_surface_root_contenders(Settings settings = Settings::usual);
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The equation that every root contender solves, for any way to F_{5/2}.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "contenders/root_contender.hpp"
+
+namespace tribo::benchmarks {
+
+inline constexpr double film_exponent = 0.14;
+
+// Moment is a function of d; Count counts its calls.
+template <class Count, class Moment>
+class LoadBalance {
+ public:
+  LoadBalance(const RootCase& root_case, const Moment& moment)
+      : case_(root_case), moment_(moment) {}
+
+  double asperity_share(double film) const {
+    Count::one();
+    return std::sqrt(case_.stiffness * moment_(film - case_.offset));
+  }
+  double fluid_share(double film) const {
+    return std::pow(case_.flooded / film, 1 / film_exponent);
+  }
+  double operator()(double film) const { return asperity_share(film) + fluid_share(film) - 1; }
+
+ private:
+  RootCase case_;
+  const Moment& moment_;
+};
+
+struct Bracket {
+  double low, high, at_low, at_high;
+};
+
+// From λ₀, where the residual is not negative, upward in doubled steps.
+template <class Residual>
+Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
+  Bracket bracket{root_case.flooded, root_case.flooded, residual(root_case.flooded), 0};
+  bracket.at_high = bracket.at_low;
+  for (double step = 0.5; bracket.at_high > 0 && step < 1e6; step *= 2) {
+    bracket.low = bracket.high;
+    bracket.at_low = bracket.at_high;
+    bracket.high += step;
+    bracket.at_high = residual(bracket.high);
+  }
+  return bracket;
+}
+
+// A function of one case, and the same counting its moments.
+template <class Solve, class CountedSolve>
+RootContender one_by_one(std::string family, std::string name, Solve solve, CountedSolve counted) {
+  return {std::move(family), std::move(name),
+          [solve](const RootCases&) -> RootRun {
+            return [solve](const RootCases& cases, std::span<double> film) {
+              for (std::size_t i = 0; i < cases.size(); ++i) film[i] = solve(cases[i]);
+            };
+          },
+          [counted](const RootCases& cases) {
+            return evaluations_of([&] {
+              for (std::size_t i = 0; i < cases.size(); ++i) counted(cases[i]);
+            });
+          }};
+}
+
+// solver(case, residual) with the residual of each case.
+template <class Moment, class Solver>
+RootContender on_load_balance(std::string family, std::string name, Moment moment, Solver solver) {
+  return one_by_one(
+      std::move(family), std::move(name),
+      [moment, solver](const RootCase& c) {
+        return solver(c, LoadBalance<Uncounted, Moment>(c, moment));
+      },
+      [moment, solver](const RootCase& c) {
+        return solver(c, LoadBalance<Counted, Moment>(c, moment));
+      });
+}
+
+}  // namespace tribo::benchmarks

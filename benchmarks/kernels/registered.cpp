@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/registered.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "kernels/progress.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+// What holds for all repetitions is found once, outside of the timed loop.
+class Known {
+ public:
+  explicit Known(const Measured& measured) {
+    if (measured.judge) errors = measured.judge();
+    if (measured.evaluations) evaluations = measured.evaluations();
+  }
+  void count_in(benchmark::State& state) const {
+    if (errors && errors->judged > 0) {
+      state.counters["judged"] = static_cast<double>(errors->judged);
+      state.counters["failures"] = static_cast<double>(errors->failures);
+      state.counters["max_ulp"] = errors->max_ulp;
+      state.counters["p99_ulp"] = errors->p99_ulp;
+      state.counters["mean_ulp"] = errors->mean_ulp;
+    }
+    if (evaluations) state.counters["evaluations"] = *evaluations;
+  }
+
+ private:
+  std::optional<Errors> errors;
+  std::optional<double> evaluations;
+};
+
+class Benchmark {
+ public:
+  explicit Benchmark(Measured measured) : measured_(std::move(measured)) {}
+
+  void operator()(benchmark::State& state) {
+    show_progress(measured_.job + ", " + measured_.family + ", " + measured_.name);
+    try {
+      if (!known_) known_ = std::make_unique<Known>(measured_);
+      for (const auto _ : state) {
+        measured_.run();
+        if (measured_.own_seconds) state.SetIterationTime(measured_.own_seconds());
+      }
+      known_->count_in(state);
+    } catch (const std::exception& error) {
+      state.SkipWithError(error.what());
+    }
+    state.counters["points"] = static_cast<double>(measured_.points);
+  }
+
+ private:
+  Measured measured_;
+  std::unique_ptr<Known> known_;
+};
+
+std::vector<std::string>& names() {
+  static std::vector<std::string> all;
+  return all;
+}
+
+}  // namespace
+
+const std::vector<std::string>& registered_names() { return names(); }
+
+void register_benchmark(Measured measured) {
+  const std::string name = measured.job + "/" + measured.family + "/" + measured.name;
+  names().push_back(name);
+  const bool elsewhere = static_cast<bool>(measured.own_seconds);
+  const auto shared = std::make_shared<Benchmark>(std::move(measured));
+  auto* const registered = benchmark::RegisterBenchmark(
+      name.c_str(), [shared](benchmark::State& state) { (*shared)(state); });
+  if (elsewhere) registered->UseManualTime();
+}
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// The contenders are what they claim to be: right where they should be, and wrong where they are
+// known to be.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cases/curve_cases.hpp"
+#include "cases/moment_cases.hpp"
+#include "cases/root_cases.hpp"
+#include "support/judge.hpp"
+#include "tribo/gaussian_moment.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+using verification::is_within;
+
+double at(const MomentContender& contender, double d) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  contender.run({&d, 1}, {&value, 1});
+  return value;
+}
+
+const MomentContender& moment_named(const std::string& name) {
+  static const std::vector<MomentContender> all = moment_contenders();
+  for (const MomentContender& contender : all)
+    if (contender.name == name) return contender;
+  throw std::runtime_error("no contender " + name);
+}
+
+// What each family promises at d = 1, relative; 0: it promises nothing.
+double promised(const MomentContender& contender) {
+  if (contender.family == "tribocheck") return 4e-16;
+  if (contender.family == "fixed rule") return contender.name.starts_with("gen") ? 1e-5 : 1e-2;
+  if (contender.family == "published fit" || contender.family == "control") return 0;
+  return contender.name.find("1e-13") != std::string::npos ? 1e-13 : 1e-7;
+}
+
+TEST(MomentContenders, AgreeAtOneToWhatTheyPromise) {
+  for (const MomentContender& contender : moment_contenders()) {
+    if (promised(contender) == 0 || contender.family == "SciPy") continue;
+    const double exact = gaussian_moment(contender.order, 1.0);
+    EXPECT_TRUE(is_within(at(contender, 1), exact, promised(contender) * exact))
+        << contender.family << ", " << contender.name;
+  }
+}
+
+TEST(MomentContenders, OfOneIntegrandCountItAlikeInBothSpellings) {
+  const std::vector<double> d{0.5, 1, 2};
+  std::vector<double> values(d.size());
+  for (const char* method : {"QAGIU 1e-08", "QAGS 1e-08", "CQUAD 1e-08"}) {
+    const std::string name = method;
+    const double by_pow = evaluations_of([&] { moment_named(name + " pow").counted(d, values); });
+    const double by_root = evaluations_of([&] { moment_named(name + " sqrt").counted(d, values); });
+    EXPECT_GT(by_pow, 15 * 3) << method;
+    EXPECT_TRUE(is_within(by_root, by_pow, 0.1 * by_pow)) << method;
+  }
+}
+
+// GSL says success and gives about 0: the peak at s = 0 lies between the abscissas.
+TEST(MomentContenders, QagiuLosesThePeakFarBelowZero) {
+  EXPECT_LT(at(moment_named("QAGIU 1e-10 pow"), -37.5), 1e-3);
+  EXPECT_GT(at(moment_named("QAGIU 1e-10 pow"), -37), 1e3);
+}
+
+TEST(MomentContenders, BesselFormHasNoValueAtZero) {
+  EXPECT_FALSE(std::isfinite(at(moment_named("Bessel K and I"), 0)));
+  const double exact = gaussian_moment(Order::five_halves, -2.0);
+  EXPECT_TRUE(is_within(at(moment_named("Bessel K and I"), -2), exact, 1e-13 * exact));
+}
+
+TEST(MomentContenders, OursHoldTheirContractOnTheCertifiedRows) {
+  for (const MomentContender& contender : moment_contenders()) {
+    if (contender.family != "tribocheck") continue;
+    const Errors errors = judge(contender, -40, 40);
+    EXPECT_GT(errors.judged, 300U);
+    EXPECT_EQ(errors.failures, 0U) << contender.name;
+    EXPECT_LE(errors.max_ulp, 2) << contender.name;
+  }
+}
+
+TEST(PublishedFits, AreOffByWhatIsKnown) {
+  struct Known {
+    const char* name;
+    double percent[4];    // at d = 0, 1, 2, 3
+    double half_unit[4];  // of the last digit printed
+  };
+  const Known all[] = {
+      {"4.4086e-5 (4-d)^6.804", {-10.7, -3.5, -9.2, -74}, {0.05, 0.05, 0.05, 0.5}},
+      {"0.6189 exp(-1.973 d)", {0.4, 6.8, 121, 874}, {0.05, 0.05, 0.5, 0.5}},
+      {"F(0) (1 - erf d)", {0, 20, -47, -92}, {0.5, 0.5, 0.5, 0.5}},
+      {"3.5e-5 (4-d)^6.9", {-0.2, -9.0, -27.5, -83}, {0.05, 0.05, 0.05, 0.5}},
+      {"0.5025 exp(-1.844 d)", {0.5, 5.5, 118, 878}, {0.05, 0.05, 0.5, 0.5}},
+  };
+  for (const Known& known : all)
+    for (int d = 0; d < 4; ++d) {
+      const MomentContender& fit = moment_named(known.name);
+      const double exact = gaussian_moment(fit.order, static_cast<double>(d));
+      const double percent = 100 * (at(fit, d) / exact - 1);
+      EXPECT_TRUE(is_within(percent, known.percent[d], known.half_unit[d]))
+          << known.name << " at " << d;
+    }
+  EXPECT_TRUE(is_within(
+      at(moment_named("4.4068e-5 (4-d)^6.804"), 1) / at(moment_named("4.4086e-5 (4-d)^6.804"), 1),
+      4.4068 / 4.4086, 1e-15));
+}
+
+bool uses_a_fit(const RootContender& contender) {
+  return contender.name.find("fit") != std::string::npos;
+}
+
+TEST(RootContenders, AgreeOnOneEasyCase) {
+  StoredRootCases one;
+  one.add(0.3, 1.146, 0.5);
+  const double exact =
+      LoadSharing<double>(AsperityModel::greenwood_tripp, 0.3, 1.146).solve(0.5).film_parameter;
+  for (const auto& family : {wide_root_contenders(), one_surface_root_contenders()})
+    for (const RootContender& contender : family) {
+      if (contender.family == "SciPy" || uses_a_fit(contender)) continue;
+      double film = 0;
+      contender.prepare(one.view())(one.view(), {&film, 1});
+      EXPECT_TRUE(is_within(film, exact, 1e-8 * exact))
+          << contender.family << ", " << contender.name;
+      if (contender.evaluations) {
+        EXPECT_GE(contender.evaluations(one.view()), 1) << contender.name;
+      }
+    }
+}
+
+// Only a solver that leaves the brackets, or another moment, fails.
+TEST(RootContenders, FailOnlyWhereTheyAreUnsafe) {
+  for (const RootJob job : {RootJob::wide, RootJob::one_surface})
+    for (const RootContender& contender :
+         job == RootJob::wide ? wide_root_contenders() : one_surface_root_contenders()) {
+      if (contender.family == "SciPy") continue;
+      const Errors errors = judge(contender, job);
+      EXPECT_GE(errors.judged, 40U);
+      if (contender.family != "textbook") {
+        EXPECT_EQ(errors.failures, 0U) << contender.name;
+      } else if (job == RootJob::wide) {
+        EXPECT_GT(errors.failures, 0U) << contender.name;
+      }
+    }
+}
+
+TEST(CurveContenders, DrawOneCurve) {
+  for (const CurveContender& contender : curve_contenders()) {
+    if (contender.name.find("fit") != std::string::npos) continue;
+    const Errors errors = judge(contender, 20);
+    EXPECT_GE(errors.judged, 10U) << contender.name;
+    EXPECT_EQ(errors.failures, 0U) << contender.name;
+  }
+}
+
+TEST(ErrorTally, MeasuresInUnitsInTheLastPlace) {
+  EXPECT_EQ(ulps_off(1 + 0x1p-52, 1, 0), 1);
+  EXPECT_EQ(ulps_off(1, 1, 0x1p-54), 0.25);
+  EXPECT_EQ(ulps_off(0, 0x1p-1074, 0), 1);
+  ErrorTally tally;
+  tally.add(2 + 0x1p-50, 2, 0);
+  tally.add(2, 2, 0);
+  tally.add(std::numeric_limits<double>::quiet_NaN(), 2, 0);
+  const Errors errors = tally.errors();
+  EXPECT_EQ(errors.judged, 3U);
+  EXPECT_EQ(errors.failures, 1U);
+  EXPECT_EQ(errors.max_ulp, 2);
+  EXPECT_EQ(errors.mean_ulp, 1);
+}
+
+}  // namespace
+}  // namespace tribo::benchmarks

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck_work_precision: true error against work, the performance profile and the throughput,
+// as tables for gnuplot and as a baseline.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "tribo/batch.hpp"
+#include "work_precision/error_against_work.hpp"
+#include "work_precision/profile.hpp"
+#include "work_precision/throughput.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+struct Arguments {
+  std::string out;
+  std::string baseline;  // empty: none
+  std::string commit = "unknown";
+  std::string date = "unknown";
+  bool quick = false;
+};
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+void write_all(const Arguments& arguments) {
+  const Effort effort = arguments.quick ? Effort{3, 0.002} : Effort{};
+  const auto step = [](const char* what) { fmt::print(stderr, "{}\n", what); };
+  step("error against work");
+  const Rows work = errors_against_work(effort);
+  step("error by range");
+  const Rows ranges = errors_by_range();
+  step("performance profile");
+  const Rows profile = performance_profile(effort);
+  step("throughput");
+  const Rows by_size = throughput_by_size(effort);
+  const Rows by_threads = throughput_by_threads(effort);
+
+  const std::string folder = arguments.out + "/";
+  std::map<std::string, Rows> by_job;
+  for (const auto& row : work) by_job[row.at("job")].push_back(row);
+  for (const auto& [job, rows] : by_job)
+    write_text(folder + job + ".blocks.tsv", tsv_blocks(rows, "series"));
+  write_text(folder + "work_precision.tsv", tsv(work));
+  write_text(folder + "ranges.tsv", tsv(ranges));
+  write_text(folder + "profile.blocks.tsv", tsv_blocks(profile, "solver"));
+  write_text(folder + "by_size.blocks.tsv", tsv_blocks(by_size, "kernel"));
+  write_text(folder + "by_threads.blocks.tsv", tsv_blocks(by_threads, "kernel"));
+  if (arguments.baseline.empty()) return;
+  const nlohmann::ordered_json baseline{{"commit", arguments.commit},
+                                        {"date", arguments.date},
+                                        {"environment",
+                                         {{"compiler", "g++ " __VERSION__},
+                                          {"cpu", processor()},
+                                          {"instruction_set", instruction_set()}}},
+                                        {"error_against_work", work},
+                                        {"error_by_range", ranges},
+                                        {"performance_profile", profile},
+                                        {"throughput_by_size", by_size},
+                                        {"throughput_by_threads", by_threads}};
+  // A row a line, so that a change can be read.
+  std::string text = "{";
+  for (const auto& [key, value] : baseline.items()) {
+    text += text.size() == 1 ? "\n" : ",\n";
+    text += fmt::format("\"{}\": ", key);
+    if (!value.is_array()) {
+      text += value.dump();
+      continue;
+    }
+    text += "[";
+    for (std::size_t i = 0; i < value.size(); ++i)
+      text += (i == 0 ? "\n" : ",\n") + value[i].dump();
+    text += "]";
+  }
+  write_text(arguments.baseline, text + "\n}\n");
+}
+
+}  // namespace
+}  // namespace tribo::benchmarks
+
+int main(int count, char** argv) {
+  tribo::benchmarks::Arguments arguments;
+  CLI::App program("True error against work: tables for gnuplot, and a baseline");
+  program.add_option("--out", arguments.out, "folder for the tables")->required();
+  program.add_option("--baseline", arguments.baseline, "also write everything to this JSON file");
+  program.add_option("--commit", arguments.commit, "what was measured");
+  program.add_option("--date", arguments.date, "when");
+  program.add_flag("--quick", arguments.quick, "fewer and shorter repetitions");
+  CLI11_PARSE(program, count, argv);
+  try {
+    std::filesystem::create_directories(arguments.out);
+    tribo::benchmarks::write_all(arguments);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "tribocheck_work_precision: {}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

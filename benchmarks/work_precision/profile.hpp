@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dolan and Moré's performance profile (Math. Program. 91, 2002) of the root solvers: the fraction
+// of cases that each solves to 1e-10 within τ times the best solver's time for that case.
+#pragma once
+
+#include "work_precision/effort.hpp"
+#include "work_precision/table.hpp"
+
+namespace tribo::benchmarks {
+
+// solver, tau, fraction; over the certified rows of the wide job.
+Rows performance_profile(const Effort& effort);
+
+}  // namespace tribo::benchmarks

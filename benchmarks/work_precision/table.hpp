@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables of what was measured: for gnuplot as TSV, for the baseline as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo::benchmarks {
+
+// One row a JSON object, all with the same keys; null: nothing to say.
+using Rows = std::vector<nlohmann::ordered_json>;
+
+// What a measured number is worth: four digits.
+double four_digits(double x);
+
+// Columns under their names, null empty.
+std::string tsv(const Rows& rows);
+
+// The same for gnuplot: a block for each value of `key`, with that value as its title, and two
+// blank lines between blocks; null is NaN.
+std::string tsv_blocks(const Rows& rows, std::string_view key);
+
+// Throws std::runtime_error.
+void write_text(const std::string& path, std::string_view text);
+
+}  // namespace tribo::benchmarks

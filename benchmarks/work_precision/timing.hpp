@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// CPU time of many calls, interleaved, so that what disturbs one disturbs all.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace tribo::benchmarks {
+
+struct Timed {
+  std::function<void()> run;
+  std::function<double()> own_seconds;  // of the last call, where it was in another process
+};
+
+// CPU seconds a call of each: the median of so many rounds. In a round each is called, in a new
+// random order, until `least` seconds have passed.
+std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least);
+
+double cpu_seconds();   // of this process
+double wall_seconds();  // since some time
+
+}  // namespace tribo::benchmarks

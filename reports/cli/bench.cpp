@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck bench: every contender of a job in one run, times beside true errors. The contenders
+// live in a program of their own, tribocheck_bench, which links GSL.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "bench_rows.hpp"
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "report/child_process.hpp"
+
+namespace tribo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchArguments {
+  bool quick = false;
+  std::string filter;
+  std::string format = "table";
+};
+
+// Beside this program, as in the build tree, or where an installation puts helpers; empty: nowhere.
+fs::path bench_program() {
+  std::error_code ignored;
+  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& path :
+       {here / "tribocheck_bench", here.parent_path() / "libexec/tribocheck/tribocheck_bench"})
+    if (fs::is_regular_file(path, ignored)) return path;
+  return {};
+}
+
+bool is_expression(std::string filter) {
+  if (filter.starts_with('-')) filter.erase(0, 1);  // "not", to Google Benchmark
+  try {
+    const std::regex tried(filter, std::regex::extended);
+    return true;
+  } catch (const std::regex_error&) {
+    return false;
+  }
+}
+
+std::vector<std::string> command_line(const fs::path& program, const BenchArguments& arguments) {
+  std::vector<std::string> command{
+      program.string(),
+      "--benchmark_format=json",
+      "--benchmark_report_aggregates_only=true",
+      "--benchmark_enable_random_interleaving=true",
+      fmt::format("--benchmark_repetitions={}", arguments.quick ? 3 : 9),
+      fmt::format("--benchmark_min_time={}", arguments.quick ? 0.02 : 0.2)};
+  if (!arguments.filter.empty()) command.push_back("--benchmark_filter=" + arguments.filter);
+  return command;
+}
+
+void append_results(Text& to, const BenchResults& results, const std::string& format) {
+  if (format == "json")
+    append_bench_json(to, results);
+  else if (format == "tsv")
+    append_bench_tsv(to, results);
+  else
+    append_bench_table(to, results);
+}
+
+int fail(int code, const std::string& line) {
+  complain(line);
+  return code;
+}
+
+int bench(const BenchArguments& arguments, OutputStream& output) {
+  if (!is_expression(arguments.filter))
+    return fail(exit_bad,
+                "--filter: \"" + arguments.filter + "\" is no extended regular expression");
+  const fs::path program = bench_program();
+  if (program.empty())
+    return fail(exit_bad, "tribocheck_bench is not built; `make bench` builds it");
+  const report::ChildEnd end =
+      report::run_child(command_line(program, arguments), report::Heard::output);
+  if (end.start_error != 0)
+    return fail(exit_failed, program.string() + " cannot be started: " +
+                                 std::generic_category().message(end.start_error));
+  if (end.exited_with(2))
+    return fail(exit_bad,
+                "--filter: no contender's job/family/name matches \"" + arguments.filter + "\"");
+  if (!end.succeeded())
+    return fail(exit_failed, end.signal() != 0
+                                 ? fmt::format("tribocheck_bench ended by signal {}", end.signal())
+                                 : "tribocheck_bench failed");
+  const BenchResults results = read_bench_results(end.text);
+  for (const std::string& line : results.left_out) complain("left out: " + line);
+  append_results(output.text(), results, arguments.format);
+  output.flush();
+  return exit_done;
+}
+
+constexpr const char* footer =
+    R"(Jobs: moment_5_2, moment_2, root_wide, root_one_surface, curve_200, points_1e6. Every contender of a
+job is written as its users write it and runs in the same process, repetitions interleaved. Columns:
+ns, CPU time a point, the median; ratio, to the fastest of tribocheck's in the same job; max ulp, the
+greatest true error in units in the last place, over certified values; evaluations, of the integrand or
+the moment a point; failures, cases with no number or off by more than 1e-6. The published fits are
+judged where they claim to hold. Takes some four minutes, with --quick less than one.
+
+Example:
+  tribocheck bench --quick --filter 'root_wide/(GSL|tribocheck)/')";
+
+}  // namespace
+
+Command add_bench(CLI::App& program) {
+  CLI::App* app =
+      program.add_subcommand("bench", "speed and true error of this model, beside what people use");
+  app->footer(footer);
+  const auto arguments = std::make_shared<BenchArguments>();
+  app->add_flag("--quick", arguments->quick, "fewer and shorter repetitions");
+  app->add_option("--filter", arguments->filter,
+                  "run only contenders whose job/family/name matches this regular expression");
+  app->add_option("--format", arguments->format, "how to write the results (default: table)")
+      ->check(CLI::IsMember({"table", "json", "tsv"}));
+  return {app, [arguments](OutputStream& output) { return bench(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

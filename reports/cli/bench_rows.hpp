@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of `tribocheck bench`, from what tribocheck_bench measured.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "output_stream.hpp"
+
+namespace tribo::cli {
+
+struct BenchRow {
+  std::string job;
+  std::string family;
+  std::string name;
+  double ns;                    // a point: CPU time, the median of the repetitions
+  std::optional<double> ratio;  // to the fastest of tribocheck's in this job and run
+  // Where there was something to judge: cases, those without a number or off by more than 1e-6, and
+  // of the numbers the true error.
+  std::optional<double> judged, failures, max_ulp, p99_ulp, mean_ulp;
+  std::optional<double> evaluations;  // of the integrand or the moment, a point; none: has none
+};
+
+struct BenchJob {
+  std::string title;
+  std::vector<BenchRow> rows;
+};
+
+struct BenchResults {
+  std::vector<BenchJob> jobs;
+  std::vector<std::string> left_out;  // contenders that could not run, with the reason
+};
+
+// From Google Benchmark's JSON with aggregates. Throws std::runtime_error.
+BenchResults read_bench_results(const std::string& json);
+
+void append_bench_table(Text& to, const BenchResults& results);
+void append_bench_json(Text& to, const BenchResults& results);
+void append_bench_tsv(Text& to, const BenchResults& results);
+
+}  // namespace tribo::cli

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# True error against evaluations of the integrand or the moment, which no machine changes.
+table = data.prefix.".blocks.tsv"
+set logscale xy 10
+set format y "10^{%T}"
+set ytics 100
+set xlabel "evaluations a point"
+set ylabel "true error (ulp), greatest"
+stats table using ns nooutput
+n = STATS_blocks
+counted = ""
+array family[n]
+do for [i=0:n-1] {
+  stats table index i using (last = strcol(2), is_counted = strcol(evaluations) ne "NaN", $5) nooutput
+  if (is_counted) { counted = counted.sprintf(" %d", i) }
+  family[i+1] = last
+}
+plot for [i in counted] table index (i + 0) using evaluations:max_ulp with linespoints \
+  pointtype shape(i) pointsize size(family[i+1]) linewidth (is_ours(family[i+1]) ? 2.2 : 1.2) \
+  linecolor rgb colour(family[i+1]) title columnheader(1), \
+  table using evaluations:(failing(max_ulp)) with points linestyle 10 title failing_title

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+# True error against CPU time, a line a method from coarse to fine: at the points the greatest error,
+# and bars down to the mean.
+table = data.prefix.".blocks.tsv"
+set logscale xy 10
+set format x "10^{%T}"
+set format y "10^{%T}"
+set xtics 10
+set ytics 100
+set mxtics 10
+set xlabel "CPU time a point (ns)"
+set ylabel "true error (ulp): greatest, and down to the mean"
+stats table using ns nooutput
+n = STATS_blocks
+array family[n]
+do for [i=1:n] {
+  stats table index i-1 using (last = strcol(2), $5) nooutput
+  family[i] = last
+}
+plot for [i=0:n-1] table index i using ns:max_ulp:mean_ulp:max_ulp with yerrorbars \
+       pointtype 0 linewidth 0.5 linecolor rgb 0xc0c0c0 notitle, \
+     for [i=0:n-1] table index i using ns:max_ulp with linespoints \
+       pointtype shape(i) pointsize size(family[i+1]) linewidth (is_ours(family[i+1]) ? 2.2 : 1.2) \
+       linecolor rgb colour(family[i+1]) title columnheader(1), \
+     table using ns:(failing(max_ulp)) with points linestyle 10 title failing_title

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# Diagrams of the work-precision tables; called with the arguments of style.gp, without SCENE:
+#   gnuplot -d -c work.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
+script = ARG1
+scripts = ARG0[1:strlen(ARG0) - strlen("work.gp")]
+data = ARG4."/"
+tall = int(ARG6)
+kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
+load scripts."canvas.gp"
+
+# Okabe and Ito's colours, one a family.
+colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 : \
+  family eq "Boost" ? 0x009E73 : family eq "SciPy" ? 0xCC79A7 : family eq "table" ? 0xE69F00 : \
+  family eq "textbook" || family eq "fixed rule" ? 0x56B4E9 : \
+  family eq "closed form" ? 0x8C6D00 : 0x777777
+family_of(series) = series[1:strstrt(series, ":") - 1]
+# In blocks of a table column 2 is the family and 3 the series.
+ns = 5; evaluations = 6; max_ulp = 7; p99_ulp = 8; mean_ulp = 9; no_numbers = 11
+# Some twenty series in one diagram: a shape each, ours larger and with the thicker line.
+shape(i) = word("7 5 9 11 13 4 6 8 10 12 1 2 3", i % 13 + 1) + 0
+is_ours(family) = family eq "tribocheck"
+size(family) = (is_ours(family) ? 1.5 : 0.8)*point
+
+# The error is that of the numbers; a cross says that some cases gave none.
+failing(y) = column(no_numbers) > 0 ? column(y) : NaN
+failing_title = "no number in some cases"
+set style line 10 pointtype 2 pointsize 1.6*point linewidth 1.4 linecolor rgb 0x000000
+
+legend = kind eq "svg" ? ",12" : ",9"
+set border 3 linewidth 0.8
+set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+set xtics nomirror out scale 1,0.5
+set ytics nomirror out scale 1,0.5
+set lmargin at screen 0.10
+set rmargin at screen 0.60
+set tmargin at screen 1 - 78.0/tall
+set bmargin at screen 70.0/tall
+set key at screen 0.62, screen 1 - 74.0/tall left top vertical maxrows 40 Left reverse \
+  samplen 2 spacing 1.05 font legend noenhanced
+
+load scripts.script

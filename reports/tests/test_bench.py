@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck bench: its rows in every format, and what is said when it cannot run."""
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from program import PROGRAM, TIMEOUT, run
+
+CLOSED_FORM = "^moment_2/(closed form|tribocheck)/"
+COLUMNS = ["job", "family", "name", "ns", "ratio", "max_ulp", "p99_ulp", "mean_ulp", "evaluations",
+           "failures", "judged"]
+
+
+def bench(*arguments):
+    return run("bench", "--quick", *arguments)
+
+
+class Rows(unittest.TestCase):
+    def test_json_has_a_row_for_each_contender_with_all_columns(self):
+        done = bench("--filter", CLOSED_FORM, "--format", "json")
+        self.assertEqual((done.code, done.err), (0, ""))
+        rows = done.json()
+        self.assertEqual({row["family"] for row in rows}, {"closed form", "tribocheck"})
+        for row in rows:
+            self.assertEqual(list(row), COLUMNS)
+            self.assertEqual(row["job"], "moment_2")
+            self.assertGreater(row["ns"], 0)
+            self.assertGreater(row["judged"], 50)
+            self.assertEqual(row["failures"], 0)
+        ours = [row for row in rows if row["family"] == "tribocheck"]
+        self.assertEqual(min(row["ratio"] for row in ours), 1)
+        self.assertTrue(all(row["max_ulp"] <= 2 for row in ours))
+
+    def test_tsv_reads_back(self):
+        done = bench("--filter", CLOSED_FORM, "--format", "tsv")
+        self.assertEqual(done.code, 0, done.err)
+        head, *rows = [line.split("\t") for line in done.out.splitlines()]
+        self.assertEqual(head, COLUMNS)
+        self.assertGreaterEqual(len(rows), 3)
+        for row in rows:
+            self.assertEqual(len(row), len(head))
+            self.assertGreater(float(row[head.index("ns")]), 0)
+
+    def test_table_names_the_job_and_its_contenders(self):
+        done = bench("--filter", CLOSED_FORM)
+        self.assertEqual(done.code, 0, done.err)
+        lines = done.out.splitlines()
+        self.assertEqual(lines[0], "F_2(d), d in (0, 6)")
+        self.assertIn("closed form   erfc", done.out)
+        self.assertNotIn("DEBUG", done.out + done.err)
+
+    def test_without_ours_there_is_no_ratio(self):
+        rows = bench("--filter", "^moment_2/closed form/", "--format", "json").json()
+        self.assertEqual([row["ratio"] for row in rows], [None])
+
+    def test_integrals_count_their_integrand(self):
+        rows = bench("--filter", "moment_5_2/GSL/QAGIU 1e-08 sqrt", "--format", "json").json()
+        self.assertEqual(len(rows), 1)
+        self.assertGreater(rows[0]["evaluations"], 15)
+
+    def test_scipy_is_measured_or_said_to_be_left_out(self):
+        done = bench("--filter", "moment_5_2/(SciPy/|control)", "--format", "json")
+        self.assertEqual(done.code, 0, done.err)
+        measured = any(row["family"] == "SciPy" for row in done.json())
+        self.assertEqual(measured, "left out: moment_5_2/SciPy/quad" not in done.err)
+
+    def test_the_reader_may_go_away(self):
+        line = f"'{PROGRAM}' bench --quick --filter '{CLOSED_FORM}' | head -1; echo ${{PIPESTATUS[0]}}"
+        done = subprocess.run(["bash", "-c", line], capture_output=True, timeout=TIMEOUT, check=True)
+        self.assertEqual(done.stdout.splitlines()[-1], b"0")
+        self.assertEqual(done.stderr, b"")
+
+
+class Refusals(unittest.TestCase):
+    def one_line(self, done, *words):
+        self.assertEqual((done.code, done.out), (2, ""))
+        self.assertEqual(len(done.error_lines), 1, done.err)
+        for word in words:
+            self.assertIn(word, done.err)
+
+    def test_a_filter_that_is_no_expression(self):
+        self.one_line(bench("--filter", "("), "--filter", "regular expression")
+
+    def test_a_filter_that_matches_nothing(self):
+        self.one_line(bench("--filter", "no such contender"), "no such contender")
+
+    def test_an_unknown_format(self):
+        self.one_line(bench("--format", "xml"), "--format")
+
+    def test_a_program_that_is_not_built(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = pathlib.Path(folder) / "bin" / "tribocheck"
+            alone.parent.mkdir()
+            shutil.copy(PROGRAM, alone)
+            done = subprocess.run([alone, "bench"], capture_output=True, timeout=TIMEOUT)
+            self.assertEqual(done.returncode, 2)
+            self.assertEqual(done.stderr.count(b"\n"), 1, done.stderr)
+            self.assertIn(b"make bench", done.stderr)
+
+    def test_a_program_where_installations_put_helpers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = pathlib.Path(folder) / "bin" / "tribocheck"
+            helpers = pathlib.Path(folder) / "libexec" / "tribocheck"
+            alone.parent.mkdir()
+            helpers.mkdir(parents=True)
+            shutil.copy(PROGRAM, alone)
+            os.symlink(pathlib.Path(PROGRAM).parent / "tribocheck_bench", helpers / "tribocheck_bench")
+            done = subprocess.run([alone, "bench", "--quick", "--filter", CLOSED_FORM],
+                                  capture_output=True, timeout=TIMEOUT)
+            self.assertEqual((done.returncode, done.stderr), (0, b""))
+
+
+if __name__ == "__main__":
+    unittest.main()
