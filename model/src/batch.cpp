@@ -155,15 +155,16 @@ class Travellers {
   }
 
   // All to their roots; NaN where it is not found in max_sharing_steps.
-  template <class Counter>
-  HWY_INLINE void travel(Order order, double* result, const Counter& count) {
+  HWY_INLINE std::size_t travel(Order order, double* result) {
+    std::size_t steps = 0;
     for (int step = 0; step < detail::max_sharing_steps && count_ > 0; ++step) {
-      count(count_);
+      steps += count_;
       move(order);
       leave(result);
     }
     for (std::size_t i = 0; i < count_; ++i)
       result[place_of(i)] = std::numeric_limits<double>::quiet_NaN();
+    return steps;
   }
 
  private:
@@ -274,9 +275,9 @@ class Travellers {
   HWY_ALIGN std::uint8_t is_last_[room];
 };
 
-// At most sharing_block points. NaN: left to Newton's method.
-void many_surfaces(Order order, const double* stiffness, const double* offset,
-                   const double* flooded, double* result, std::size_t count) {
+// At most sharing_block points; the steps they took. NaN: left to Newton's method.
+std::size_t many_surfaces(Order order, const double* stiffness, const double* offset,
+                          const double* flooded, double* result, std::size_t count) {
   using D = hn::ScalableTag<double>;
   using V = hn::Vec<D>;
   const D d;
@@ -295,7 +296,7 @@ void many_surfaces(Order order, const double* stiffness, const double* offset,
                    hn::BitCast(d, place));
     place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
   }
-  travellers.travel(order, result, [](std::size_t) {});
+  return travellers.travel(order, result);
 }
 
 // What a surface knows of its root beforehand.
@@ -325,8 +326,8 @@ HWY_INLINE SurfaceStart<D> surface_start(D d, const detail::SharingSurface& surf
   return start;
 }
 
-void one_surface(const detail::SharingSurface& surface, const double* flooded, double* result,
-                 std::size_t count) {
+std::size_t one_surface(const detail::SharingSurface& surface, const double* flooded,
+                        double* result, std::size_t count) {
   using D = hn::ScalableTag<double>;
   using V = hn::Vec<D>;
   const D d;
@@ -343,7 +344,7 @@ void one_surface(const detail::SharingSurface& surface, const double* flooded, d
                    hn::BitCast(d, place));
     place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
   }
-  travellers.travel(surface.order, result, [](std::size_t) {});
+  return travellers.travel(surface.order, result);
 }
 
 const char* target_name() { return hwy::TargetName(HWY_TARGET); }
@@ -396,36 +397,46 @@ void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> v
   HWY_DYNAMIC_DISPATCH(log_moments)(n, d.data(), values.data(), d.size());
 }
 
-// What the kernels leave is NaN, and falls to Newton's method (LoadSharing::solve).
-void film_parameter(AsperityModel model, std::span<const double> stiffness,
-                    std::span<const double> offset, std::span<const double> flooded,
-                    std::span<double> film_parameter) {
-  // in blocks, because the result may stand where an argument stood
+// In blocks, because the result may stand where an argument stood. What the kernels leave is NaN,
+// and falls to Newton's method.
+SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
+                           std::span<const double> offset, std::span<const double> flooded,
+                           std::span<double> film_parameter) {
   std::array<double, sharing_block> lambda;
+  SharingWork work;
   for (std::size_t first = 0; first < flooded.size(); first += sharing_block) {
     const std::size_t count = std::min(sharing_block, flooded.size() - first);
-    HWY_DYNAMIC_DISPATCH(many_surfaces)
-    (load_order(model), &stiffness[first], &offset[first], &flooded[first], lambda.data(), count);
+    work.steps +=
+        HWY_DYNAMIC_DISPATCH(many_surfaces)(load_order(model), &stiffness[first], &offset[first],
+                                            &flooded[first], lambda.data(), count);
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = first + i;
-      if (std::isnan(lambda[i]))
-        lambda[i] = tribo::film_parameter(model, stiffness[k], offset[k], flooded[k]);
+      if (!std::isnan(lambda[i])) continue;
+      lambda[i] = tribo::film_parameter(model, stiffness[k], offset[k], flooded[k]);
+      ++work.by_newton;
     }
     std::copy_n(lambda.begin(), count, film_parameter.begin() + static_cast<std::ptrdiff_t>(first));
   }
+  return work;
 }
 
-void film_parameter(const LoadSharing<double>& sharing, std::span<const double> flooded,
-                    std::span<double> film_parameter) {
+SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const double> flooded,
+                           std::span<double> film_parameter) {
   std::array<double, sharing_block> lambda;
+  SharingWork work;
   for (std::size_t first = 0; first < flooded.size(); first += sharing_block) {
     const std::size_t count = std::min(sharing_block, flooded.size() - first);
-    HWY_DYNAMIC_DISPATCH(one_surface)(sharing.surface(), &flooded[first], lambda.data(), count);
-    for (std::size_t i = 0; i < count; ++i)
-      lambda[i] = std::isnan(lambda[i]) ? sharing.film_parameter(flooded[first + i])
-                                        : std::max(lambda[i], sharing.floor());
-    std::copy_n(lambda.begin(), count, film_parameter.begin() + static_cast<std::ptrdiff_t>(first));
+    work.steps +=
+        HWY_DYNAMIC_DISPATCH(one_surface)(sharing.surface(), &flooded[first], lambda.data(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (std::isnan(lambda[i])) {
+        lambda[i] = sharing.film_parameter(flooded[first + i]);
+        ++work.by_newton;
+      }
+      film_parameter[first + i] = std::max(lambda[i], sharing.floor());
+    }
   }
+  return work;
 }
 
 std::string_view instruction_set() { return HWY_DYNAMIC_DISPATCH(target_name)(); }

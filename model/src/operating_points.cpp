@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tribo/operating_points.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "tribo/batch.hpp"
+
 namespace tribo {
 namespace {
 
@@ -49,28 +54,74 @@ OperatingPoint<double> OperatingPoints::operator[](std::size_t i) const {
           at(friction_undefined) != 0};
 }
 
+namespace {
+
+void store(const OperatingPoint<double>& point, OperatingPoints& points, std::size_t i) {
+  const auto put = [i](auto& array, auto value) {
+    if (!array.empty()) array[i] = value;
+  };
+  points.speed[i] = point.speed;
+  put(points.film_flooded, point.film_flooded);
+  put(points.film, point.film);
+  put(points.separation, point.separation);
+  put(points.film_parameter, point.film_parameter);
+  put(points.asperity_load_share, point.asperity_load_share);
+  put(points.fluid_load_share, point.fluid_load_share);
+  put(points.real_area_ratio, point.real_area_ratio);
+  put(points.summit_count, point.summit_count);
+  put(points.friction, point.friction);
+  put(points.regime, point.regime);
+  put(points.inlet, point.inlet);
+  put(points.friction_undefined, static_cast<std::uint8_t>(point.friction_undefined));
+}
+
+void count_roots(const LoadSharing<double>& sharing, std::span<const double> flooded,
+                 const SharingWork& work, WorkCounts& counts) {
+  counts.add(Work::root_step, work.steps);
+  counts.add(Work::root_by_newton, work.by_newton);
+  for (const double film0 : flooded)
+    if (film0 >= sharing.surface().film_from)
+      counts.add(Work::root_is_film);
+    else if (film0 <= sharing.surface().floor_up_to)
+      counts.add(Work::root_is_floor);
+}
+
+template <class Counter>
+void solve_points(const MixedContact<double>& contact, std::span<const double> speeds,
+                  OutputSet outputs, OperatingPoints& points, std::size_t first, Counter& work) {
+  constexpr std::size_t most = 512;
+  std::array<double, most> flooded, lambda;
+  for (std::size_t start = 0; start < speeds.size(); start += most) {
+    const std::span<const double> block =
+        speeds.subspan(start, std::min(most, speeds.size() - start));
+    for (std::size_t i = 0; i < block.size(); ++i)
+      flooded[i] = contact.flooded_film_parameter(block[i]);
+    const auto film0 = std::span(flooded).first(block.size());
+    const SharingWork roots =
+        film_parameter(contact.sharing(), film0, std::span(lambda).first(block.size()));
+    if constexpr (Counter::counts) count_roots(contact.sharing(), film0, roots, work);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const FloodedFilm<double> film =
+          contact.flooded(block[i], flooded[i], {lambda[i], 0}, outputs);
+      const InletState<double> inlet = contact.needs_inlet(outputs)
+                                           ? contact.inlet(film, work)
+                                           : InletState<double>{1, 0, false};
+      store(contact.complete(film, inlet, outputs, work), points, first + start + i);
+    }
+  }
+}
+
+}  // namespace
+
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, std::size_t first) {
-  for (std::size_t k = 0; k < speeds.size(); ++k) {
-    const std::size_t i = first + k;
-    const OperatingPoint<double> point = contact.solve(speeds[k], outputs);
-    const auto store = [&](auto& array, auto value) {
-      if (!array.empty()) array[i] = value;
-    };
-    points.speed[i] = point.speed;
-    store(points.film_flooded, point.film_flooded);
-    store(points.film, point.film);
-    store(points.separation, point.separation);
-    store(points.film_parameter, point.film_parameter);
-    store(points.asperity_load_share, point.asperity_load_share);
-    store(points.fluid_load_share, point.fluid_load_share);
-    store(points.real_area_ratio, point.real_area_ratio);
-    store(points.summit_count, point.summit_count);
-    store(points.friction, point.friction);
-    store(points.regime, point.regime);
-    store(points.inlet, point.inlet);
-    store(points.friction_undefined, static_cast<std::uint8_t>(point.friction_undefined));
-  }
+  const NoWork none;
+  solve_points(contact, speeds, outputs, points, first, none);
+}
+
+void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
+           OperatingPoints& points, WorkCounts& work, std::size_t first) {
+  solve_points(contact, speeds, outputs, points, first, work);
 }
 
 }  // namespace tribo

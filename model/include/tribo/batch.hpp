@@ -6,6 +6,7 @@
 // All spans of a call have one length; the result may be the span of an argument.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -24,15 +25,22 @@ void gaussian_moment(Order n, std::span<const double> d, std::span<double> momen
 void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
 void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms);
 
+// What a batch of roots took.
+struct SharingWork {
+  std::size_t steps = 0;      // of all roots together
+  std::size_t by_newton = 0;  // roots left to Newton's method, whose steps are not counted
+};
+
 // The film parameters λ of load sharing (load_sharing.hpp) at flooded film parameters λ₀: of many
 // surfaces, K ≥ 0 and δ ≥ 0 a point; and of one. Error and failures are those of
-// LoadSharing<double>::solve, which gives the same bits.
-void film_parameter(AsperityModel model, std::span<const double> stiffness,
-                    std::span<const double> offset, std::span<const double> flooded_film_parameter,
-                    std::span<double> film_parameter);
-void film_parameter(const LoadSharing<double>& sharing,
-                    std::span<const double> flooded_film_parameter,
-                    std::span<double> film_parameter);
+// LoadSharing<double>::solve, whose last digit may differ.
+SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
+                           std::span<const double> offset,
+                           std::span<const double> flooded_film_parameter,
+                           std::span<double> film_parameter);
+SharingWork film_parameter(const LoadSharing<double>& sharing,
+                           std::span<const double> flooded_film_parameter,
+                           std::span<double> film_parameter);
 
 // The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SSSE3, …
 std::string_view instruction_set();

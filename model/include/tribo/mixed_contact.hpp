@@ -16,6 +16,7 @@
 #include "tribo/load_sharing.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/starvation.hpp"
+#include "tribo/work.hpp"
 
 namespace tribo {
 
@@ -132,25 +133,44 @@ class MixedContact {
     return {speed, sharing_.solve(flooded_film_parameter(speed))};
   }
 
-  InletState<T> inlet(const FloodedFilm<T>& film) const {
-    if (supply_ == SupplyKind::flooded) return {T(1), T(0), false};
+  // The film at λ₀ and its root, with load shares where the outputs need them; they are 0 where
+  // not.
+  FloodedFilm<T> flooded(const T& speed, const T& flooded_film_parameter,
+                         const typename LoadSharing<T>::Root& root, OutputSet outputs) const {
+    if (needs_flooded_shares(outputs))
+      return {speed, sharing_.shares_at(flooded_film_parameter, root)};
+    return {speed, {root.film_parameter, T(0), T(0), root.iterations}};
+  }
+
+  template <class Counter = NoWork>
+  InletState<T> inlet(const FloodedFilm<T>& film, Counter&& work = {}) const {
+    if (supply_ == SupplyKind::flooded) {
+      work.add(Work::supply_is_flooded);
+      return {T(1), T(0), false};
+    }
     const T r = film.shares.film_parameter / inlet_film_parameter(film.speed);
     const bool collapsed = closure_ == StarvationClosure::flooded_inlet && r >= 1;
-    return {collapsed ? T(0) : starvation_ratio(closure_, r, damiens_exponent_), r, collapsed};
+    if (collapsed) return {T(0), r, true};
+    work.add(Work::starvation);
+    return {starvation_ratio(closure_, r, damiens_exponent_), r, false};
+  }
+  // Does an output of the set depend on the supply?
+  static constexpr bool needs_inlet(OutputSet outputs) {
+    return !(outputs == only(Output::film_flooded));
   }
 
   // All outputs of a set at speed u > 0 in m/s.
   OperatingPoint<T> solve(const T& speed, OutputSet outputs = OutputSet::all()) const {
-    const FloodedFilm<T> film = flooded(speed);
-    return complete(
-        film,
-        outputs == only(Output::film_flooded) ? InletState<T>{T(1), T(0), false} : inlet(film),
-        outputs);
+    const T film0 = flooded_film_parameter(speed);
+    const FloodedFilm<T> film = flooded(speed, film0, sharing_.root(film0), outputs);
+    return complete(film, needs_inlet(outputs) ? inlet(film) : InletState<T>{T(1), T(0), false},
+                    outputs);
   }
 
   // Likewise from a film and inlet that are known already.
+  template <class Counter = NoWork>
   OperatingPoint<T> complete(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
-                             OutputSet outputs) const {
+                             OutputSet outputs, Counter&& work = {}) const {
     OperatingPoint<T> point;
     point.speed = flooded.speed;
     const T& lambda_flooded = flooded.shares.film_parameter;
@@ -165,20 +185,26 @@ class MixedContact {
       point.inlet = inlet.collapsed                         ? Inlet::collapsed
                     : inlet.film_ratio >= ratio<T>(95, 100) ? Inlet::flooded
                                                             : Inlet::starved;
-    const bool has_area = outputs.contains_any(area_outputs());
-    const bool has_count = outputs.contains(Output::summit_count);
-    const bool has_shares = outputs.contains_any(sharing_outputs());
     LoadShares<T> shares{};
-    if (has_shares || (has_high_floor() && (has_area || has_count)))
-      shares = supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
-    if (has_shares) add_shares(point, shares);
-    if (has_area)
+    if (needs_shares(outputs))
+      shares = shares_of(flooded, inlet, lambda, outputs, work);
+    else
+      work.add(Work::share_not_asked);
+    if (outputs.contains_any(sharing_outputs())) add_shares(point, shares);
+    if (outputs.contains_any(area_outputs())) {
+      work.add(Work::moment);
       point.real_area_ratio = moment_at(asperities_.area_factor, area_order(asperities_.model),
                                         lambda_apart, shares.asperity);
-    if (has_count)
+    }
+    if (outputs.contains(Output::summit_count)) {
+      work.add(Work::moment);
       point.summit_count = moment_at(asperities_.count_factor, count_order(asperities_.model),
                                      lambda_apart, shares.asperity);
-    if (outputs.contains(Output::friction)) add_friction(point, lambda_apart);
+    }
+    if (outputs.contains(Output::friction)) {
+      work.add(Work::shear_stress);
+      add_friction(point, lambda_apart);
+    }
     return point;
   }
 
@@ -198,6 +224,29 @@ class MixedContact {
   }
 
  private:
+  // Near a high floor the moments rest on the shares too.
+  bool needs_shares(OutputSet outputs) const {
+    return outputs.contains_any(sharing_outputs()) ||
+           (has_high_floor() && outputs.contains_any(moment_outputs()));
+  }
+  // A starved film has shares of its own; only near a floor they rest on those of the flooded one.
+  bool needs_flooded_shares(OutputSet outputs) const {
+    return needs_shares(outputs) && (supply_ == SupplyKind::flooded || sharing_.has_floor());
+  }
+
+  template <class Counter>
+  LoadShares<T> shares_of(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
+                          const T& lambda, OutputSet outputs, Counter&& work) const {
+    if constexpr (std::is_same_v<T, double>) {
+      if (!outputs.contains_any(asperity_outputs()) && sharing_.is_free_of_asperities(lambda)) {
+        work.add(Work::share_is_nothing);
+        return {lambda, T(0), T(1), 0};
+      }
+    }
+    work.add(Work::share);
+    return supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
+  }
+
   struct Fluid {
     T viscosity, pressure_viscosity, eyring_stress;
   };
@@ -212,6 +261,17 @@ class MixedContact {
     set.insert(Output::fluid_load_share);
     set.insert(Output::regime);
     set.insert(Output::friction);
+    return set;
+  }
+  // Those in which the load share of the asperities itself stands.
+  static constexpr OutputSet asperity_outputs() {
+    OutputSet set = moment_outputs();
+    set.insert(Output::asperity_load_share);
+    return set;
+  }
+  static constexpr OutputSet moment_outputs() {
+    OutputSet set = area_outputs();
+    set.insert(Output::summit_count);
     return set;
   }
   static constexpr OutputSet area_outputs() {

@@ -35,9 +35,13 @@ struct OperatingPoints {
 };
 
 // All outputs of a set at speeds in m/s, into points [first, first + speeds.size()) of a structure
-// that has been given room for them. Each has the bits of contact.solve(speed, outputs). Allocates
-// nothing, so that threads may fill parts of one structure.
+// that has been given room for them. Error: operating_point_contract; a point's bits depend on
+// nothing but its scene and speed. Allocates nothing, so that threads may fill parts of one
+// structure.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, std::size_t first = 0);
+// The same, and what work it was.
+void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
+           OperatingPoints& points, WorkCounts& work, std::size_t first = 0);
 
 }  // namespace tribo
