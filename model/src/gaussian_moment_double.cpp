@@ -68,8 +68,10 @@ template <class Arithmetic>
 
 template <class Arithmetic>
 [[gnu::always_inline]] inline double scaled_moment(Order n, double d) {
-  if (d >= 0)
-    return d < pieces_end ? in_pieces<Arithmetic>(n, false, d).high : detail::far_above(n, d);
+  if (d >= 0) {
+    if (d < pieces_end) return in_pieces<Arithmetic>(n, false, d).high;
+    return static_cast<double>(detail::far_above(n, static_cast<WiderType<double>>(d)));
+  }
   if (d > -pieces_end) return in_pieces<Arithmetic>(n, true, -d).high;
   return d == d ? far_below_zero<Arithmetic>(n, -d) : d;
 }
