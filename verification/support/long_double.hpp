@@ -48,7 +48,9 @@ inline testing::AssertionResult is_root(double got, AsperityModel model, double 
                                         double offset, double flooded,
                                         const LoadShares<long double>& truth, double beside = 0) {
   const auto expected = truth.film_parameter;
-  const double own = beside * std::ldexp(1.0, 53);  // at most so many ulp
+  const double own =
+      beside == 0 ? 0
+                  : static_cast<double>(std::ldexp(beside * expected, 52 - std::ilogb(expected)));
   double allowed = load_sharing_contract.ulp;
   // The condition costs more than the root.
   if (!(ulps_off(got, expected) <= allowed) && std::isfinite(got))
