@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Brent's method of GSL and TOMS 748 of Boost on the load balance, bracketed upward from λ₀.
+// Brent's method of GSL and TOMS 748 of Boost on the load balance.
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
@@ -77,6 +77,8 @@ std::vector<RootContender> bracketing_roots(Settings settings) {
   for (const double tolerance : chosen(settings, {1e-10}, {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})) {
     const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, tolerance};
     const Qagiu<RootIntegrand>::Method<Uncounted> by_root{2.5, tolerance};
+    add_slow(on_film("GSL", fmt::format("Brent on the film + QAGIU {:.0e} pow", tolerance), by_pow,
+                     Brent{tolerance}));
     add_slow(on_load_balance("GSL", fmt::format("Brent + QAGIU {:.0e} pow", tolerance), by_pow,
                              Brent{tolerance}));
     add_slow(on_load_balance("GSL", fmt::format("Brent + QAGIU {:.0e} sqrt", tolerance), by_root,
