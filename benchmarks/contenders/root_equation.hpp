@@ -69,6 +69,13 @@ Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
   return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
 }
 
+// The bracket that one thinks of: from λ₀ to where the roughness is far below.
+template <class Residual>
+Bracket bracket_over_roughness(const RootCase& root_case, const Residual& residual) {
+  const double high = root_case.flooded + root_case.offset + 8;
+  return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
+}
+
 // A function of one case, and the same counting its moments.
 template <class Solve, class CountedSolve>
 RootContender one_by_one(std::string family, std::string name, Solve solve, CountedSolve counted) {
