@@ -43,7 +43,8 @@ Workloads film_workloads() {
             values = std::vector<double>(flooded.size())]() mutable {
              film.film_parameter(flooded, values);
            },
-           {}}};
+           {},
+           true}};
 }
 
 }  // namespace tribo::gates

@@ -90,7 +90,7 @@ int passes_for(const std::function<void()>& pass) {
   return passes;
 }
 
-// In a repetition each workload has a slice of time, and the control one before it.
+// In a repetition each workload has a slice of time, between two of the control kernel.
 void print_times(const std::vector<Chosen>& all, int repetitions) {
   const int control_passes = passes_for(run_control);
   std::vector<int> passes;
@@ -98,13 +98,17 @@ void print_times(const std::vector<Chosen>& all, int repetitions) {
     use(one);
     passes.push_back(passes_for(one.workload->run));
   }
-  for (int repetition = 0; repetition < repetitions; ++repetition)
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    double before = seconds_of(run_control, control_passes);
     for (std::size_t i = 0; i < all.size(); ++i) {
       use(all[i]);
-      const double control = seconds_of(run_control, control_passes);
       const double seconds = seconds_of(all[i].workload->run, passes[i]);
-      fmt::print("{}\t{}\t{:.6g}\t{:.6g}\n", all[i].workload->name, all[i].set, seconds, control);
+      const double after = seconds_of(run_control, control_passes);
+      fmt::print("{}\t{}\t{:.6g}\t{:.6g}\t{:.6g}\n", all[i].workload->name, all[i].set, seconds,
+                 before, after);
+      before = after;
     }
+  }
 }
 
 // How this program was built, and what it found.
