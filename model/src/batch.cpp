@@ -91,7 +91,9 @@ void log_moments(Order n, const double* argument, double* result, std::size_t co
     auto value = hn::Sub(scaled, gaussian);
     const auto beyond = hn::Not(hn::Lt(hn::Abs(x), end));
     if (HWY_UNLIKELY(!hn::AllFalse(d, beyond)))
-      value = mend(d, value, x, beyond, [n](double a) { return log_gaussian_moment(n, a); });
+      value = mend(d, value, x, beyond, [n](double a) {  // F_n itself may overflow a double
+        return static_cast<double>(log_gaussian_moment(n, static_cast<WiderType<double>>(a)));
+      });
     store(d, value, result + i, count - i);
   }
 }

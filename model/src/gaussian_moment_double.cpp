@@ -71,8 +71,10 @@ template <class Arithmetic>
 
 template <class Arithmetic>
 [[gnu::always_inline]] inline double scaled_moment(Order n, double d) {
-  if (d >= 0)
-    return d < pieces_end ? total(in_pieces<Arithmetic>(n, false, d)) : detail::far_above(n, d);
+  if (d >= 0) {
+    if (d < pieces_end) return total(in_pieces<Arithmetic>(n, false, d));
+    return static_cast<double>(detail::far_above(n, static_cast<WiderType<double>>(d)));
+  }
   if (d > -pieces_end) return total(in_pieces<Arithmetic>(n, true, -d));
   return d == d ? far_below_zero<Arithmetic>(n, -d) : d;
 }

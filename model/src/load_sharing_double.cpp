@@ -75,7 +75,7 @@ Iterate above_floor(double floor, double hazard, double flooded) {
 }
 
 Iterate jump_above_floor(const SharingSurface& surface, const Asperities& at, double flooded) {
-  const double log_share = std::log(at.share);
+  const double log_share = std::log(std::max(at.share, 1.0));
   const double root = std::sqrt(at.hazard * at.hazard + 2 * at.slope * log_share);
   const double log_at_zero =
       std::log(std::max(surface.stiffness * sharing_moment_at_zero(surface.order), 1.0));
@@ -94,13 +94,13 @@ template <class Arithmetic>
     const bool is_rough = steps == 1 && flooded < surface.near_zero;
     const Asperities at = is_rough ? near_zero(surface, flooded)
                                    : asperities<Arithmetic>(surface, now.film_parameter);
-    if (at.share >= 1 && now.log_rise == 0) {
+    const double a = at.hazard * now.film_parameter;
+    if (a * at.share >= sharing_pole_nearness * (1 - at.share) && now.log_rise == 0) {
       now = jump_above_floor(surface, at, flooded);
       continue;
     }
     const double py = p * now.log_rise;
     const double w = now.log_rise == 0 ? 1 : std::exp(-py);
-    const double a = at.hazard * now.film_parameter;
     const double b = at.slope * now.film_parameter * now.film_parameter + a;
     double g, g1, g2;
     if (at.share > w) {
@@ -120,10 +120,11 @@ template <class Arithmetic>
     const double newton = -g * inverse;
     const double t = 0.5 * newton * (g2 * inverse);
     const double step = newton * std::clamp(t * t - t + 1, 0.5, 2.0);
-    const double rise = std::max(now.log_rise + std::clamp(step, -0.7, 1.2), 0.0);
+    const double bounded = std::clamp(step, -0.7, 1.2);
+    const double rise = std::max(now.log_rise + bounded, 0.0);
     const bool is_near = rise < 0.125;
     const double base = is_near ? flooded : now.film_parameter;
-    const double shift = is_near ? rise : rise - now.log_rise;
+    const double shift = is_near ? rise : bounded;  // rise − log_rise, unrounded
     now.log_rise = rise;
     if (std::fabs(shift) < 0x1p-8) {
       const double sum = 0.5 + shift * (1.0 / 6 + shift * (1.0 / 24 + shift * (1.0 / 120)));
@@ -131,7 +132,7 @@ template <class Arithmetic>
     } else {
       now.film_parameter = base * std::exp(shift);
     }
-    if (std::fabs(newton) * (p + a) < 0x1p-17 && !is_rough)
+    if (std::fabs(newton) * std::max(p + a, g1) < 0x1p-17 && !is_rough)
       return {std::max(now.film_parameter, surface.floor), steps};
   }
   return {std::numeric_limits<double>::quiet_NaN(), detail::max_sharing_steps};

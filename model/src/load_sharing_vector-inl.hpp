@@ -13,8 +13,9 @@
 // The floor is the surface's; unknown, it is found to a few digits from U and its derivatives at
 // λ₀.
 //
-// A step is the last where it is below 2^−17 of the length over which g bends, 1/(p + λ|dU/dλ|):
-// its error is cubic, below 2^−51 of that length. No iterate falls below one that was left of the
+// A step is the last where it is below 2^−17 of the length over which g bends, 1/(p + λ|dU/dλ|) or
+// 1/g′, where that is shorter (next to the pole of a logarithm): its error is cubic, below 2^−51 of
+// that length. No iterate falls below one that was left of the
 // root, and a lane that is not there after max_sharing_steps is left to Newton's method on the
 // convex form.
 #include <hwy/contrib/math/math-inl.h>
@@ -169,14 +170,17 @@ HWY_INLINE Step<D> sharing_step(D d, V flooded, const Iterate<V>& from, const As
   // From λ₀ where y is small; from the last λ where y need not be known so well.
   const auto is_near = hn::Lt(rise, hn::Set(d, 0.125));
   return {rise, hn::IfThenElse(is_near, flooded, from.film_parameter),
-          hn::Sub(rise, hn::IfThenZeroElse(is_near, from.log_rise)),
-          hn::Lt(hn::Mul(hn::Abs(newton), hn::Add(p, a)), hn::Set(d, 0x1p-17))};
+          hn::IfThenElse(is_near, rise, bounded),  // rise − log_rise, unrounded
+          hn::Lt(hn::Mul(hn::Abs(newton), hn::Max(hn::Add(p, a), g1)), hn::Set(d, 0x1p-17))};
 }
 
-// λ = λ₀ on or below a floor: a jump, not a step.
+// λ = λ₀ hardly above a floor or below it: a jump, not a step.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterate<V>& now) {
-  return hn::And(hn::Ge(at.share, hn::Set(d, 1.0)), hn::Eq(now.log_rise, hn::Zero(d)));
+  const V near = hn::Set(d, sharing_pole_nearness);
+  const V a = hn::Mul(at.hazard, now.film_parameter);
+  return hn::And(hn::Ge(hn::MulAdd(a, at.share, hn::Mul(near, at.share)), near),
+                 hn::Eq(now.log_rise, hn::Zero(d)));
 }
 
 // Where λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 puts A/p below 2^−54.

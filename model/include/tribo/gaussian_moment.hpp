@@ -255,7 +255,7 @@ T gaussian_moment(Order n, const T& d) {
   return moment_product(T(1), n, d);
 }
 
-// S_n(d) and F_n(d) in double, for every d; S_n(d) for d ≥ 45 is the template's, to 24 ulp.
+// S_n(d) and F_n(d) in double, for every d.
 double scaled_gaussian_moment(Order n, double d);
 double gaussian_moment(Order n, double d);
 

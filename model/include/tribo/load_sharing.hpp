@@ -71,8 +71,8 @@ double polished_film_parameter(const SharingSurface& surface, double flooded_fil
 // From this λ₀ on, A/p < 2^−54 and λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0.
 // K in [1e-300, 1e300].
 inline double sharing_film_from(double stiffness, double offset) {
-  const int exponent = std::ilogb(stiffness) + 1;
-  return offset + std::sqrt(exponent > -101 ? 141.1 + 1.3863 * exponent : 0.0);
+  const double exponent = std::ilogb(stiffness) + 1.0;
+  return offset + std::sqrt(std::max(141.1 + 1.3863 * exponent, 0.0));
 }
 
 // λ of one point in double: what LoadSharing would give, without the floor that it finds first.
