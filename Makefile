@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check pieces pieces-check report test test-slow bench work-precision fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check pieces pieces-check report test test-slow bench work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 deps: ## install the packages of PURPOSE="build report test check"
@@ -75,6 +75,25 @@ work-precision: ## true error against work, with diagrams: reports/out/work_prec
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" --date "$$(date -u +%F)" \
 	  --baseline reference/baselines/work_precision.json
 	benchmarks/work_precision/draw reports/out/work_precision
+
+# valgrind is on bench.txt; a machine that cannot have it is measured without.
+GATE_PROGRAM = build/release/tribocheck_gate_kernels
+gate-program:
+	@.ci/deps build bench || echo "gates: going on with what is installed" >&2
+	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
+	cmake --build --preset release --target tribocheck_gate_kernels
+
+gate: gate-program ## work, instructions and CPU time against the baseline, or BASE=PROGRAM; some 20 s
+	benchmarks/gates/gate.py $(GATE_PROGRAM) $(if $(GATES),--gates $(GATES)) $(if $(BASE),--base $(BASE))
+
+gate-baseline: gate-program ## what the gates hold: reference/baselines/performance.json; some 10 s
+	benchmarks/gates/gate.py $(GATE_PROGRAM) --update
+
+gate-proof: gate-program ## plant more work and see each gate red: reference/baselines/gates.json; a minute or two
+	benchmarks/gates/prove.py $(GATE_PROGRAM) --out reference/baselines/gates.json
+
+profile: gate-program ## callgrind on the inner loop: build/profile/callgrind.out, and how to look at it
+	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
 manifest: ## the manifest of checks made anew from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write

@@ -2,6 +2,7 @@
 // The equation that every root contender solves, for any way to F_{5/2}.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -33,22 +34,46 @@ class LoadBalance {
   const Moment& moment_;
 };
 
+// The same as the paper writes it, h = h₀(1−A)^−0.14, a film above which h is too large.
+template <class Count, class Moment>
+class FilmBalance {
+ public:
+  FilmBalance(const RootCase& root_case, const Moment& moment)
+      : case_(root_case), moment_(moment) {}
+
+  double operator()(double film) const {
+    Count::one();
+    const double share = std::sqrt(case_.stiffness * moment_(film - case_.offset));
+    if (share >= 1) return below_floor;
+    return case_.flooded * std::pow(1 - share, -film_exponent) - film;
+  }
+
+ private:
+  static constexpr double below_floor = 1e3;  // any number > 0, for the bracket
+  RootCase case_;
+  const Moment& moment_;
+};
+
 struct Bracket {
   double low, high, at_low, at_high;
 };
 
-// From λ₀, where the residual is not negative, upward in doubled steps.
+// The bracket that the physics gives (model/README.md, section 6): the residual is not negative at
+// λ₀, and negative where A ≤ 1/2, past √(2 ln 4KF(0)) above δ and 2^0.14 λ₀.
 template <class Residual>
 Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
-  Bracket bracket{root_case.flooded, root_case.flooded, residual(root_case.flooded), 0};
-  bracket.at_high = bracket.at_low;
-  for (double step = 0.5; bracket.at_high > 0 && step < 1e6; step *= 2) {
-    bracket.low = bracket.high;
-    bracket.at_low = bracket.at_high;
-    bracket.high += step;
-    bracket.at_high = residual(bracket.high);
-  }
-  return bracket;
+  constexpr double at_zero = 0.6166342189968446;  // F_{5/2}(0)
+  const double load = 4 * root_case.stiffness * at_zero;
+  const double high = std::max(root_case.offset + std::sqrt(2 * std::log(std::max(load, 1.0))),
+                               1.11 * root_case.flooded);
+  return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
+}
+
+// The bracket that one thinks of: from λ₀ to where the roughness is far below.
+template <class Residual>
+Bracket bracket_over_roughness(const RootCase& root_case, const Residual& residual) {
+  const double high = root_case.flooded + root_case.offset + 8;
+  return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
 }
 
 // A function of one case, and the same counting its moments.
@@ -68,6 +93,18 @@ RootContender one_by_one(std::string family, std::string name, Solve solve, Coun
 }
 
 // solver(case, residual) with the residual of each case.
+template <class Moment, class Solver>
+RootContender on_film(std::string family, std::string name, Moment moment, Solver solver) {
+  return one_by_one(
+      std::move(family), std::move(name),
+      [moment, solver](const RootCase& c) {
+        return solver(c, FilmBalance<Uncounted, Moment>(c, moment));
+      },
+      [moment, solver](const RootCase& c) {
+        return solver(c, FilmBalance<Counted, Moment>(c, moment));
+      });
+}
+
 template <class Moment, class Solver>
 RootContender on_load_balance(std::string family, std::string name, Moment moment, Solver solver) {
   return one_by_one(

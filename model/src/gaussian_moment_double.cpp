@@ -34,8 +34,9 @@ template <class Arithmetic>
   const double lower = Arithmetic::multiply_add(r, -1.0 / 6, 0.5);
   const double p =
       Arithmetic::multiply_add(Arithmetic::multiply_add(upper, r2, lower), r2, power[1]) - r;
-  const Sum y = ordered_sum(s.high, Arithmetic::multiply_add(s.high, p, s.low));
-  const double value = Arithmetic::product_and_sum(power[0], y.high, power[0] * y.low);
+  // power (1 + p)(high + low), of which all but power·high is small
+  const double small = Arithmetic::multiply_add(power[0], s.low, (s.high + s.low) * (power[0] * p));
+  const double value = Arithmetic::product_and_sum(power[0], s.high, small);
   const auto exponent = static_cast<std::int64_t>(whole / 128);
   // 2^−exponent; in two steps where that, or the result, is subnormal.
   if (exponent < 900)
@@ -66,13 +67,15 @@ template <class Arithmetic>
   return power.high + (power.low + power.high * series);
 }
 
+[[gnu::always_inline]] inline double total(const Sum& sum) { return sum.high + sum.low; }
+
 template <class Arithmetic>
 [[gnu::always_inline]] inline double scaled_moment(Order n, double d) {
   if (d >= 0) {
-    if (d < pieces_end) return in_pieces<Arithmetic>(n, false, d).high;
+    if (d < pieces_end) return total(in_pieces<Arithmetic>(n, false, d));
     return static_cast<double>(detail::far_above(n, static_cast<WiderType<double>>(d)));
   }
-  if (d > -pieces_end) return in_pieces<Arithmetic>(n, true, -d).high;
+  if (d > -pieces_end) return total(in_pieces<Arithmetic>(n, true, -d));
   return d == d ? far_below_zero<Arithmetic>(n, -d) : d;
 }
 
@@ -80,7 +83,7 @@ template <class Arithmetic>
 [[gnu::always_inline]] inline double moment(Order n, double d) {
   if (d >= 0)
     return d < 40 ? times_gaussian<Arithmetic>(in_pieces<Arithmetic>(n, false, d), d) : 0.0;
-  if (d > -pieces_end) return in_pieces<Arithmetic>(n, true, -d).high;
+  if (d > -pieces_end) return total(in_pieces<Arithmetic>(n, true, -d));
   return d == d ? far_below_zero<Arithmetic>(n, -d) : d;
 }
 

@@ -89,12 +89,12 @@ template <class Arithmetic>
   return Arithmetic::multiply_add(odd, t, even);
 }
 
-// S_n at |d| = x < pieces_end for d ≥ 0, F_n for d < 0.
+// S_n at |d| = x < pieces_end for d ≥ 0, F_n for d < 0. The low part is at most an eighth of the
+// high one, and its rounding is what the sum is off by.
 template <class Arithmetic>
 [[gnu::always_inline]] inline Sum in_pieces(Order n, bool below_zero, double x) {
   const auto [c, t] = piece_at(n, below_zero, x);
-  return ordered_sum(c[0],
-                     Arithmetic::multiply_add(t, slope_polynomial<Arithmetic>(c + 2, t), c[1]));
+  return {c[0], Arithmetic::multiply_add(t, slope_polynomial<Arithmetic>(c + 2, t), c[1])};
 }
 
 }  // namespace tribo::scalar

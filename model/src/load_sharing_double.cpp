@@ -55,6 +55,13 @@ template <class Arithmetic>
   return {share, exponent * h, exponent * std::max(h * less_d - n, 0.0)};
 }
 
+// The same at λ₀ < near_zero, without the moments.
+Asperities near_zero(const SharingSurface& surface, double flooded) {
+  const double fall = flooded * (surface.hazard_at_zero + 0.5 * flooded * surface.slope_at_zero);
+  const double share = surface.share_at_zero * (1 - fall * (1 - 0.5 * fall));
+  return {share, surface.hazard_at_zero + flooded * surface.slope_at_zero, surface.slope_at_zero};
+}
+
 struct Iterate {
   double film_parameter, log_rise;  // λ, y = ln(λ/λ₀)
 };
@@ -83,7 +90,10 @@ template <class Arithmetic>
                                                     Iterate now) {
   constexpr double p = sharing_p;
   for (int steps = 1; steps <= detail::max_sharing_steps; ++steps) {
-    const Asperities at = asperities<Arithmetic>(surface, now.film_parameter);
+    // The first step need not be exact where it is sure not to be the last.
+    const bool is_rough = steps == 1 && flooded < surface.near_zero;
+    const Asperities at = is_rough ? near_zero(surface, flooded)
+                                   : asperities<Arithmetic>(surface, now.film_parameter);
     const double a = at.hazard * now.film_parameter;
     if (a * at.share >= sharing_pole_nearness * (1 - at.share) && now.log_rise == 0) {
       now = jump_above_floor(surface, at, flooded);
@@ -122,7 +132,7 @@ template <class Arithmetic>
     } else {
       now.film_parameter = base * std::exp(shift);
     }
-    if (std::fabs(newton) * std::max(p + a, g1) < 0x1p-17)
+    if (std::fabs(newton) * std::max(p + a, g1) < 0x1p-17 && !is_rough)
       return {std::max(now.film_parameter, surface.floor), steps};
   }
   return {std::numeric_limits<double>::quiet_NaN(), detail::max_sharing_steps};

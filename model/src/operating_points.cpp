@@ -4,27 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "operating_points_arrays.hpp"
 #include "tribo/batch.hpp"
 
 namespace tribo {
-namespace {
-
-// Calls visit(output, array) for each array of numbers.
-template <class Points, class Visitor>
-void for_each_number(Points& points, Visitor&& visit) {
-  visit(Output::film_flooded, points.film_flooded);
-  visit(Output::film, points.film);
-  visit(Output::separation, points.separation);
-  visit(Output::film_parameter, points.film_parameter);
-  visit(Output::asperity_load_share, points.asperity_load_share);
-  visit(Output::fluid_load_share, points.fluid_load_share);
-  visit(Output::real_area_ratio, points.real_area_ratio);
-  visit(Output::summit_count, points.summit_count);
-  visit(Output::friction, points.friction);
-}
-
-}  // namespace
-
 void OperatingPoints::resize(std::size_t count, OutputSet outputs) {
   speed.resize(count);
   for_each_number(*this, [&](Output output, auto& array) {
@@ -86,6 +69,20 @@ void count_roots(const LoadSharing<double>& sharing, std::span<const double> flo
       counts.add(Work::root_is_floor);
 }
 
+struct Rooted {
+  double speed, flooded_film_parameter, film_parameter;
+};
+
+template <class Counter>
+OperatingPoint<double> point_of(const MixedContact<double>& contact, const Rooted& root,
+                                OutputSet outputs, Counter& work) {
+  const FloodedFilm<double> film =
+      contact.flooded(root.speed, root.flooded_film_parameter, {root.film_parameter, 0}, outputs);
+  const InletState<double> inlet =
+      contact.needs_inlet(outputs) ? contact.inlet(film, work) : InletState<double>{1, 0, false};
+  return contact.complete(film, inlet, outputs, work);
+}
+
 template <class Counter>
 void solve_points(const MixedContact<double>& contact, std::span<const double> speeds,
                   OutputSet outputs, OperatingPoints& points, std::size_t first, Counter& work) {
@@ -100,18 +97,22 @@ void solve_points(const MixedContact<double>& contact, std::span<const double> s
     const SharingWork roots =
         film_parameter(contact.sharing(), film0, std::span(lambda).first(block.size()));
     if constexpr (Counter::counts) count_roots(contact.sharing(), film0, roots, work);
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const FloodedFilm<double> film =
-          contact.flooded(block[i], flooded[i], {lambda[i], 0}, outputs);
-      const InletState<double> inlet = contact.needs_inlet(outputs)
-                                           ? contact.inlet(film, work)
-                                           : InletState<double>{1, 0, false};
-      store(contact.complete(film, inlet, outputs, work), points, first + start + i);
-    }
+    for (std::size_t i = 0; i < block.size(); ++i)
+      store(point_of(contact, {block[i], flooded[i], lambda[i]}, outputs, work), points,
+            first + start + i);
   }
 }
 
 }  // namespace
+
+OperatingPoint<double> solve_one(const MixedContact<double>& contact, double speed,
+                                 OutputSet outputs) {
+  const double film0 = contact.flooded_film_parameter(speed);
+  double lambda = 0;
+  film_parameter(contact.sharing(), std::span(&film0, 1), std::span(&lambda, 1));
+  const NoWork none;
+  return point_of(contact, {speed, film0, lambda}, outputs, none);
+}
 
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, std::size_t first) {

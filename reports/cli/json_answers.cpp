@@ -7,7 +7,7 @@
 #include "answer_object.hpp"
 #include "ordinary_scene.hpp"
 #include "output_values.hpp"
-#include "tribo/mixed_contact.hpp"
+#include "tribo/operating_points.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -39,7 +39,8 @@ void append_error(Text& to, std::optional<std::string_view> id, std::string_view
 
 void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id) {
   const MixedContact<double> contact(scene);
-  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
+  const OperatingPoint<double> point =
+      solve_one(contact, scene.speeds[0], needed_for(scene.outputs));
   AnswerObject answer(to, id);
   for (const OutputInfo& output : output_infos)
     if (scene.outputs.contains(output.output))

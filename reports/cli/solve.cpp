@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck solve: the outputs at the scene's speeds, by the root find.
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "command.hpp"
 #include "exit_code.hpp"
@@ -8,28 +10,44 @@
 #include "point_writers.hpp"
 #include "progress.hpp"
 #include "scene_arguments.hpp"
+#include "sweep/parallel_points.hpp"
 
 namespace tribo::cli {
 namespace {
 
-void solve_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
+struct SolveArguments : SceneArguments {
+  int threads = 0;
+};
+
+// In chunks: enough for several threads, and flat memory however many speeds.
+constexpr std::size_t chunk = std::size_t{1} << 16;
+
+void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const OutputSet outputs = needed_for(scene.outputs);
   writer.begin_scene(scene);
-  for (std::size_t i = 0; i < scene.speeds.size(); ++i) {
-    writer.add(contact.solve(scene.speeds[i], outputs));
-    progress.step();
+  std::vector<double> speeds;
+  OperatingPoints points;
+  for (std::size_t first = 0; first < scene.speeds.size(); first += chunk) {
+    speeds.resize(std::min(chunk, scene.speeds.size() - first));
+    for (std::size_t i = 0; i < speeds.size(); ++i) speeds[i] = scene.speeds[first + i];
+    points.resize(speeds.size(), outputs);
+    solve_in_parallel(contact, speeds, outputs, points, threads);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      writer.add(points[i]);
+      progress.step();
+    }
   }
 }
 
-int solve(const SceneArguments& arguments, OutputStream& output) {
+int solve(const SolveArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
   if (loaded.scenes.empty()) return exit_bad;
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
   const auto writer = make_point_writer(arguments.format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) solve_scene(scene, *writer, progress);
+  for (const Scene& scene : loaded.scenes) solve_scene(scene, arguments.threads, *writer, progress);
   writer->finish();
   return loaded.all_good ? exit_done : exit_bad;
 }
@@ -48,8 +66,12 @@ Example:
 Command add_solve(CLI::App& program) {
   CLI::App* app = program.add_subcommand("solve", "the outputs of scenes at their speeds");
   app->footer(footer);
-  const auto arguments = std::make_shared<SceneArguments>();
+  const auto arguments = std::make_shared<SolveArguments>();
   add_scene_arguments(*app, *arguments);
+  app->add_option("--threads", arguments->threads,
+                  "threads for scenes of many speeds (default: all the machine has); the results "
+                  "are the same bits for any number")
+      ->check(CLI::Range(1, 1024));
   return {app, [arguments](OutputStream& output) { return solve(*arguments, output); }};
 }
 

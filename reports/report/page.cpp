@@ -37,13 +37,14 @@ std::vector<std::string> introduction(const Findings& findings) {
 
 Page make_page(const Findings& findings, const std::vector<ComparisonTable>& comparisons,
                std::vector<Figure> figures, std::vector<TextTable> verification,
-               std::vector<std::string> data_files) {
+               std::vector<TextTable> performance, std::vector<std::string> data_files) {
   Page page{"Starvation and roughness in a point contact: the paper's figures, recomputed",
             introduction(findings),
             inputs_table(findings.solved),
             {},
             std::move(figures),
             std::move(verification),
+            std::move(performance),
             std::move(data_files)};
   for (const ComparisonTable& comparison : comparisons)
     page.comparisons.push_back(text_table(comparison));

@@ -17,12 +17,13 @@ struct Page {
   std::vector<TextTable> comparisons;
   std::vector<Figure> figures;
   std::vector<TextTable> verification;
+  std::vector<TextTable> performance;
   std::vector<std::string> data_files;  // paths below the report's folder
 };
 
 Page make_page(const Findings& findings, const std::vector<ComparisonTable>& comparisons,
                std::vector<Figure> figures, std::vector<TextTable> verification,
-               std::vector<std::string> data_files);
+               std::vector<TextTable> performance, std::vector<std::string> data_files);
 
 std::string html_page(const Page& page);
 std::string markdown_page(const Page& page);

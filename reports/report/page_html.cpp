@@ -74,6 +74,8 @@ std::string html_page(const Page& page) {
   for (const Figure& figure : page.figures) text += figure_text(figure);
   text += "<h2>Verification</h2>\n";
   for (const TextTable& table : page.verification) text += html_table(table);
+  text += "<h2>Speed and work</h2>\n";
+  for (const TextTable& table : page.performance) text += html_table(table);
   text += "<h2>Inputs</h2>\n" + html_table(page.inputs);
   text += "<h2>Data</h2>\n" + data_list(page);
   return text + "</main>\n</body>\n</html>\n";

@@ -27,6 +27,8 @@ std::string markdown_page(const Page& page) {
   for (const Figure& figure : page.figures) text += figure_text(figure);
   text += "## Verification\n\n";
   for (const TextTable& table : page.verification) text += markdown_table(table) + '\n';
+  text += "## Speed and work\n\n";
+  for (const TextTable& table : page.performance) text += markdown_table(table) + '\n';
   text += "## Inputs\n\n" + markdown_table(page.inputs) + "\n## Data\n\n";
   for (const std::string& file : page.data_files) text += fmt::format("- [{0}]({0})\n", file);
   return text;

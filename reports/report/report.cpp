@@ -13,6 +13,7 @@
 #include "report/gnuplot.hpp"
 #include "report/page.hpp"
 #include "report/pending_file.hpp"
+#include "report/performance_tables.hpp"
 #include "report/report_error.hpp"
 #include "report/verification_tables.hpp"
 #include "tribo/version.hpp"
@@ -131,7 +132,7 @@ Report write_report(const ReportOptions& options,
   for (Figure& figure : drawn) writer.draw(figure);
   progress("holding the model to the certified tables");
   const Page page = make_page(findings, comparisons, std::move(drawn), verification_tables(places),
-                              std::move(data));
+                              performance_tables(places, findings.solved), std::move(data));
   writer.write("report.md", markdown_page(page));
   writer.write("index.html", html_page(page));
   writer.report.tables = tables_text(comparisons);

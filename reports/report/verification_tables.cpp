@@ -4,42 +4,16 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "accuracy/accuracy.hpp"
+#include "report/baselines.hpp"
 #include "report/number_text.hpp"
 
 namespace tribo::report {
 namespace {
 
 using Json = nlohmann::json;
-
-// A baseline, or the reason why there is none.
-struct Baseline {
-  Json content;
-  std::string missing;
-};
-
-Baseline read_baseline(const ReportPlaces& places, const char* name) {
-  const auto path = places.reference / "baselines" / name;
-  std::ifstream file(path);
-  if (!file) return {{}, fmt::format("`{}` is not there", places.shown(path))};
-  Json content = Json::parse(file, nullptr, false);
-  if (content.is_discarded()) return {{}, fmt::format("`{}` is not JSON", places.shown(path))};
-  return {std::move(content), {}};
-}
-
-// “Measured on 2026-11-21 at commit 0123abcd, in 600 s; …”
-std::string provenance(const Json& baseline) {
-  const Json& environment = baseline.at("environment");
-  return fmt::format(
-      "Measured on {} at commit `{}`, in {} s; {}; {}.", baseline.at("date").get<std::string>(),
-      baseline.at("commit").get<std::string>().substr(0, 12),
-      rounded(baseline.at("seconds").get<double>(), 3), environment.at("cpu").get<std::string>(),
-      environment.at("compiler").get<std::string>());
-}
 
 TextTable certified_table(const ReportPlaces& places) {
   TextTable table{"The model in double against the certified tables of `reference/exact`",
@@ -132,16 +106,6 @@ TextTable stress_table(const ReportPlaces& places) {
       baseline.content.at("points").get<long long>(), baseline.content.at("seed").get<long long>(),
       provenance(baseline.content));
   return table;
-}
-
-// What a table says when its source cannot be used.
-template <class Make>
-TextTable made_or_excused(const char* caption, Make&& make) {
-  try {
-    return make();
-  } catch (const std::exception& error) {
-    return {caption, {}, {}, {}, error.what()};
-  }
 }
 
 }  // namespace

@@ -47,6 +47,10 @@ struct SharingSurface {
   double floor, hazard;      // λ_b, 0 without one; −d ln A/dλ there
   double floor_up_to = 0;    // λ = λ_b to half an ulp for λ₀ from 0 to here
   double film_from = 0;      // λ = λ₀ to half an ulp for λ₀ from here on
+  // Without a floor: up to near_zero, −ln A is nearly −ln A(0) + hλ + sλ²/2, and a root starts
+  // there.
+  double near_zero = 0;
+  double share_at_zero = 0, hazard_at_zero = 0, slope_at_zero = 0;  // A(0), h, s
 };
 
 // The root λ of one surface at λ₀, and the steps to it. NaN where the kernel leaves it to
@@ -339,6 +343,14 @@ class LoadSharing {
       surface_.floor_up_to =
           floor_ * std::pow(0.99 * 0x1p-54 * surface_.hazard * floor_, sharing_film_exponent<T>());
     surface_.film_from = sharing_film_from(stiffness_, offset_);
+    if (has_floor_) return;
+    // h = −q F′/F and its slope, F″ = pF − dF′
+    const Asperities at = asperities(T(-offset_));
+    const T hazard = -at.log_slope / exponent_;
+    surface_.share_at_zero = at.share;
+    surface_.hazard_at_zero = -at.log_slope;
+    surface_.slope_at_zero = exponent_ * (hazard * (hazard + offset_) - value_of<T>(order_));
+    surface_.near_zero = 0.05 / surface_.hazard_at_zero;
   }
 
   Order order_;

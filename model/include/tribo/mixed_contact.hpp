@@ -37,6 +37,15 @@ constexpr std::string_view name(Inlet inlet) {
   return inlet == Inlet::flooded ? "flooded" : inlet == Inlet::starved ? "starved" : "collapsed";
 }
 
+// From the load shares of asperities and film.
+template <class T>
+Regime regime_of(const T& asperity_share, const T& fluid_share) {
+  const T little = ratio<T>(1, 100);
+  return fluid_share < little      ? Regime::boundary
+         : asperity_share < little ? Regime::elastohydrodynamic
+                                   : Regime::mixed;
+}
+
 // One operating point; units and meaning in outputs.hpp. What was not asked for is 0. An overflow
 // of the number type shows as ∞ or NaN.
 template <class T>
@@ -298,10 +307,7 @@ class MixedContact {
   static void add_shares(OperatingPoint<T>& point, const LoadShares<T>& shares) {
     point.asperity_load_share = shares.asperity;
     point.fluid_load_share = shares.fluid;
-    const T little = ratio<T>(1, 100);
-    point.regime = shares.fluid < little      ? Regime::boundary
-                   : shares.asperity < little ? Regime::elastohydrodynamic
-                                              : Regime::mixed;
+    point.regime = regime_of(shares.asperity, shares.fluid);
   }
 
   // μ = μ_b A + τ (1 − A_r/A_nom)/p̄

@@ -40,7 +40,10 @@ struct OperatingPoints {
 // structure.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, std::size_t first = 0);
-// The same, and what work it was.
+// A single one, with the same bits.
+OperatingPoint<double> solve_one(const MixedContact<double>& contact, double speed,
+                                 OutputSet outputs);
+// Many, and what work it was.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, WorkCounts& work, std::size_t first = 0);
 

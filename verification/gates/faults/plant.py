@@ -72,6 +72,8 @@ def program_of(check):
     """The build target that runs a check."""
     if test_of(check).startswith("program."):
         return "tribocheck"
+    if test_of(check) == "gates.work_counters":
+        return "tribocheck_gate_kernels"
     # concern.Suite.Test, with Prefix/ and /parameter where there are parameters or types
     _, suites, test = test_of(check).split(".")
     suite = "|".join(re.escape(part) for part in suites.split("/"))

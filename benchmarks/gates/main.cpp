@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck_gate_kernels: what the gates measure of our kernels (gate.py). Each mode prints lines
+// of tab-separated columns, the first two of them workload and instruction set.
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gates/workloads.hpp"
+#include "tribo/batch.hpp"
+
+// By this name callgrind finds a pass.
+extern "C" [[gnu::noinline]] void tribocheck_gate_pass(const std::function<void()>& pass) {
+  pass();
+  asm volatile("");  // the call above is not the last thing: no jump in its place
+}
+
+namespace tribo::gates {
+namespace {
+
+struct Chosen {
+  const Workload* workload;
+  std::string set;
+};
+
+// Scalar kernels have a text with fused multiply-add and one without.
+std::string scalar_set() { return __builtin_cpu_supports("fma") ? "FMA" : "no FMA"; }
+
+// Each workload, on each instruction set where it has several, or on one; `only`: of this name.
+std::vector<Chosen> chosen(const std::string& only, const std::string& set, bool emulated) {
+  std::vector<Chosen> all;
+  for (const Workload& workload : workloads()) {
+    if (!only.empty() && workload.name != only) continue;
+    if (emulated && workload.needs_long_double) continue;
+    if (!workload.is_vector) {
+      all.push_back({&workload, scalar_set()});
+      continue;
+    }
+    for (const std::string_view name : instruction_sets())
+      if (set.empty() || name == set) all.push_back({&workload, std::string(name)});
+  }
+  return all;
+}
+
+void use(const Chosen& one) {
+  use_instruction_set(one.workload->is_vector ? one.set : instruction_sets().front());
+}
+
+void print_counters(const std::vector<Chosen>& all) {
+  for (const Chosen& one : all) {
+    if (!one.workload->count) continue;
+    use(one);
+    for (const auto& [name, count] : one.workload->count())
+      fmt::print("{}\t{}\t{}\t{}\n", one.workload->name, one.set, name, count);
+  }
+}
+
+// Each is run once beforehand, so that what is set up at a first call is left out.
+void run_passes(const std::vector<Chosen>& all, int passes) {
+  for (const Chosen& one : all) {
+    use(one);
+    one.workload->run();
+    for (int i = 0; i < passes; ++i) tribocheck_gate_pass(one.workload->run);
+    fmt::print("{}\t{}\t{}\n", one.workload->name, one.set, passes);
+  }
+}
+
+double cpu_seconds() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double seconds_of(const std::function<void()>& pass, int passes) {
+  const double start = cpu_seconds();
+  for (int i = 0; i < passes; ++i) pass();
+  return (cpu_seconds() - start) / passes;
+}
+
+// Passes that take some milliseconds.
+int passes_for(const std::function<void()>& pass) {
+  constexpr double least = 3e-3;
+  int passes = 1;
+  while (seconds_of(pass, passes) * passes < least) passes *= 2;
+  return passes;
+}
+
+// In a repetition each workload has a slice of time, between two of the control kernel.
+void print_times(const std::vector<Chosen>& all, int repetitions) {
+  const int control_passes = passes_for(run_control);
+  std::vector<int> passes;
+  for (const Chosen& one : all) {
+    use(one);
+    passes.push_back(passes_for(one.workload->run));
+  }
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    double before = seconds_of(run_control, control_passes);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      use(all[i]);
+      const double seconds = seconds_of(all[i].workload->run, passes[i]);
+      const double after = seconds_of(run_control, control_passes);
+      fmt::print("{}\t{}\t{:.6g}\t{:.6g}\t{:.6g}\n", all[i].workload->name, all[i].set, seconds,
+                 before, after);
+      before = after;
+    }
+  }
+}
+
+// How this program was built, and what it found.
+void print_environment() {
+#ifdef __clang__
+  fmt::print("compiler\t{}\n", __VERSION__);
+#else
+  fmt::print("compiler\tg++ {}\n", __VERSION__);
+#endif
+  fmt::print("libc\tglibc {}\n", ::gnu_get_libc_version());
+  fmt::print("scalar\t{}\n", scalar_set());
+  for (const std::string_view set : instruction_sets()) fmt::print("vector\t{}\n", set);
+}
+
+}  // namespace
+}  // namespace tribo::gates
+
+int main(int count, char** argv) {
+  using namespace tribo::gates;
+  std::string only, set;
+  int passes = 0, repetitions = 0;
+  bool counters = false, environment = false, emulated = false;
+  CLI::App program(
+      "Fixed work of the model's kernels, for gate.py\n\n"
+      "Example: tribocheck_gate_kernels --counters --workload root_wide_batch");
+  auto* modes = program.add_option_group("mode")->require_option(1);
+  modes->add_flag("--counters", counters, "exact counts of the work of one pass");
+  modes->add_option("--run", passes, "so many passes, for callgrind")
+      ->check(CLI::Range(0, 1000000));
+  modes->add_option("--time", repetitions, "CPU seconds of a pass and of one of the control kernel")
+      ->check(CLI::Range(1, 100000));
+  modes->add_flag("--environment", environment, "compiler, C library and instruction sets");
+  program.add_option("--workload", only, "this one alone");
+  program.add_option("--set", set, "batches on this instruction set alone");
+  program.add_flag("--emulated", emulated, "leave out what needs the 80 bits that valgrind lacks");
+  CLI11_PARSE(program, count, argv);
+  if (environment) {
+    print_environment();
+    return 0;
+  }
+  const auto all = chosen(only, set, emulated);
+  if (all.empty()) {
+    fmt::print(stderr, "tribocheck_gate_kernels: no workload {} on {}; --counters lists them\n",
+               only.empty() ? "at all" : only, set.empty() ? "any instruction set" : set);
+    return 2;
+  }
+  if (counters)
+    print_counters(all);
+  else if (repetitions > 0)
+    print_times(all, repetitions);
+  else
+    run_passes(all, passes);
+  return 0;
+}

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""When a gate is red. Pure functions: measure.py measures, gate.py prints.
+
+What is measured is a dict by key: "workload set", set being an instruction set.
+"""
+import statistics
+import typing
+
+INSTRUCTION_TOLERANCE = 0.01  # of callgrind's counts, which repeat to 0.004 %
+TIME_RATIO = 1.10             # of a median to the base's
+REPETITIONS = 9               # of a time, at least
+QUIET = 1.15                  # of the control kernel's time to the best of it
+
+
+def workload_of(key):
+    return key.split(" ", 1)[0]
+
+
+def comparable(base, now):
+    """(keys in both, what is red about the rest, what is worth a line of it).
+
+    A workload has to be in both; an instruction set is that of the machine."""
+    red = [f"{name}: no baseline" for name in sorted({workload_of(key) for key in now} - {workload_of(key) for key in base})]
+    red += [f"{name}: in the baseline, but not measured"
+            for name in sorted({workload_of(key) for key in base} - {workload_of(key) for key in now})]
+    said = {workload_of(key) for key in now.keys() & base.keys()}
+    notes = [f"{key}: not measured here" for key in base if key not in now and workload_of(key) in said]
+    notes += [f"{key}: no baseline for this instruction set" for key in now if key not in base and workload_of(key) in said]
+    return [key for key in now if key in base], red, notes
+
+
+def counter_differences(base, now):
+    """Lines that say what counts differ: any difference is red, in either direction."""
+    for name in sorted(base.keys() | now.keys()):
+        if base.get(name) != now.get(name):
+            yield f"{name} {now.get(name, 'not counted')}, not {base.get(name, 'counted')}"
+
+
+def more_instructions(base, now):
+    return now > base * (1 + INSTRUCTION_TOLERANCE)
+
+
+def fewer_instructions(base, now):
+    """Not red, but the baseline should be made anew, or it lets the gain be lost again."""
+    return now < base * (1 - INSTRUCTION_TOLERANCE)
+
+
+class Repetition(typing.NamedTuple):
+    """CPU seconds of a pass, and of one of the control kernel before and after."""
+    seconds: float
+    before: float
+    after: float
+
+
+class Interval(typing.NamedTuple):
+    """Of a time over the control kernel's in the same repetition."""
+    minimum: float
+    median: float
+
+
+def best_control(runs):
+    """The control kernel's best time in a run; runs: for each program, key → repetitions."""
+    return min(min(one.before, one.after) for run in runs for repetitions in run.values() for one in repetitions)
+
+
+def quiet(repetitions, best):
+    """Those that nothing disturbed. A neighbour on the same core slows some kernels more than others, so
+    that the ratio to the control kernel does not take it out."""
+    return [one for one in repetitions if max(one.before, one.after) <= QUIET * best]
+
+
+def interval(repetitions):
+    if len(repetitions) < REPETITIONS:
+        raise ValueError(f"{len(repetitions)} repetitions, {REPETITIONS} are the least")
+    ratios = [2 * one.seconds / (one.before + one.after) for one in repetitions]
+    return Interval(min(ratios), statistics.median(ratios))
+
+
+def slower(base, now):
+    """Do the intervals not overlap, and does the ratio pass the limit?"""
+    return now.minimum > base.median and now.median > TIME_RATIO * base.median
+
+
+def slower_twice(first, second):
+    """Red of two runs in a row, each a set of keys that were slower."""
+    return first & second
+
+
+def environment_differences(base, now, fields):
+    return [f"{field} {now.get(field)}, the baseline's {base.get(field)}"
+            for field in fields if base.get(field) != now.get(field)]

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: Apache-2.0
+"""When a gate is red and when it is not: rules.py, and gate.py on them without measuring."""
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+import gate
+import rules
+from rules import Interval, Repetition
+
+QUIETLY = {"say": lambda line: None}
+
+
+def verdict(name):
+    return gate.Verdict(name, **QUIETLY)
+
+
+class Counters(unittest.TestCase):
+    BASE = {"root AVX2": {"root_steps": 100, "roots_by_newton": 0}}
+
+    def held(self, now, base=None):
+        return gate.hold_counters(base or self.BASE, now, verdict("counters"))
+
+    def test_the_same_passes(self):
+        self.assertEqual(self.held(dict(self.BASE)).name, "passed")
+
+    def test_one_more_or_fewer_is_red(self):
+        for steps in (99, 101):
+            held = self.held({"root AVX2": {"root_steps": steps, "roots_by_newton": 0}})
+            self.assertEqual(held.red, [f"root AVX2: root_steps {steps}, not 100"])
+
+    def test_a_counter_come_or_gone_is_red(self):
+        self.assertEqual(self.held({"root AVX2": {"root_steps": 100}}).name, "red")
+        self.assertEqual(self.held({"root AVX2": self.BASE["root AVX2"] | {"more": 1}}).name, "red")
+
+    def test_a_workload_on_one_side_is_red(self):
+        self.assertIn("curve: no baseline", self.held(self.BASE | {"curve AVX2": {}}).red)
+        self.assertIn("root: in the baseline, but not measured", self.held({}).red)
+
+    def test_an_instruction_set_on_one_side_is_not(self):
+        more = {"root AVX3": {"root_steps": 7}}
+        self.assertEqual(self.held(self.BASE | more).name, "passed")
+        held = self.held(dict(self.BASE), self.BASE | more)
+        self.assertEqual((held.name, held.compared), ("passed", 1))
+
+    def test_nothing_in_common_is_red(self):
+        self.assertEqual(self.held({"root AVX3": {"root_steps": 100}}).red, ["nothing to compare"])
+
+
+class Instructions(unittest.TestCase):
+    def held(self, now):
+        return gate.hold_instructions({"root AVX2": 100000}, {"root AVX2": now}, verdict("instructions"))
+
+    def test_up_to_one_in_a_hundred_more_passes(self):
+        self.assertEqual(self.held(100900).name, "passed")
+
+    def test_more_is_red(self):
+        self.assertEqual(self.held(101100).red, ["root AVX2: +1.10 % instructions"])
+
+    def test_fewer_pass(self):
+        self.assertEqual(self.held(50000).name, "passed")
+        self.assertTrue(rules.fewer_instructions(100000, 98000))
+        self.assertFalse(rules.fewer_instructions(100000, 99500))
+
+
+class Times(unittest.TestCase):
+    def test_overlap_is_never_slower(self):
+        self.assertFalse(rules.slower(Interval(1.0, 1.5), Interval(1.4, 2.0)))
+
+    def test_apart_but_by_less_than_the_limit_is_not_slower(self):
+        self.assertFalse(rules.slower(Interval(1.0, 1.01), Interval(1.05, 1.1)))
+
+    def test_apart_and_beyond_the_limit_is_slower(self):
+        self.assertTrue(rules.slower(Interval(1.0, 1.05), Interval(1.1, 1.2)))
+
+    def test_faster_is_not_slower(self):
+        self.assertFalse(rules.slower(Interval(1.1, 1.2), Interval(0.5, 0.6)))
+
+    def test_an_interval_needs_nine_repetitions(self):
+        nine = [Repetition(2.0, 1.0, 1.0)] * 8 + [Repetition(3.0, 0.5, 1.5)]
+        self.assertEqual(rules.interval(nine), Interval(2.0, 2.0))
+        with self.assertRaises(ValueError):
+            rules.interval(nine[:8])
+
+    def test_only_quiet_repetitions_count(self):
+        quiet = Repetition(2.0, 1.0, 1.1)
+        disturbed = [Repetition(2.0, 1.0, 1.2), Repetition(2.0, 1.9, 1.0)]
+        runs = [{"root AVX2": [quiet, *disturbed]}, {"root AVX2": [Repetition(2.0, 1.0, 1.0)]}]
+        self.assertEqual(rules.best_control(runs), 1.0)
+        self.assertEqual(rules.quiet([quiet, *disturbed], 1.0), [quiet])
+
+    def held(self, *now):
+        """On runs with these intervals, one after another; what is left of them."""
+        runs = [({"root AVX2": Interval(1.0, 1.02)}, {"root AVX2": one}) for one in now]
+        return gate.hold_times(lambda: runs.pop(0), verdict("time")), len(runs)
+
+    def test_slower_once_passes(self):
+        held, left = self.held(Interval(1.2, 1.3), Interval(1.0, 1.03))
+        self.assertEqual((held.name, left), ("passed", 0))
+
+    def test_slower_twice_is_red(self):
+        held, _ = self.held(Interval(1.2, 1.3), Interval(1.2, 1.3))
+        self.assertEqual(held.red, ["root AVX2: slower, twice"])
+
+    def test_no_second_run_where_nothing_was_slower(self):
+        held, left = self.held(Interval(1.0, 1.03), Interval(1.2, 1.3))
+        self.assertEqual((held.name, left), ("passed", 1))
+
+    def test_another_workload_the_second_time_passes(self):
+        self.assertEqual(rules.slower_twice({"a AVX2"}, {"b AVX2"}), set())
+
+
+class Comparable(unittest.TestCase):
+    HERE = {"compiler": "g++ 12.2.0", "libc": "glibc 2.36", "cpu": "one", "valgrind": "valgrind-3.19.0",
+            "instruction_sets": ["FMA", "AVX2"]}
+
+    def differences(self, name, **changes):
+        return rules.environment_differences(self.HERE, self.HERE | changes, gate.ENVIRONMENT_OF[name])
+
+    def test_another_processor_matters_to_times_alone(self):
+        self.assertEqual(self.differences("time", cpu="two"), ["cpu two, the baseline's one"])
+        self.assertEqual(self.differences("instructions", cpu="two"), [])
+
+    def test_another_compiler_or_libc_matters_to_both(self):
+        for change in ({"compiler": "g++ 13"}, {"libc": "glibc 2.38"}):
+            self.assertEqual(len(self.differences("time", **change)), 1)
+            self.assertEqual(len(self.differences("instructions", **change)), 1)
+
+    def test_counters_are_compared_everywhere(self):
+        self.assertEqual(self.differences("counters", compiler="g++ 13", cpu="two"), [])
+
+    def test_times_that_cannot_be_compared_are_not_red(self):
+        held = verdict("time").skip("not comparable: cpu two, the baseline's one")
+        self.assertEqual((held.name, held.red), ("not held", []))
+
+    def test_another_speed_of_the_control_kernel_is_not_comparable(self):
+        class Found:
+            control, fewest = 2e-6, 9
+
+            def intervals(self):
+                return [{}]
+        real, gate.measure.times = gate.measure.times, lambda programs: Found()
+        try:
+            self.assertEqual(gate.times_of(["p"], 1.9e-6), [{}])
+            for control in (1e-6, 4e-6):
+                with self.assertRaises(gate.NotComparable):
+                    gate.times_of(["p"], control)
+            Found.fewest = 8
+            with self.assertRaises(gate.NotComparable):
+                gate.times_of(["p"])
+        finally:
+            gate.measure.times = real
+
+
+if __name__ == "__main__":
+    unittest.main()

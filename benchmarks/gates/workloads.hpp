@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixed work of the model's kernels, for the gates: the same points on every machine, and what the
+// model's own counters say of it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tribo::gates {
+
+using Counters = std::vector<std::pair<std::string, std::uint64_t>>;
+
+struct Workload {
+  std::string name;
+  bool is_vector;                   // goes by the instruction set of batch.hpp
+  std::function<void()> run;        // one pass: some ten to some hundred microseconds
+  std::function<Counters()> count;  // of one pass; empty where the text fixes the work
+  bool needs_long_double = false;   // and so does other work in valgrind, where that has 64 bits
+};
+using Workloads = std::vector<Workload>;
+
+Workloads moment_workloads();
+Workloads root_workloads();
+Workloads film_workloads();   // of compiled films
+Workloads point_workloads();  // operating points and curves
+
+// All of them.
+const Workloads& workloads();
+// std::exp over an array: what times are set beside.
+void run_control();
+
+}  // namespace tribo::gates
