@@ -194,37 +194,34 @@ inline void LoadSharing<reference::Ball>::find_floor() {
 }
 
 template <>
-inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::solve(
+inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
     const reference::Ball& flooded_film_parameter) const {
   using reference::Ball;
   const Ball& lambda0 = flooded_film_parameter;
-  const auto root = [&] {
-    const verification::Proof proof;
-    const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
-                                                    : AsperityModel::greenwood_williamson;
-    Ball lambda = verification::as_enclosure(
-        LoadSharing<long double>(model, verification::as_long_double(stiffness_),
-                                 verification::as_long_double(offset_))
-            .solve(verification::as_long_double(lambda0))
-            .film_parameter);
-    const Ball p = 1 / sharing_film_exponent<Ball>();
-    for (int i = 0; i < 60; ++i) {
-      const Asperities at = asperities(Ball(lambda - offset_));
-      const Ball fluid = pow(lambda0 / lambda, p);
-      const Ball step =
-          ((at.share + fluid - 1) / (p * fluid / lambda - at.share * at.log_slope)).midpoint();
-      lambda = (lambda + step).midpoint();
-      if (abs(step) < lambda * epsilon<Ball>()) break;
-    }
-    // ln λ − ln λ₀ + 0.14 ln(1 − A), and as good as −∞ where A ≥ 1.
-    const auto residual = [&](const Ball& x) {
-      const Ball share = asperity_share(x);
-      if (share >= 1) return Ball(-1);
-      return log(x / lambda0) + sharing_film_exponent<Ball>() * log1p(-share);
-    };
-    return verification::proven_zero(residual, lambda, lambda);
-  }();
-  return shares(lambda0, root, 0);
+  const verification::Proof proof;
+  const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
+                                                  : AsperityModel::greenwood_williamson;
+  Ball lambda = verification::as_enclosure(
+      LoadSharing<long double>(model, verification::as_long_double(stiffness_),
+                               verification::as_long_double(offset_))
+          .solve(verification::as_long_double(lambda0))
+          .film_parameter);
+  const Ball p = 1 / sharing_film_exponent<Ball>();
+  for (int i = 0; i < 60; ++i) {
+    const Asperities at = asperities(Ball(lambda - offset_));
+    const Ball fluid = pow(lambda0 / lambda, p);
+    const Ball step =
+        ((at.share + fluid - 1) / (p * fluid / lambda - at.share * at.log_slope)).midpoint();
+    lambda = (lambda + step).midpoint();
+    if (abs(step) < lambda * epsilon<Ball>()) break;
+  }
+  // ln λ − ln λ₀ + 0.14 ln(1 − A), and as good as −∞ where A ≥ 1.
+  const auto residual = [&](const Ball& x) {
+    const Ball share = asperity_share(x);
+    if (share >= 1) return Ball(-1);
+    return log(x / lambda0) + sharing_film_exponent<Ball>() * log1p(-share);
+  };
+  return {verification::proven_zero(residual, lambda, lambda), 0};
 }
 
 // Below 2^−130 by −ln A = ∫ of the slope of −ln A from the floor to there, which lies between
