@@ -58,7 +58,29 @@ class PermutedRows {
   Integers<D> piece_;
 };
 
-// The same where lanes lie on both sides of 0.
+// The same where lanes lie on both sides of 0: near it, of the first 8 pieces of each side.
+template <class D>
+class NearRows {
+ public:
+  NearRows(D d, const double* base, Integers<D> piece, hn::Mask<D> below_zero)
+      : d_(d), base_(base), piece_(piece) {
+    const hn::RebindToUnsigned<D> bits;
+    const auto side = hn::BitCast(d, hn::Set(bits, std::uint64_t{8}));
+    piece_ = hn::Or(piece, hn::BitCast(bits, hn::IfThenElseZero(below_zero, side)));
+  }
+  HWY_INLINE hn::Vec<D> operator()(int k) const {
+    const double* row = base_ + 16 * k;
+    return hn::Vec<D>{_mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw,
+                                             hn::Load(d_, row + vector_side_stride).raw)};
+  }
+
+ private:
+  D d_;
+  const double* base_;
+  Integers<D> piece_;
+};
+
+// And anywhere.
 template <class D>
 class MixedRows {
  public:
@@ -106,6 +128,9 @@ HWY_INLINE auto with_rows(D d, Order n, hn::Mask<D> below_zero, Integers<D> piec
     if (hn::AllFalse(d, below_zero)) return visit(PermutedRows<D>(d, base, piece));
     if (hn::AllTrue(d, below_zero))
       return visit(PermutedRows<D>(d, base + vector_side_stride, piece));
+    const hn::RebindToSigned<D> integers;
+    const auto is_near = hn::Lt(hn::BitCast(integers, piece), hn::Set(integers, std::int64_t{8}));
+    if (hn::AllTrue(integers, is_near)) return visit(NearRows<D>(d, base, piece, below_zero));
     return visit(MixedRows<D>(d, base, piece, below_zero));
   } else
 #endif

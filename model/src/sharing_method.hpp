@@ -14,8 +14,8 @@ inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiff
 inline constexpr double sharing_greatest_offset = 40;
 inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;
 
-// The floor, the pole of ln(1 − A), is near where its distance in ln λ, (1 − A)/(A |d ln A/d ln λ|),
-// is below 1 over this: a step from λ₀ would be as short.
+// The floor, the pole of ln(1 − A), is near where its distance in ln λ, (1 − A)/(A |d ln A/d ln
+// λ|), is below 1 over this: a step from λ₀ would be as short.
 inline constexpr double sharing_pole_nearness = 64;
 
 // F_p(0), rounded up.

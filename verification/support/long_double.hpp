@@ -48,12 +48,13 @@ inline testing::AssertionResult is_root(double got, AsperityModel model, double 
                                         double offset, double flooded,
                                         const LoadShares<long double>& truth, double beside = 0) {
   const auto expected = truth.film_parameter;
-  const double own = beside * std::ldexp(1.0, 53);  // at most so many ulp
-  double allowed = load_sharing_contract.ulp;
-  // The condition costs more than the root.
-  if (!(ulps_off(got, expected) <= allowed) && std::isfinite(got))
-    allowed = std::max(allowed, load_sharing_contract.ulp_per_condition *
-                                    root_condition(model, static_cast<long double>(offset), truth));
+  const double own =
+      beside == 0 ? 0
+                  : static_cast<double>(std::ldexp(beside * expected, 52 - std::ilogb(expected)));
+  double allowed = std::max(load_sharing_contract.ulp, load_sharing_contract.ulp_per_condition);
+  // The condition, at least 1, takes more time than the root.
+  if (!(ulps_off(got, expected) <= load_sharing_contract.ulp) && std::isfinite(got))
+    allowed *= root_condition(model, static_cast<long double>(offset), truth);
   return is_within_ulp(got, expected, allowed + own,
                        {{"model", static_cast<double>(model)},
                         {"K", stiffness},

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operating points in batches, on each instruction set: to their contract against long double, the
+// same bits whatever else is asked beside them, and the work that this takes.
+#include "tribo/operating_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "support/contracts.hpp"
+#include "support/instruction_sets.hpp"
+#include "support/long_double.hpp"
+#include "support/scenes.hpp"
+
+namespace tribo::verification {
+namespace {
+
+constexpr std::array<std::vector<double> OperatingPoints::*, number_count> arrays{
+    &OperatingPoints::film_flooded,
+    &OperatingPoints::film,
+    &OperatingPoints::separation,
+    &OperatingPoints::film_parameter,
+    &OperatingPoints::asperity_load_share,
+    &OperatingPoints::fluid_load_share,
+    &OperatingPoints::real_area_ratio,
+    &OperatingPoints::summit_count,
+    &OperatingPoints::friction};
+
+OutputSet only(std::initializer_list<Output> outputs) {
+  OutputSet set;
+  for (const Output output : outputs) set.insert(output);
+  return set;
+}
+
+OperatingPoints solved(const MixedContact<double>& contact, std::span<const double> speeds,
+                       OutputSet outputs = OutputSet::all()) {
+  OperatingPoints points;
+  points.resize(speeds.size(), outputs);
+  solve(contact, speeds, outputs, points);
+  return points;
+}
+WorkCounts work_of(const MixedContact<double>& contact, std::span<const double> speeds,
+                   OutputSet outputs = OutputSet::all()) {
+  OperatingPoints points;
+  points.resize(speeds.size(), outputs);
+  WorkCounts work;
+  solve(contact, speeds, outputs, points, work);
+  return work;
+}
+
+// The bits of everything that a structure holds of point i.
+std::vector<std::uint64_t> bits_of(const OperatingPoints& points, std::size_t i) {
+  const OperatingPoint<double> point = points[i];
+  std::vector<std::uint64_t> bits{std::bit_cast<std::uint64_t>(point.speed)};
+  for (const double number : numbers_of(point))
+    bits.push_back(std::bit_cast<std::uint64_t>(number));
+  bits.push_back(static_cast<std::uint64_t>(point.regime));
+  bits.push_back(static_cast<std::uint64_t>(point.inlet));
+  bits.push_back(point.friction_undefined ? 1 : 0);
+  return bits;
+}
+
+std::vector<double> speeds_between(double low, double high, std::size_t count) {
+  std::vector<double> speeds;
+  for (std::size_t i = 0; i < count; ++i)
+    speeds.push_back(low *
+                     std::pow(high / low, static_cast<double>(i) / static_cast<double>(count - 1)));
+  return speeds;
+}
+
+// Each supply and each closure on the paper's surfaces.
+std::vector<Scene> paper_scenes() {
+  std::vector<Scene> scenes;
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const PaperSurface surface : paper_surfaces)
+      for (const auto closure : {StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
+                                 StarvationClosure::printed_exponents, StarvationClosure::damiens})
+        for (const Supply& supply :
+             {Supply{SupplyKind::inlet_film_ratio, 4}, Supply{SupplyKind::inlet_flow, 1e-8},
+              Supply{SupplyKind::inlet_film, 3e-8}, Supply{SupplyKind::flooded, 0}}) {
+          if (supply.kind == SupplyKind::flooded && closure != StarvationClosure::starved_inlet)
+            continue;
+          Scene scene = paper_scene(surface, model);
+          scene.supply = supply;
+          scene.closures.starvation = closure;
+          scenes.push_back(scene);
+        }
+  return scenes;
+}
+
+// Smoother and rougher, stiffer and softer: λ₀ on the floor, mixed, and free of asperities.
+std::vector<Scene> random_scenes(int count) {
+  Sampler sampler(181);
+  std::vector<Scene> scenes;
+  for (int i = 0; i < count; ++i) scenes.push_back(random_scene(sampler));
+  return scenes;
+}
+
+void hold_against_long_double(const Scene& scene, std::span<const double> speeds) {
+  const MixedContact<double> contact(scene);
+  const MixedContact<long double> exact(scene);
+  struct Truth {
+    FloodedFilm<long double> film;
+    InletState<long double> inlet;
+    OperatingPoint<long double> point;
+  };
+  std::vector<Truth> truths;
+  for (const double speed : speeds) {
+    const auto film = exact.flooded(static_cast<long double>(speed));
+    const auto inlet = exact.inlet(film);
+    truths.push_back({film, inlet, exact.complete(film, inlet, OutputSet::all())});
+  }
+  constexpr double least =
+      std::max(operating_point_contract.ulp, operating_point_contract.ulp_per_condition);
+  on_each_instruction_set([&] {
+    const OperatingPoints points = solved(contact, speeds);
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      const Truth& truth = truths[i];
+      const auto expected = numbers_of(truth.point);
+      for (std::size_t k = 0; k < number_count; ++k) {
+        const double got = (points.*arrays[k])[i];
+        double allowed = least;
+        if (ulps_off(got, expected[k]) > operating_point_contract.ulp)  // a condition takes time
+          allowed *=
+              operating_point_conditions(scene, exact, truth.film, truth.inlet, truth.point)[k];
+        EXPECT_TRUE(is_within_ulp(got, expected[k], allowed, {{"speed", speeds[i]}}))
+            << output_infos[k].name << ", scene " << [&] {
+                 std::string text;
+                 for (const auto& [name, number] : describe_numbers(scene))
+                   text += fmt::format("\n  {} = {} ({:a})", name, number, number);
+                 return text;
+               }();
+      }
+      EXPECT_EQ(points.regime[i], truth.point.regime) << speeds[i];
+      EXPECT_EQ(points.inlet[i], truth.point.inlet) << speeds[i];
+      EXPECT_EQ(points.friction_undefined[i] != 0, truth.point.friction_undefined) << speeds[i];
+    }
+  });
+}
+
+TEST(OperatingPoints, KeepTheirContractOnThePapersScenes) {
+  const std::vector<double> speeds = speeds_between(1e-4, 30, 29);
+  for (const Scene& scene : paper_scenes()) hold_against_long_double(scene, speeds);
+}
+
+TEST(OperatingPoints, KeepTheirContractOnRandomScenes) {
+  const std::vector<double> speeds = speeds_between(1e-5, 30, 7);
+  for (const Scene& scene : random_scenes(500)) hold_against_long_double(scene, speeds);
+}
+
+// Each output alone, and each with another, gives the bits that it has among all; where 1 − A is 1
+// by a bound, half an ulp of 1.
+TEST(OperatingPoints, OfAPartOfTheOutputsHaveTheBitsOfAll) {
+  const std::vector<double> speeds = speeds_between(1e-4, 30, 41);
+  std::vector<Scene> scenes = paper_scenes();
+  for (const Scene& scene : random_scenes(30)) scenes.push_back(scene);
+  for (const Scene& scene : scenes) {
+    const MixedContact<double> contact(scene);
+    const OperatingPoints all = solved(contact, speeds);
+    for (const OutputInfo& first : output_infos)
+      for (const OutputInfo& second : output_infos) {
+        const OutputSet outputs = only({first.output, second.output});
+        const OperatingPoints part = solved(contact, speeds, outputs);
+        for (std::size_t k = 0; k < number_count; ++k) {
+          const std::vector<double>& got = part.*arrays[k];
+          if (!outputs.contains(output_infos[k].output)) {
+            EXPECT_EQ(got.size(), 0u);
+          } else if (output_infos[k].output == Output::fluid_load_share) {
+            for (std::size_t i = 0; i < speeds.size(); ++i)
+              EXPECT_LE(std::fabs(got[i] - all.fluid_load_share[i]), 0x1p-53);
+          } else {
+            EXPECT_EQ(got, all.*arrays[k]) << output_infos[k].name;
+          }
+        }
+        EXPECT_EQ(part.regime,
+                  outputs.contains(Output::regime) ? all.regime : std::vector<Regime>());
+        EXPECT_EQ(part.inlet, outputs.contains(Output::inlet) ? all.inlet : std::vector<Inlet>());
+        EXPECT_EQ(part.friction_undefined, outputs.contains(Output::friction)
+                                               ? all.friction_undefined
+                                               : std::vector<std::uint8_t>());
+        EXPECT_EQ(part.speed, speeds);
+      }
+  }
+}
+
+TEST(OperatingPoints, ThatWereNotAskedForReadAsNothing) {
+  const MixedContact<double> contact(paper_scene(PaperSurface::medium));
+  const std::vector<double> speeds{0.01, 1};
+  const OperatingPoints points = solved(contact, speeds, only({Output::film}));
+  EXPECT_EQ(points.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const OperatingPoint<double> point = points[i];
+    EXPECT_EQ(point.speed, speeds[i]);
+    EXPECT_GT(point.film, 0);
+    EXPECT_EQ(point.film_flooded + point.separation + point.film_parameter + point.friction, 0);
+    EXPECT_EQ(point.regime, Regime::mixed);
+    EXPECT_EQ(point.friction_undefined, false);
+  }
+  OperatingPoints none = solved(contact, {});
+  EXPECT_EQ(none.size(), 0u);
+}
+
+// Parts of one structure, filled in any order, and one point in a call of its own.
+TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
+  const std::vector<double> speeds = speeds_between(1e-5, 100, 10000);
+  for (const Scene& scene : {paper_scene(PaperSurface::rough), paper_scene(PaperSurface::smooth),
+                             random_scenes(9).back()}) {
+    const MixedContact<double> contact(scene);
+    on_each_instruction_set([&] {
+      OperatingPoints whole;
+      whole.resize(speeds.size(), OutputSet::all());
+      WorkCounts whole_work;
+      solve(contact, speeds, OutputSet::all(), whole, whole_work);
+      for (const std::size_t size : {1, 7, 512, 777, 10000}) {
+        OperatingPoints parts;
+        parts.resize(speeds.size(), OutputSet::all());
+        WorkCounts work;
+        const std::size_t count = (speeds.size() + size - 1) / size;
+        for (std::size_t part = count; part-- > 0;) {
+          const std::size_t first = part * size;
+          solve(contact, std::span(speeds).subspan(first, std::min(size, speeds.size() - first)),
+                OutputSet::all(), parts, work, first);
+        }
+        EXPECT_EQ(work, whole_work) << size;
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < speeds.size(); ++i)
+          differing += bits_of(parts, i) != bits_of(whole, i) ? 1 : 0;
+        EXPECT_EQ(differing, 0u) << size;
+      }
+      // Nothing outside a part is touched, and counting changes nothing.
+      OperatingPoints part;
+      part.resize(30, OutputSet::all());
+      solve(contact, std::span(speeds).subspan(5000, 10), OutputSet::all(), part, 10);
+      for (std::size_t i = 0; i < 30; ++i) {
+        const bool is_inside = i >= 10 && i < 20;
+        if (is_inside)
+          EXPECT_EQ(bits_of(part, i), bits_of(whole, 5000 + i - 10));
+        else
+          EXPECT_EQ(part.speed[i] + part.friction[i] + part.film[i], 0);
+      }
+    });
+  }
+}
+
+// A batch and single points: both to the contract, so as near to one another.
+TEST(OperatingPoints, AreThoseOfSinglePoints) {
+  const std::vector<double> speeds = speeds_between(1e-4, 30, 101);
+  for (const Scene& scene : paper_scenes()) {
+    const MixedContact<double> contact(scene);
+    const OperatingPoints points = solved(contact, speeds);
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      const OperatingPoint<double> single = contact.solve(speeds[i]);
+      EXPECT_EQ(points.regime[i], single.regime);
+      EXPECT_EQ(points.inlet[i], single.inlet);
+      const auto expected = numbers_of(single);
+      const auto got = numbers_of(points[i]);
+      for (std::size_t k = 0; k < number_count; ++k) {
+        if (got[k] == expected[k]) continue;
+        const double allowed =
+            2 * operating_point_contract.ulp_per_condition * conditions_at(scene, speeds[i])[k];
+        EXPECT_TRUE(is_within_ulp(got[k], static_cast<long double>(expected[k]), allowed,
+                                  {{"speed", speeds[i]}}))
+            << output_infos[k].name;
+      }
+    }
+  }
+}
+
+TEST(OperatingPointWork, WithoutASupplyHasNoStarvationRatios) {
+  Scene scene = paper_scene(PaperSurface::medium);
+  scene.supply = {SupplyKind::flooded, 0};
+  const std::vector<double> speeds = speeds_between(1e-4, 3, 200);
+  on_each_instruction_set([&] {
+    const WorkCounts work = work_of(MixedContact<double>(scene), speeds);
+    EXPECT_EQ(work[Work::starvation], 0u);
+    EXPECT_EQ(work[Work::supply_is_flooded], 200u);
+    EXPECT_EQ(work[Work::share], 200u);
+    EXPECT_EQ(work[Work::moment], 400u);
+    EXPECT_EQ(work[Work::shear_stress], 200u);
+    EXPECT_EQ(work[Work::share_is_nothing], 0u);
+    EXPECT_EQ(work[Work::share_not_asked], 0u);
+    EXPECT_EQ(work[Work::root_by_newton], 0u);
+    EXPECT_GE(work[Work::root_step], 200u);
+    EXPECT_LE(work[Work::root_step], 600u);
+  });
+}
+
+// A starvation ratio for each film that has not collapsed.
+TEST(OperatingPointWork, WithASupplyHasAStarvationRatioAPoint) {
+  const std::vector<double> speeds = speeds_between(1e-4, 3, 200);
+  for (const Scene& scene : paper_scenes()) {
+    if (scene.supply.kind == SupplyKind::flooded) continue;
+    const MixedContact<double> contact(scene);
+    on_each_instruction_set([&] {
+      OperatingPoints points;
+      points.resize(speeds.size(), OutputSet::all());
+      WorkCounts work;
+      solve(contact, speeds, OutputSet::all(), points, work);
+      const auto collapsed = static_cast<std::size_t>(
+          std::count(points.inlet.begin(), points.inlet.end(), Inlet::collapsed));
+      EXPECT_EQ(work[Work::starvation] + collapsed, 200u);
+      EXPECT_EQ(work[Work::supply_is_flooded], 0u);
+    });
+  }
+}
+
+TEST(OperatingPointWork, OfTheFloodedFilmIsItsRootsAlone) {
+  const std::vector<double> speeds = speeds_between(1e-4, 30, 1000);
+  for (const Scene& scene : paper_scenes()) {
+    const MixedContact<double> contact(scene);
+    on_each_instruction_set([&] {
+      const WorkCounts all = work_of(contact, speeds);
+      const WorkCounts work = work_of(contact, speeds, only({Output::film_flooded}));
+      for (const Work none : {Work::share, Work::moment, Work::starvation, Work::shear_stress,
+                              Work::share_is_nothing, Work::supply_is_flooded})
+        EXPECT_EQ(work[none], 0u) << work_infos[static_cast<std::size_t>(none)].name;
+      EXPECT_EQ(work[Work::share_not_asked], 1000u);
+      for (const Work same :
+           {Work::root_step, Work::root_by_newton, Work::root_is_film, Work::root_is_floor})
+        EXPECT_EQ(work[same], all[same]) << work_infos[static_cast<std::size_t>(same)].name;
+    });
+  }
+}
+
+// What each single output takes of shares, moments and stresses, a point.
+TEST(OperatingPointWork, IsOnlyWhatAnOutputNeeds) {
+  struct Needs {
+    Output output;
+    std::uint64_t share, moment, stress, starvation;
+  };
+  const std::vector<double> speeds = speeds_between(1e-4, 0.01, 100);  // mixed; none collapsed
+  const MixedContact<double> contact(paper_scene(PaperSurface::rough));
+  for (const auto& [output, share, moment, stress, starvation] :
+       {Needs{Output::film_flooded, 0, 0, 0, 0}, Needs{Output::film, 0, 0, 0, 1},
+        Needs{Output::separation, 0, 0, 0, 1}, Needs{Output::film_parameter, 0, 0, 0, 1},
+        Needs{Output::asperity_load_share, 1, 0, 0, 1}, Needs{Output::fluid_load_share, 1, 0, 0, 1},
+        Needs{Output::real_area_ratio, 0, 1, 0, 1}, Needs{Output::summit_count, 0, 1, 0, 1},
+        Needs{Output::friction, 1, 1, 1, 1}, Needs{Output::regime, 1, 0, 0, 1},
+        Needs{Output::inlet, 0, 0, 0, 1}}) {
+    const WorkCounts work = work_of(contact, speeds, only({output}));
+    EXPECT_EQ(work[Work::share], 100 * share) << info(output).name;
+    EXPECT_EQ(work[Work::share_not_asked], 100 * (1 - share)) << info(output).name;
+    EXPECT_EQ(work[Work::moment], 100 * moment) << info(output).name;
+    EXPECT_EQ(work[Work::shear_stress], 100 * stress) << info(output).name;
+    EXPECT_EQ(work[Work::starvation], 100 * starvation) << info(output).name;
+  }
+}
+
+// λ = λ₀ and λ = λ_b: at each speed where the bounds say so, and at no other.
+TEST(OperatingPointWork, SkipsRootsWhereTheBoundsSaySo) {
+  std::uint64_t at_film = 0, at_floor = 0;
+  std::vector<Scene> scenes = paper_scenes();
+  for (const Scene& scene : random_scenes(40)) scenes.push_back(scene);
+  const std::vector<double> speeds = speeds_between(1e-9, 1e4, 300);
+  for (const Scene& scene : scenes) {
+    const MixedContact<double> contact(scene);
+    const LoadSharing<double>& sharing = contact.sharing();
+    std::uint64_t film = 0, floor = 0;
+    for (const double speed : speeds) {
+      const double film0 = contact.flooded_film_parameter(speed);
+      film += film0 >= sharing_film_from(sharing.stiffness(), sharing.offset()) ? 1 : 0;
+      floor += sharing.has_floor() && film0 <= sharing.surface().floor_up_to ? 1 : 0;
+    }
+    on_each_instruction_set([&] {
+      const WorkCounts work = work_of(contact, speeds, only({Output::film_flooded}));
+      EXPECT_EQ(work[Work::root_is_film], film);
+      EXPECT_EQ(work[Work::root_is_floor], floor);
+      EXPECT_EQ(work[Work::root_by_newton], 0u);
+      const std::uint64_t asked = speeds.size() - film - floor;
+      EXPECT_GE(work[Work::root_step], asked);
+      EXPECT_LE(work[Work::root_step], 4 * asked);
+    });
+    at_film += film;
+    at_floor += floor;
+  }
+  EXPECT_GT(at_film, 1000u);
+  EXPECT_GT(at_floor, 100u);
+}
+
+// Where 1 − A or the regime is all that is asked and A < 2^−54: the exact 1 − A is 1 to half an
+// ulp.
+TEST(OperatingPointWork, SkipsSharesThatAreNothing) {
+  std::uint64_t skipped = 0;
+  std::vector<Scene> scenes = paper_scenes();
+  for (const Scene& scene : random_scenes(40)) scenes.push_back(scene);
+  const std::vector<double> speeds = speeds_between(1e-2, 100, 40);
+  for (const Scene& scene : scenes) {
+    const MixedContact<double> contact(scene);
+    const MixedContact<long double> exact(scene);
+    const OperatingPoints all = solved(contact, speeds);
+    std::uint64_t expected = 0;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      if (!contact.sharing().is_free_of_asperities(all.film_parameter[i])) continue;
+      ++expected;
+      EXPECT_LT(exact.sharing().asperity_share(static_cast<long double>(all.film_parameter[i])),
+                0x1p-54L)
+          << speeds[i];
+      EXPECT_EQ(all.regime[i], Regime::elastohydrodynamic);
+    }
+    for (const OutputSet outputs :
+         {only({Output::fluid_load_share}), only({Output::regime}),
+          only({Output::fluid_load_share, Output::regime, Output::film, Output::inlet})}) {
+      const WorkCounts work = work_of(contact, speeds, outputs);
+      EXPECT_EQ(work[Work::share_is_nothing], expected);
+      EXPECT_EQ(work[Work::share], speeds.size() - expected);
+      const OperatingPoints part = solved(contact, speeds, outputs);
+      for (std::size_t i = 0; i < speeds.size(); ++i) {
+        if (!contact.sharing().is_free_of_asperities(all.film_parameter[i])) continue;
+        EXPECT_EQ(part[i].fluid_load_share, outputs.contains(Output::fluid_load_share) ? 1 : 0);
+        EXPECT_EQ(part[i].regime,
+                  outputs.contains(Output::regime) ? Regime::elastohydrodynamic : Regime::mixed);
+      }
+    }
+    EXPECT_EQ(work_of(contact, speeds)[Work::share_is_nothing], 0u);
+    skipped += expected;
+  }
+  EXPECT_GT(skipped, 200u);
+}
+
+}  // namespace
+}  // namespace tribo::verification
