@@ -167,7 +167,7 @@ TEST_P(BatchMoment, TheResultMayOverwriteTheArgument) {
   const std::vector<double> d = mixed_arguments();
   on_each_instruction_set([&] {
     for (const Batch batch : batches)
-      for (std::size_t count = 0; count <= d.size(); ++count) {
+      for (std::size_t count = 1; count <= d.size(); ++count) {
         const std::vector<double> apart = evaluated(batch, GetParam(), std::span(d).first(count));
         std::vector<double> over(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(count));
         batch(GetParam(), over, over);

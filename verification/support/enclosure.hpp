@@ -12,7 +12,7 @@
 //   bracketed_root           the model's own iteration on midpoints proposes, a certain change of
 //                            sign of the model's own equation a little to the left and to the right
 //                            proves, and all between is the root.
-//   LoadSharing: the root (solve), the floor (find_floor), the way back from a share to a film
+//   LoadSharing: the root (root), the floor (find_floor), the way back from a share to a film
 //                            (distance_above_floor): likewise, from the root in long double. The
 //                            equations are written out here after the comment that heads
 //                            load_sharing.hpp; A in them is the model's asperity_share.
@@ -194,11 +194,11 @@ inline void LoadSharing<reference::Ball>::find_floor() {
 }
 
 template <>
-inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::solve(
+inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
     const reference::Ball& flooded_film_parameter) const {
   using reference::Ball;
   const Ball& lambda0 = flooded_film_parameter;
-  const auto root = [&] {
+  const auto proven = [&] {
     const verification::Proof proof;
     const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
                                                     : AsperityModel::greenwood_williamson;
@@ -224,7 +224,14 @@ inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::solve(
     };
     return verification::proven_zero(residual, lambda, lambda);
   }();
-  return shares(lambda0, root, 0);
+  return {proven, 0};
+}
+
+// Without the questions whether λ₀ or the floor is infinite, which a ball cannot answer.
+template <>
+inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::shares_at(
+    const reference::Ball& flooded_film_parameter, const Root& root) const {
+  return shares(flooded_film_parameter, root.film_parameter, 0);
 }
 
 // Below 2^−130 by −ln A = ∫ of the slope of −ln A from the floor to there, which lies between
