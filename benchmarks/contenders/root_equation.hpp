@@ -2,7 +2,6 @@
 // The equation that every root contender solves, for any way to F_{5/2}.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -58,15 +57,18 @@ struct Bracket {
   double low, high, at_low, at_high;
 };
 
-// The bracket that the physics gives (model/README.md, section 6): the residual is not negative at
-// λ₀, and negative where A ≤ 1/2, past √(2 ln 4KF(0)) above δ and 2^0.14 λ₀.
+// From λ₀, where the residual is not negative, upward in doubled steps.
 template <class Residual>
 Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
-  constexpr double at_zero = 0.6166342189968446;  // F_{5/2}(0)
-  const double load = 4 * root_case.stiffness * at_zero;
-  const double high = std::max(root_case.offset + std::sqrt(2 * std::log(std::max(load, 1.0))),
-                               1.11 * root_case.flooded);
-  return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
+  Bracket bracket{root_case.flooded, root_case.flooded, residual(root_case.flooded), 0};
+  bracket.at_high = bracket.at_low;
+  for (double step = 0.5; bracket.at_high > 0 && step < 1e6; step *= 2) {
+    bracket.low = bracket.high;
+    bracket.at_low = bracket.at_high;
+    bracket.high += step;
+    bracket.at_high = residual(bracket.high);
+  }
+  return bracket;
 }
 
 // The bracket that one thinks of: from λ₀ to where the roughness is far below.

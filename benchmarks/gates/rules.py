@@ -20,12 +20,14 @@ def comparable(base, now):
     """(keys in both, what is red about the rest, what is worth a line of it).
 
     A workload has to be in both; an instruction set is that of the machine."""
-    red = [f"{name}: no baseline" for name in sorted({workload_of(key) for key in now} - {workload_of(key) for key in base})]
-    red += [f"{name}: in the baseline, but not measured"
-            for name in sorted({workload_of(key) for key in base} - {workload_of(key) for key in now})]
+    base_workloads, workloads = set(map(workload_of, base)), set(map(workload_of, now))
+    red = [f"{name}: no baseline" for name in sorted(workloads - base_workloads)]
+    red += [f"{name}: in the baseline, but not measured" for name in sorted(base_workloads - workloads)]
     said = {workload_of(key) for key in now.keys() & base.keys()}
-    notes = [f"{key}: not measured here" for key in base if key not in now and workload_of(key) in said]
-    notes += [f"{key}: no baseline for this instruction set" for key in now if key not in base and workload_of(key) in said]
+    notes = [f"{key}: not measured here" for key in base
+             if key not in now and workload_of(key) in said]
+    notes += [f"{key}: no baseline for this instruction set" for key in now
+              if key not in base and workload_of(key) in said]
     return [key for key in now if key in base], red, notes
 
 

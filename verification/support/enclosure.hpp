@@ -12,7 +12,7 @@
 //   bracketed_root           the model's own iteration on midpoints proposes, a certain change of
 //                            sign of the model's own equation a little to the left and to the right
 //                            proves, and all between is the root.
-//   LoadSharing: the root (solve), the floor (find_floor), the way back from a share to a film
+//   LoadSharing: the root (root), the floor (find_floor), the way back from a share to a film
 //                            (distance_above_floor): likewise, from the root in long double. The
 //                            equations are written out here after the comment that heads
 //                            load_sharing.hpp; A in them is the model's asperity_share.
@@ -198,30 +198,40 @@ inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
     const reference::Ball& flooded_film_parameter) const {
   using reference::Ball;
   const Ball& lambda0 = flooded_film_parameter;
-  const verification::Proof proof;
-  const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
-                                                  : AsperityModel::greenwood_williamson;
-  Ball lambda = verification::as_enclosure(
-      LoadSharing<long double>(model, verification::as_long_double(stiffness_),
-                               verification::as_long_double(offset_))
-          .solve(verification::as_long_double(lambda0))
-          .film_parameter);
-  const Ball p = 1 / sharing_film_exponent<Ball>();
-  for (int i = 0; i < 60; ++i) {
-    const Asperities at = asperities(Ball(lambda - offset_));
-    const Ball fluid = pow(lambda0 / lambda, p);
-    const Ball step =
-        ((at.share + fluid - 1) / (p * fluid / lambda - at.share * at.log_slope)).midpoint();
-    lambda = (lambda + step).midpoint();
-    if (abs(step) < lambda * epsilon<Ball>()) break;
-  }
-  // ln λ − ln λ₀ + 0.14 ln(1 − A), and as good as −∞ where A ≥ 1.
-  const auto residual = [&](const Ball& x) {
-    const Ball share = asperity_share(x);
-    if (share >= 1) return Ball(-1);
-    return log(x / lambda0) + sharing_film_exponent<Ball>() * log1p(-share);
-  };
-  return {verification::proven_zero(residual, lambda, lambda), 0};
+  const auto proven = [&] {
+    const verification::Proof proof;
+    const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
+                                                    : AsperityModel::greenwood_williamson;
+    Ball lambda = verification::as_enclosure(
+        LoadSharing<long double>(model, verification::as_long_double(stiffness_),
+                                 verification::as_long_double(offset_))
+            .solve(verification::as_long_double(lambda0))
+            .film_parameter);
+    const Ball p = 1 / sharing_film_exponent<Ball>();
+    for (int i = 0; i < 60; ++i) {
+      const Asperities at = asperities(Ball(lambda - offset_));
+      const Ball fluid = pow(lambda0 / lambda, p);
+      const Ball step =
+          ((at.share + fluid - 1) / (p * fluid / lambda - at.share * at.log_slope)).midpoint();
+      lambda = (lambda + step).midpoint();
+      if (abs(step) < lambda * epsilon<Ball>()) break;
+    }
+    // ln λ − ln λ₀ + 0.14 ln(1 − A), and as good as −∞ where A ≥ 1.
+    const auto residual = [&](const Ball& x) {
+      const Ball share = asperity_share(x);
+      if (share >= 1) return Ball(-1);
+      return log(x / lambda0) + sharing_film_exponent<Ball>() * log1p(-share);
+    };
+    return verification::proven_zero(residual, lambda, lambda);
+  }();
+  return {proven, 0};
+}
+
+// Without the questions whether λ₀ or the floor is infinite, which a ball cannot answer.
+template <>
+inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::shares_at(
+    const reference::Ball& flooded_film_parameter, const Root& root) const {
+  return shares(flooded_film_parameter, root.film_parameter, 0);
 }
 
 // Below 2^−130 by −ln A = ∫ of the slope of −ln A from the floor to there, which lies between

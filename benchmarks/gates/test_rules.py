@@ -1,10 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """When a gate is red and when it is not: rules.py, and gate.py on them without measuring."""
-import pathlib
-import sys
 import unittest
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
 import gate
 import rules
