@@ -2,7 +2,9 @@
 // The root of load sharing (load_sharing.hpp) of one point in double: the method of
 // load_sharing_vector-inl.hpp, which explains it, with a branch where a vector takes both ways.
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "gaussian_moment_scalar.hpp"
@@ -197,7 +199,12 @@ double detail::polished_film_parameter(const SharingSurface& surface, double flo
 
 double film_parameter(AsperityModel model, double stiffness, double offset, double flooded) {
   SharingSurface surface{load_order(model), stiffness, offset, 0, 0};
-  surface.film_from = sharing_film_from(stiffness, offset);
+  // sharing_film_from, squared
+  surface.film_from = std::numeric_limits<double>::infinity();
+  const double distance = flooded - offset;
+  const auto exponent =
+      static_cast<double>(std::bit_cast<std::int64_t>(stiffness) >> 52) - 1022;  // of K, and 1
+  if (distance > 0 && distance * distance >= 141.1 + 1.3863 * exponent) surface.film_from = flooded;
   const double lambda = chosen_root(surface, flooded).film_parameter;
   if (lambda == lambda) return lambda;
   return LoadSharing<double>(model, stiffness, offset).film_parameter(flooded);

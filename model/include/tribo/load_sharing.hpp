@@ -174,15 +174,15 @@ class LoadSharing {
   };
   Root root(const T& flooded_film_parameter) const {
     const T& lambda0 = flooded_film_parameter;
-    if (lambda0 != lambda0 || floor_ != floor_) return {quiet_nan<T>(), 0};
-    if (!is_finite(lambda0)) return {lambda0, 0};
-    if (!is_finite(floor_)) return {floor_, 0};
-    if (lambda0 == 0 && !has_floor_) return {lambda0, 0};
     if constexpr (std::is_same_v<T, double>) {
       const detail::SharingRoot found = detail::film_parameter(surface_, lambda0);
       if (found.film_parameter == found.film_parameter)
         return {found.film_parameter, found.iterations};
     }
+    if (lambda0 != lambda0 || floor_ != floor_) return {quiet_nan<T>(), 0};
+    if (!is_finite(lambda0)) return {lambda0, 0};
+    if (!is_finite(floor_)) return {floor_, 0};
+    if (lambda0 == 0 && !has_floor_) return {lambda0, 0};
     return newton_root(lambda0);
   }
 
