@@ -389,14 +389,14 @@ const Names& names() {
 
 }  // namespace
 
-void gaussian_moment(Order n, std::span<const double> d, std::span<double> values) {
-  HWY_DYNAMIC_DISPATCH(moments)(n, d.data(), values.data(), d.size());
+void gaussian_moment(Order n, std::span<const double> d, std::span<double> moments) {
+  HWY_DYNAMIC_DISPATCH(moments)(n, d.data(), moments.data(), d.size());
 }
-void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> values) {
-  HWY_DYNAMIC_DISPATCH(scaled_moments)(n, d.data(), values.data(), d.size());
+void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments) {
+  HWY_DYNAMIC_DISPATCH(scaled_moments)(n, d.data(), moments.data(), d.size());
 }
-void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> values) {
-  HWY_DYNAMIC_DISPATCH(log_moments)(n, d.data(), values.data(), d.size());
+void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms) {
+  HWY_DYNAMIC_DISPATCH(log_moments)(n, d.data(), logarithms.data(), d.size());
 }
 
 // In blocks, because the result may stand where an argument stood. What the kernels leave is NaN,

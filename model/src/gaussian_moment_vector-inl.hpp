@@ -26,7 +26,7 @@ class GatheredRows {
  public:
   GatheredRows(D d, const double* base, Integers<D> piece) : d_(d), base_(base), piece_(piece) {}
   HWY_INLINE hn::Vec<D> operator()(int k) const {
-    const double* row = base_ + 16 * k;
+    const double* row = base_ + std::ptrdiff_t{16} * k;
     const hn::RebindToSigned<D> signed_tag;
     if constexpr (hn::MaxLanes(D()) == 1)
       return hn::Set(d_, row[hn::GetLane(piece_)]);
@@ -47,7 +47,7 @@ class PermutedRows {
  public:
   PermutedRows(D d, const double* base, Integers<D> piece) : d_(d), base_(base), piece_(piece) {}
   HWY_INLINE hn::Vec<D> operator()(int k) const {
-    const double* row = base_ + 16 * k;
+    const double* row = base_ + std::ptrdiff_t{16} * k;
     return hn::Vec<D>{
         _mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw, hn::Load(d_, row + 8).raw)};
   }
@@ -69,7 +69,7 @@ class NearRows {
     piece_ = hn::Or(piece, hn::BitCast(bits, hn::IfThenElseZero(below_zero, side)));
   }
   HWY_INLINE hn::Vec<D> operator()(int k) const {
-    const double* row = base_ + 16 * k;
+    const double* row = base_ + std::ptrdiff_t{16} * k;
     return hn::Vec<D>{_mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw,
                                              hn::Load(d_, row + vector_side_stride).raw)};
   }

@@ -63,8 +63,7 @@ inline constexpr int max_sharing_steps = 16;
 SharingRoot film_parameter(const SharingSurface& surface, double flooded_film_parameter);
 // A root with the rounding of A taken out where its condition makes much of that: next to a
 // critical stiffness, K F_p(−δ) = 1. For CompiledFilm, which fits polynomials to roots.
-double polished_film_parameter(const SharingSurface& surface, double flooded_film_parameter,
-                               double film_parameter);
+double polished_film_parameter(const SharingSurface& surface, double flooded, double lambda);
 
 }  // namespace detail
 
