@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+// The roots of many points (load_sharing_vector-inl.hpp has the steps): whole blocks at a time.
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "load_sharing_vector-inl.hpp"
+
+#if defined(TRIBO_LOAD_SHARING_BATCH) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIBO_LOAD_SHARING_BATCH
+#undef TRIBO_LOAD_SHARING_BATCH
+#else
+#define TRIBO_LOAD_SHARING_BATCH
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace tribo::HWY_NAMESPACE {
+
+// The next `count` numbers, at most a vector; spare lanes repeat the first.
+template <class D>
+HWY_INLINE hn::Vec<D> load(D d, const double* from, std::size_t count) {
+  const std::size_t lanes = hn::Lanes(d);
+  if (count >= lanes) return hn::LoadU(d, from);
+  HWY_ALIGN double buffer[hn::MaxLanes(D())];
+  for (std::size_t j = 0; j < lanes; ++j) buffer[j] = from[j < count ? j : 0];
+  return hn::Load(d, buffer);
+}
+
+template <class D>
+HWY_INLINE void store(D d, hn::Vec<D> value, double* to, std::size_t count) {
+  const std::size_t lanes = hn::Lanes(d);
+  if (count >= lanes) return hn::StoreU(value, d, to);
+  HWY_ALIGN double buffer[hn::MaxLanes(D())];
+  hn::Store(value, d, buffer);
+  for (std::size_t j = 0; j < count; ++j) to[j] = buffer[j];
+}
+
+// Where the kernels of the root may be used: nothing in them overflows or loses digits.
+template <class D>
+HWY_INLINE hn::Mask<D> in_range(D d, const SharingInputs<hn::Vec<D>>& in) {
+  const auto within = [&](hn::Vec<D> x, double low, double high) HWY_ATTR {
+    return hn::And(hn::Ge(x, hn::Set(d, low)), hn::Le(x, hn::Set(d, high)));
+  };
+  return hn::And(hn::And(within(in.stiffness, sharing_least_stiffness, sharing_greatest_stiffness),
+                         within(in.offset, 0, sharing_greatest_offset)),
+                 within(in.flooded, sharing_least_film, sharing_greatest_film));
+}
+
+// The lanes of a mask, in order. Highway 1.0.3 has the instruction behind a table of 2 kB that g++
+// copies to the stack at each call.
+template <class D>
+HWY_INLINE hn::Vec<D> compressed([[maybe_unused]] D d, hn::Vec<D> value, hn::Mask<D> mask) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  if constexpr (hn::MaxLanes(D()) == 8)
+    return hn::Vec<D>{_mm512_maskz_compress_pd(mask.raw, value.raw)};
+  else
+#endif
+  {
+    HWY_ALIGN double values[hn::MaxLanes(D())];
+    HWY_ALIGN double selected[hn::MaxLanes(D())];
+    hn::Store(value, d, values);
+    hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0)), d, selected);
+    std::size_t count = 0;
+    for (std::size_t j = 0; j < hn::Lanes(d); ++j) {
+      values[count] = values[j];
+      count += selected[j] != 0 ? 1 : 0;
+    }
+    return hn::Load(d, values);
+  }
+}
+
+// Up to sharing_block points on their way to the root. Those that are there leave, and the others
+// close ranks, so that no lane waits for another.
+template <class D, bool one_surface>
+class Travellers {
+ public:
+  using V = hn::Vec<D>;
+
+  HWY_INLINE explicit Travellers(D d) : d_(d) {}
+  // All of one surface.
+  HWY_INLINE Travellers(D d, double stiffness, double offset)
+      : d_(d), stiffness_{stiffness}, offset_{offset} {}
+
+  HWY_INLINE void add(hn::Mask<D> mask, const SharingInputs<V>& in, const Iterate<V>& at, V place) {
+    if constexpr (!one_surface) {
+      put(mask, in.stiffness, stiffness_);
+      put(mask, in.offset, offset_);
+    }
+    put(mask, in.flooded, flooded_);
+    put(mask, at.film_parameter, film_parameter_);
+    put(mask, at.log_rise, log_rise_);
+    put(mask, place, place_);
+    count_ += hn::CountTrue(d_, mask);
+  }
+
+  // All to their roots; NaN where it is not found in max_sharing_steps.
+  HWY_INLINE std::size_t travel(Order order, double* result) {
+    std::size_t steps = 0;
+    for (int step = 0; step < detail::max_sharing_steps && count_ > 0; ++step) {
+      steps += count_;
+      move(order);
+      leave(result);
+    }
+    for (std::size_t i = 0; i < count_; ++i)
+      result[place_of(i)] = std::numeric_limits<double>::quiet_NaN();
+    return steps;
+  }
+
+ private:
+  HWY_INLINE SharingInputs<V> inputs(std::size_t i) const {
+    const V flooded = hn::Load(d_, flooded_ + i);
+    if constexpr (one_surface)
+      return {hn::Set(d_, stiffness_[0]), hn::Set(d_, offset_[0]), flooded};
+    else
+      return {hn::Load(d_, stiffness_ + i), hn::Load(d_, offset_ + i), flooded};
+  }
+  HWY_INLINE Iterate<V> iterate(std::size_t i) const {
+    return {hn::Load(d_, film_parameter_ + i), hn::Load(d_, log_rise_ + i)};
+  }
+  HWY_INLINE Asperities<V> asperities_at(std::size_t i) const {
+    return {hn::Load(d_, share_ + i), hn::Load(d_, hazard_ + i), hn::Load(d_, slope_ + i)};
+  }
+  HWY_INLINE std::size_t place_of(std::size_t i) const {
+    return std::bit_cast<std::size_t>(place_[i]);
+  }
+  HWY_INLINE void put(hn::Mask<D> mask, V value, double* to) const {
+    hn::StoreU(compressed(d_, value, mask), d_, to + count_);
+  }
+  template <class Visitor>
+  HWY_INLINE void for_each_vector(const Visitor& visit) const {
+    for (std::size_t i = 0; i < count_; i += hn::Lanes(d_)) visit(i);
+  }
+
+  HWY_INLINE void move(Order order) {
+    for_each_vector([&](std::size_t i) HWY_ATTR {
+      const auto at = asperities(d_, order, inputs(i), hn::Load(d_, film_parameter_ + i));
+      hn::Store(at.share, d_, share_ + i);
+      hn::Store(at.hazard, d_, hazard_ + i);
+      hn::Store(at.slope, d_, slope_ + i);
+    });
+    for_each_vector([&](std::size_t i) HWY_ATTR {
+      hn::Store(film_share(d_, hn::Load(d_, log_rise_ + i)), d_, film_share_ + i);
+    });
+    for_each_vector([&](std::size_t i) HWY_ATTR {
+      hn::Store(log_balance(d_, hn::Load(d_, share_ + i), hn::Load(d_, film_share_ + i)), d_,
+                logarithm_ + i);
+    });
+    for_each_vector([&](std::size_t i) HWY_ATTR {
+      const Step<D> step =
+          sharing_step(d_, hn::Load(d_, flooded_ + i), iterate(i), asperities_at(i),
+                       hn::Load(d_, film_share_ + i), hn::Load(d_, logarithm_ + i));
+      hn::Store(step.base, d_, base_ + i);
+      hn::Store(step.shift, d_, shift_ + i);
+      hn::StoreMaskBits(d_, step.is_last, is_last_ + i);
+      const auto below = is_below_floor(d_, asperities_at(i), iterate(i));
+      if (hn::AllFalse(d_, below))
+        hn::Store(step.log_rise, d_, log_rise_ + i);
+      else
+        jump(order, i, below, step);
+    });
+    for_each_vector([&](std::size_t i) HWY_ATTR {
+      hn::Store(times_exp(d_, hn::Load(d_, base_ + i), hn::Load(d_, shift_ + i)), d_,
+                film_parameter_ + i);
+    });
+  }
+
+  HWY_NOINLINE void jump(Order order, std::size_t i, hn::Mask<D> below, const Step<D>& step) {
+    const Iterate<V> at = jump_above_floor(d_, order, inputs(i), asperities_at(i));
+    hn::Store(hn::IfThenElse(below, at.film_parameter, step.base), d_, base_ + i);
+    hn::Store(hn::IfThenZeroElse(below, step.shift), d_, shift_ + i);
+    hn::Store(hn::IfThenElse(below, at.log_rise, step.log_rise), d_, log_rise_ + i);
+    hn::StoreMaskBits(d_, hn::AndNot(below, step.is_last), is_last_ + i);
+  }
+
+  HWY_INLINE void leave(double* result) {
+    const std::size_t all = count_;
+    count_ = 0;
+    for (std::size_t i = 0; i < all; i += hn::Lanes(d_)) {
+      const auto present = hn::FirstN(d_, all - i);
+      const auto is_last = hn::LoadMaskBits(d_, is_last_ + i);
+      const SharingInputs<V> in = inputs(i);
+      const Iterate<V> at = iterate(i);
+      const V place = hn::Load(d_, place_ + i);
+      hn::StoreU(compressed(d_, at.film_parameter, hn::And(is_last, present)), d_, root_);
+      hn::StoreU(compressed(d_, place, hn::And(is_last, present)), d_, root_place_);
+      const std::size_t there = hn::CountTrue(d_, hn::And(is_last, present));
+      for (std::size_t j = 0; j < there; ++j)
+        result[std::bit_cast<std::size_t>(root_place_[j])] = root_[j];
+      add(hn::AndNot(is_last, present), in, at, place);
+    }
+  }
+
+  static constexpr std::size_t lanes = hn::MaxLanes(D());
+  static constexpr std::size_t room = sharing_block + lanes;
+  static constexpr std::size_t surface_room = one_surface ? 1 : room;
+  D d_;
+  std::size_t count_ = 0;
+  HWY_ALIGN double stiffness_[surface_room];
+  HWY_ALIGN double offset_[surface_room];
+  HWY_ALIGN double flooded_[room];
+  HWY_ALIGN double film_parameter_[room];
+  HWY_ALIGN double log_rise_[room];
+  HWY_ALIGN double place_[room];
+  // within a step
+  HWY_ALIGN double share_[room];
+  HWY_ALIGN double hazard_[room];
+  HWY_ALIGN double slope_[room];
+  HWY_ALIGN double film_share_[room];
+  HWY_ALIGN double logarithm_[room];
+  HWY_ALIGN double base_[room];
+  HWY_ALIGN double shift_[room];
+  HWY_ALIGN double root_[lanes];
+  HWY_ALIGN double root_place_[lanes];
+  HWY_ALIGN std::uint8_t is_last_[room];
+};
+
+// At most sharing_block points; the steps they took. NaN: left to Newton's method.
+std::size_t many_surfaces(Order order, const double* stiffness, const double* offset,
+                          const double* flooded, double* result, std::size_t count) {
+  using D = hn::ScalableTag<double>;
+  using V = hn::Vec<D>;
+  const D d;
+  const hn::RebindToSigned<D> integers;
+  auto place = hn::Iota(integers, 0);
+  Travellers<D, false> travellers(d);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const std::size_t left = count - i;
+    const SharingInputs<V> in{load(d, stiffness + i, left), load(d, offset + i, left),
+                              load(d, flooded + i, left)};
+    const auto good = in_range(d, in);
+    const auto open = hn::AndNot(is_free_of_asperities(d, in), good);
+    store(d, hn::IfThenElse(good, in.flooded, hn::Set(d, std::numeric_limits<double>::quiet_NaN())),
+          result + i, left);
+    travellers.add(hn::And(open, hn::FirstN(d, left)), in, {in.flooded, hn::Zero(d)},
+                   hn::BitCast(d, place));
+    place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
+  }
+  return travellers.travel(order, result);
+}
+
+// What a surface knows of its root beforehand.
+template <class D>
+struct SurfaceStart {
+  Iterate<hn::Vec<D>> at;  // the root, or a start; NaN where it is left to Newton's method
+  hn::Mask<D> is_open;     // not the root yet
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE SurfaceStart<D> surface_start(D d, const detail::SharingSurface& surface,
+                                         const SharingInputs<V>& in) {
+  const V floor = hn::Set(d, surface.floor);
+  const auto good = in_range(d, in);
+  const auto is_film = hn::Ge(in.flooded, hn::Set(d, surface.film_from));
+  const auto is_floor = hn::Le(in.flooded, hn::Set(d, surface.floor_up_to));
+  const auto open = hn::AndNot(hn::Or(is_film, is_floor), good);
+  const auto below = hn::And(open, hn::Lt(in.flooded, floor));
+  const V lambda = hn::IfThenElse(is_floor, floor, in.flooded);
+  const V nan = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
+  SurfaceStart<D> start{{hn::IfThenElse(good, lambda, nan), hn::Zero(d)}, open};
+  if (hn::AllFalse(d, below)) return start;
+  const Iterate<V> above =
+      above_floor(d, floor, hn::Set(d, surface.hazard), hn::Min(in.flooded, floor));
+  start.at.film_parameter = hn::IfThenElse(below, above.film_parameter, start.at.film_parameter);
+  start.at.log_rise = hn::IfThenElse(below, above.log_rise, start.at.log_rise);
+  return start;
+}
+
+std::size_t one_surface(const detail::SharingSurface& surface, const double* flooded,
+                        double* result, std::size_t count) {
+  using D = hn::ScalableTag<double>;
+  using V = hn::Vec<D>;
+  const D d;
+  const V stiffness = hn::Set(d, surface.stiffness), offset = hn::Set(d, surface.offset);
+  const hn::RebindToSigned<D> integers;
+  auto place = hn::Iota(integers, 0);
+  Travellers<D, true> travellers(d, surface.stiffness, surface.offset);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const std::size_t left = count - i;
+    const SharingInputs<V> in{stiffness, offset, load(d, flooded + i, left)};
+    const auto start = surface_start(d, surface, in);
+    store(d, start.at.film_parameter, result + i, left);
+    travellers.add(hn::And(start.is_open, hn::FirstN(d, left)), in, start.at,
+                   hn::BitCast(d, place));
+    place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
+  }
+  return travellers.travel(surface.order, result);
+}
+
+}  // namespace tribo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // toggle
