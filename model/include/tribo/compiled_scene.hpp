@@ -13,7 +13,9 @@ namespace tribo {
 
 // The outputs of a set at speeds in [from, to] m/s, 0 < from < to. Building it solves some thousand
 // points for each output. What no piece holds (next to a kink: the collapse, a floor reached), what
-// lies outside the range, and a word within 1e-12 of its threshold come from solve().
+// lies outside the range, and a word within 1e-12 of its threshold come from solve(); so do numbers
+// whose condition makes more than the bound of solve()'s own last digits, as a share next to a
+// floor.
 class CompiledScene {
  public:
   // Of each number, relative to what solve() gives, whose own error comes on top.
