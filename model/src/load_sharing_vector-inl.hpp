@@ -7,17 +7,18 @@
 //
 //   where A ≤ w   g = p y + ln(1 − A)       where A > w   g = ln(1 − w) − U
 //
-// both increase and are nearly straight, so that Halley's steps reach the root in one to three from
-//   λ₀                   where A(λ₀) < 1,
+// both increase and are nearly straight, so that Chebyshev's steps, of third order, reach the root
+// in one to three from
+//   λ₀                   where A(λ₀) < 1 and not next to it,
 //   just above the floor where not: there U = −h(λ − λ_b), and 1 − w hardly changes.
 // The floor is the surface's; unknown, it is found to a few digits from U and its derivatives at
 // λ₀.
 //
 // A step is the last where it is below 2^−17 of the length over which g bends, 1/(p + λ|dU/dλ|) or
 // 1/g′, where that is shorter (next to the pole of a logarithm): its error is cubic, below 2^−51 of
-// that length. No iterate falls below one that was left of the
-// root, and a lane that is not there after max_sharing_steps is left to Newton's method on the
-// convex form.
+// that length. No iterate falls below λ₀, and a lane that is not there after max_sharing_steps is
+// left to Newton's method on the convex form, which rises to the root from wherever it starts left
+// of it.
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
