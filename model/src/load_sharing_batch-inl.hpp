@@ -218,8 +218,8 @@ class Travellers {
 };
 
 // At most sharing_block points; the steps they took. NaN: left to Newton's method.
-std::size_t many_surfaces(Order order, const double* stiffness, const double* offset,
-                          const double* flooded, double* result, std::size_t count) {
+inline std::size_t many_surfaces(Order order, const double* stiffness, const double* offset,
+                                 const double* flooded, double* result, std::size_t count) {
   using D = hn::ScalableTag<double>;
   using V = hn::Vec<D>;
   const D d;
@@ -268,8 +268,8 @@ HWY_INLINE SurfaceStart<D> surface_start(D d, const detail::SharingSurface& surf
   return start;
 }
 
-std::size_t one_surface(const detail::SharingSurface& surface, const double* flooded,
-                        double* result, std::size_t count) {
+inline std::size_t one_surface(const detail::SharingSurface& surface, const double* flooded,
+                               double* result, std::size_t count) {
   using D = hn::ScalableTag<double>;
   using V = hn::Vec<D>;
   const D d;
