@@ -13,20 +13,20 @@
 namespace tribo::verification {
 namespace {
 
-std::vector<std::string> split(std::string_view line) {
+std::vector<std::string> split(std::string_view line, char separator) {
   std::vector<std::string> cells;
   while (true) {
-    const std::size_t comma = line.find(',');
-    cells.emplace_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
+    const std::size_t end_of_cell = line.find(separator);
+    cells.emplace_back(line.substr(0, end_of_cell));
+    if (end_of_cell == std::string_view::npos) return cells;
+    line.remove_prefix(end_of_cell + 1);
   }
 }
 
 }  // namespace
 
-ReferenceRow::ReferenceRow(Columns columns, std::string_view line)
-    : columns_(std::move(columns)), cells_(split(line)) {
+ReferenceRow::ReferenceRow(Columns columns, std::string_view line, char separator)
+    : columns_(std::move(columns)), cells_(split(line, separator)) {
   if (cells_.size() != columns_->size())
     throw std::runtime_error(fmt::format("a row of {} cells under {} columns: {}", cells_.size(),
                                          columns_->size(), line));
@@ -55,7 +55,7 @@ double ReferenceRow::error_in_ulp(double got) const {
   return std::abs((got - high) - number("low")) / unit;
 }
 
-std::vector<ReferenceRow> read_reference_table(const std::string& path) {
+std::vector<ReferenceRow> read_reference_table(const std::string& path, char separator) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
   Columns columns;
@@ -65,9 +65,9 @@ std::vector<ReferenceRow> read_reference_table(const std::string& path) {
     while (std::getline(file, line)) {
       if (line.empty() || line.starts_with('#')) continue;
       if (!columns)
-        columns = std::make_shared<const std::vector<std::string>>(split(line));
+        columns = std::make_shared<const std::vector<std::string>>(split(line, separator));
       else
-        rows.emplace_back(columns, line);
+        rows.emplace_back(columns, line, separator);
     }
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}: {}", path, error.what()));

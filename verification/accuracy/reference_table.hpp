@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading the certified tables of reference/exact.
+// Reading tables of text: a line of column names, then rows, # before comments. The certified tables of
+// reference/exact are comma-separated, those of reference/published tab-separated.
 #pragma once
 
 #include <memory>
@@ -13,7 +14,7 @@ using Columns = std::shared_ptr<const std::vector<std::string>>;
 
 class ReferenceRow {
  public:
-  ReferenceRow(Columns columns, std::string_view line);
+  ReferenceRow(Columns columns, std::string_view line, char separator);
 
   const std::string& text(std::string_view column) const;  // throws where there is no such column
   double number(std::string_view column) const;            // hexfloat or decimal
@@ -29,6 +30,6 @@ class ReferenceRow {
 
 // The rows of a table. Throws std::runtime_error with one line that names the file and what is
 // wrong with it.
-std::vector<ReferenceRow> read_reference_table(const std::string& path);
+std::vector<ReferenceRow> read_reference_table(const std::string& path, char separator = ',');
 
 }  // namespace tribo::verification

@@ -177,16 +177,16 @@ Onset<T> film_departure(const MixedContact<T>& contact, const T& departure) {
   return onset_at(criterion, contact, point.flooded, T(1 - departure));
 }
 
-// The argument of the least value of f in (low, high), by golden section; accurate to about √ε of
-// the scale on which f varies, as f is flat at a minimum.
+// The argument of the least value of f in (low, high), by golden section, to `width`; more than about
+// √ε of the scale on which f varies is not to be had, as f is flat at a minimum.
 template <class T, class Function>
-T golden_section_minimum(Function&& f, T low, T high) {
+T golden_section_minimum(Function&& f, T low, T high, const T& width) {
   using std::abs;
   using std::sqrt;
   const T golden = (sqrt(T(5)) - 1) / 2;
   T left = high - golden * (high - low), right = low + golden * (high - low);
   T f_left = f(left), f_right = f(right);
-  while (abs(high - low) > sqrt(epsilon<T>()) / 4 * (1 + abs(low))) {
+  while (abs(high - low) > width * (1 + abs(low))) {
     if (f_left < f_right) {
       high = right;
       right = left;
@@ -218,6 +218,7 @@ inline SpeedSpan speed_span(const Speeds& speeds) {
 template <class T>
 Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
   using std::log;
+  using std::sqrt;
   constexpr OnsetCriterion criterion = OnsetCriterion::friction_minimum;
   if (!has_friction_inputs(scene))
     return no_onset<T>(criterion,
@@ -252,7 +253,7 @@ Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
     const bool is_minimum = i >= 2 && f[1] * margin < f[0] && f[1] * margin < f[2];
     if (!is_minimum || f[1] >= lowest) continue;
     lowest = f[1];
-    lowest_at = golden_section_minimum(friction, s[0], s[2]);
+    lowest_at = golden_section_minimum(friction, s[0], s[2], T(sqrt(epsilon<T>()) / 4));
   }
   if (lowest != lowest)
     return no_onset<T>(criterion, "friction has no interior minimum over the scene's speeds");

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/ledger_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/number_text.hpp"
+
+namespace tribo::report::ledger_cells {
+
+using namespace reproduction;
+
+namespace {
+
+bool is_over_speeds(const Item& item) {
+  switch (item.quantity) {
+    case Quantity::area_gw_over_gt:
+    case Quantity::area_rough_over_smooth:
+    case Quantity::count_gw_over_gt:
+    case Quantity::count_smoother_over_rougher:
+    case Quantity::film_gw_over_gt:
+    case Quantity::friction_gt_over_gw:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+bool is_wanted(const std::vector<std::string>& claims, const std::string& claim) {
+  return claims.empty() || std::find(claims.begin(), claims.end(), claim) != claims.end();
+}
+
+std::string number(const std::optional<double>& value, int digits) {
+  return value && std::isfinite(*value) ? rounded(*value, digits) : no_entry;
+}
+
+std::string percent(double part) {
+  if (part > 0 && part < 0.001) return "< 0.1 %";
+  return fmt::format("{} %", part == 1 ? "100" : fmt::format("{:.1f}", 100 * part));
+}
+
+// What the item asks for: the number, or the comparison.
+std::string asked(const Item& item) {
+  switch (item.rule) {
+    case Rule::number:
+      return item.unit == no_entry ? unrounded(item.reported)
+                                   : fmt::format("{} {}", unrounded(item.reported), item.unit);
+    case Rule::order:
+      return "> 1";
+    case Rule::equal:
+      return fmt::format("1, to {} %", unrounded(100 * item.tolerance));
+    case Rule::at_least:
+      return fmt::format("≥ {}", unrounded(item.tolerance));
+  }
+  return {};
+}
+
+std::string computed(const Item& item, const ItemResult& result) {
+  if (!result.observed.value) return no_entry;
+  if (is_over_speeds(item))
+    return fmt::format("{} … {}",
+                       number(std::min(*result.observed.value, result.observed.other_end), 3),
+                       number(std::max(*result.observed.value, result.observed.other_end), 3));
+  return number(*result.observed.value);
+}
+
+// Of a number the factor; of a comparison the part of the speeds where it holds.
+std::string factor(const Item& item, const ItemResult& result) {
+  if (!result.observed.value) return no_entry;
+  if (item.rule == Rule::number) return number(*result.observed.value / item.reported, 3);
+  return is_over_speeds(item) ? fmt::format("at {} of speeds", percent(result.observed.part))
+                              : no_entry;
+}
+
+std::string verdict(const ItemResult& result) {
+  std::string text(name(result.verdict));
+  if (!result.observed.value && !result.observed.none.empty())
+    text += fmt::format(": {}", result.observed.none);
+  return text;
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& one : names) text += (text.empty() ? "" : ", ") + one;
+  return text.empty() ? no_entry : text;
+}
+
+}  // namespace tribo::report::ledger_cells

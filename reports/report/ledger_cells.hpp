@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cells of the ledger's tables.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reproduction/ledger.hpp"
+
+namespace tribo::report::ledger_cells {
+
+inline constexpr const char* no_entry = "–";
+
+// Rounded, or no_entry.
+std::string number(const std::optional<double>& value, int digits = 4);
+std::string percent(double part);
+// What the item asks for: the number, or the comparison.
+std::string asked(const reproduction::Item& item);
+// What came out: a number, or least … greatest over speeds.
+std::string computed(const reproduction::Item& item, const reproduction::ItemResult& result);
+// Of a number the factor, of a comparison the part of the speeds where it holds.
+std::string factor(const reproduction::Item& item, const reproduction::ItemResult& result);
+std::string verdict(const reproduction::ItemResult& result);
+std::string list(const std::vector<std::string>& names);
+// All claims are wanted where none is named.
+bool is_wanted(const std::vector<std::string>& claims, const std::string& claim);
+
+}  // namespace tribo::report::ledger_cells

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ledger of the paper's claims (verification/reproduction) as tables, for page and command
+// line.
+#pragma once
+
+#include <vector>
+
+#include "report/text_table.hpp"
+#include "reproduction/ledger.hpp"
+
+namespace tribo::report {
+
+// One reading, item by item; `claims` names those to show, all if empty.
+TextTable reading_table(const reproduction::Ledger& ledger,
+                        const reproduction::NamedReading& reading,
+                        const std::vector<std::string>& claims = {}, bool with_statements = true);
+// What each item says, where, and how it is computed.
+TextTable statement_table(const reproduction::Ledger& ledger,
+                          const std::vector<std::string>& claims = {});
+// Verdict of each claim under each reading, and how many of all readings meet it.
+TextTable verdict_table(const reproduction::Ledger& ledger,
+                        const std::vector<std::string>& claims = {});
+
+TextTable ranking_table(const reproduction::Ledger& ledger);
+TextTable switch_table();
+TextTable identification_table(const reproduction::Ledger& ledger);
+std::vector<TextTable> argument_tables(const reproduction::Ledger& ledger);
+// Of each failing item the single-input changes that would make it hold.
+std::vector<TextTable> requirement_tables(const reproduction::Ledger& ledger,
+                                          const std::vector<std::string>& claims = {});
+TextTable departure_table(const reproduction::Ledger& ledger);
+TextTable uncertainty_table(const reproduction::Ledger& ledger);
+TextTable errata_table(const reproduction::Ledger& ledger);
+TextTable independent_table(const reproduction::Ledger& ledger);
+
+}  // namespace tribo::report

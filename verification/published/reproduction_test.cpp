@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reading model against the model, the enumeration against each reading by itself, the
+// inversions against what they promise, and the ledger against the committed one.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "reproduction/ledger_file.hpp"
+#include "support/judge.hpp"
+#include "support/sampler.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo::reproduction {
+namespace {
+
+using verification::is_close;
+using verification::is_within;
+using verification::Sampler;
+
+const std::string published = std::string(TRIBOCHECK_SOURCE_DIR) + "/reference/published";
+const std::string committed =
+    std::string(TRIBOCHECK_SOURCE_DIR) + "/reference/baselines/ledger.csv";
+
+const PaperScenes& scenes() {
+  static const PaperScenes read = read_paper_scenes(published);
+  return read;
+}
+const std::vector<Item>& items() {
+  static const std::vector<Item> read = read_claims(published + "/claims.tsv");
+  return read;
+}
+const Ledger& ledger() {
+  static const Ledger made = make_ledger({published, {}, 3, 2000});
+  return made;
+}
+Reading with(Switch which, std::uint8_t choice) {
+  Reading reading = corrected_reading();
+  reading.choice[static_cast<std::size_t>(which)] = choice;
+  return reading;
+}
+const Item& item(std::string_view id) {
+  return *std::find_if(items().begin(), items().end(),
+                       [&](const Item& one) { return one.id == id; });
+}
+
+TEST(CorrectedReading, IsTheModelAtEverySpeed) {
+  const Reading reading = corrected_reading();
+  const ReadInlet inlet(reading);
+  for (const Scene& scene : scenes().scene) {
+    const MixedContact<double> model(scene);
+    const ReadContact contact(scene, reading);
+    for (const double speed : speed_grid(scene.speeds.from, scene.speeds.to)) {
+      const OperatingPoint<double> expected = model.solve(speed);
+      const ContactPoint got = contact.point(speed, inlet);
+      const auto close = [&](double value, double to) {
+        EXPECT_TRUE(is_close(value, to, 1e-11, {{"speed", speed}}));
+      };
+      EXPECT_EQ(got.collapsed, expected.inlet == Inlet::collapsed);
+      if (!got.collapsed) close(got.film_parameter, expected.film_parameter);
+      close(got.asperity_share, expected.asperity_load_share);
+      close(got.real_area_ratio, expected.real_area_ratio);
+      close(got.summit_count, expected.summit_count);
+      if (!expected.friction_undefined)
+        close(contact.friction(got, friction_law(reading)), expected.friction);
+    }
+  }
+}
+
+TEST(CorrectedReading, HasTheModelsOnsets) {
+  const std::vector<double> speeds = speed_grid(1e-4, 3);
+  constexpr std::array<std::pair<OnsetCriterion, std::uint8_t>, 4> criteria{
+      {{OnsetCriterion::film_maximum, 0},
+       {OnsetCriterion::film_departure, 2},
+       {OnsetCriterion::friction_minimum, 6},
+       {OnsetCriterion::asperity_minimum, 7}}};
+  for (const Scene& scene : scenes().scene)
+    for (const auto& [criterion, choice] : criteria) {
+      const Reading reading = with(Switch::criterion, choice);
+      const ReadInlet inlet(reading);
+      const FloodedCurve flooded = flooded_curve(ReadContact(scene, reading), speeds);
+      const auto got = onset_of(flooded, starved_curve(flooded, inlet, speeds), inlet,
+                                reading.onset(), friction_law(reading));
+      const Onset<double> expected = onset(MixedContact<double>(scene), scene, criterion, 0.05);
+      ASSERT_EQ(got.has_value(), expected.exists);
+      // Friction is flat at its minimum.
+      const double bound = criterion == OnsetCriterion::friction_minimum ? 2e-6 : 1e-12;
+      EXPECT_TRUE(is_close(got->speed, expected.speed, bound, {}));
+      EXPECT_TRUE(is_close(got->film_parameter, expected.film_parameter, bound, {}));
+    }
+}
+
+TEST(ReadInlets, AreTheModelsClosuresWithTheLineContactsGap) {
+  constexpr std::array<std::pair<std::uint8_t, StarvationClosure>, 3> rules{
+      {{0, StarvationClosure::flooded_inlet},
+       {1, StarvationClosure::starved_inlet},
+       {2, StarvationClosure::printed_exponents}}};
+  for (const auto& [choice, closure] : rules) {
+    const ReadInlet inlet(with(Switch::inlet, choice));
+    for (const double r : {1e-4, 0.01, 0.3, 0.6, 0.9, 0.999}) {
+      EXPECT_TRUE(
+          is_close(inlet.film_ratio(r), starvation_ratio(closure, r, 3.0), 1e-13, {{"r", r}}));
+      EXPECT_TRUE(is_close(inlet.slope(r), starvation_slope(closure, r, 3.0), 1e-11, {{"r", r}}));
+    }
+    for (const OnsetChoice& onset : onset_choices) {
+      if (onset.rule != OnsetRule::film_departure) continue;
+      EXPECT_TRUE(is_close(inlet.departure(onset.departure),
+                           departure_flooded_over_inlet(closure, onset.departure, 3.0), 1e-13,
+                           {{"epsilon", onset.departure}}));
+    }
+    const double maximum = film_maximum_flooded_over_inlet<double>(closure);
+    ASSERT_EQ(inlet.maximum().has_value(), maximum == maximum);
+    if (!inlet.maximum()) continue;
+    EXPECT_TRUE(is_close(*inlet.maximum(), maximum, 1e-12, {}));
+  }
+}
+
+// h*/h_oil = (2/π) arctan(2.7ψ) and h_oil/h* = 1 + ψ^{3/2}/c: the film does not enter.
+TEST(ReadInlets, AsPrintedGivesOneFilmAtEverySpeed) {
+  const ReadInlet inlet(with(Switch::inlet, 3));
+  EXPECT_TRUE(is_within(inlet.film_ratio(1), 0.597, 0.0005));
+  const double psi = wolveridge_inlet_length(inlet.film_ratio(1));
+  EXPECT_TRUE(is_close(1 / inlet.film_ratio(1), 1 + psi * std::sqrt(psi) * 4 * std::sqrt(2.0) / 3,
+                       1e-12, {}));
+  for (const double r : {0.01, 0.5, 2.0})
+    EXPECT_TRUE(is_close(r * inlet.film_ratio(r), inlet.film_ratio(1), 1e-15, {{"r", r}}));
+}
+
+TEST(ReadInlets, GapOfACircularContactIsGreaterByFourOverPi) {
+  // ψ at a given film grows with c^{2/3}: y at r with the point's gap is y at another ψ.
+  const ReadInlet line(with(Switch::inlet, 0)), point(with(Switch::gap, 1));
+  for (const double r : {0.1, 0.5, 0.9}) {
+    const double psi_line = wolveridge_inlet_length(line.film_ratio(r));
+    const double psi_point = wolveridge_inlet_length(point.film_ratio(r));
+    EXPECT_TRUE(
+        is_close(psi_point / psi_line, std::pow(pi<double>() / 4, 2.0 / 3), 1e-12, {{"r", r}}));
+  }
+}
+
+TEST(Readings, AreNumberedOneByOne) {
+  EXPECT_EQ(reading_count(), 393216U);
+  Sampler sampler(11);
+  for (int i = 0; i < 1000; ++i) {
+    const auto index = static_cast<std::size_t>(sampler.uniform(0, 393216));
+    EXPECT_EQ(index_of(reading_at(index)), index);
+  }
+  EXPECT_EQ(departures(corrected_reading()), "corrected");
+  Reading reading = corrected_reading();
+  set_switch(reading, "speed=sum");
+  set_switch(reading, "inlet=printed_exponents");
+  EXPECT_EQ(departures(reading), "inlet=printed_exponents speed=sum");
+  EXPECT_THROW(set_switch(reading, "inlet=flood"), std::invalid_argument);
+  EXPECT_THROW(set_switch(reading, "inlets=as_printed"), std::invalid_argument);
+  EXPECT_THROW(set_switch(reading, "inlet"), std::invalid_argument);
+}
+
+TEST(Enumeration, OfAllReadingsIsEachReadingByItself) {
+  const Enumeration all = enumerate(scenes(), items());
+  Sampler sampler(12);
+  for (int i = 0; i < 60; ++i) {
+    const auto index = static_cast<std::size_t>(sampler.uniform(0, 393216));
+    const std::vector<ItemResult> results = evaluate(scenes(), reading_at(index), items());
+    ItemMask mask = 0;
+    for (std::size_t k = 0; k < results.size(); ++k)
+      if (results[k].verdict == Verdict::reproduced) mask |= 1U << k;
+    EXPECT_EQ(all.items[index], mask) << departures(reading_at(index));
+    EXPECT_EQ(all.claims[index], claims_of(mask, items())) << departures(reading_at(index));
+  }
+}
+
+TEST(Enumeration, ComputesAStageOnceForTheReadingsThatShareIt) {
+  const Ledger& made = ledger();
+  // 24 films (U doubles twice over, by E* and by the sum), 16 rough contacts of three surfaces, 4
+  // of GW
+  EXPECT_EQ(made.work.films, 24U * (3 * 16 + 4));
+  EXPECT_EQ(made.work.inlets, made.work.films * 8);
+  EXPECT_EQ(made.work.friction_curves, made.work.inlets * 6);
+}
+
+TEST(Verdicts, FollowTheirRules) {
+  const auto number = [](double value) { return judge(item("C1.rough"), {value, value}); };
+  EXPECT_EQ(number(0.55), Verdict::reproduced);
+  EXPECT_EQ(number(0.5501), Verdict::order_only);
+  EXPECT_EQ(number(1.58), Verdict::order_only);
+  EXPECT_EQ(number(1.59), Verdict::not_reproduced);
+  EXPECT_EQ(judge(item("C17"), {1.8994, 0}), Verdict::reproduced);
+  EXPECT_EQ(judge(item("C17"), {1.8996, 0}), Verdict::within_ten_percent);
+  EXPECT_EQ(judge(item("C1.rough"), {}), Verdict::not_reproduced);
+  EXPECT_EQ(judge(item("C14"), {1.01, 2, 1}), Verdict::reproduced);
+  EXPECT_EQ(judge(item("C14"), {0.99, 2, 0.5}), Verdict::in_part);
+  EXPECT_EQ(judge(item("C14"), {0.99, 2, 0.49}), Verdict::not_reproduced);
+  EXPECT_EQ(judge(item("C13"), {1 / 1.0999, 1, 1}), Verdict::reproduced);
+  EXPECT_EQ(judge(item("C13"), {1.12, 1, 0.7}), Verdict::in_part);
+  EXPECT_EQ(judge(item("C8"), {1.05, 1.05, 0}), Verdict::within_ten_percent);
+  EXPECT_EQ(judge(item("C6"), {0.01, 1, 1}), Verdict::reproduced);
+  EXPECT_EQ(judge(item("C6"), {0.009, 1, 2 / 3.0}), Verdict::in_part);
+}
+
+TEST(Verdicts, AClaimHasTheWorstOfItsItems) {
+  const NamedReading& corrected = ledger().readings.front();
+  const std::vector<std::string> claims = claim_names(items());
+  ASSERT_EQ(claims.size(), 17U);
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    Verdict least = Verdict::reproduced;
+    for (std::size_t i = 0; i < items().size(); ++i)
+      if (items()[i].claim == claims[k]) least = worst(least, corrected.results[i].verdict);
+    EXPECT_EQ(corrected.verdicts[k], least) << claims[k];
+  }
+}
+
+TEST(Ranking, CountsEveryReading) {
+  const Ranking& ranking = ledger().ranking;
+  std::size_t sum = 0, weighted = 0;
+  for (std::size_t score = 0; score < ranking.histogram.size(); ++score) {
+    sum += ranking.histogram[score];
+    weighted += score * ranking.histogram[score];
+  }
+  EXPECT_EQ(sum, reading_count());
+  EXPECT_TRUE(is_close(ranking.mean_score, static_cast<double>(weighted) / static_cast<double>(sum),
+                       1e-14, {}));
+  double parts = 0;
+  for (const double part : ledger().claim_parts) parts += part;
+  EXPECT_TRUE(is_close(parts, ranking.mean_score, 1e-12, {}));
+  const RankedGroup& best = ranking.best.front();
+  EXPECT_EQ(ranking.histogram[static_cast<std::size_t>(best.score)], ranking.best_ties);
+  for (std::size_t s = static_cast<std::size_t>(best.score) + 1; s < ranking.histogram.size(); ++s)
+    EXPECT_EQ(ranking.histogram[s], 0U);
+  EXPECT_EQ(named_reading(scenes(), items(), "", best.representative).score, best.score);
+}
+
+TEST(Requirements, MakeTheirItemHold) {
+  std::size_t found = 0;
+  for (const Requirement& one : ledger().requirements) {
+    if (!one.factor) continue;
+    ++found;
+    PaperScenes changed = scenes();
+    scale_all(changed, one.field, *one.factor);
+    const Item& wanted = items()[one.item];
+    const Observed observed = evaluate(changed, corrected_reading(), wanted);
+    EXPECT_EQ(judge(wanted, observed), Verdict::reproduced) << wanted.id << ' ' << name(one.field);
+    if (wanted.rule != Rule::number) continue;
+    EXPECT_TRUE(is_close(*observed.value, wanted.reported, 1e-5, {{"factor", *one.factor}}));
+  }
+  EXPECT_GT(found, 40U);
+}
+
+// u ∝ 1/η at a given film: the sensitivity of the onset speed to viscosity is −1, and the inversion
+// the ratio itself.
+TEST(Requirements, InvertThePowerLawsOfTheFilmFormula) {
+  std::size_t found = 0;
+  for (const Requirement& one : ledger().requirements) {
+    const Item& wanted = items()[one.item];
+    if (wanted.quantity != Quantity::onset_speed) continue;
+    const double ratio =
+        *ledger().readings.front().results[one.item].observed.value / wanted.reported;
+    if (one.field == Field::viscosity || one.field == Field::speed) {
+      EXPECT_TRUE(is_close(*one.sensitivity, -1, 1e-6, {}));
+      EXPECT_TRUE(is_close(*one.factor, ratio, 1e-6, {}));
+      ++found;
+    }
+    if (one.field != Field::pressure_viscosity) continue;
+    EXPECT_TRUE(is_close(*one.factor, std::pow(ratio, 0.67 / 0.53), 1e-6, {}));
+  }
+  EXPECT_EQ(found, 6U);
+}
+
+TEST(CommonDepartures, GiveTheReportedSpeedsByTheModelToo) {
+  constexpr std::array reported{0.5, 0.15, 0.09};
+  const CommonDeparture& found = ledger().departure;
+  for (std::size_t i = 0; i < surface_count; ++i) {
+    ASSERT_TRUE(found.own[i].has_value());
+    const Scene& scene = scenes().scene[i];
+    const auto speed = [&](double departure) {
+      return onset(MixedContact<double>(scene), scene, OnsetCriterion::film_departure, departure)
+          .speed;
+    };
+    EXPECT_TRUE(is_close(speed(*found.own[i]), reported[i], 1e-9, {}));
+    EXPECT_TRUE(is_close(speed(found.best) / reported[i], found.factor[i], 1e-9, {}));
+  }
+  // The best common one balances the greatest factors up and down.
+  const auto [least, greatest] = std::minmax_element(found.factor.begin(), found.factor.end());
+  EXPECT_TRUE(is_close(*least * *greatest, 1, 1e-6, {}));
+}
+
+TEST(Uncertainties, AreTheSameForTheSameDrawsAndWiderForWiderInputs) {
+  const std::vector<Input> inputs = read_inputs(published + "/inputs.tsv");
+  const ReportedOnsets reported{{0.5, 0.15, 0.09}, {0.1, 0.01, 0.01}};
+  const Uncertainty first = uncertainty(scenes(), inputs, Spread::print, 500, reported);
+  const Uncertainty again = uncertainty(scenes(), inputs, Spread::print, 500, reported);
+  const Uncertainty wide = uncertainty(scenes(), inputs, Spread::plausible, 500, reported);
+  for (std::size_t i = 0; i < surface_count; ++i) {
+    EXPECT_EQ(first.onset_speed[i].low, again.onset_speed[i].low);
+    EXPECT_EQ(first.onset_speed[i].high, again.onset_speed[i].high);
+    const Interval& a = first.onset_speed[i];
+    const Interval& b = wide.onset_speed[i];
+    EXPECT_LT(b.low, a.low);
+    EXPECT_GT(b.high, a.high);
+    EXPECT_LE(a.least, a.low);
+    EXPECT_LE(a.low, a.median);
+    EXPECT_LE(a.median, a.high);
+    EXPECT_LE(a.high, a.greatest);
+    const double nominal =
+        *ledger().readings.front().results[i].observed.value;  // C1.rough, C1.medium, C1.smooth
+    EXPECT_LT(a.least, nominal);
+    EXPECT_GT(a.greatest, nominal);
+  }
+}
+
+TEST(Errata, AreAllThereAndChangeWhatTheyClaimToChange) {
+  const std::vector<Erratum>& errata = ledger().errata;
+  ASSERT_EQ(errata.size(), 25U);
+  for (std::size_t i = 0; i < errata.size(); ++i) {
+    const Erratum& one = errata[i];
+    EXPECT_EQ(one.id, fmt::format("E{}", i + 1));
+    if (one.kind == "notation") {
+      EXPECT_FALSE(one.as_printed.has_value()) << one.id;
+      continue;
+    }
+    ASSERT_TRUE(one.as_printed && one.as_corrected) << one.id;
+    EXPECT_GT(std::abs(*one.as_printed - *one.as_corrected), 1e-3 * std::abs(*one.as_corrected))
+        << one.id;
+  }
+}
+
+// Every switch belongs to an erratum that says so, and the other way round.
+TEST(Errata, OfTheKindReadingNameTheirSwitches) {
+  std::string named;
+  for (const Erratum& one : ledger().errata)
+    if (one.kind == "reading") named += ", " + one.switch_or_reason + ",";
+  for (std::size_t i = 0; i < switch_count; ++i) {
+    const SwitchInfo& one = info(static_cast<Switch>(i));
+    if (one.name == "criterion") continue;
+    EXPECT_NE(named.find(fmt::format(" {},", one.name)), std::string::npos) << one.name;
+  }
+}
+
+TEST(Arguments, IdentifyTheExponentTheInletTheConstantAndTheDeviation) {
+  std::vector<std::size_t> agreeing;
+  for (const Argument& one : ledger().arguments) agreeing.push_back(one.agreeing());
+  // q = 1/2 both ways it is computed; the inlet; no criterion, twice; none of the shares; constant;
+  // σ.
+  EXPECT_EQ(agreeing, (std::vector<std::size_t>{2, 1, 0, 0, 0, 1, 1}));
+  EXPECT_TRUE(ledger().arguments[0].candidates[0].agrees);
+  EXPECT_TRUE(ledger().arguments[0].candidates[1].agrees);
+  EXPECT_TRUE(ledger().arguments[1].candidates[0].agrees);
+}
+
+TEST(IndependentNumbers, AreReproducedToTheirLastDigit) {
+  ASSERT_EQ(ledger().independent.size(), 12U);
+  for (const IndependentNumber& one : ledger().independent) {
+    EXPECT_EQ(one.reproduced, true) << one.case_name << ' ' << one.quantity;
+    EXPECT_TRUE(is_close(one.computed, one.reported, std::pow(10, 1 - one.digits) / 2, {}));
+  }
+}
+
+TEST(CommittedLedger, HasTheVerdictsAndNumbersThatComeOut) {
+  const LedgerChanges changes = changes_since(committed, ledger(), ledger().readings, {});
+  for (const std::string& line : changes.verdicts) ADD_FAILURE() << "verdict changed: " << line;
+  for (const std::string& line : changes.numbers) ADD_FAILURE() << "number moved: " << line;
+  // All of it: no reading or item is missing there.
+  std::ifstream file(committed);
+  const auto lines = std::count(std::istreambuf_iterator<char>(file), {}, '\n');
+  EXPECT_EQ(static_cast<std::size_t>(lines), 1 + ledger().readings.size() * items().size());
+}
+
+TEST(CommittedLedger, ChangesAreNamed) {
+  const std::string path = testing::TempDir() + "/ledger_changed.csv";
+  std::string text = ledger_csv(ledger(), ledger().readings, {});
+  const auto change = [&](const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  };
+  change(",reproduced,reproduced,", ",not reproduced,reproduced,");  // the first is C2.rough
+  change("corrected,corrected,C1.rough,C1,2.0", "corrected,corrected,C1.rough,C1,2.1");
+  std::ofstream(path) << text;
+  const LedgerChanges changes = changes_since(path, ledger(), ledger().readings, {});
+  ASSERT_EQ(changes.verdicts.size(), 1U);
+  EXPECT_TRUE(changes.verdicts[0].starts_with("C2.rough, corrected: was not reproduced"))
+      << changes.verdicts[0];
+  ASSERT_EQ(changes.numbers.size(), 1U);
+  EXPECT_TRUE(changes.numbers[0].starts_with("C1.rough, corrected: was 2.1")) << changes.numbers[0];
+  std::filesystem::remove(path);
+}
+
+// What is wrong with a data file is one line that names it.
+TEST(PublishedFiles, AreRefusedByNameWhereTheyAreWrong) {
+  const std::string path = testing::TempDir() + "/claims_wrong.tsv";
+  std::ifstream file(published + "/claims.tsv");
+  const std::string good((std::istreambuf_iterator<char>(file)), {});
+  const auto refused = [&](const std::string& from, const std::string& to, const std::string& why) {
+    std::string text = good;
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    std::ofstream(path) << text.replace(at, from.size(), to);
+    try {
+      read_claims(path);
+      ADD_FAILURE() << "not refused: " << to;
+    } catch (const std::runtime_error& error) {
+      const std::string what = error.what();
+      EXPECT_TRUE(what.starts_with(path)) << what;
+      EXPECT_NE(what.find(why), std::string::npos) << what;
+      EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    }
+  };
+  refused("\tonset_speed\t", "\tonset_speeds\t", "onset_speeds is no quantity");
+  refused("\tnumber\t", "\tnumbers\t", "numbers is no rule");
+  refused("\t0.5\t0.1\t", "\thalf\t0.1\t", "half is no number");
+  refused("\trough\tboth\t", "\trough\t", "a row of 13 cells under 14 columns");
+  refused("quantity\tsurface", "quantities\tsurface", "no column quantity");
+  std::filesystem::remove(path);
+  EXPECT_THROW(read_claims(path), std::runtime_error);
+  EXPECT_THROW(read_paper_scenes(testing::TempDir() + "/no_such_folder"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace tribo::reproduction

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's claims, from reference/published/claims.tsv: what is printed, and the rule that
+// decides.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo::reproduction {
+
+enum class PaperSurface : std::uint8_t { rough, medium, smooth };
+inline constexpr std::size_t surface_count = 3;
+
+// What an item's number is; observation.hpp computes it. claims.tsv says in words what each is.
+enum class Quantity : std::uint8_t {
+  onset_speed,
+  onset_film_parameter,
+  onset_speed_order,
+  slow_asperity_share,
+  equal_share_speed_order,
+  late_share_rise,
+  area_gw_over_gt,
+  slow_area_spread,
+  area_rough_over_smooth,
+  area_transition_gw_over_gt,
+  slow_count_gt_over_gw,
+  count_gw_over_gt,
+  count_smoother_over_rougher,
+  film_gw_over_gt,
+  friction_gt_over_gw,
+  onset_gw_over_gt,
+  flooded_slope,
+  starved_slope_range,
+  film_constant,
+};
+std::string_view name(Quantity quantity);
+
+enum class Rule : std::uint8_t { number, order, equal, at_least };
+
+// One line of claims.tsv.
+struct Item {
+  std::string id;     // "C1.rough"
+  std::string claim;  // "C1"
+  Quantity quantity;
+  PaperSurface surface;  // of those that have one
+  std::string surface_text, model;
+  Rule rule;
+  std::string printed;  // as the paper has it
+  double reported;      // of rule number
+  double last_digit;    // likewise: the unit of the last printed digit
+  double tolerance;     // of equal and at_least
+  std::string unit, place, statement, computed_as;
+};
+
+// What a reading gives for an item.
+struct Observed {
+  std::optional<double> value;  // what decides: of a comparison over speeds, its worst
+  double other_end = 0;         // of a comparison over speeds, its best; else the value
+  double part = 1;              // of the compared (logarithmic) speeds, or surfaces: where it holds
+  std::string_view none{};      // why there is no value
+};
+
+enum class Verdict : std::uint8_t {
+  reproduced,          // within print precision, or as the rule asks everywhere
+  within_ten_percent,  // a number, or a ratio that should be 1
+  order_only,          // a number within a factor √10
+  in_part,             // a comparison that holds over at least half of what is compared
+  not_reproduced,
+};
+std::string_view name(Verdict verdict);
+
+Verdict judge(const Item& item, const Observed& observed);
+
+// Above 0 where the rule is met, and continuous in the value; for numbers ln(value/reported), which
+// is 0 at the reported value.
+std::optional<double> margin(const Item& item, const Observed& observed);
+
+// Throws std::runtime_error with one line.
+std::vector<Item> read_claims(const std::string& path);
+
+// The claims of the items, each once, in their order: "C1", "C2", …
+std::vector<std::string> claim_names(const std::vector<Item>& items);
+
+// The verdict on a claim is the worst of its items' verdicts.
+Verdict worst(Verdict a, Verdict b);
+
+}  // namespace tribo::reproduction

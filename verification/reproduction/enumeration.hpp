@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// All readings, each judged by every item. Factored: a root is taken once per film and rough
+// contact, an inlet once per film, friction once per law of the rest, and so on; no stage is
+// computed twice for readings that share what it depends on.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reproduction/evaluation.hpp"
+
+namespace tribo::reproduction {
+
+// Bit i: item i (or claim i) is reproduced.
+using ItemMask = std::uint32_t;
+
+struct Enumeration {
+  std::vector<ItemMask> items;   // of every reading, by index_of()
+  std::vector<ItemMask> claims;  // likewise
+  std::size_t films;             // how many of each stage were computed
+  std::size_t inlets;
+  std::size_t friction_curves;
+};
+
+Enumeration enumerate(const PaperScenes& scenes, const std::vector<Item>& items);
+
+// Bits of the claims of which all items are set, in the order of claim_names().
+ItemMask claims_of(ItemMask items_reproduced, const std::vector<Item>& items);
+
+}  // namespace tribo::reproduction

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Errors about what a file holds name the file.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace tribo::reproduction {
+
+// What `read` returns. A std::runtime_error of its own gets the path in front, if it has not.
+template <class Read>
+auto in_file(const std::string& path, Read&& read) {
+  try {
+    return read();
+  } catch (const std::runtime_error& error) {
+    const std::string what = error.what();
+    throw std::runtime_error(what.starts_with(path) ? what : fmt::format("{}: {}", path, what));
+  }
+}
+
+}  // namespace tribo::reproduction

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reproduction/inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "accuracy/reference_table.hpp"
+#include "reproduction/in_file.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::reproduction {
+namespace {
+
+constexpr std::array<std::string_view, field_count> field_names{
+    "summit_density",    "summit_radius",  "summit_height_sd", "summit_plane_offset",
+    "effective_modulus", "reduced_radius", "viscosity",        "pressure_viscosity",
+    "eyring_stress",     "load",           "inlet_film_ratio", "boundary_coefficient",
+    "film_constant",     "speed"};
+constexpr PerContact<std::string_view> stems{"rough", "medium", "smooth", "smooth_gw"};
+
+Scene read_one(const std::string& path, AsperityModel model) {
+  SceneReading reading = read_scene(path, SceneUse::speeds);
+  if (!reading.scene) throw std::runtime_error(reading.errors.front().line());
+  const Scene& scene = *reading.scene;
+  const auto need = [&](bool held, std::string_view what) {
+    if (!held) throw std::runtime_error(fmt::format("{}: the ledger needs {} here", path, what));
+  };
+  need(scene.closures.asperity == model, model == AsperityModel::greenwood_tripp
+                                             ? "closures.asperity = greenwood_tripp"
+                                             : "closures.asperity = greenwood_williamson");
+  need(has_friction_inputs(scene), "lubricant.eyring_stress and friction.boundary_coefficient");
+  need(scene.supply.kind == SupplyKind::inlet_film_ratio, "supply.inlet_film_ratio");
+  need(scene.speeds.list.empty() && scene.speeds.from < scene.speeds.to, "a range of speeds");
+  return *std::move(reading.scene);
+}
+
+double* member(Scene& scene, Field field) {
+  switch (field) {
+    case Field::summit_density:
+      return &scene.surface.summit_density;
+    case Field::summit_radius:
+      return &scene.surface.summit_radius;
+    case Field::summit_height_sd:
+      return &scene.surface.summit_height_sd;
+    case Field::summit_plane_offset:
+      return &scene.surface.summit_plane_offset;
+    case Field::effective_modulus:
+      return &scene.bodies.effective_modulus;
+    case Field::reduced_radius:
+      return &scene.bodies.reduced_radius;
+    case Field::viscosity:
+      return &scene.lubricant.viscosity;
+    case Field::pressure_viscosity:
+      return &scene.lubricant.pressure_viscosity;
+    case Field::eyring_stress:
+      return &*scene.lubricant.eyring_stress;
+    case Field::load:
+      return &scene.load;
+    case Field::inlet_film_ratio:
+      return &scene.supply.value;
+    case Field::boundary_coefficient:
+      return &*scene.friction.boundary_coefficient;
+    case Field::film_constant:
+    case Field::speed:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+double PaperScenes::film_scale() const {
+  return film_constant_scale * decimal_power(speed_scale, speed_exponent);
+}
+
+std::string_view name(Field field) { return field_names[static_cast<std::size_t>(field)]; }
+
+PaperScenes read_paper_scenes(const std::string& folder) {
+  PaperScenes scenes;
+  for (std::size_t i = 0; i < contact_count; ++i)
+    scenes.scene[i] = read_one(fmt::format("{}/{}.toml", folder, stems[i]),
+                               i == static_cast<std::size_t>(ContactName::smooth_gw)
+                                   ? AsperityModel::greenwood_williamson
+                                   : AsperityModel::greenwood_tripp);
+  const Speeds& first = scenes.scene[0].speeds;
+  for (const Scene& scene : scenes.scene)
+    if (scene.speeds.from != first.from || scene.speeds.to != first.to)
+      throw std::runtime_error(
+          fmt::format("{}: the scenes must have one and the same range of speeds", folder));
+  return scenes;
+}
+
+bool Input::is_of(std::size_t contact) const {
+  return surface == "all" || stems[contact].starts_with(surface);
+}
+
+std::vector<Input> read_inputs(const std::string& path) {
+  return in_file(path, [&] {
+    std::vector<Input> inputs;
+    for (const auto& row : verification::read_reference_table(path, '\t')) {
+      const auto found = std::find(field_names.begin(), field_names.end(), row.text("field"));
+      if (found == field_names.end())
+        throw std::runtime_error(fmt::format("{} is no input", row.text("field")));
+      inputs.push_back({static_cast<Field>(found - field_names.begin()), row.text("surface"),
+                        row.number("value"), row.number("last_digit"), row.number("low"),
+                        row.number("high"), row.text("unit"), row.text("reason")});
+    }
+    return inputs;
+  });
+}
+
+void scale(PaperScenes& scenes, std::size_t contact, Field field, double factor) {
+  if (double* const value = member(scenes.scene[contact], field)) *value *= factor;
+}
+
+void scale_all(PaperScenes& scenes, Field field, double factor) {
+  if (field == Field::film_constant) scenes.film_constant_scale *= factor;
+  if (field == Field::speed) scenes.speed_scale *= factor;
+  for (std::size_t i = 0; i < contact_count; ++i) scale(scenes, i, field, factor);
+}
+
+}  // namespace tribo::reproduction

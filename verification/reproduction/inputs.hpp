@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's scenes, and its inputs one by one: how precisely each is printed, within what it may
+// lie.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "reproduction/observation.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::reproduction {
+
+struct PaperScenes {
+  PerContact<Scene> scene;         // rough, medium, smooth with GT; smooth with GW
+  double film_constant_scale = 1;  // on the film formula
+  double speed_scale = 1;          // on the speed in it
+
+  double film_scale() const;
+};
+
+// From rough.toml, medium.toml, smooth.toml and smooth_gw.toml of a folder. Throws
+// std::runtime_error with one line: they must be readable, have friction's inputs, h_oil/σ_s, one
+// range of speeds.
+PaperScenes read_paper_scenes(const std::string& folder);
+
+enum class Field : std::uint8_t {
+  summit_density,
+  summit_radius,
+  summit_height_sd,
+  summit_plane_offset,
+  effective_modulus,
+  reduced_radius,
+  viscosity,
+  pressure_viscosity,
+  eyring_stress,
+  load,
+  inlet_film_ratio,
+  boundary_coefficient,
+  film_constant,  // a factor on the film formula
+  speed,          // a factor on the speed in it
+};
+inline constexpr std::size_t field_count = 14;
+std::string_view name(Field field);
+
+// One line of inputs.tsv.
+struct Input {
+  Field field;
+  std::string surface;  // or "all"
+  double value, last_digit, low, high;
+  std::string unit, reason;
+
+  bool is_of(std::size_t contact) const;
+};
+// Throws std::runtime_error with one line.
+std::vector<Input> read_inputs(const std::string& path);
+
+// Multiplies an input of one contact, or of all.
+void scale(PaperScenes& scenes, std::size_t contact, Field field, double factor);
+void scale_all(PaperScenes& scenes, Field field, double factor);
+
+}  // namespace tribo::reproduction

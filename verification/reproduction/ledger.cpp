@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reproduction/ledger.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tribo::reproduction {
+namespace {
+
+ReportedOnsets reported_onsets(const std::vector<Item>& items) {
+  ReportedOnsets reported{};
+  for (const Item& item : items)
+    if (item.quantity == Quantity::onset_speed) {
+      reported.speed[static_cast<std::size_t>(item.surface)] = item.reported;
+      reported.last_digit[static_cast<std::size_t>(item.surface)] = item.last_digit;
+    }
+  return reported;
+}
+
+}  // namespace
+
+NamedReading named_reading(const PaperScenes& scenes, const std::vector<Item>& items,
+                           std::string name, const Reading& reading) {
+  NamedReading made{std::move(name), reading, evaluate(scenes, reading, items), {}, 0};
+  made.verdicts = claim_verdicts(items, made.results);
+  made.score =
+      static_cast<int>(std::count(made.verdicts.begin(), made.verdicts.end(), Verdict::reproduced));
+  return made;
+}
+
+Ledger make_ledger(const LedgerOptions& options) {
+  Ledger ledger;
+  ledger.scenes = read_paper_scenes(options.published);
+  ledger.items = read_claims(options.published + "/claims.tsv");
+  ledger.claims = claim_names(ledger.items);
+  const std::vector<Input> inputs = read_inputs(options.published + "/inputs.tsv");
+  ledger.errata = read_errata(options.published + "/errata.tsv", ledger.scenes);
+  ledger.independent = independent_numbers(options.published + "/independent.tsv");
+
+  ledger.work = enumerate(ledger.scenes, ledger.items);
+  ledger.ranking = rank(ledger.work, ledger.items, options.best);
+  ledger.item_statistics = item_statistics(ledger.work, ledger.items);
+  ledger.claim_parts = claim_parts(ledger.work, ledger.items);
+  ledger.work.items.clear();
+  ledger.work.claims.clear();
+
+  const auto add = [&](std::string name, const Reading& reading) {
+    ledger.readings.push_back(named_reading(ledger.scenes, ledger.items, std::move(name), reading));
+  };
+  add("corrected", corrected_reading());
+  add("literal", literal_reading());
+  for (std::size_t i = 0; i < ledger.ranking.best.size(); ++i)
+    add(fmt::format("best {}", i + 1), ledger.ranking.best[i].representative);
+  for (const Reading& reading : options.asked) add(departures(reading), reading);
+
+  ledger.arguments = arguments(ledger.scenes, ledger.items);
+  const NamedReading& corrected = ledger.readings.front();
+  ledger.requirements =
+      requirements(ledger.scenes, corrected.reading, ledger.items, corrected.results, inputs);
+  const ReportedOnsets reported = reported_onsets(ledger.items);
+  ledger.departure = common_departure(ledger.scenes, corrected.reading, reported.speed);
+  for (const Spread spread : {Spread::print, Spread::plausible})
+    ledger.uncertainty.push_back(
+        uncertainty(ledger.scenes, inputs, spread, options.draws, reported));
+  return ledger;
+}
+
+}  // namespace tribo::reproduction

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a reading gives for each quantity of the claims. In stages, so that many readings share
+// them: the films (root and inlet) on a grid of speeds, friction on the same grid, the onsets, the
+// numbers.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "reproduction/claims.hpp"
+#include "reproduction/reading_model.hpp"
+
+namespace tribo::reproduction {
+
+// The paper's three surfaces with GT, and the smooth one with GW, which is where it compares them.
+enum class ContactName : std::uint8_t { rough, medium, smooth, smooth_gw };
+inline constexpr std::size_t contact_count = 4;
+template <class T>
+using PerContact = std::array<T, contact_count>;
+
+// 20 speeds a decade between the ends of the scene's range, which are among them.
+std::vector<double> speed_grid(double from, double to);
+
+// One contact's flooded films on the grid: the stage that takes a root a point.
+struct FloodedCurve {
+  ReadContact contact;
+  std::vector<double> film_parameter;
+};
+FloodedCurve flooded_curve(const ReadContact& contact, const std::vector<double>& speeds);
+
+// Behind an inlet.
+struct StarvedCurve {
+  std::vector<ContactPoint> points;
+  std::optional<OnsetPoint> film_maximum;
+};
+StarvedCurve starved_curve(const FloodedCurve& flooded, const ReadInlet& inlet,
+                           const std::vector<double>& speeds);
+
+struct FrictionCurve {
+  std::vector<double> coefficient;  // NaN where undefined
+};
+FrictionCurve friction_curve(const FloodedCurve& flooded, const StarvedCurve& starved,
+                             FrictionLaw law);
+// The lowest interior minimum, to 1e-6 of its speed.
+std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const StarvedCurve& starved,
+                                           const FrictionCurve& friction, const ReadInlet& inlet,
+                                           FrictionLaw law);
+
+// All that the quantities of one reading rest on; nothing here is owned.
+struct Stages {
+  const ReadInlet* inlet;
+  PerContact<const FloodedCurve*> flooded;
+  PerContact<const StarvedCurve*> starved;
+  PerContact<const FrictionCurve*> friction{};     // smooth and smooth_gw, where asked for
+  PerContact<std::optional<OnsetPoint>> onsets{};  // by the reading's criterion
+  double lambda_divisor = 1;                       // 1, or 1.4 for λ by σ
+  double film_constant = 0;
+};
+
+// What a quantity is computed from, beyond the films.
+enum class Needs : std::uint8_t { films, friction, onsets, constant };
+Needs needs(Quantity quantity);
+
+Observed observe(const Item& item, const Stages& stages);
+
+}  // namespace tribo::reproduction

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reproduction/reading_model.hpp"
+
+#include <cmath>
+
+#include "tribo/film_thickness.hpp"
+#include "tribo/hertz.hpp"
+
+namespace tribo::reproduction {
+namespace {
+
+bool is_gt(const Scene& scene) { return scene.closures.asperity == AsperityModel::greenwood_tripp; }
+
+double nominal_area(const Scene& scene, const Reading& reading) {
+  const HertzPoint<double> hertz =
+      hertz_point(scene.load, scene.bodies.effective_modulus, scene.bodies.reduced_radius);
+  return reading.is(Switch::nominal_area, 1) ? hertz.radius * hertz.radius : hertz.nominal_area;
+}
+
+// The prefactor is GT's (the paper prints none of GW's), and so are two rough faces.
+AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading) {
+  // 0,1 µm for the 10 µm that all three products nβσ_s ask for.
+  const double radius =
+      scene.surface.summit_radius * (reading.is(Switch::summit_radius, 1) ? 0.01 : 1);
+  const int planes = is_gt(scene) ? 1 + reading.at(Switch::offset_planes) : 1;
+  AsperityContact<double> contact =
+      asperity_contact(scene.closures.asperity, scene.surface.summit_density, radius,
+                       scene.surface.summit_height_sd, planes * scene.surface.summit_plane_offset,
+                       scene.bodies.effective_modulus, nominal_area(scene, reading), scene.load);
+  if (is_gt(scene) && reading.is(Switch::asperity_prefactor, 1)) contact.stiffness /= 2;
+  return contact;
+}
+
+// E* for 2E* doubles U and W and halves G; the sum of the speeds doubles U.
+double film_factor(const Scene& scene, const Reading& reading) {
+  const int doublings = reading.at(Switch::speed_modulus) + reading.at(Switch::speed);
+  double factor = decimal_power(double(1 << doublings), speed_exponent);
+  if (reading.is(Switch::material_modulus, 1)) factor /= decimal_power(2.0, material_exponent);
+  if (reading.is(Switch::load_modulus, 1)) factor *= decimal_power(2.0, load_exponent);
+  if (reading.is(Switch::film_constant, 1))
+    factor *= 2.69 / hamrock_dowson_constant(scene.bodies.ellipticity);
+  return factor;
+}
+
+}  // namespace
+
+FrictionLaw friction_law(const Reading& reading) {
+  return {static_cast<FluidShear>(reading.at(Switch::shear)),
+          static_cast<ViscosityLaw>(reading.at(Switch::viscosity))};
+}
+
+ReadContact::ReadContact(const Scene& scene, const Reading& reading, double film_scale)
+    : inlet_film_ratio_(scene.supply.value),
+      film_at_unit_speed_(
+          film_scale * film_factor(scene, reading) *
+          hamrock_dowson_central(1.0, scene.lubricant.viscosity, scene.lubricant.pressure_viscosity,
+                                 scene.load, scene.bodies.effective_modulus,
+                                 scene.bodies.reduced_radius, scene.bodies.ellipticity) /
+          scene.surface.summit_height_sd),
+      summit_height_sd_(scene.surface.summit_height_sd),
+      mean_pressure_(scene.load / nominal_area(scene, reading)),
+      lubricant_(scene.lubricant),
+      boundary_coefficient_(scene.friction.boundary_coefficient.value_or(0)),
+      slide_roll_ratio_(scene.friction.slide_roll_ratio),
+      asperities_(asperities_of(scene, reading)),
+      sharing_(asperities_.model, asperities_.stiffness, asperities_.offset) {}
+
+double ReadContact::flooded_film_parameter(double speed) const {
+  return sharing_.film_parameter(film_at_unit_speed_ * decimal_power(speed, speed_exponent));
+}
+
+double ReadContact::asperity_share(double film_parameter) const {
+  if (sharing_.has_floor() && film_parameter <= sharing_.floor()) return 1;
+  return sharing_.shares_above_floor(film_parameter - sharing_.floor()).asperity;
+}
+
+ContactPoint ReadContact::point(double speed, double flooded, const ReadInlet& inlet) const {
+  const double y = inlet.film_ratio(flooded / inlet_film_ratio_);
+  const double film = flooded * y;
+  const double separation = std::max(film, sharing_.floor());
+  return {speed,
+          film,
+          separation,
+          asperity_share(film),
+          real_area_ratio(asperities_, separation),
+          summit_count(asperities_, separation),
+          y == 0};
+}
+
+double ReadContact::friction(const ContactPoint& point, FrictionLaw law) const {
+  if (point.separation == 0) return quiet_nan<double>();
+  const double dry = boundary_coefficient_ * point.asperity_share;
+  const double fluid_area = 1 - point.real_area_ratio;
+  if (!(fluid_area > 0)) return dry;
+  const double thickening =
+      log_viscosity_ratio(law.viscosity, lubricant_.viscosity, lubricant_.pressure_viscosity,
+                          (1 - point.asperity_share) * mean_pressure_);
+  const double stress =
+      fluid_shear_stress(law.shear, *lubricant_.eyring_stress, lubricant_.viscosity, thickening,
+                         slide_roll_ratio_ * point.speed, point.separation * summit_height_sd_);
+  return dry + stress * fluid_area / mean_pressure_;
+}
+
+std::optional<double> ReadContact::speed_at(double film_parameter) const {
+  if (sharing_.has_floor() && film_parameter <= sharing_.floor()) return std::nullopt;
+  const double fluid = sharing_.shares_above_floor(film_parameter - sharing_.floor()).fluid;
+  const double flooded = LoadSharing<double>::flooded_film_parameter(film_parameter, fluid);
+  return decimal_power(flooded / film_at_unit_speed_, inverse(speed_exponent));
+}
+
+std::optional<OnsetPoint> ReadContact::onset_at_ratio(double r, const ReadInlet& inlet) const {
+  const double flooded = r * inlet_film_ratio_;
+  const std::optional<double> speed = speed_at(flooded);
+  if (!speed) return std::nullopt;
+  return OnsetPoint{*speed, flooded * inlet.film_ratio(r)};
+}
+
+double ReadContact::film_slope(double r, const ReadInlet& inlet) const {
+  const double lambda = r * inlet_film_ratio_;
+  const double share = asperity_share(lambda);
+  const double stiffening = share > 0 ? -sharing_film_exponent<double>() * share *
+                                            sharing_.asperity_share_slope(lambda) / (1 - share)
+                                      : 0;
+  return film_speed_exponent<double>() / (1 + stiffening) * (1 + inlet.slope(r));
+}
+
+std::optional<OnsetPoint> explicit_onset(const ReadContact& contact, const ReadInlet& inlet,
+                                         const OnsetChoice& choice) {
+  if (choice.rule == OnsetRule::film_departure)
+    return contact.onset_at_ratio(inlet.departure(choice.departure), inlet);
+  if (!inlet.maximum()) return std::nullopt;
+  const std::optional<OnsetPoint> found = contact.onset_at_ratio(*inlet.maximum(), inlet);
+  if (!found || choice.rule == OnsetRule::film_maximum) return found;
+  // asperity_minimum: where they carry the whole load at every speed there is none.
+  const double share = contact.point(found->speed, inlet).asperity_share;
+  return share < 1 ? found : std::nullopt;
+}
+
+}  // namespace tribo::reproduction

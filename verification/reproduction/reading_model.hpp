@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's contact under one reading, from the parts of the model: what a switch changes is
+// changed here, and the rest is the model's own. Only supplies of constant h_oil/σ_s, as the paper
+// has.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "reproduction/reading.hpp"
+#include "tribo/asperity_contact.hpp"
+#include "tribo/friction.hpp"
+#include "tribo/load_sharing.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::reproduction {
+
+// A shear law with a law of viscosity: the last switches that friction asks for.
+struct FrictionLaw {
+  FluidShear shear;
+  ViscosityLaw viscosity;
+};
+FrictionLaw friction_law(const Reading& reading);
+
+// The starved inlet with the reading's gap (model/README.md, section 7, with another c).
+class ReadInlet {
+ public:
+  explicit ReadInlet(const Reading& reading);
+
+  // y = h*/h_ff at r = h_ff/h_oil > 0; 0 where the film has collapsed.
+  double film_ratio(double flooded_over_inlet) const;
+  // d ln y/d ln r.
+  double slope(double flooded_over_inlet) const;
+  // The r at which h* is greatest; none where it has no maximum.
+  std::optional<double> maximum() const { return maximum_; }
+  // The r at which y = 1 − ε.
+  double departure(double departure) const;
+  InletRule rule() const { return rule_; }
+
+ private:
+  double log_inverse_r(double log_length) const;
+  double slope_of_log_inverse_r(double log_length) const;
+  double log_length(double flooded_over_inlet) const;
+
+  InletRule rule_;
+  double crook_;  // c; 3/(4√2) for the line contact
+  std::optional<double> maximum_;
+  double constant_film_ = 0;  // h*/h_oil of as_printed
+};
+
+struct ContactPoint {
+  double speed;
+  double film_parameter;  // λ* = h*/σ_s
+  double separation;      // over σ_s, at least the floor
+  double asperity_share;
+  double real_area_ratio;
+  double summit_count;
+  bool collapsed;
+};
+
+struct OnsetPoint {
+  double speed;           // m/s
+  double film_parameter;  // h*/σ_s
+};
+
+// A scene under a reading. film_scale multiplies the film formula: 1, but to ask what would have to
+// be true.
+class ReadContact {
+ public:
+  ReadContact(const Scene& scene, const Reading& reading, double film_scale = 1);
+
+  // λ of the flooded film at a speed: the only root.
+  double flooded_film_parameter(double speed) const;
+  ContactPoint point(double speed, double flooded_film_parameter, const ReadInlet& inlet) const;
+  ContactPoint point(double speed, const ReadInlet& inlet) const {
+    return point(speed, flooded_film_parameter(speed), inlet);
+  }
+  // NaN where the faces touch without a floor.
+  double friction(const ContactPoint& point, FrictionLaw law) const;
+
+  // The speed at which the flooded film is λ; none at the floor and below.
+  std::optional<double> speed_at(double film_parameter) const;
+  // Onset at a given r, whatever the criterion.
+  std::optional<OnsetPoint> onset_at_ratio(double flooded_over_inlet, const ReadInlet& inlet) const;
+  // d ln h*/d ln u at r.
+  double film_slope(double flooded_over_inlet, const ReadInlet& inlet) const;
+  double inlet_film_ratio() const { return inlet_film_ratio_; }
+  double film_at_unit_speed() const { return film_at_unit_speed_; }
+
+ private:
+  double asperity_share(double film_parameter) const;
+
+  double inlet_film_ratio_;
+  double film_at_unit_speed_;  // λ₀ at 1 m/s
+  double summit_height_sd_;
+  double mean_pressure_;
+  Lubricant lubricant_;
+  double boundary_coefficient_;
+  double slide_roll_ratio_;
+  AsperityContact<double> asperities_;
+  LoadSharing<double> sharing_;
+};
+
+// Onset by film_maximum, film_departure or asperity_minimum; friction_minimum needs a curve
+// (observation.hpp).
+std::optional<OnsetPoint> explicit_onset(const ReadContact& contact, const ReadInlet& inlet,
+                                         const OnsetChoice& choice);
+
+}  // namespace tribo::reproduction
