@@ -48,7 +48,8 @@ references-check: ## make SAMPLE rows of each table again, 8 unless told, and co
 report: ## solve the paper's scenes and draw its figures: reports/out/index.html
 	@.ci/deps build report
 	@$(MAKE) --no-print-directory build
-	build/release/tribocheck report
+	build/release/tribocheck report \
+	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*' 2>/dev/null)"
 
 test: ## build and run all tests, and hold what ran against verification/gates/manifest.tsv
 	@.ci/deps build test

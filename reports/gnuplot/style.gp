@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # What all figures share, and the start of each. tribocheck report calls it as
 #   gnuplot -d -c style.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SCENE
-# with SCRIPT the figure's own, FORMAT svg or png, DATA the folder of the .tsv files, NAME a prefix
-# for the identifiers in an SVG, HEIGHT in points for a width of 960. `load` forgets the arguments.
+# with SCRIPT the figure's own, beside this one, FORMAT svg or png, DATA the folder of the .tsv
+# files, NAME a prefix for the identifiers in an SVG, HEIGHT in points for a width of 960. `load`
+# forgets the arguments.
 script = ARG1
 scripts = ARG0[1:strlen(ARG0) - strlen("style.gp")]
 data = ARG4."/"
@@ -58,4 +59,4 @@ set bmargin at screen 150.0/tall
 set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse \
   samplen 3.5 spacing 1.25 font small
 
-load script
+load scripts.script

@@ -3,22 +3,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
-#include <utility>
+#include <stdexcept>
 
 #include "report/number_text.hpp"
 
 namespace tribo::report {
 
-using Json = nlohmann::json;
+Json read_baseline(const ReportPlaces& places, std::string_view file) {
+  const auto path = places.reference / "baselines" / file;
+  std::ifstream stream(path);
+  if (!stream) throw std::runtime_error(fmt::format("`{}` is not there", places.shown(path)));
+  Json content = Json::parse(stream, nullptr, false);
+  if (content.is_discarded())
+    throw std::runtime_error(fmt::format("`{}` is not JSON", places.shown(path)));
+  return content;
+}
 
-Baseline read_baseline(const ReportPlaces& places, const char* name) {
-  const auto path = places.reference / "baselines" / name;
-  std::ifstream file(path);
-  if (!file) return {{}, fmt::format("`{}` is not there", places.shown(path))};
-  Json content = Json::parse(file, nullptr, false);
-  if (content.is_discarded()) return {{}, fmt::format("`{}` is not JSON", places.shown(path))};
-  return {std::move(content), {}};
+std::string target_of(std::string_view file) {
+  for (const BaselineKind& kind : baseline_kinds)
+    if (kind.file == file) return fmt::format("`make {}`", kind.target);
+  return {};
+}
+
+std::string short_commit(const std::string& commit) {
+  constexpr std::size_t shown = 12;
+  const std::size_t digits = std::min(commit.find_first_not_of("0123456789abcdef"), commit.size());
+  return commit.substr(0, std::min(shown, digits)) + commit.substr(digits);
 }
 
 std::string provenance(const Json& baseline) {
@@ -29,7 +41,7 @@ std::string provenance(const Json& baseline) {
           : std::string();
   return fmt::format(
       "Measured on {} at commit `{}`{}; {}; {}.", baseline.at("date").get<std::string>(),
-      baseline.at("commit").get<std::string>().substr(0, 12), took,
+      short_commit(baseline.at("commit").get<std::string>()), took,
       environment.at("cpu").get<std::string>(), environment.at("compiler").get<std::string>());
 }
 

@@ -60,8 +60,9 @@ int write_report(const report::ReportOptions& options, OutputStream& output) {
 
 constexpr const char* footer =
     R"(Reads rough.toml, medium.toml, smooth.toml, their _gw.toml twins and reported.tsv, and writes
-index.html, report.md, data/*.tsv and, with gnuplot, figures/*.svg and *.png. The folders' defaults
-lie in the project that the current folder, or else the program, is part of.
+index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg and *.png. Shows what
+reference/exact and reference/baselines have, and says what is missing. The folders' defaults lie in
+the project that the current folder, or else the program, is part of.
 Exit code 1: figures are missing, because gnuplot is or because it failed.
 
 Example:
@@ -77,6 +78,7 @@ Command add_report(CLI::App& program) {
   app->add_option("--out", options->out, "folder to write to (default: reports/out)");
   app->add_option("--scenes", options->scenes,
                   "folder of the scenes (default: reference/published)");
+  app->add_option("--commit", options->commit, "what was built, for the page to tell");
   return {app, [options](OutputStream& output) { return write_report(*options, output); }};
 }
 

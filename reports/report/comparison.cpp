@@ -11,11 +11,14 @@
 namespace tribo::report {
 namespace {
 
+bool within_last_digit(double computed, const Reported& reported) {
+  return std::abs(computed - reported.value) <= reported.last_digit / 2;
+}
+
 // Facts only: the distance from the reported number, in its own last digit or as a factor.
 std::string words_for(double computed, const std::optional<Reported>& reported) {
   if (!reported) return "the paper gives no number";
-  if (std::abs(computed - reported->value) <= reported->last_digit / 2)
-    return "inside half a unit of the last printed digit";
+  if (within_last_digit(computed, *reported)) return "inside half a unit of the last printed digit";
   return rounded(computed / reported->value, 2) + " × the reported";
 }
 
@@ -72,6 +75,10 @@ std::string criteria_note() {
 std::optional<double> ComparisonRow::factor() const {
   if (!computed || !reported) return std::nullopt;
   return *computed / reported->value;
+}
+
+bool ComparisonRow::agrees() const {
+  return computed && reported && within_last_digit(*computed, *reported);
 }
 
 std::vector<ComparisonTable> compare(const std::vector<SolvedCase>& solved,

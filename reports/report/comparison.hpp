@@ -21,6 +21,7 @@ struct ComparisonRow {
   std::string in_words;
 
   std::optional<double> factor() const;  // computed/reported
+  bool agrees() const;                   // inside half a unit of the last printed digit
 };
 
 struct ComparisonTable {

@@ -3,18 +3,13 @@
 // written so that it reads back to the same double, no dates.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "report/comparison.hpp"
+#include "report/data_file.hpp"
 #include "report/findings.hpp"
 
 namespace tribo::report {
-
-struct DataFile {
-  std::string path;  // below the report's folder
-  std::string content;
-};
 
 std::vector<DataFile> data_files(const Findings& findings,
                                  const std::vector<ComparisonTable>& tables);

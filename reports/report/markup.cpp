@@ -34,6 +34,7 @@ class Toggle {
     return inside_ ? open_ : close_;
   }
   bool inside() const { return inside_; }
+  std::string_view end() const { return inside_ ? close_ : ""; }
 
  private:
   std::string_view open_, close_;
@@ -60,6 +61,9 @@ std::string render(std::string_view markup, Dialect dialect) {
     else
       text += dialect.sign(sign);
   }
+  // What was left open would swallow the text that follows.
+  for (const Toggle* toggle : {&dialect.code, &dialect.subscript, &dialect.superscript})
+    text += toggle->end();
   return text;
 }
 

@@ -2,6 +2,7 @@
 // Numbers as text: exactly for machines, rounded for people.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace tribo::report {
@@ -14,5 +15,8 @@ std::string rounded(double value, int digits);
 
 // Likewise, with as many digits as it takes to read back to the same double.
 std::string unrounded(double value);
+
+// 12345678 as 12 345 678, with narrow blanks that do not break.
+std::string grouped(std::uint64_t count);
 
 }  // namespace tribo::report

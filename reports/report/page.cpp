@@ -3,52 +3,66 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
-#include "tribo/version.hpp"
-
 namespace tribo::report {
-namespace {
 
-std::string scene_list(const Findings& findings) {
-  std::string text;
-  for (const SolvedCase& one : findings.solved)
-    text += fmt::format("{}`{}`", text.empty() ? "" : ", ", one.source.file);
-  return text;
+std::vector<PlacedVerdict> verdicts(const Page& page) {
+  std::vector<PlacedVerdict> all;
+  for (const Section& section : page.sections)
+    for (const Verdict& verdict : section.verdicts) all.push_back({verdict, section.id});
+  std::stable_partition(all.begin(), all.end(), [](const PlacedVerdict& one) {
+    return one.verdict.standing == Standing::fails;
+  });
+  return all;
 }
 
-std::vector<std::string> introduction(const Findings& findings) {
-  return {
-      "D. Gasni (“Pengaruh kekasaran permukaan terhadap fenomena starvation pada point contact”, "
-      "Universitas Andalas) computed film, load shares and friction of a starved, rough contact "
-      "for "
-      "three surfaces, with the asperity models of Greenwood and Tripp (GT) and of Greenwood and "
-      "Williamson (GW). This page solves the same three surfaces with the same models, the "
-      "paper's misprints mended, draws its Figures 4 and 7 to 12 again, and sets what it reports "
-      "beside what comes out.",
-      fmt::format("Computed by tribocheck {} from {}; the paper's own numbers from `{}`. C1 to C17 "
-                  "number the paper's claims. Every computed number here comes out of these "
-                  "files anew.",
-                  version, scene_list(findings), findings.reported.file()),
-  };
+std::string_view standing_word(Standing standing) {
+  switch (standing) {
+    case Standing::holds:
+      return "holds";
+    case Standing::differs:
+      return "differs";
+    case Standing::fails:
+      return "FAILS";
+    case Standing::measured:
+      return "measured";
+    case Standing::absent:
+      return "not run";
+  }
+  return "";
 }
 
-}  // namespace
+Section not_run_section(const std::vector<Section>& sections) {
+  Section section{"not-run", "What did not run"};
+  TextTable table{
+      "Missing from this page", {"what", "why", "how to have it"}, {false, false, false}, {}, {}};
+  for (const Section& one : sections)
+    for (const NotRun& missing : one.not_run)
+      table.rows.push_back({missing.what, missing.why, missing.how_to});
+  section.paragraphs = {
+      "For this page the paper's scenes were solved, the certified tables held, and the work "
+      "counted. "
+      "Slow targets were not run: their results stand here as they were left, with commit, machine "
+      "and date, and the environment says how old they are."};
+  if (table.rows.empty()) {
+    section.paragraphs.emplace_back("Nothing else is missing.");
+    section.verdicts = {{Standing::holds, "Every part of this page has its data."}};
+    return section;
+  }
+  section.verdicts = {{Standing::absent,
+                       fmt::format("{} {} of this page did not run or has no data.",
+                                   table.rows.size(), table.rows.size() == 1 ? "part" : "parts")}};
+  section.tables = {std::move(table)};
+  return section;
+}
 
-Page make_page(const Findings& findings, const std::vector<ComparisonTable>& comparisons,
-               std::vector<Figure> figures, std::vector<TextTable> verification,
-               std::vector<TextTable> performance, std::vector<std::string> data_files) {
-  Page page{"Starvation and roughness in a point contact: the paper's figures, recomputed",
-            introduction(findings),
-            inputs_table(findings.solved),
-            {},
-            std::move(figures),
-            std::move(verification),
-            std::move(performance),
-            std::move(data_files)};
-  for (const ComparisonTable& comparison : comparisons)
-    page.comparisons.push_back(text_table(comparison));
-  return page;
+std::vector<std::string> data_paths(const Page& page) {
+  std::vector<std::string> paths;
+  for (const Section& section : page.sections)
+    for (const DataFile& file : section.data) paths.push_back(file.path);
+  return paths;
 }
 
 }  // namespace tribo::report

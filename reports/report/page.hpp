@@ -1,31 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report as one page, in HTML and in Markdown.
+// The report as one page, in HTML, in Markdown and as JSON: a verdict collected from the sections,
+// the sections in order, what did not run collected from them too, and the files of data.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "report/figures.hpp"
-#include "report/text_table.hpp"
+#include "report/section.hpp"
 
 namespace tribo::report {
 
 struct Page {
   std::string title;
   std::vector<std::string> introduction;  // paragraphs of markup
-  TextTable inputs;
-  std::vector<TextTable> comparisons;
-  std::vector<Figure> figures;
-  std::vector<TextTable> verification;
-  std::vector<TextTable> performance;
-  std::vector<std::string> data_files;  // paths below the report's folder
+  std::vector<Section> sections;          // the environment, then in order
 };
 
-Page make_page(const Findings& findings, const std::vector<ComparisonTable>& comparisons,
-               std::vector<Figure> figures, std::vector<TextTable> verification,
-               std::vector<TextTable> performance, std::vector<std::string> data_files);
+inline constexpr std::string_view verdict_id = "verdict";
+
+struct PlacedVerdict {
+  Verdict verdict;
+  std::string section;  // its id
+};
+
+// Promises that are broken, then all else in the order of the sections, and last what did not run.
+std::vector<PlacedVerdict> verdicts(const Page& page);
+
+// "holds", "differs", "FAILS", "measured", "not run".
+std::string_view standing_word(Standing standing);
+
+// To be the last section: what the sections before it could not show.
+Section not_run_section(const std::vector<Section>& sections);
+
+// Paths of all data of the sections, in their order.
+std::vector<std::string> data_paths(const Page& page);
 
 std::string html_page(const Page& page);
 std::string markdown_page(const Page& page);
+std::string json_page(const Page& page);
 
 }  // namespace tribo::report

@@ -10,6 +10,7 @@ namespace tribo::report {
 struct ReportOptions {
   std::filesystem::path out;     // empty: reports/out of the project
   std::filesystem::path scenes;  // empty: reference/published of the project
+  std::string commit;            // for the page to tell; empty: not known
 };
 
 struct ReportPlaces {

@@ -3,30 +3,29 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <system_error>
 #include <utility>
 
 #include "report/comparison.hpp"
-#include "report/data_files.hpp"
-#include "report/gnuplot.hpp"
+#include "report/drawing.hpp"
+#include "report/environment.hpp"
+#include "report/gates_section.hpp"
 #include "report/page.hpp"
+#include "report/paper_sections.hpp"
+#include "report/paper_tables.hpp"
 #include "report/pending_file.hpp"
-#include "report/performance_tables.hpp"
-#include "report/report_error.hpp"
-#include "report/verification_tables.hpp"
-#include "tribo/version.hpp"
+#include "report/skipped_work.hpp"
+#include "report/verification_sections.hpp"
+#include "report/work_precision_section.hpp"
 
 namespace tribo::report {
 namespace {
 
-namespace fs = std::filesystem;
+using Progress = std::function<void(std::string_view)>;
 
 class ReportWriter {
  public:
-  ReportWriter(const ReportPlaces& places, const std::function<void(std::string_view)>& progress)
-      : places_(places), progress_(progress) {
+  ReportWriter(const ReportPlaces& places, const Progress& progress)
+      : places_(places), draughtsman_(places, progress) {
     report.folder = places.out.string();
   }
 
@@ -35,61 +34,40 @@ class ReportWriter {
     report.written.push_back(path);
   }
 
-  void draw(Figure& figure) {
-    figure.drawn = gnuplot_is_there_;
-    for (const std::string_view format : {"svg", "png"})
-      figure.drawn = figure.drawn && draw_as(figure, format);
-    if (!figure.drawn) forget(figure);
+  // The data of a section, and what is drawn from it.
+  void write_files(Section& section) {
+    for (const DataFile& file : section.data) {
+      make_folder((places_.out / file.path).parent_path());
+      write(file.path, file.content);
+    }
+    for (Figure& figure : section.figures) draw(figure, section);
   }
 
   Report report;
 
  private:
-  bool draw_as(const Figure& figure, std::string_view format) {
-    const std::string path = picture_path(figure, format);
-    progress_("drawing " + path);
-    PendingFile file(places_.out / path);
-    const GnuplotRun run = run_gnuplot(
-        places_.gnuplot / "style.gp",
-        {(places_.gnuplot / fmt::format("{}.gp", figure.stem)).string(), std::string(format),
-         file.temporary().string(), (places_.out / "data").string(), std::string(figure.stem),
-         std::to_string(figure.height), figure.heading(),
-         fmt::format("{}; tribocheck {}", figure.scene, version)});
-    if (run.end != GnuplotEnd::drawn) {
-      gnuplot_is_there_ = run.end != GnuplotEnd::not_found;
-      report.undrawn.push_back(run.end == GnuplotEnd::not_found
-                                   ? run.message +
-                                         ": no figures, but data, page and table are "
-                                         "written (Debian: apt-get install gnuplot-nox)"
-                                   : fmt::format("{}: {}", path, run.message));
-      return false;
+  void draw(Figure& figure, Section& section) {
+    const bool gnuplot_was_there = draughtsman_.gnuplot_is_there();
+    const std::string why = draughtsman_.draw(figure);
+    if (why.empty()) {
+      for (const std::string_view format : {"svg", "png"})
+        report.written.push_back(picture_path(figure, format));
+      return;
     }
-    file.commit();
-    report.written.push_back(path);
-    return true;
-  }
-
-  // An old picture would not belong to the new data.
-  void forget(const Figure& figure) {
-    for (const std::string_view format : {"svg", "png"}) {
-      const std::string path = picture_path(figure, format);
-      std::error_code ignored;
-      fs::remove(places_.out / path, ignored);
-      std::erase(report.written, path);
-    }
-  }
-
-  static std::string picture_path(const Figure& figure, std::string_view format) {
-    return fmt::format("figures/{}.{}", figure.stem, format);
+    section.not_run.push_back({figure.heading, why, "gnuplot, and `make report`,"});
+    if (draughtsman_.gnuplot_is_there())
+      report.undrawn.push_back(why);
+    else if (gnuplot_was_there)
+      report.undrawn.push_back(why +
+                               ": no figures, but data, page and table are "
+                               "written (Debian: apt-get install gnuplot-nox)");
   }
 
   const ReportPlaces& places_;
-  const std::function<void(std::string_view)>& progress_;
-  bool gnuplot_is_there_ = true;
+  Draughtsman draughtsman_;
 };
 
-std::vector<SolvedCase> solve_all(const std::vector<Case>& cases,
-                                  const std::function<void(std::string_view)>& progress) {
+std::vector<SolvedCase> solve_all(const std::vector<Case>& cases, const Progress& progress) {
   std::vector<SolvedCase> solved;
   for (const Case& one : cases) {
     progress("solving " + one.file);
@@ -99,11 +77,41 @@ std::vector<SolvedCase> solve_all(const std::vector<Case>& cases,
 }
 
 Findings find(const ReportPlaces& places, const std::vector<Case>& cases,
-              const std::function<void(std::string_view)>& progress) {
+              const Progress& progress) {
   ReportedValues reported(places);
   std::vector<SolvedCase> solved = solve_all(cases, progress);
   TwoSlopes slopes = two_slopes(find_solved(solved, "smooth", AsperityModel::greenwood_tripp));
   return {std::move(solved), std::move(slopes), std::move(reported)};
+}
+
+std::vector<std::string> introduction() {
+  return {
+      "D. Gasni (“Pengaruh kekasaran permukaan terhadap fenomena starvation pada point contact”, "
+      "Universitas Andalas) computed film, load shares and friction of a starved, rough contact "
+      "for three surfaces, with the asperity models of Greenwood and Tripp (GT) and of Greenwood "
+      "and Williamson (GW). This page solves the same surfaces with the same models, the paper's "
+      "misprints mended, and says how sure the numbers are."};
+}
+
+// The page's sections, in order. A part of the report is a function here that returns one.
+std::vector<Section> sections(const ReportPlaces& places, const ReportOptions& options,
+                              const Findings& findings,
+                              const std::vector<ComparisonTable>& comparisons,
+                              const Progress& progress) {
+  std::vector<Section> all;
+  all.push_back(environment_section(places, options.commit));
+  all.push_back(figures_section(findings, comparisons));
+  all.push_back(comparison_section(findings, comparisons));
+  progress("holding the model to the certified tables");
+  all.push_back(certified_section(places));
+  all.push_back(planted_faults_section(places));
+  all.push_back(worst_inputs_section(places));
+  all.push_back(work_precision_section(places));
+  progress("counting work");
+  all.push_back(skipped_work_section(findings.solved));
+  all.push_back(gates_section(places));
+  all.push_back(inputs_section(findings));
+  return all;
 }
 
 std::string tables_text(const std::vector<ComparisonTable>& comparisons) {
@@ -125,14 +133,11 @@ Report write_report(const ReportOptions& options,
   const std::vector<ComparisonTable> comparisons = compare(findings.solved, findings.reported);
 
   ReportWriter writer(places, progress);
-  for (const DataFile& file : data_files(findings, comparisons))
-    writer.write(file.path, file.content);
-  std::vector<std::string> data = writer.report.written;
-  std::vector<Figure> drawn = figures(findings);
-  for (Figure& figure : drawn) writer.draw(figure);
-  progress("holding the model to the certified tables");
-  const Page page = make_page(findings, comparisons, std::move(drawn), verification_tables(places),
-                              performance_tables(places, findings.solved), std::move(data));
+  Page page{"Starvation and roughness in a point contact: the paper's figures, recomputed",
+            introduction(), sections(places, options, findings, comparisons, progress)};
+  for (Section& section : page.sections) writer.write_files(section);
+  page.sections.push_back(not_run_section(page.sections));
+  writer.write("report.json", json_page(page));
   writer.write("report.md", markdown_page(page));
   writer.write("index.html", html_page(page));
   writer.report.tables = tables_text(comparisons);

@@ -6,28 +6,15 @@
 #include <algorithm>
 
 #include "report/markup.hpp"
-#include "report/number_text.hpp"
 
 namespace tribo::report {
 namespace {
-
-constexpr std::string_view no_entry = "–";
 
 // Signs of UTF-8 text; the report's own texts have none that are wide or combining.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
   }));
-}
-
-std::vector<std::string> comparison_cells(const ComparisonTable& table, const ComparisonRow& row) {
-  std::vector<std::string> cells{std::string(row.surface), std::string(row.model)};
-  if (table.has_criteria) cells.push_back(fmt::format("`{}`", row.criterion));
-  cells.push_back(row.computed ? rounded(*row.computed, table.digits) : std::string(no_entry));
-  cells.push_back(row.reported ? unrounded(row.reported->value) : std::string(no_entry));
-  cells.push_back(row.factor() ? rounded(*row.factor(), 3) : std::string(no_entry));
-  cells.push_back(row.in_words);
-  return cells;
 }
 
 std::string padded(const std::string& text, std::size_t to, bool right) {
@@ -43,7 +30,22 @@ std::string plain_row(const std::vector<std::string>& cells, const TextTable& ta
   return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
 }
 
-std::string html_row(const std::vector<std::string>& cells, const TextTable& table,
+// Long texts get a column wide enough to read, numbers are set to the right.
+std::vector<std::string> column_classes(const TextTable& table) {
+  constexpr std::size_t long_text = 60;
+  std::vector<std::string> classes;
+  for (std::size_t i = 0; i < table.headings.size(); ++i) {
+    const bool is_long = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+      return width(to_plain(row[i])) > long_text;
+    });
+    classes.emplace_back(table.is_number[i] ? " class=\"number\""
+                         : is_long          ? " class=\"prose\""
+                                            : "");
+  }
+  return classes;
+}
+
+std::string html_row(const std::vector<std::string>& cells, const std::vector<std::string>& classes,
                      bool is_heading) {
   std::string line = "<tr>";
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -52,7 +54,7 @@ std::string html_row(const std::vector<std::string>& cells, const TextTable& tab
                         is_heading  ? " scope=\"col\""
                         : is_header ? " scope=\"row\""
                                     : "",
-                        table.is_number[i] ? " class=\"number\"" : "", to_html(cells[i]));
+                        classes[i], to_html(cells[i]));
   }
   return line + "</tr>\n";
 }
@@ -63,67 +65,7 @@ std::string markdown_row(const std::vector<std::string>& cells) {
   return line + '\n';
 }
 
-struct InputRow {
-  std::string_view heading;
-  double (*value)(const Scene&);
-};
-
 }  // namespace
-
-TextTable text_table(const ComparisonTable& comparison) {
-  TextTable table{comparison.title, {"surface", "model"}, {false, false}, {}, comparison.note};
-  if (comparison.has_criteria) {
-    table.headings.emplace_back("criterion");
-    table.is_number.push_back(false);
-  }
-  for (const auto& heading :
-       {comparison.computed_heading, std::string("reported"), std::string("computed/reported")}) {
-    table.headings.push_back(heading);
-    table.is_number.push_back(true);
-  }
-  table.headings.emplace_back("in words");
-  table.is_number.push_back(false);
-  for (const ComparisonRow& row : comparison.rows)
-    table.rows.push_back(comparison_cells(comparison, row));
-  return table;
-}
-
-TextTable inputs_table(const std::vector<SolvedCase>& solved) {
-  constexpr InputRow inputs[] = {
-      {"summit density n, 1/m²", [](const Scene& s) { return s.surface.summit_density; }},
-      {"summit radius β, m", [](const Scene& s) { return s.surface.summit_radius; }},
-      {"summit height deviation σ~s~, m",
-       [](const Scene& s) { return s.surface.summit_height_sd; }},
-      {"summit plane offset D~d~/σ~s~",
-       [](const Scene& s) { return s.surface.summit_plane_offset; }},
-      {"faces with that offset",
-       [](const Scene& s) { return static_cast<double>(s.surface.offset_planes); }},
-      {"effective modulus E*, Pa", [](const Scene& s) { return s.bodies.effective_modulus; }},
-      {"reduced radius R, m", [](const Scene& s) { return s.bodies.reduced_radius; }},
-      {"viscosity η~0~, Pa·s", [](const Scene& s) { return s.lubricant.viscosity; }},
-      {"pressure–viscosity coefficient α, 1/Pa",
-       [](const Scene& s) { return s.lubricant.pressure_viscosity; }},
-      {"Eyring stress τ~0~, Pa",
-       [](const Scene& s) { return s.lubricant.eyring_stress.value_or(0); }},
-      {"load F, N", [](const Scene& s) { return s.load; }},
-      {"boundary friction coefficient",
-       [](const Scene& s) { return s.friction.boundary_coefficient.value_or(0); }},
-  };
-  TextTable table{"Inputs, from the scene files (GT)", {"input"}, {false}, {}, {}};
-  for (const SolvedCase& one : solved) {
-    if (one.source.model != AsperityModel::greenwood_tripp) continue;
-    table.headings.emplace_back(one.source.surface);
-    table.is_number.push_back(true);
-  }
-  for (const InputRow& input : inputs) {
-    std::vector<std::string> cells{std::string(input.heading)};
-    for (const SolvedCase& one : solved)
-      if (one.source.model == AsperityModel::greenwood_tripp)
-        cells.push_back(unrounded(input.value(one.source.scene)));
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
-}
 
 std::string plain_table(const TextTable& table) {
   std::vector<std::size_t> widths;
@@ -140,12 +82,14 @@ std::string html_table(const TextTable& table) {
   if (table.rows.empty())
     return fmt::format("<p class=\"note\"><strong>{}.</strong> {}</p>\n", to_html(table.caption),
                        to_html(table.note));
+  constexpr std::size_t many_rows = 30;  // scrolled under their headings
+  const std::vector<std::string> classes = column_classes(table);
   std::string text = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n<table>\n"
-      "<caption>{1}</caption>\n<thead>\n{2}</thead>\n<tbody>\n",
+      "<div class=\"scroll{3}\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n<table>\n"
+      "<caption><span>{1}</span></caption>\n<thead>\n{2}</thead>\n<tbody>\n",
       escape_html(to_plain(table.caption)), to_html(table.caption),
-      html_row(table.headings, table, true));
-  for (const auto& row : table.rows) text += html_row(row, table, false);
+      html_row(table.headings, classes, true), table.rows.size() > many_rows ? " long" : "");
+  for (const auto& row : table.rows) text += html_row(row, classes, false);
   text += "</tbody>\n</table>\n</div>\n";
   if (!table.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", to_html(table.note));
   return text;

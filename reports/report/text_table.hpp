@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "report/comparison.hpp"
-
 namespace tribo::report {
 
 struct TextTable {
@@ -15,10 +13,8 @@ struct TextTable {
   std::vector<bool> is_number;  // of each column: set to the right
   std::vector<std::vector<std::string>> rows;
   std::string note;
+  std::string data = {};  // the same unrounded, a .tsv file below the report's folder; empty: none
 };
-
-TextTable text_table(const ComparisonTable& comparison);
-TextTable inputs_table(const std::vector<SolvedCase>& solved);
 
 std::string plain_table(const TextTable& table);
 std::string html_table(const TextTable& table);

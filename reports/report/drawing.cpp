@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/drawing.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "report/gnuplot.hpp"
+#include "report/pending_file.hpp"
+
+namespace tribo::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+std::string picture_path(const Figure& figure, std::string_view format) {
+  return fmt::format("figures/{}.{}", figure.stem, format);
+}
+
+std::string Draughtsman::draw_as(const Figure& figure, std::string_view format) {
+  const std::string path = picture_path(figure, format);
+  progress_("drawing " + path);
+  const Drawing& drawing = figure.drawing;
+  PendingFile file(places_.out / path);
+  const GnuplotRun run =
+      run_gnuplot(places_.gnuplot / drawing.frame,
+                  {drawing.script, std::string(format), file.temporary().string(),
+                   (places_.out / drawing.data).string(), drawing.name,
+                   std::to_string(drawing.height), drawing.title, drawing.subtitle});
+  if (run.end == GnuplotEnd::drawn) {
+    file.commit();
+    return {};
+  }
+  gnuplot_is_there_ = run.end != GnuplotEnd::not_found;
+  return gnuplot_is_there_ ? fmt::format("{}: {}", path, run.message) : run.message;
+}
+
+std::string Draughtsman::draw(Figure& figure) {
+  std::string why = gnuplot_is_there_ ? "" : "gnuplot was not found in PATH";
+  for (const std::string_view format : {"svg", "png"})
+    if (why.empty()) why = draw_as(figure, format);
+  if (why.empty()) {
+    figure.svg = content_of(places_.out / picture_path(figure, "svg"));
+    return {};
+  }
+  // An old picture would not belong to the new data.
+  std::error_code ignored;
+  for (const std::string_view format : {"svg", "png"})
+    fs::remove(places_.out / picture_path(figure, format), ignored);
+  return why;
+}
+
+}  // namespace tribo::report

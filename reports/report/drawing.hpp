@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drawing the figures of the report, each as SVG and as PNG.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/figure.hpp"
+#include "report/project_files.hpp"
+
+namespace tribo::report {
+
+// Below the report's folder.
+std::string picture_path(const Figure& figure, std::string_view format);
+
+class Draughtsman {
+ public:
+  Draughtsman(const ReportPlaces& places, const std::function<void(std::string_view)>& progress)
+      : places_(places), progress_(progress) {}
+
+  // Leaves its pictures in figures/ and its SVG in the figure, or neither. Empty: it is drawn; else
+  // why not. Once gnuplot was not found no other figure is tried.
+  std::string draw(Figure& figure);
+
+  bool gnuplot_is_there() const { return gnuplot_is_there_; }
+
+ private:
+  std::string draw_as(const Figure& figure, std::string_view format);
+
+  const ReportPlaces& places_;
+  const std::function<void(std::string_view)>& progress_;
+  bool gnuplot_is_there_ = true;
+};
+
+}  // namespace tribo::report

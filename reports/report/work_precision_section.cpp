@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/work_precision_section.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "report/number_text.hpp"
+#include "report/work_precision.hpp"
+
+namespace tribo::report {
+namespace {
+
+constexpr const char* file = "work_precision.json";
+
+std::string or_dash(double value) { return std::isnan(value) ? "–" : rounded(value, 3); }
+
+TextTable speed_table(const Json& baseline) {
+  TextTable table{
+      "The fastest way of each family that fails nowhere, and its true error",
+      {"job", "family", "way", "time a point, ns", "times ours", "worst error, ulp",
+       "evaluations of F~n~"},
+      {false, false, false, true, true, true, true},
+      {},
+      "What counts as a failure, and at which points a job is timed and judged, stands in "
+      "`benchmarks/README.md`."};
+  for (const std::string& job : jobs(baseline)) {
+    const std::vector<Way> ways = fastest_ways(baseline, job);
+    const Way* ours = contest(ways).ours;
+    for (const Way& way : ways)
+      table.rows.push_back({job_name(job), way.family, fmt::format("`{}`", way.name),
+                            rounded(way.ns, 3),
+                            ours == nullptr ? "–" : rounded(way.ns / ours->ns, 3),
+                            rounded(way.max_ulp, 3), or_dash(way.evaluations)});
+  }
+  return table;
+}
+
+Verdict verdict(const Json& baseline) {
+  std::string text = "Speed: the fastest other way that fails nowhere takes";
+  const char* separator = " ";
+  for (const std::string& job : jobs(baseline)) {
+    const std::vector<Way> ways = fastest_ways(baseline, job);
+    const auto [ours, other] = contest(ways);
+    if (ours == nullptr || other == nullptr) continue;
+    text += fmt::format("{}{} times our time ({})", separator, rounded(other->ns / ours->ns, 3),
+                        job_name(job));
+    separator = ", ";
+  }
+  return {Standing::measured, fmt::format("{}. {}", text, provenance(baseline))};
+}
+
+}  // namespace
+
+Section work_precision_section(const ReportPlaces& places) {
+  return filled_or_excused({"work-precision", "Work and precision"}, target_of(file),
+                           [&](Section& section) {
+                             const Json baseline = read_baseline(places, file);
+                             section.paragraphs = {
+                                 "Every way of doing a job was timed in one process and judged "
+                                 "against certified values, "
+                                 "from its coarsest setting to its finest. " +
+                                 provenance(baseline)};
+                             section.tables = {speed_table(baseline)};
+                             section.data = work_precision_data(baseline);
+                             section.figures = work_precision_figures(baseline);
+                             section.verdicts = {verdict(baseline)};
+                           });
+}
+
+}  // namespace tribo::report
