@@ -59,7 +59,7 @@ int write_report(const report::ReportOptions& options, OutputStream& output) {
 }
 
 constexpr const char* footer =
-    R"(Reads rough.toml, medium.toml, smooth.toml, their _gw.toml twins and reported.tsv, and writes
+    R"(Reads rough.toml, medium.toml, smooth.toml, their _gw.toml twins and claims.tsv, and writes
 index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg and *.png. Shows what
 reference/exact and reference/baselines have, and says what is missing. The folders' defaults lie in
 the project that the current folder, or else the program, is part of.

@@ -25,7 +25,7 @@ struct ComparisonRow {
 };
 
 struct ComparisonTable {
-  std::string_view quantity;  // as in reported.tsv
+  std::string_view quantity;  // as in claims.tsv
   std::string title;
   std::string computed_heading;  // "computed, m/s"
   std::string note;

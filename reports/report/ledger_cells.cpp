@@ -39,7 +39,8 @@ std::string number(const std::optional<double>& value, int digits) {
 }
 
 std::string percent(double part) {
-  if (part > 0 && part < 0.001) return "< 0.1 %";
+  if (part == 0) return "none";
+  if (part < 0.001) return "< 0.1 %";
   return fmt::format("{} %", part == 1 ? "100" : fmt::format("{:.1f}", 100 * part));
 }
 

@@ -9,6 +9,7 @@
 #include "report/drawing.hpp"
 #include "report/environment.hpp"
 #include "report/gates_section.hpp"
+#include "report/ledger_section.hpp"
 #include "report/page.hpp"
 #include "report/paper_sections.hpp"
 #include "report/paper_tables.hpp"
@@ -100,6 +101,8 @@ std::vector<Section> sections(const ReportPlaces& places, const ReportOptions& o
                               const Progress& progress) {
   std::vector<Section> all;
   all.push_back(environment_section(places, options.commit));
+  progress("judging the paper's claims under every reading");
+  for (Section& section : ledger_sections(places)) all.push_back(std::move(section));
   all.push_back(figures_section(findings, comparisons));
   all.push_back(comparison_section(findings, comparisons));
   progress("holding the model to the certified tables");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the paper reports, from reported.tsv beside the scenes.
+// What the paper reports, from claims.tsv beside the scenes.
 #pragma once
 
 #include <optional>

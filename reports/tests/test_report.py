@@ -272,8 +272,9 @@ class Numbers(WrittenReport):
             self.assert_close(shares[surface], share, 1e-13)
 
     def test_factors_are_computed_over_reported(self):
-        reported = {(row["quantity"], row["surface"]): row["value"]
-                    for row in table(PUBLISHED / "reported.tsv")}
+        lines = (PUBLISHED / "claims.tsv").read_text().splitlines()
+        claims = csv.DictReader((line for line in lines if not line.startswith("#")), delimiter="\t")
+        reported = {(row["quantity"], row["surface"]): row["value"] for row in claims}
         rows = table(self.out / "data/comparison.tsv")
         with_factor = [row for row in rows if row["computed/reported"] != "NaN"]
         self.assertEqual(len(rows), 24 + 24 + 6)
@@ -383,16 +384,17 @@ class Failures(unittest.TestCase):
 
     def test_missing_or_broken_reported_values(self):
         scenes = self.scenes()
-        original = (scenes / "reported.tsv").read_text()
-        for text, word in ((original.replace("\t0.82\t", "\t0,82\t"), "number"),
-                           (original + "C1\tonset_speed\n", "columns"), (None, "cannot read")):
+        original = (scenes / "claims.tsv").read_text()
+        for text, word in ((original.replace("\t0.82\t", "\t0,820\t"), "is no number"),
+                           (original + "C1\tonset_speed\n", "columns"),
+                           (None, "cannot be read")):
             with self.subTest(word):
-                (scenes / "reported.tsv").unlink()
+                (scenes / "claims.tsv").unlink()
                 if text is not None:
-                    (scenes / "reported.tsv").write_text(text)
+                    (scenes / "claims.tsv").write_text(text)
                 done = report("--scenes", scenes, "--out", self.path / "out")
-                self.assert_refused(done, "reported.tsv", word)
-                (scenes / "reported.tsv").touch()
+                self.assert_refused(done, "claims.tsv", word)
+                (scenes / "claims.tsv").touch()
 
     def test_scenes_that_never_starve_have_no_onset(self):
         """Nothing is marked, nothing is made up, and gnuplot copes with it."""

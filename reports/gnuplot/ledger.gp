@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the figures of the ledger share, and the start of each; called as style.gp is:
+#   gnuplot -d -c ledger.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
+script = ARG1
+scripts = ARG0[1:strlen(ARG0) - strlen("ledger.gp")]
+data = ARG4."/"
+tall = int(ARG6)
+kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
+load scripts."canvas.gp"
+
+# The colours of the surfaces in the other figures.
+colour(surface) = surface eq "rough" ? 0xD55E00 : surface eq "medium" ? 0x009E73 : 0x0072B2
+# Columns of data/ledger_surfaces.tsv.
+surfaces = data."ledger_surfaces.tsv"
+sd = 2; median = 3
+set style line 9 linecolor rgb "#222222" pointtype 8 pointsize 1.7*outline linewidth 1.6
+set style fill solid 1 noborder
+wide = 0xDCE6EE; narrow = 0x9FBAD0   # plausible inputs, print precision
+set ytics nomirror out scale 1,0.5
+set xtics nomirror out scale 1,0.5
+set border 3 linewidth 0.8
+set grid ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+set lmargin at screen 0.11
+set rmargin at screen 0.97
+set tmargin at screen 1 - 78.0/tall
+set bmargin at screen 150.0/tall
+set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse \
+  samplen 3.5 spacing 1.25 font small
+load scripts.script
