@@ -8,23 +8,29 @@
 
 namespace tribo::cli {
 
+struct ProgressStyle {
+  const char* what = "points";
+  std::size_t steps_between_looks = 1024;  // at the clock
+  bool results_come_at_end = false;        // else a terminal that gets the results is left alone
+};
+
 class Progress {
  public:
-  explicit Progress(std::size_t total);
+  explicit Progress(std::size_t total, const ProgressStyle& style = {});
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();  // wipes its line
 
   void step() {
-    if (++done_ % steps_between_looks == 0 && watched_) show();
+    if (++done_ % style_.steps_between_looks == 0 && watched_) show();
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t steps_between_looks = 1024;
 
   void show();
 
+  ProgressStyle style_;
   std::size_t total_;
   std::size_t done_ = 0;
   bool watched_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck verify: this model against the certified tables of reference/exact.
+// tribocheck verify: this model against the certified tables of reference/exact, or somebody
+// else's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "report/project_files.hpp"
 #include "report/report_error.hpp"
 #include "table.hpp"
+#include "verify_subject.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -26,6 +28,7 @@ struct VerifyArguments {
   std::string reference;  // empty: reference/exact of the project
   std::string format = "table";
   std::string junit;  // empty: none
+  SubjectArguments subject;
 };
 
 const char* verdict(const QuantityResult& result) { return result.passed() ? "held" : "FAILED"; }
@@ -93,6 +96,17 @@ std::string junit_text(const std::vector<QuantityResult>& results) {
 }
 
 int verify(const VerifyArguments& arguments, OutputStream& output) {
+  if (!arguments.subject.command.empty() || !arguments.subject.plugin.empty()) {
+    SubjectArguments subject = arguments.subject;
+    subject.exact = arguments.reference;
+    subject.format = arguments.format;
+    subject.junit = arguments.junit;
+    return verify_subject(subject, output);
+  }
+  if (arguments.format == "markdown") {
+    complain("--format markdown is for --subject and --plugin");
+    return exit_bad;
+  }
   try {
     const std::string folder = arguments.reference.empty()
                                    ? (report::find_places({}).reference / "exact").string()
@@ -122,20 +136,61 @@ constexpr const char* footer =
 the function's contract allows: so many units in the last place, or so many times the condition number.
 Exit code 1: a contract was broken.
 
-Example:
-  tribocheck verify --junit verify.xml)";
+With --subject or --plugin somebody else's solver is put to the tests: the same values as function-level
+cases and operating points, and the paper's scenes. A subject is a program that reads a line of JSON and
+writes one (README.md of verification/conformance says how; `tribocheck init subject` writes a start); a
+plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
+it skips. Exit code 0: all that it offers holds; 1: something failed, or it offers nothing.
+
+Examples:
+  tribocheck verify --junit verify.xml
+  tribocheck verify --subject 'python3 my_solver.py'
+  tribocheck verify --plugin ./libmine.so --tolerance strict --baseline mine.json)";
 
 }  // namespace
 
 Command add_verify(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("verify", "this model against certified reference values");
+  CLI::App* app = program.add_subcommand(
+      "verify", "this model, or your own, against certified reference values");
   app->footer(footer);
   const auto arguments = std::make_shared<VerifyArguments>();
   app->add_option("--reference", arguments->reference,
                   "folder of the tables (default: reference/exact)");
   app->add_option("--format", arguments->format, "how to write the results (default: table)")
-      ->check(CLI::IsMember({"table", "json"}));
+      ->check(CLI::IsMember({"table", "json", "markdown"}));
   app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
+  SubjectArguments& subject = arguments->subject;
+  CLI::Option* const command = app->add_option("--subject", subject.command,
+                                               "command line of a program that answers JSON lines");
+  CLI::Option* const plugin =
+      app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions");
+  plugin->excludes(command);
+  const auto of_subject = [&](CLI::Option* option) {
+    option->group("Subjects");
+    return option;
+  };
+  of_subject(command);
+  of_subject(plugin);
+  of_subject(
+      app->add_option("--tolerance", subject.tolerance,
+                      "strict (the certified contracts), engineering (1e-6 of the value, times its "
+                      "condition; the default), or a file of lines QUANTITY RELATIVE"));
+  of_subject(app->add_option("--sample", subject.sample, "at most so many cases of each function")
+                 ->check(CLI::PositiveNumber));
+  of_subject(
+      app->add_option("--case-timeout", subject.case_timeout, "seconds for one case (default: 10)")
+          ->check(CLI::Range(0.01, 1e5)));
+  of_subject(app->add_option("--timeout", subject.timeout, "seconds for all of them (default: 600)")
+                 ->check(CLI::Range(0.01, 1e6)));
+  of_subject(app->add_option("--require", subject.required,
+                             "a quantity that has to be held whole; may be repeated"));
+  of_subject(app->add_option("--baseline", subject.baseline,
+                             "fail only on what is worse than this file says"));
+  CLI::Option* const update = of_subject(app->add_flag("--update-baseline", subject.update_baseline,
+                                                       "write what is better to the baseline"));
+  update->needs("--baseline");
+  of_subject(app->add_flag("--force", subject.force, "with --update-baseline: what is worse, too"))
+      ->needs(update);
   return {app, [arguments](OutputStream& output) { return verify(*arguments, output); }};
 }
 

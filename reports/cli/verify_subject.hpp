@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck verify --subject: somebody else's solver put to the tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output_stream.hpp"
+
+namespace tribo::cli {
+
+struct SubjectArguments {
+  std::string command;  // of --subject
+  std::string plugin;   // of --plugin
+  std::string exact;    // empty: reference/exact of the project
+  std::string tolerance = "engineering";
+  std::string format = "table";
+  std::string junit;     // empty: none
+  std::string baseline;  // empty: none
+  bool update_baseline = false, force = false;
+  std::vector<std::string> required;        // quantities that have to be held
+  std::size_t sample = 0;                   // cases of each function at most; 0: all
+  double case_timeout = 10, timeout = 600;  // s
+};
+
+// Exit code 0: all that is offered holds; 1: something failed, or nothing is offered; 2: bad input.
+int verify_subject(const SubjectArguments& arguments, OutputStream& output);
+
+}  // namespace tribo::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verdict on a subject, quantity by quantity.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "conformance/conversation.hpp"
+
+namespace tribo::conformance {
+
+// How far off an answer may be.
+struct Tolerance {
+  std::string name;                        // "strict", "engineering", or the file
+  bool is_strict = false;                  // the certified contract of each function
+  double relative = 0;                     // else so much of the value, times its condition
+  std::map<std::string, double> quantity;  // and for these so much
+};
+Tolerance strict_tolerance();
+// 1e-6, and nothing asked that is beyond engineering (Case::is_extreme): for code that uses
+// quadrature or fits.
+Tolerance engineering_tolerance();
+// Lines "quantity relative", # before comments; "default" for all that are not named. Throws
+// std::runtime_error with one line.
+Tolerance read_tolerance(const std::string& path, const std::vector<Case>& cases);
+
+// How far off an answer to this may be, absolute.
+double allowed_error(const Case& asked, const Expected& expected, const Tolerance& tolerance);
+
+enum class Status : std::uint8_t {
+  held,         // every case
+  partly_held,  // every case that was answered, but some were skipped
+  failed,
+  not_offered,  // no case was answered: all skipped, or the field is never there
+};
+std::string_view name(Status status);
+
+// One number that was asked for.
+struct Judged {
+  std::size_t of_case;   // its index
+  std::size_t expected;  // the index of the field
+  double got;            // NaN where there is none
+  double part_of_bound;  // error/bound; infinite where there is no number; above 1: failed
+};
+
+struct QuantityVerdict {
+  std::string quantity;
+  Status status = Status::not_offered;
+  std::size_t asked = 0, held = 0, failed = 0, skipped = 0;
+  double worst_part_of_bound = 0, worst_relative = 0;
+  std::string worst_case;    // its id
+  std::string first_reason;  // of the first failure, or of the first skip
+};
+
+enum class Overall : std::uint8_t { complete, partial, failed, nothing };
+std::string_view name(Overall overall);
+
+struct ConformanceResult {
+  std::string subject;
+  std::string tolerance;
+  Overall overall = Overall::nothing;
+  std::vector<QuantityVerdict> quantities;
+  std::vector<Judged> judged;  // all numbers that failed, for the diagnosis
+  std::size_t violation_count = 0;
+  std::vector<std::string> violations;
+  std::string last_errors;
+  int starts = 0;
+  bool answers_at_end_of_input = false;
+};
+
+ConformanceResult judge(std::string subject, const std::vector<Case>& cases,
+                        const Conversation& conversation, const Tolerance& tolerance);
+
+// The cases of a tolerance: engineering leaves out what is extreme.
+std::vector<Case> cases_for(std::vector<Case> cases, const Tolerance& tolerance);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a solver is asked, and what it should answer: the certified tables of reference/exact as
+// function-level cases and operating points, the film formula, and the paper's scenes.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tribo/contract.hpp"
+
+namespace tribo::conformance {
+
+// One field of an answer. value = high + low; a word for regime and inlet; or undefined there.
+struct Expected {
+  std::string field;
+  double high = 0, low = 0;
+  double condition = 1;
+  bool is_undefined = false;
+  std::string word{};
+};
+
+struct Case {
+  std::string id;
+  std::string function;   // "gaussian_moment", …, or "operating_point"
+  nlohmann::json inputs;  // the line that asks, but for its id
+  Contract contract;      // of the strict tolerance
+  std::vector<Expected> expected;
+  bool is_extreme;  // beyond what code for engineering is made for
+
+  std::string line() const;  // one line of JSON, without a line end
+};
+
+// "gaussian_moment", "hertz_point.radius", "operating_point.film": a function's only field is not
+// named.
+std::string quantity_name(const Case& asked, const Expected& expected);
+
+struct CaseSources {
+  std::string exact;      // the folder of certified tables
+  std::string published;  // of the paper's scenes and independent.tsv
+};
+// Throws std::runtime_error with one line.
+std::vector<Case> read_cases(const CaseSources& sources);
+
+// Every k-th case of each function, so that at most `most` of each remain, the first always.
+std::vector<Case> sampled(std::vector<Case> cases, std::size_t most);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Asking a subject all cases: one answer or one clear reason for each, whatever it does.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "conformance/conformance_case.hpp"
+
+namespace tribo::conformance {
+
+enum class Outcome : std::uint8_t {
+  answered,
+  skipped,    // {"skip": reason}
+  refused,    // {"error": …}
+  garbage,    // its answer is no JSON object
+  missing,    // later cases were answered, this one not
+  late,       // no answer within the limit of a case
+  died,       // the subject ended while this was the next to be answered
+  not_asked,  // it had died too often, or the limit of all cases was reached
+};
+
+struct Answer {
+  Outcome outcome = Outcome::not_asked;
+  nlohmann::json fields{};  // of an answer
+  std::string reason{};     // of anything else
+};
+
+struct Limits {
+  std::chrono::milliseconds one_case{10000};
+  std::chrono::milliseconds all_cases{600000};
+};
+
+struct Conversation {
+  std::vector<Answer> answers;          // in the order of the cases
+  std::vector<std::string> violations;  // of the protocol: the first few, one line each
+  std::size_t violation_count = 0;
+  int starts = 0;                        // of the subject
+  std::string last_errors;               // what it wrote to stderr last
+  bool answers_at_end_of_input = false;  // it does not flush its answers
+};
+
+// `progress` hears how many cases are settled.
+Conversation ask(const std::string& command, const std::vector<Case>& cases, const Limits& limits,
+                 const std::function<void(std::size_t)>& progress);
+
+}  // namespace tribo::conformance

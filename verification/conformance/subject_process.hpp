@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Somebody else's program as a child: lines go to its stdin, lines come from its stdout, its stderr
+// is kept in mind. POSIX spawn and poll. It has a process group of its own, which dies as one;
+// nothing that it does makes a call here wait longer than it was told to.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+
+namespace tribo::conformance {
+
+inline constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+class SubjectProcess {
+ public:
+  // Runs a command line by /bin/sh. Throws std::runtime_error where not even that starts.
+  explicit SubjectProcess(const std::string& command);
+  SubjectProcess(const SubjectProcess&) = delete;
+  SubjectProcess& operator=(const SubjectProcess&) = delete;
+  ~SubjectProcess();  // kills the group
+
+  // What is to be written, a line; it leaves in pump(), as fast as the child reads.
+  void send(std::string_view line);
+  std::size_t unsent() const { return to_write_.size(); }
+  void close_input();  // once all is written
+
+  enum class Event : std::uint8_t { line, nothing, too_long_line, end_of_output };
+  // Waits up to so long for a line. end_of_output: its stdout is closed, or it is gone and all that
+  // it wrote is read.
+  Event next_line(std::string& line, std::chrono::milliseconds longest);
+
+  bool refuses_input() const { return refuses_input_; }
+  void kill();
+  // "exited with code 3", "was killed by signal 11 (Segmentation fault)", "was still running".
+  std::string end_text();
+  bool has_ended();
+  int exit_code();                                            // of a normal end, else −1
+  const std::string& last_errors() const { return errors_; }  // the last 4 kB of its stderr
+
+ private:
+  bool take_line(std::string& line);
+  void pump(int milliseconds);
+  void read_output();
+  void read_errors();
+  void write_input();
+
+  pid_t child_ = -1;
+  int input_ = -1, output_ = -1, error_ = -1;
+  bool refuses_input_ = false, close_when_written_ = false;
+  bool has_ended_ = false, is_reaped_ = false;
+  bool exited_ = false;  // with code status_; else killed by signal status_
+  int status_ = 0;
+  std::string to_write_;
+  std::string received_;
+  std::size_t searched_ = 0;
+  std::string errors_;
+};
+
+}  // namespace tribo::conformance
