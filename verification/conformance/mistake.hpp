@@ -20,7 +20,9 @@ struct Mistake {
   std::function<std::optional<double>(const nlohmann::json& inputs, std::string_view field)> value;
 };
 
-std::vector<Mistake> function_mistakes();  // of single functions
+std::vector<Mistake> hertz_mistakes();
+std::vector<Mistake> moment_mistakes();
+std::vector<Mistake> function_mistakes();  // of all single functions
 std::vector<Mistake> point_mistakes();     // of operating points
 
 }  // namespace tribo::conformance
