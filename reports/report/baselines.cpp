@@ -33,6 +33,11 @@ std::string short_commit(const std::string& commit) {
   return commit.substr(0, std::min(shown, digits)) + commit.substr(digits);
 }
 
+std::string measured_when(const Json& baseline) {
+  return fmt::format("Measured on {} at commit `{}`.", baseline.at("date").get<std::string>(),
+                     short_commit(baseline.at("commit").get<std::string>()));
+}
+
 std::string provenance(const Json& baseline) {
   const Json& environment = baseline.at("environment");
   const std::string took =

@@ -37,6 +37,9 @@ std::string target_of(std::string_view file);
 // “Measured on 2026-11-21 at commit 0123456789ab, in 600 s; processor; compiler.”
 std::string provenance(const Json& baseline);
 
+// “Measured on 2026-11-21 at commit 0123456789ab.”
+std::string measured_when(const Json& baseline);
+
 // The first twelve digits, and what stands after the hash: “0123456789ab and changes”.
 std::string short_commit(const std::string& commit);
 

@@ -125,11 +125,10 @@ void fill_proof(Section& section, const Json& ledger) {
       "They have to pass a program against itself and to turn red when work is planted." +
       same_time(ledger) + " " + provenance(ledger));
   section.verdicts.push_back(
-      {!all.empty() && proved == all.size() ? Standing::holds : Standing::fails,
-       fmt::format(
-           "Gates of speed: {} of {} gates said what they had to, of the same program and of "
-           "planted work.{} {}",
-           proved, all.size(), same_time(ledger), provenance(ledger))});
+      {!all.empty() && proved == all.size() ? Standing::holds : Standing::fails, section.title,
+       fmt::format("{} of {} gates said what they had to, of the same program and of planted "
+                   "work.{} {}",
+                   proved, all.size(), same_time(ledger), measured_when(ledger))});
 }
 
 void fill_baseline(Section& section, const Json& baseline) {
