@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <stdexcept>
 
 #include "report/number_text.hpp"
 
@@ -19,6 +18,13 @@ Json read_baseline(const ReportPlaces& places, std::string_view file) {
   if (content.is_discarded())
     throw std::runtime_error(fmt::format("`{}` is not JSON", places.shown(path)));
   return content;
+}
+
+std::runtime_error of_another_shape(const ReportPlaces& places, std::string_view file,
+                                    const std::exception& error) {
+  return std::runtime_error(fmt::format("`{}` has another shape: {}",
+                                        places.shown(places.reference / "baselines" / file),
+                                        error.what()));
 }
 
 std::string target_of(std::string_view file) {

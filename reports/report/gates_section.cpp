@@ -142,12 +142,8 @@ void fill_baseline(Section& section, const Json& baseline) {
 }  // namespace
 
 Section gates_section(const ReportPlaces& places) {
-  const Section section =
-      filled_or_excused({"gates", "Gates of speed"}, target_of(proof_file),
-                        [&](Section& to) { fill_proof(to, read_baseline(places, proof_file)); });
-  return filled_or_excused(section, target_of(baseline_file), [&](Section& to) {
-    fill_baseline(to, read_baseline(places, baseline_file));
-  });
+  const Section proved = from_baseline({"gates", "Gates of speed"}, places, proof_file, fill_proof);
+  return from_baseline(proved, places, baseline_file, fill_baseline);
 }
 
 }  // namespace tribo::report

@@ -23,8 +23,7 @@ std::vector<std::string> row(const Json& fault) {
           rounded(fault.at("seconds").get<double>(), 3)};
 }
 
-void fill(Section& section, const ReportPlaces& places) {
-  const Json baseline = read_baseline(places, file);
+void fill(Section& section, const Json& baseline) {
   TextTable table{"Faults planted in the tree, and the check that caught each",
                   {"id", "fault", "verdict", "check", "in", "time, s"},
                   {false, false, false, false, false, true},
@@ -57,8 +56,7 @@ void fill(Section& section, const ReportPlaces& places) {
 }  // namespace
 
 Section planted_faults_section(const ReportPlaces& places) {
-  return filled_or_excused({"planted-faults", "Planted faults"}, target_of(file),
-                           [&](Section& section) { fill(section, places); });
+  return from_baseline({"planted-faults", "Planted faults"}, places, file, fill);
 }
 
 }  // namespace tribo::report

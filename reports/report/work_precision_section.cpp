@@ -62,22 +62,21 @@ Verdict verdict(const Json& baseline) {
                   measured_when(baseline))};
 }
 
+void fill(Section& section, const Json& baseline) {
+  section.paragraphs = {
+      "Every way of doing a job was timed in one process and judged against certified values, from "
+      "its coarsest setting to its finest. " +
+      provenance(baseline)};
+  section.tables = {speed_table(baseline)};
+  section.data = work_precision_data(baseline);
+  section.figures = work_precision_figures(baseline);
+  section.verdicts = {verdict(baseline)};
+}
+
 }  // namespace
 
 Section work_precision_section(const ReportPlaces& places) {
-  return filled_or_excused({"work-precision", "Work and precision"}, target_of(file),
-                           [&](Section& section) {
-                             const Json baseline = read_baseline(places, file);
-                             section.paragraphs = {
-                                 "Every way of doing a job was timed in one process and judged "
-                                 "against certified values, "
-                                 "from its coarsest setting to its finest. " +
-                                 provenance(baseline)};
-                             section.tables = {speed_table(baseline)};
-                             section.data = work_precision_data(baseline);
-                             section.figures = work_precision_figures(baseline);
-                             section.verdicts = {verdict(baseline)};
-                           });
+  return from_baseline({"work-precision", "Work and precision"}, places, file, fill);
 }
 
 }  // namespace tribo::report

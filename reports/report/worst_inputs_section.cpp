@@ -93,20 +93,20 @@ Verdict verdict(const Json& baseline) {
                   rounded(100 * greatest, 3), measured_when(baseline))};
 }
 
+void fill(Section& section, const Json& baseline) {
+  const Json& outputs = baseline.at("outputs");
+  const std::string seed = baseline.at("seed").dump();
+  section.paragraphs = {
+      fmt::format("{} random points, seed {}: scenes as they are built and scenes far beyond. {}",
+                  grouped(baseline.at("points").get<std::size_t>()), seed, provenance(baseline))};
+  section.tables = {output_table(outputs), input_table(outputs, seed)};
+  section.verdicts = {verdict(baseline)};
+}
+
 }  // namespace
 
 Section worst_inputs_section(const ReportPlaces& places) {
-  return filled_or_excused(
-      {"worst-inputs", "Worst inputs"}, target_of(file), [&](Section& section) {
-        const Json baseline = read_baseline(places, file);
-        const Json& outputs = baseline.at("outputs");
-        section.paragraphs = {fmt::format(
-            "{} random points, seed {}: scenes as they are built and scenes far beyond. {}",
-            grouped(baseline.at("points").get<std::size_t>()), baseline.at("seed").dump(),
-            provenance(baseline))};
-        section.tables = {output_table(outputs), input_table(outputs, baseline.at("seed").dump())};
-        section.verdicts = {verdict(baseline)};
-      });
+  return from_baseline({"worst-inputs", "Worst inputs"}, places, file, fill);
 }
 
 }  // namespace tribo::report
