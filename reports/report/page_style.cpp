@@ -63,6 +63,7 @@ td.list { font-size: .8rem; }
 .note { margin: .5rem 0 0; font-size: .9rem; color: var(--quiet); }
 code { font-size: .92em; overflow-wrap: anywhere; }
 .word code { overflow-wrap: normal; }
+.word wbr, .line wbr { display: none; }
 .line code { white-space: nowrap; }
 .prose code { font-size: .85em; }
 figure { margin: 2rem 0 0; }
@@ -82,6 +83,7 @@ figcaption { margin-top: .6rem; }
   .badge + span { display: block; }
   .hint { display: block; }
   .line code { white-space: normal; }
+  .line wbr { display: inline; }
 }
 @media screen and (min-width: 80rem) {
   .page { display: grid; grid-template-columns: 13rem minmax(0, 1fr); column-gap: 2.5rem;
@@ -105,6 +107,7 @@ figcaption { margin-top: .6rem; }
   table { font-size: 7pt; }
   th, td { padding: .1rem .3rem; }
   .number, .word, .line code { white-space: normal; }
+  .line wbr { display: inline; }
   .line, .prose, .list { min-width: 0; }
   td.list { font-size: inherit; }
   .long thead th { position: static; }

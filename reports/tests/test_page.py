@@ -175,7 +175,7 @@ class Page(WrittenReport):
 
     def test_these_checks_bite(self):
         for style, script in (("p { white-space: nowrap; }", CLIPPED),
-                              (".badge { overflow: hidden; width: 1rem; }", CLIPPED),
+                              (".badge { overflow: hidden; width: 1rem; min-width: 0; }", CLIPPED),
                               (".scroll { overflow: hidden; }", CLIPPED),
                               ("figcaption { overflow-x: auto; width: 20rem; white-space: nowrap; }",
                                UNNAMED_REGIONS)):
