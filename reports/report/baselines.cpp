@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <stdexcept>
 
 #include "report/number_text.hpp"
 
@@ -21,6 +20,13 @@ Json read_baseline(const ReportPlaces& places, std::string_view file) {
   return content;
 }
 
+std::runtime_error of_another_shape(const ReportPlaces& places, std::string_view file,
+                                    const std::exception& error) {
+  return std::runtime_error(fmt::format("`{}` has another shape: {}",
+                                        places.shown(places.reference / "baselines" / file),
+                                        error.what()));
+}
+
 std::string target_of(std::string_view file) {
   for (const BaselineKind& kind : baseline_kinds)
     if (kind.file == file) return fmt::format("`make {}`", kind.target);
@@ -31,6 +37,11 @@ std::string short_commit(const std::string& commit) {
   constexpr std::size_t shown = 12;
   const std::size_t digits = std::min(commit.find_first_not_of("0123456789abcdef"), commit.size());
   return commit.substr(0, std::min(shown, digits)) + commit.substr(digits);
+}
+
+std::string measured_when(const Json& baseline) {
+  return fmt::format("Measured on {} at commit `{}`.", baseline.at("date").get<std::string>(),
+                     short_commit(baseline.at("commit").get<std::string>()));
 }
 
 std::string provenance(const Json& baseline) {

@@ -62,11 +62,12 @@ Verdict verdict(const std::vector<QuantityResult>& results) {
     cases += one.cases;
     greatest = std::max(greatest, one.worst_part_of_bound);
   }
-  return {!results.empty() && held == results.size() ? Standing::holds : Standing::fails,
-          fmt::format("Certified values: {} of {} quantities keep their declared accuracy on {} "
-                      "certified values; the worst error takes {} % of its bound. "
-                      "Computed for this page.",
-                      held, results.size(), grouped(cases), rounded(100 * greatest, 3))};
+  return {
+      !results.empty() && held == results.size() ? Standing::holds : Standing::fails,
+      "Certified values",
+      fmt::format("{} of {} quantities keep their declared accuracy on {} certified values; the "
+                  "worst error takes {} % of its bound. Computed for this page.",
+                  held, results.size(), grouped(cases), rounded(100 * greatest, 3))};
 }
 
 void fill(Section& section, const ReportPlaces& places) {

@@ -58,7 +58,7 @@ std::string age(const std::string& date, chrono::sys_days now) {
   if (!day) return "unknown";
   const auto days = (now - *day).count();
   if (days < 0) return "dated after this page";
-  return days == 0 ? "of the same day" : fmt::format("{} {}", days, days == 1 ? "day" : "days");
+  return days == 0 ? "today" : fmt::format("{} {}", days, days == 1 ? "day" : "days");
 }
 
 std::string processor() {
@@ -82,7 +82,7 @@ TextTable machine_table(const std::string& commit, chrono::sys_days now) {
            {"commit", commit.empty() ? "not told" : fmt::format("`{}`", commit)},
            {"compiler", std::string(compiler)},
            {"processor", processor()},
-           {"instruction set of the batches", std::string(instruction_set())},
+           {"instruction set", std::string(instruction_set())},
            {"kernel", kernel()},
            {"date", iso(now)}},
           {}};

@@ -125,11 +125,10 @@ void fill_proof(Section& section, const Json& ledger) {
       "They have to pass a program against itself and to turn red when work is planted." +
       same_time(ledger) + " " + provenance(ledger));
   section.verdicts.push_back(
-      {!all.empty() && proved == all.size() ? Standing::holds : Standing::fails,
-       fmt::format(
-           "Gates of speed: {} of {} gates said what they had to, of the same program and of "
-           "planted work.{} {}",
-           proved, all.size(), same_time(ledger), provenance(ledger))});
+      {!all.empty() && proved == all.size() ? Standing::holds : Standing::fails, section.title,
+       fmt::format("{} of {} gates said what they had to, of the same program and of planted "
+                   "work.{} {}",
+                   proved, all.size(), same_time(ledger), measured_when(ledger))});
 }
 
 void fill_baseline(Section& section, const Json& baseline) {
@@ -143,12 +142,8 @@ void fill_baseline(Section& section, const Json& baseline) {
 }  // namespace
 
 Section gates_section(const ReportPlaces& places) {
-  const Section section =
-      filled_or_excused({"gates", "Gates of speed"}, target_of(proof_file),
-                        [&](Section& to) { fill_proof(to, read_baseline(places, proof_file)); });
-  return filled_or_excused(section, target_of(baseline_file), [&](Section& to) {
-    fill_baseline(to, read_baseline(places, baseline_file));
-  });
+  const Section proved = from_baseline({"gates", "Gates of speed"}, places, proof_file, fill_proof);
+  return from_baseline(proved, places, baseline_file, fill_baseline);
 }
 
 }  // namespace tribo::report

@@ -19,6 +19,13 @@ std::string html_sign(char sign) {
   }
 }
 
+// A long name in code may go on in the next line after these.
+std::string html_code_sign(char sign) {
+  constexpr std::string_view joints = "./_";
+  const bool is_joint = joints.find(sign) != std::string_view::npos;
+  return html_sign(sign) + (is_joint ? "<wbr>" : "");
+}
+
 std::string markdown_sign(char sign) {
   constexpr std::string_view special = "\\*_[]|#";
   if (special.find(sign) != std::string_view::npos) return {'\\', sign};
@@ -74,7 +81,7 @@ std::string itself(char sign) { return {sign}; }
 std::string to_html(std::string_view markup) {
   return render(
       markup,
-      {{"<code>", "</code>"}, {"<sub>", "</sub>"}, {"<sup>", "</sup>"}, html_sign, html_sign});
+      {{"<code>", "</code>"}, {"<sub>", "</sub>"}, {"<sup>", "</sup>"}, html_sign, html_code_sign});
 }
 
 std::string to_markdown(std::string_view markup) {

@@ -34,6 +34,28 @@ std::string_view standing_word(Standing standing) {
   return "";
 }
 
+std::string standing_summary(const Page& page) {
+  constexpr std::pair<Standing, std::string_view> kinds[] = {
+      {Standing::holds, "hold"},
+      {Standing::differs, "differ from the paper"},
+      {Standing::fails, "fail"},
+      {Standing::measured, "are measured, neither good nor bad"},
+      {Standing::absent, "did not run or have no data"},
+  };
+  const std::vector<PlacedVerdict> all = verdicts(page);
+  std::string text = fmt::format("Of {} findings", all.size());
+  for (const auto& [standing, words] : kinds) {
+    const auto count = std::count_if(all.begin(), all.end(), [wanted = standing](const auto& one) {
+      return one.verdict.standing == wanted;
+    });
+    text += fmt::format("{} {} {}", standing == Standing::holds ? "" : ",", count, words);
+  }
+  return text +
+         ". What holds agrees within the bound that is declared for it, or to the last digit that "
+         "the "
+         "paper prints.";
+}
+
 Section not_run_section(const std::vector<Section>& sections) {
   Section section{"not-run", "What did not run"};
   TextTable table{
@@ -48,12 +70,14 @@ Section not_run_section(const std::vector<Section>& sections) {
       "and date, and the environment says how old they are."};
   if (table.rows.empty()) {
     section.paragraphs.emplace_back("Nothing else is missing.");
-    section.verdicts = {{Standing::holds, "Every part of this page has its data."}};
+    section.verdicts = {
+        {Standing::holds, section.title, "Nothing: every part of this page has its data."}};
     return section;
   }
-  section.verdicts = {{Standing::absent,
-                       fmt::format("{} {} of this page did not run or has no data.",
-                                   table.rows.size(), table.rows.size() == 1 ? "part" : "parts")}};
+  section.verdicts = {{Standing::absent, section.title,
+                       fmt::format("{} {} of this page did not run or {} no data.",
+                                   table.rows.size(), table.rows.size() == 1 ? "part" : "parts",
+                                   table.rows.size() == 1 ? "has" : "have")}};
   section.tables = {std::move(table)};
   return section;
 }

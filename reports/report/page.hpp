@@ -27,6 +27,9 @@ struct PlacedVerdict {
 // Promises that are broken, then all else in the order of the sections, and last what did not run.
 std::vector<PlacedVerdict> verdicts(const Page& page);
 
+// “Of 11 findings 7 hold, …”: markup, above the verdicts.
+std::string standing_summary(const Page& page);
+
 // "holds", "differs", "FAILS", "measured", "not run".
 std::string_view standing_word(Standing standing);
 

@@ -34,7 +34,8 @@ std::string picture(const Figure& figure) {
   const std::string title = to_plain(figure.heading);
   return fmt::format(
       "<div class=\"scroll picture\" tabindex=\"0\" role=\"region\" aria-label=\"{}, picture\">\n{}"
-      "</div>\n",
+      "</div>\n<p class=\"hint\">Wider than this screen: scroll it sideways, or open the "
+      "picture.</p>\n",
       escape_html(title), inline_svg(figure.svg, figure.stem, title, figure.alternative));
 }
 
@@ -99,12 +100,13 @@ std::string_view standing_class(Standing standing) {
 }
 
 std::string verdict_text(const Page& page) {
-  std::string text = "<ul class=\"verdicts\">\n";
+  std::string text =
+      fmt::format("<p>{}</p>\n<ul class=\"verdicts\">\n", to_html(standing_summary(page)));
   for (const PlacedVerdict& one : verdicts(page))
     text += fmt::format(
-        "<li><span class=\"badge {}\">{}</span><span>{} <a href=\"#{}\">Details</a></span></li>\n",
-        standing_class(one.verdict.standing), standing_word(one.verdict.standing),
-        to_html(one.verdict.text), one.section);
+        "<li><span class=\"badge {}\">{}</span> <span><a href=\"#{}\">{}</a>: {}</span></li>\n",
+        standing_class(one.verdict.standing), standing_word(one.verdict.standing), one.section,
+        to_html(one.verdict.subject), to_html(one.verdict.text));
   return in_section(verdict_id, "Verdict", text + "</ul>\n");
 }
 

@@ -67,6 +67,7 @@ std::string json_page(const Page& page) {
   Json& lines = all["verdicts"] = Json::array();
   for (const PlacedVerdict& one : verdicts(page))
     lines.push_back({{"standing", standing_word(one.verdict.standing)},
+                     {"subject", to_plain(one.verdict.subject)},
                      {"text", to_plain(one.verdict.text)},
                      {"section", one.section}});
   Json& sections = all["sections"] = Json::array();

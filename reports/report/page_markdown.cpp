@@ -44,10 +44,10 @@ std::string section_text(const Section& section) {
 std::string markdown_page(const Page& page) {
   std::string text = fmt::format("# {}\n\n", to_markdown(page.title));
   for (const std::string& paragraph : page.introduction) text += to_markdown(paragraph) + "\n\n";
-  text += "## Verdict\n\n";
+  text += fmt::format("## Verdict\n\n{}\n\n", to_markdown(standing_summary(page)));
   for (const PlacedVerdict& one : verdicts(page))
-    text += fmt::format("- **{}** {}\n", standing_word(one.verdict.standing),
-                        to_markdown(one.verdict.text));
+    text += fmt::format("- **{}** {}: {}\n", standing_word(one.verdict.standing),
+                        to_markdown(one.verdict.subject), to_markdown(one.verdict.text));
   text += '\n';
   for (const Section& section : page.sections) text += section_text(section);
   text += "## Data\n\n";

@@ -26,6 +26,7 @@ h1 { font-size: 1.7rem; line-height: 1.25; margin: .5rem 0 1rem; }
 h2 { font-size: 1.3rem; line-height: 1.3; margin: 0 0 .75rem; }
 h3 { font-size: 1.05rem; margin: 0 0 .5rem; }
 section { margin-top: 2.75rem; }
+#verdict { margin-top: 1.5rem; }
 p, .verdicts, figcaption { max-width: 48rem; }
 nav { margin-top: 1.25rem; }
 nav h2 { font-size: 1rem; margin: 0 0 .25rem; }
@@ -40,34 +41,50 @@ nav a { display: inline-block; padding: .3rem 0; }
 .badge.differs { background: var(--differs); }
 .badge.fails { background: var(--fails); }
 .badge.absent { background: var(--absent); }
-.scroll { overflow: auto; margin-top: 1.25rem; background: var(--card); border-radius: 6px;
-  border: 1px solid var(--line); }
+.scroll { overflow: auto; margin-top: 1.25rem; width: fit-content; max-width: 100%;
+  background: var(--card); border-radius: 6px; border: 1px solid var(--line); }
 .scroll.long { max-height: 36rem; }
-table { border-collapse: collapse; min-width: 100%; font-size: .9rem;
-  font-variant-numeric: tabular-nums; }
+table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; }
 caption span { display: inline-block; position: sticky; left: 0; padding: .6rem;
-  max-width: min(calc(100vw - 2.5rem), 60rem); }
+  max-width: min(calc(100vw - 4rem), 60rem); }
 th, td { padding: .3rem .6rem; text-align: left; vertical-align: top;
   border-top: 1px solid var(--line); }
 thead th { vertical-align: bottom; background: var(--card); }
 .long thead th { position: sticky; top: 0; }
 tbody th { font-weight: 400; }
-.prose { min-width: 20rem; }
-.number { text-align: right; white-space: nowrap; }
-thead .number { white-space: normal; }
+.number, .word { white-space: nowrap; }
+.number { text-align: right; }
+thead .number, thead .word { white-space: normal; }
+.line { min-width: 11rem; }
+.prose { min-width: 27rem; }
+.list { min-width: 38rem; }
+td.list { font-size: .8rem; }
 .note { margin: .5rem 0 0; font-size: .9rem; color: var(--quiet); }
 code { font-size: .92em; overflow-wrap: anywhere; }
-td code, th code { white-space: nowrap; overflow-wrap: normal; }
-td.prose code { white-space: normal; overflow-wrap: anywhere; }
+.word code { overflow-wrap: normal; }
+.word wbr, .line wbr { display: none; }
+.line code { white-space: nowrap; }
+.prose code { font-size: .85em; }
 figure { margin: 2rem 0 0; }
-.picture { background: #fff; }
-.picture svg { display: block; width: 100%; min-width: 42rem; height: auto; }
+.picture { width: auto; background: #fff; }
+.picture svg { display: block; width: 100%; min-width: 36rem; height: auto; }
+.hint { display: none; margin: .4rem 0 0; font-size: .9rem; color: var(--quiet); }
 figcaption { margin-top: .6rem; }
 .files { display: block; margin-top: .3rem; font-size: .9rem; color: var(--quiet); }
-.index, .data { padding-left: 1.2rem; columns: 18rem; }
+.index, .data { padding-left: 1.2rem; columns: 18rem; column-gap: 2rem; }
+.index li, .data li { break-inside: avoid; }
 .undrawn { padding: 2rem; text-align: center; background: var(--card);
   border: 1px solid var(--line); border-radius: 6px; }
+@media screen and (max-width: 40rem) {
+  h1 { font-size: 1.4rem; }
+  .verdicts li { display: block; }
+  .badge { display: inline-block; min-width: 5rem; margin: 0 0 .25rem; }
+  .badge + span { display: block; }
+  .hint { display: block; }
+  .line code { white-space: normal; }
+  .line wbr { display: inline; }
+}
 @media screen and (min-width: 80rem) {
   .page { display: grid; grid-template-columns: 13rem minmax(0, 1fr); column-gap: 2.5rem;
     max-width: 84rem; }
@@ -79,22 +96,27 @@ figcaption { margin-top: .6rem; }
 }
 @media print {
   @page { margin: 14mm; }
-  body { font-size: 9.5pt; background: #fff; }
+  :root { font-size: 9.5pt; --paper: #fff; --on-badge: #000; --holds: #fff; --differs: #fff;
+    --fails: #fff; --measured: #fff; --absent: #fff; }
   .page { padding: 0; max-width: none; }
-  nav, .skip { display: none; }
+  nav, .skip, .hint { display: none; }
   a { color: inherit; text-decoration: none; }
+  section { margin-top: 1.5rem; }
   p, .verdicts, figcaption { max-width: none; }
-  .scroll, .scroll.long { overflow: visible; max-height: none; border: 0; }
+  .scroll, .scroll.long { overflow: visible; width: auto; max-height: none; border: 0; }
   table { font-size: 7pt; }
-  th, td { padding: .1rem .25rem; overflow-wrap: anywhere; }
-  td code, th code, .number { white-space: normal; overflow-wrap: anywhere; }
-  .prose { min-width: 0; }
+  th, td { padding: .1rem .3rem; }
+  .number, .word, .line code { white-space: normal; }
+  .line wbr { display: inline; }
+  .line, .prose, .list { min-width: 0; }
+  td.list { font-size: inherit; }
   .long thead th { position: static; }
   caption span { position: static; max-width: none; padding: .3rem 0; }
-  .badge { color: #000; background: none; border: 1px solid #000; }
-  .picture svg { min-width: 0; max-height: 110mm; }
+  .badge { border: 1px solid #000; }
+  .picture svg { min-width: 0; width: 125mm; margin: 0 auto; }
+  .index { display: none; }
   h2, h3, caption, thead { break-after: avoid; }
-  tr, figure, .verdicts li { break-inside: avoid; }
+  tr, figure, .verdicts li, .scroll:not(.long) { break-inside: avoid; }
 })";
 
 }  // namespace tribo::report

@@ -33,17 +33,18 @@ Verdict verdict(const ComparisonTable& table) {
                                      std::max(factors->greatest, *factor)}
                         : RatioRange{*factor, *factor};
   }
-  if (told == 0) return {Standing::absent, table.title + ": the paper gives no number."};
+  const std::string subject =
+      table.has_criteria ? table.title + ", by `film_maximum`" : table.title;
+  if (told == 0) return {Standing::absent, subject, "The paper gives no number."};
   std::string ratio;
   if (factors) {
     const std::string least = rounded(factors->least, 3), greatest = rounded(factors->greatest, 3);
     ratio = "; computed/reported is " + (least == greatest ? least : least + " to " + greatest);
   }
-  return {inside == told ? Standing::holds : Standing::differs,
-          fmt::format("{}{}: {} of {} computed values agree with the paper to its last printed "
-                      "digit{}.",
-                      table.title, table.has_criteria ? ", by `film_maximum`" : "", inside, told,
-                      ratio)};
+  return {inside == told ? Standing::holds : Standing::differs, subject,
+          fmt::format("{} of {} computed values agree with the paper to its last printed digit{}. "
+                      "Computed for this page.",
+                      inside, told, ratio)};
 }
 
 }  // namespace

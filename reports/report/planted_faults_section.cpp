@@ -17,17 +17,16 @@ std::vector<std::string> row(const Json& fault) {
   const bool is_caught = fault.at("caught").get<bool>();
   return {fmt::format("`{}`", fault.at("id").get<std::string>()),
           fault.at("fault").get<std::string>(),
-          fmt::format("`{}`", fault.at("file").get<std::string>()),
+          is_caught ? "caught" : fmt::format("SURVIVED: {}", fault.at("said").get<std::string>()),
           fmt::format("`{}`", fault.at("check").get<std::string>()),
-          rounded(fault.at("seconds").get<double>(), 3),
-          is_caught ? "caught" : fmt::format("SURVIVED: {}", fault.at("said").get<std::string>())};
+          fmt::format("`{}`", fault.at("file").get<std::string>()),
+          rounded(fault.at("seconds").get<double>(), 3)};
 }
 
-void fill(Section& section, const ReportPlaces& places) {
-  const Json baseline = read_baseline(places, file);
+void fill(Section& section, const Json& baseline) {
   TextTable table{"Faults planted in the tree, and the check that caught each",
-                  {"id", "fault", "in", "check", "time, s", "verdict"},
-                  {false, false, false, false, true, false},
+                  {"id", "fault", "verdict", "check", "in", "time, s"},
+                  {false, false, false, false, false, true},
                   {},
                   "The time is that of building and running the check."};
   std::size_t caught = 0;
@@ -38,10 +37,10 @@ void fill(Section& section, const ReportPlaces& places) {
         caught += is_caught ? 1 : 0;
       }
   const std::size_t all = table.rows.size();
-  section.verdicts = {{all > 0 && caught == all ? Standing::holds : Standing::fails,
-                       fmt::format("The checks bite: {} of {} faults planted in the formulas and "
-                                   "the checks turned a check red. {}",
-                                   caught, all, provenance(baseline))}};
+  section.verdicts = {{all > 0 && caught == all ? Standing::holds : Standing::fails, section.title,
+                       fmt::format("{} of {} faults planted in the formulas and in the checks "
+                                   "themselves turned a check red. {}",
+                                   caught, all, measured_when(baseline))}};
   section.paragraphs = {fmt::format(
       "Each fault is a patch on a scratch copy of the tree, and names the check that has to turn "
       "red: {} of {} were caught. {}",
@@ -57,8 +56,7 @@ void fill(Section& section, const ReportPlaces& places) {
 }  // namespace
 
 Section planted_faults_section(const ReportPlaces& places) {
-  return filled_or_excused({"planted-faults", "Planted faults"}, target_of(file),
-                           [&](Section& section) { fill(section, places); });
+  return from_baseline({"planted-faults", "Planted faults"}, places, file, fill);
 }
 
 }  // namespace tribo::report

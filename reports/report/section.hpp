@@ -26,7 +26,8 @@ enum class Standing : std::uint8_t {
 // A line of the verdict on top of the page.
 struct Verdict {
   Standing standing;
-  std::string text;  // markup
+  std::string subject;  // markup, both: “Onset speeds”
+  std::string text;     // in a sentence or two, and when it was measured
 };
 
 struct NotRun {

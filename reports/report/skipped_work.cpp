@@ -109,11 +109,10 @@ Section skipped_work_section(const std::vector<SolvedCase>& solved) {
       table.rows.push_back(skip_row(one, speeds, all_steps, asked, least_and_most));
   }
   section.tables = {std::move(table)};
-  section.verdicts = {
-      {Standing::measured,
-       fmt::format("Skipped work: by what it asks, a scene saves {:.0f} % to {:.0f} % of the "
-                   "evaluations of F~n~. Counted for this page.",
-                   100 * least_and_most.least, 100 * least_and_most.greatest)}};
+  section.verdicts = {{Standing::measured, "Skipped work",
+                       fmt::format("By what it asks, a scene saves {:.0f} % to {:.0f} % of the "
+                                   "evaluations of F~n~. Counted for this page.",
+                                   100 * least_and_most.least, 100 * least_and_most.greatest)}};
   return section;
 }
 

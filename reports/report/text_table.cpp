@@ -30,19 +30,16 @@ std::string plain_row(const std::vector<std::string>& cells, const TextTable& ta
   return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
 }
 
-// Long texts get a column wide enough to read, numbers are set to the right.
-std::vector<std::string> column_classes(const TextTable& table) {
-  constexpr std::size_t long_text = 60;
-  std::vector<std::string> classes;
-  for (std::size_t i = 0; i < table.headings.size(); ++i) {
-    const bool is_long = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-      return width(to_plain(row[i])) > long_text;
-    });
-    classes.emplace_back(table.is_number[i] ? " class=\"number\""
-                         : is_long          ? " class=\"prose\""
-                                            : "");
-  }
-  return classes;
+// Numbers are set to the right; texts get a column that is wide enough to read.
+std::string column_class(const TextTable& table, std::size_t column) {
+  if (table.is_number[column]) return " class=\"number\"";
+  std::size_t longest = 0;
+  for (const auto& row : table.rows) longest = std::max(longest, width(to_plain(row[column])));
+  constexpr std::size_t word = 24, line = 60, paragraph = 200;
+  return longest <= word        ? " class=\"word\""
+         : longest <= line      ? " class=\"line\""
+         : longest <= paragraph ? " class=\"prose\""
+                                : " class=\"list\"";
 }
 
 std::string html_row(const std::vector<std::string>& cells, const std::vector<std::string>& classes,
@@ -82,13 +79,16 @@ std::string html_table(const TextTable& table) {
   if (table.rows.empty())
     return fmt::format("<p class=\"note\"><strong>{}.</strong> {}</p>\n", to_html(table.caption),
                        to_html(table.note));
-  constexpr std::size_t many_rows = 30;  // scrolled under their headings
-  const std::vector<std::string> classes = column_classes(table);
+  constexpr std::size_t many_rows = 25;  // scrolled under their headings
+  std::vector<std::string> classes;
+  for (std::size_t i = 0; i < table.headings.size(); ++i) classes.push_back(column_class(table, i));
+  const bool is_long = table.rows.size() > many_rows;
   std::string text = fmt::format(
       "<div class=\"scroll{3}\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n<table>\n"
-      "<caption><span>{1}</span></caption>\n<thead>\n{2}</thead>\n<tbody>\n",
+      "<caption><span>{1}{4}</span></caption>\n<thead>\n{2}</thead>\n<tbody>\n",
       escape_html(to_plain(table.caption)), to_html(table.caption),
-      html_row(table.headings, classes, true), table.rows.size() > many_rows ? " long" : "");
+      html_row(table.headings, classes, true), is_long ? " long" : "",
+      is_long ? fmt::format(" ({} rows)", table.rows.size()) : "");
   for (const auto& row : table.rows) text += html_row(row, classes, false);
   text += "</tbody>\n</table>\n</div>\n";
   if (!table.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", to_html(table.note));

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "report/baselines.hpp"
@@ -23,11 +24,17 @@ std::string worst(const Json& of, const char* key) {
   return value.is_null() ? "∞" : rounded(value.get<double>(), 3);
 }
 
+std::string input_text(double value) {
+  constexpr double longest = 1e6;
+  const bool is_short = std::abs(value) < longest && value == std::trunc(value);
+  return is_short ? fmt::format("{:.0f}", value) : rounded(value, 5);
+}
+
 std::string input_list(const Json& at) {
   std::string text;
   for (const auto& [name, value] : at.at("inputs").items())
     text += fmt::format("{}`{}` {}", text.empty() ? "" : ", ", name,
-                        rounded(value.at(0).get<double>(), 5));
+                        input_text(value.at(0).get<double>()));
   return text;
 }
 
@@ -65,7 +72,7 @@ TextTable input_table(const Json& outputs, const std::string& seed) {
     const Json& at = output.at("worst_ulp_per_condition_at");
     if (at.is_null()) continue;
     table.rows.push_back({output_name(output), worst(output, "worst_ulp_per_condition"),
-                          grouped(at.at("index").get<std::size_t>()), input_list(at)});
+                          at.at("index").dump(), input_list(at)});
   }
   return table;
 }
@@ -78,27 +85,28 @@ Verdict verdict(const Json& baseline) {
     held += output.at("held").get<bool>() ? 1 : 0;
     greatest = std::max(greatest, output.at("worst_part_of_bound").get<double>());
   }
-  return {all > 0 && held == all ? Standing::holds : Standing::fails,
-          fmt::format("Random inputs: {} of {} outputs keep their declared accuracy at {} random "
-                      "points; the worst error takes {} % of its bound. {}",
-                      held, all, grouped(baseline.at("points").get<std::size_t>()),
-                      rounded(100 * greatest, 3), provenance(baseline))};
+  return {
+      all > 0 && held == all ? Standing::holds : Standing::fails, "Random inputs",
+      fmt::format("{} of {} outputs keep their declared accuracy at {} random points; the worst "
+                  "error takes {} % of its bound. {}",
+                  held, all, grouped(baseline.at("points").get<std::size_t>()),
+                  rounded(100 * greatest, 3), measured_when(baseline))};
+}
+
+void fill(Section& section, const Json& baseline) {
+  const Json& outputs = baseline.at("outputs");
+  const std::string seed = baseline.at("seed").dump();
+  section.paragraphs = {
+      fmt::format("{} random points, seed {}: scenes as they are built and scenes far beyond. {}",
+                  grouped(baseline.at("points").get<std::size_t>()), seed, provenance(baseline))};
+  section.tables = {output_table(outputs), input_table(outputs, seed)};
+  section.verdicts = {verdict(baseline)};
 }
 
 }  // namespace
 
 Section worst_inputs_section(const ReportPlaces& places) {
-  return filled_or_excused(
-      {"worst-inputs", "Worst inputs"}, target_of(file), [&](Section& section) {
-        const Json baseline = read_baseline(places, file);
-        const Json& outputs = baseline.at("outputs");
-        section.paragraphs = {fmt::format(
-            "{} random points, seed {}: scenes as they are built and scenes far beyond. {}",
-            grouped(baseline.at("points").get<std::size_t>()), baseline.at("seed").dump(),
-            provenance(baseline))};
-        section.tables = {output_table(outputs), input_table(outputs, baseline.at("seed").dump())};
-        section.verdicts = {verdict(baseline)};
-      });
+  return from_baseline({"worst-inputs", "Worst inputs"}, places, file, fill);
 }
 
 }  // namespace tribo::report

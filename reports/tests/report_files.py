@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs `tribocheck report`, and what it has to write."""
+
+import html.parser
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+from program import ENVIRONMENT, PROGRAM, TIMEOUT
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+PUBLISHED = ROOT / "reference/published"
+SCENES = [surface + model for model in ("", "_gw") for surface in ("rough", "medium", "smooth")]
+FIGURES = [f"figure_{number:02}" for number in (4, 7, 8, 9, 10, 11, 12)]
+DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] +
+              [f"data/figure_04_{name}.tsv"
+               for name in ("flooded", "starved_inlet", "damiens", "guides", "marks")] +
+              ["data/figure_11_ratio.tsv", "data/marks.tsv", "data/comparison.tsv"])
+JOBS = ["moment_5_2", "moment_2", "root_wide", "root_one_surface", "curve_200", "points_1e6"]
+COUNTED = ["moment_5_2", "root_wide", "root_one_surface"]
+WORK_DATA = sorted(f"data/work_precision/{name}.blocks.tsv"
+                   for name in JOBS + ["profile", "by_size", "by_threads"])
+WORK_FIGURES = [f"work_{name}" for name in JOBS + [f"{job}_evaluations" for job in COUNTED] +
+                ["profile", "by_size", "by_threads"]]
+PICTURES = sorted(f"figures/{figure}.{kind}" for figure in FIGURES + WORK_FIGURES
+                  for kind in ("svg", "png"))
+PAGES = ["index.html", "report.json", "report.md"]
+DATA = sorted(DATA + WORK_DATA)
+SECTIONS = ["environment", "figures", "comparison", "verification", "planted-faults",
+            "worst-inputs", "work-precision", "skipped-work", "gates", "inputs", "not-run"]
+
+
+def report(*arguments, environment=None, cwd=ROOT):
+    return subprocess.run([PROGRAM, "report", *map(str, arguments)], cwd=cwd,
+                          env={**ENVIRONMENT, **(environment or {})}, stdin=subprocess.DEVNULL,
+                          capture_output=True, encoding="utf-8", timeout=TIMEOUT)
+
+
+def files_below(folder):
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
+
+
+def listed_files(output):
+    """The files that the program says it has written."""
+    return sorted(re.findall(r"^  (\S+)$", output.split("Written to ")[1], re.MULTILINE))
+
+
+def table(path):
+    """Rows of a TSV under the names in its last commented line, without their units."""
+    header, rows = None, []
+    for line in path.read_text().splitlines():
+        if line.startswith("# "):
+            header = [name.split(" [")[0] for name in line[2:].split("\t")]
+        elif line:
+            rows.append(dict(zip(header, line.split("\t"), strict=True)))
+    return rows
+
+
+class PageReader(html.parser.HTMLParser):
+    """Are all elements closed in order? Which figures, identifiers and links are there?"""
+    VOID = {"meta", "img", "br", "link", "wbr"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.pictures, self.links, self.problems = [], [], [], []
+        self.ids, self.figures, self.headings = [], [], []
+        self.feed(text)
+        self.close()
+        self.problems += [f"<{tag}> is not closed" for tag in self.open]
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag not in self.VOID:
+            self.open.append(tag)
+        if tag == "svg":
+            self.pictures.append(attributes)
+        if tag == "figure":
+            self.figures.append(attributes["id"])
+        if re.fullmatch("h[1-6]", tag):
+            self.headings.append(int(tag[1]))
+        if tag == "a":
+            self.links.append(attributes["href"])
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            self.problems.append(f"</{tag}> closes nothing")
+
+
+class WrittenReport(unittest.TestCase):
+    """One report for all the tests that only look at it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.out = pathlib.Path(cls.folder.name) / "it's here"  # gnuplot must cope with the quote
+        cls.done = report("--out", cls.out)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()

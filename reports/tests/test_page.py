@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page of `tribocheck report` in a browser: headless Chromium, by Selenium, from a file.
+
+On a phone and on a screen, in light and in dark, on paper, and with the keyboard.
+"""
+
+import base64
+import pathlib
+import tempfile
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.keys import Keys
+
+from report_files import WrittenReport
+
+WIDTHS = (360, 1440)
+SCHEMES = ("light", "dark")
+SWITCHES = ("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
+            "--disable-background-networking", "--disable-component-update", "--disable-sync",
+            "--disable-dev-shm-usage", "--hide-scrollbars")
+
+# Texts that stick out of the window, or out of a box that clips them, where nothing scrolls.
+CLIPPED = """
+const found = [], walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+const scrolls = (style) => /auto|scroll/.test(style.overflowX);
+const clips = (style) => /hidden|clip/.test(style.overflowX + style.overflowY);
+for (let node; (node = walker.nextNode()); ) {
+  if (!node.data.trim() || node.parentElement.closest('svg, style, .skip')) continue;
+  const range = document.createRange();
+  range.selectNodeContents(node);
+  for (const box of range.getClientRects()) {
+    let left = 0, right = innerWidth, inside = false;
+    for (let one = node.parentElement; one && !inside; one = one.parentElement) {
+      const style = getComputedStyle(one), edge = one.getBoundingClientRect();
+      inside = scrolls(style);
+      if (inside || clips(style)) { left = Math.max(left, edge.left); right = Math.min(right, edge.right); }
+    }
+    if (!inside && box.width > 0 && (box.left < left - 1 || box.right > right + 1)) found.push(node.data.trim());
+  }
+}
+return found;
+"""
+
+# The least contrast of texts against what is painted behind them, by WCAG 2: [ratio, text].
+CONTRAST = """
+const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
+const channels = (colour) => {
+  canvas.clearRect(0, 0, 1, 1);
+  canvas.fillStyle = colour;
+  canvas.fillRect(0, 0, 1, 1);
+  return canvas.getImageData(0, 0, 1, 1).data;
+};
+const luminance = (colour) => {
+  const [r, g, b] = [...channels(colour)].map((c) => c / 255)
+    .map((c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+};
+const behind = (element) => {
+  for (let one = element; one; one = one.parentElement) {
+    const colour = getComputedStyle(one).backgroundColor;
+    if (channels(colour)[3] === 255) return colour;
+  }
+  return 'white';
+};
+let least = [100, ''];
+const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+for (let node; (node = walker.nextNode()); ) {
+  const element = node.parentElement;
+  if (!node.data.trim() || element.closest('svg, style')) continue;
+  const [a, b] = [luminance(getComputedStyle(element).color), luminance(behind(element))];
+  const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+  if (ratio < least[0]) least = [ratio, node.data.trim()];
+}
+return least;
+"""
+
+UNNAMED_REGIONS = """
+return [...document.querySelectorAll('*')].filter((one) => {
+  const style = getComputedStyle(one);
+  return /auto|scroll/.test(style.overflowX) && one.scrollWidth > one.clientWidth &&
+    !one.closest('svg') && !(one.tabIndex === 0 && one.getAttribute('aria-label'));
+}).map((one) => one.outerHTML.slice(0, 80));
+"""
+
+
+def browser(profile):
+    options = Options()
+    options.binary_location = "/usr/bin/chromium"
+    for switch in (*SWITCHES, f"--user-data-dir={profile}"):
+        options.add_argument(switch)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+class Page(WrittenReport):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        cls.addClassCleanup(cls.profile.cleanup)
+        cls.driver = browser(cls.profile.name)
+        cls.addClassCleanup(cls.driver.quit)
+
+    def show(self, width=1440, scheme="light", media=""):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "media": media, "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
+        self.driver.get((self.out / "index.html").as_uri())
+
+    def run_script(self, script):
+        return self.driver.execute_script(script)
+
+    def add_style(self, text):
+        self.driver.execute_script(
+            "document.head.appendChild(document.createElement('style')).textContent = arguments[0]", text)
+
+    def test_console_is_silent(self):
+        self.show()
+        self.assertEqual(self.driver.get_log("browser"), [])
+
+    def test_nothing_is_fetched(self):
+        """Self-contained: the pictures are part of the page."""
+        self.show()
+        self.assertEqual(self.run_script(
+            "return performance.getEntriesByType('resource').map((one) => one.name)"
+            ".filter((name) => !name.startsWith('data:'))"), [])
+
+    def test_links_lead_somewhere(self):
+        self.show()
+        links = self.run_script("return [...document.links].map((one) => one.getAttribute('href'))")
+        self.assertGreater(len(links), 100)
+        for link in set(links):
+            with self.subTest(link):
+                if link.startswith("#"):
+                    self.assertTrue(self.run_script(
+                        f"return document.getElementById({link[1:]!r}) !== null"))
+                else:
+                    self.assertTrue((self.out / link).is_file())
+
+    def test_pictures_are_drawn(self):
+        self.show()
+        boxes = self.run_script(
+            "return [...document.querySelectorAll('figure svg')].map((one) => "
+            "[one.getBoundingClientRect().width, one.getBBox().height, one.querySelectorAll('path').length])")
+        self.assertGreaterEqual(len(boxes), 7)
+        for width, height, paths in boxes:
+            self.assertGreater(width, 500)
+            self.assertGreater(height, 300)
+            self.assertGreater(paths, 20)
+
+    def test_fits_the_window(self):
+        for width in WIDTHS:
+            with self.subTest(width):
+                self.show(width)
+                self.assertLessEqual(
+                    self.run_script("return document.documentElement.scrollWidth - innerWidth"), 0)
+                self.assertEqual(self.run_script(CLIPPED), [])
+
+    def test_what_scrolls_can_be_reached_and_has_a_name(self):
+        for width in WIDTHS:
+            with self.subTest(width):
+                self.show(width)
+                self.assertEqual(self.run_script(UNNAMED_REGIONS), [])
+
+    def test_contrast(self):
+        for scheme in SCHEMES:
+            with self.subTest(scheme):
+                self.show(scheme=scheme)
+                ratio, text = self.run_script(CONTRAST)
+                self.assertGreaterEqual(ratio, 4.5, text)
+
+    def test_these_checks_bite(self):
+        for style, script in (("p { white-space: nowrap; }", CLIPPED),
+                              (".badge { overflow: hidden; width: 1rem; min-width: 0; }", CLIPPED),
+                              (".scroll { overflow: hidden; }", CLIPPED),
+                              ("figcaption { overflow-x: auto; width: 20rem; white-space: nowrap; }",
+                               UNNAMED_REGIONS)):
+            with self.subTest(style):
+                self.show(360)
+                self.add_style(style)
+                self.assertNotEqual(self.run_script(script), [])
+        self.add_style(".note { color: #888; }")
+        self.assertLess(self.run_script(CONTRAST)[0], 4.5)
+
+    def test_dark_is_dark_and_pictures_stay_on_white(self):
+        colour = "return getComputedStyle(document.querySelector('{}')).backgroundColor"
+        self.show(scheme="dark")
+        self.assertLess(max(map(int, self.run_script(colour.format("body"))[4:-1].split(","))), 64)
+        self.assertEqual(self.run_script(colour.format(".picture")), "rgb(255, 255, 255)")
+
+    def test_first_tab_reaches_the_skip_link(self):
+        self.show()
+        self.driver.switch_to.active_element.send_keys(Keys.TAB)
+        skip = self.driver.switch_to.active_element
+        self.assertEqual(skip.get_attribute("href").split("#")[1], "main")
+        self.assertGreaterEqual(skip.rect["y"], 0)
+        skip.send_keys(Keys.ENTER)
+        self.assertEqual(self.run_script("return document.activeElement.id"), "main")
+        self.driver.switch_to.active_element.send_keys(Keys.TAB)
+        self.assertEqual(self.driver.switch_to.active_element.find_element(
+            "xpath", "ancestor::section").get_attribute("id"), "verdict")
+
+    def test_landmarks_headings_and_tables(self):
+        self.show()
+        self.assertEqual(self.run_script(
+            "return ['main', 'nav', 'header', 'h1'].map((one) => document.querySelectorAll(one).length)"),
+            [1, 1, 1, 1])
+        self.assertEqual(self.run_script(
+            "return [...document.querySelectorAll('table')].filter((one) => !one.caption.innerText.trim() "
+            "|| [...one.querySelectorAll('th')].some((head) => !head.scope)).length"), 0)
+        self.assertEqual(self.run_script(
+            "return [...document.querySelectorAll('svg')].filter((one) => one.getAttribute('aria-labelledby')"
+            ".split(' ').some((id) => !document.getElementById(id).textContent)).length"), 0)
+
+    def test_on_paper(self):
+        """Dark too: paper is white, all columns are there, and what only a screen needs is not."""
+        self.show(width=700, scheme="dark", media="print")
+        self.assertEqual(self.run_script("return getComputedStyle(document.body).backgroundColor"),
+                         "rgb(255, 255, 255)")
+        self.assertGreaterEqual(self.run_script(CONTRAST)[0], 4.5)
+        for hidden in ("nav", ".skip"):
+            self.assertEqual(self.run_script(
+                f"return getComputedStyle(document.querySelector('{hidden}')).display"), "none")
+        self.assertEqual(self.run_script(
+            "return [...document.querySelectorAll('.scroll')].filter((one) => "
+            "one.scrollWidth > one.clientWidth + 1).map((one) => one.ariaLabel)"), [])
+        self.assertEqual(self.run_script(CLIPPED), [])
+        pdf = base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {})["data"])
+        self.assertTrue(pdf.startswith(b"%PDF"))
+        pathlib.Path(self.folder.name, "page.pdf").write_bytes(pdf)
+        self.assertGreater(pdf.count(b"/Type /Page\n"), 5)
+
+
+if __name__ == "__main__":
+    unittest.main()
