@@ -96,13 +96,33 @@ std::vector<Figure> claim_figures(const Ledger& ledger) {
           data, "Load share of the asperities at the lowest speed")};
 }
 
+// Did a verdict change? Where there is no committed ledger that is not known.
+void compare_with_committed(Section& section, const Ledger& ledger, const ReportPlaces& places) {
+  const std::string path = (places.reference / "baselines" / "ledger.csv").string();
+  try {
+    const reproduction::LedgerChanges changes =
+        reproduction::changes_since(path, ledger, ledger.readings, {});
+    section.verdicts.push_back(
+        changes.verdicts.empty()
+            ? Verdict{Standing::holds, "The ledger",
+                      "No verdict on a claim changed against the committed ledger."}
+            : Verdict{Standing::fails, "The ledger",
+                      fmt::format("{} verdicts changed against the committed ledger: {}.",
+                                  changes.verdicts.size(), changes.verdicts.front())});
+  } catch (const std::runtime_error& error) {
+    section.verdicts.push_back({Standing::absent, "The ledger", error.what()});
+    section.not_run.push_back(
+        {"Comparison with the committed ledger", error.what(), "`make ledger`"});
+  }
+}
+
 Section claims_section(const Ledger& ledger, const ReportPlaces& places) {
   Section section{"claims", "The paper's claims, and what comes out"};
   const NamedReading& corrected = ledger.readings.front();
   const auto [least, greatest] = onset_factors(ledger, corrected);
   using reproduction::Verdict;
   section.verdicts.push_back(
-      {Standing::differs,
+      {Standing::differs, "The paper's claims",
        fmt::format(
            "With its misprints mended the paper's model reproduces {} of its {} claims ({}); in "
            "part, within 10 % or to the order of magnitude: {}; not: {}.",
@@ -111,23 +131,14 @@ Section claims_section(const Ledger& ledger, const ReportPlaces& places) {
            with_verdict(ledger, corrected, Verdict::within_ten_percent, Verdict::in_part),
            with_verdict(ledger, corrected, Verdict::not_reproduced, Verdict::not_reproduced))});
   section.verdicts.push_back(
-      {Standing::differs,
+      {Standing::differs, "Onset speeds under all readings",
        fmt::format(
            "The onset speeds (C1) come out {} to {} times as high as reported, by the greatest "
            "film; of {} readings {} have all three.",
            rounded(least, 3), rounded(greatest, 3), reproduction::reading_count(),
            ledger.claim_parts.front() == 0 ? "none"
                                            : ledger_cells::percent(ledger.claim_parts.front()))});
-  const std::filesystem::path committed = places.reference / "baselines" / "ledger.csv";
-  const reproduction::LedgerChanges changes =
-      reproduction::changes_since(committed.string(), ledger, ledger.readings, {});
-  section.verdicts.push_back(
-      changes.verdicts.empty()
-          ? report::Verdict{Standing::holds,
-                            "No verdict on a claim changed against the committed ledger."}
-          : report::Verdict{Standing::fails,
-                            fmt::format("{} verdicts changed against the committed ledger: {}.",
-                                        changes.verdicts.size(), changes.verdicts.front())});
+  compare_with_committed(section, ledger, places);
   section.paragraphs = {
       "C1 to C17 are what the paper says of its results. Each is computed and judged by a rule "
       "that stands in `reference/published/claims.tsv`; nothing is tuned. A verdict that is not "
@@ -180,7 +191,7 @@ Section readings_section(const Ledger& ledger) {
       fmt::format("{} readings", reproduction::reading_count());
   section.data = {ledger_scores_data(ledger)};
   section.verdicts.push_back(
-      {Standing::measured,
+      {Standing::measured, "Readings",
        fmt::format(
            "Of {} readings the best reproduce {} claims, one at random {}. Numbers of the paper "
            "that one candidate alone meets: {}.",
@@ -209,7 +220,7 @@ Section uncertainty_section(const Ledger& ledger) {
       static_cast<std::size_t>(std::count_if(ledger.independent.begin(), ledger.independent.end(),
                                              [](const auto& one) { return one.reproduced; }));
   section.verdicts.push_back(
-      {held == ledger.independent.size() ? Standing::holds : Standing::fails,
+      {held == ledger.independent.size() ? Standing::holds : Standing::fails, "Independent numbers",
        fmt::format("{} of {} film and Hertz values of another library are met to their last digit.",
                    held, ledger.independent.size())});
   return section;

@@ -14,7 +14,9 @@ from program import ENVIRONMENT, PROGRAM, TIMEOUT
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 PUBLISHED = ROOT / "reference/published"
 SCENES = [surface + model for model in ("", "_gw") for surface in ("rough", "medium", "smooth")]
-FIGURES = [f"figure_{number:02}" for number in (4, 7, 8, 9, 10, 11, 12)]
+# In the order of the page.
+PAPER_FIGURES = [f"figure_{number:02}" for number in (4, 7, 8, 9, 10, 11, 12)]
+FIGURES = ["onset_against_roughness", "share_against_roughness", "readings_by_score"] + PAPER_FIGURES
 DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] +
               [f"data/figure_04_{name}.tsv"
                for name in ("flooded", "starved_inlet", "damiens", "guides", "marks")] +
@@ -25,11 +27,13 @@ WORK_DATA = sorted(f"data/work_precision/{name}.blocks.tsv"
                    for name in JOBS + ["profile", "by_size", "by_threads"])
 WORK_FIGURES = [f"work_{name}" for name in JOBS + [f"{job}_evaluations" for job in COUNTED] +
                 ["profile", "by_size", "by_threads"]]
+LEDGER_DATA = [f"data/ledger{name}" for name in (".csv", "_law.tsv", "_scores.tsv", "_surfaces.tsv")]
 PICTURES = sorted(f"figures/{figure}.{kind}" for figure in FIGURES + WORK_FIGURES
                   for kind in ("svg", "png"))
 PAGES = ["index.html", "report.json", "report.md"]
-DATA = sorted(DATA + WORK_DATA)
-SECTIONS = ["environment", "figures", "comparison", "verification", "planted-faults",
+DATA = sorted(DATA + WORK_DATA + LEDGER_DATA)
+SECTIONS = ["environment", "claims", "readings", "requirements", "uncertainty", "misprints",
+            "figures", "comparison", "verification", "planted-faults",
             "worst-inputs", "work-precision", "skipped-work", "gates", "inputs", "not-run"]
 
 

@@ -19,7 +19,7 @@ import unittest
 import xml.etree.ElementTree as xml
 
 from program import run
-from report_files import (DATA, FIGURES, JOBS, PAGES, PICTURES, PUBLISHED, ROOT, SCENES, WORK_FIGURES,
+from report_files import (DATA, FIGURES, JOBS, PAGES, PAPER_FIGURES, PICTURES, PUBLISHED, ROOT, SCENES, WORK_FIGURES,
                           PageReader, WrittenReport, files_below, listed_files, report, table)
 
 
@@ -74,7 +74,7 @@ class EveryPromisedFile(WrittenReport):
                 self.assertEqual(content[-8:-4], b"IEND")
 
     def test_pictures_name_the_figure_units_and_onset(self):
-        for figure in FIGURES:
+        for figure in PAPER_FIGURES:
             with self.subTest(figure):
                 text = "".join(xml.parse(self.out / f"figures/{figure}.svg").getroot().itertext())
                 self.assertIn(f"Figure {int(figure[-2:])} redrawn", text)
