@@ -10,6 +10,7 @@
 #include "gaussian_moment_scalar.hpp"
 #include "sharing_method.hpp"
 #include "tribo/load_sharing.hpp"
+#include "tribo/sharing_root.hpp"
 
 namespace tribo {
 namespace {

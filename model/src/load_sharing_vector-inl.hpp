@@ -24,7 +24,7 @@
 
 #include "gaussian_moment_vector-inl.hpp"
 #include "sharing_method.hpp"
-#include "tribo/load_sharing.hpp"
+#include "tribo/sharing_root.hpp"
 
 #if defined(TRIBO_LOAD_SHARING_VECTOR) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIBO_LOAD_SHARING_VECTOR
