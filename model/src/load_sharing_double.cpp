@@ -205,7 +205,8 @@ double film_parameter(AsperityModel model, double stiffness, double offset, doub
   const double distance = flooded - offset;
   const auto exponent =
       static_cast<double>(std::bit_cast<std::int64_t>(stiffness) >> 52) - 1022;  // of K, and 1
-  if (distance > 0 && distance * distance >= 141.1 + 1.3863 * exponent) surface.film_from = flooded;
+  const double limit = detail::free_square + detail::free_square_slope * exponent;
+  if (distance > 0 && distance * distance >= limit) surface.film_from = flooded;
   const double lambda = chosen_root(surface, flooded).film_parameter;
   if (lambda == lambda) return lambda;
   return LoadSharing<double>(model, stiffness, offset).film_parameter(flooded);

@@ -184,7 +184,7 @@ HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterat
                  hn::Eq(now.log_rise, hn::Zero(d)));
 }
 
-// Where λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 puts A/p below 2^−54.
+// Where λ = λ₀ to half an ulp (sharing_root.hpp).
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const SharingInputs<V>& in) {
   const hn::RebindToSigned<D> integers;
@@ -192,7 +192,8 @@ HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const SharingInputs<V>& in) {
   const V exponent =
       hn::ConvertTo(d, hn::Sub(hn::BitCast(integers, biased), hn::Set(integers, 1022)));
   const V distance = hn::Sub(in.flooded, in.offset);
-  const V limit = hn::MulAdd(exponent, hn::Set(d, 1.3863), hn::Set(d, 141.1));
+  const V limit =
+      hn::MulAdd(exponent, hn::Set(d, detail::free_square_slope), hn::Set(d, detail::free_square));
   return hn::And(hn::Ge(distance, hn::Zero(d)), hn::Gt(hn::Mul(distance, distance), limit));
 }
 

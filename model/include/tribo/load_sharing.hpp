@@ -54,7 +54,7 @@ class LoadSharing {
   const T& offset() const { return offset_; }
   bool has_floor() const { return has_floor_; }
   // Only in double: is A(λ) < 2^−54, half an ulp of 1 − A? By the bound of sharing_film_from, which
-  // is A < 2^−54 p.
+  // is A < 2^−54 p, p = 1/0.14, and falls as e^{−d²/4}.
   bool is_free_of_asperities(const T& film_parameter) const {
     const T d = film_parameter - offset_, limit = surface_.film_from - offset_;
     return d > 0 && d * d > limit * limit + 7.9;  // 4 ln p < 7.9

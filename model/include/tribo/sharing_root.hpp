@@ -36,13 +36,20 @@ SharingRoot film_parameter(const SharingSurface& surface, double flooded_film_pa
 // critical stiffness, K F_p(−δ) = 1. For CompiledFilm, which fits polynomials to roots.
 double polished_film_parameter(const SharingSurface& surface, double flooded, double lambda);
 
+// Where λ = λ₀ to half an ulp: (λ₀ − δ)² ≥ free_square + free_square_slope·(e + 1), λ₀ ≥ δ, with
+// K < 2^{e+1}. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0, so that with q = 1/2 and p = 5/2
+//   ln A ≤ ½ ln(2^{e+1} F_p(0)) − d²/4 ≤ ln(2^−54/0.14);
+// with q = 1 and p = 3/2 A is below the square of that. 4 ln(0.14·2^54) + 2 ln F_{5/2}(0) = 140.89
+// and 2 ln 2 are rounded up.
+inline constexpr double free_square = 141.1, free_square_slope = 1.3863;
+
 }  // namespace detail
 
-// From this λ₀ on, A/p < 2^−54 and λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0.
-// K in [1e-300, 1e300].
+// From this λ₀ on, A < 2^−54/0.14 and λ = λ₀ to half an ulp. K in [1e-300, 1e300].
 inline double sharing_film_from(double stiffness, double offset) {
   const double exponent = std::ilogb(stiffness) + 1.0;
-  return offset + std::sqrt(std::max(141.1 + 1.3863 * exponent, 0.0));
+  return offset +
+         std::sqrt(std::max(detail::free_square + detail::free_square_slope * exponent, 0.0));
 }
 
 // λ of one point in double: what LoadSharing would give, without the floor that it finds first.
