@@ -48,13 +48,13 @@ HWY_INLINE void transform(const double* argument, double* result, std::size_t co
 
 template <class D>
 HWY_INLINE hn::Mask<D> is_past_pieces(D d, hn::Vec<D> x) {
-  return hn::Not(hn::Lt(hn::Abs(x), hn::Set(d, vector_pieces_end)));
+  return hn::Not(hn::Lt(hn::Abs(x), hn::Set(d, pieces_end)));
 }
 
 void moments(Order n, const double* argument, double* result, std::size_t count) {
   transform(
       argument, result, count, [n](auto d, auto x) HWY_ATTR { return moment_vector(d, n, x); },
-      [](auto d, auto x) HWY_ATTR { return hn::Not(hn::Gt(x, hn::Set(d, -vector_pieces_end))); },
+      [](auto d, auto x) HWY_ATTR { return hn::Not(hn::Gt(x, hn::Set(d, -pieces_end))); },
       [n](double x) { return gaussian_moment(n, x); });
 }
 

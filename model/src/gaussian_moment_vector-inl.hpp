@@ -105,7 +105,7 @@ struct Place {
   hn::Vec<D> t;
 };
 
-// Of |d| < 45.
+// Of |d| < pieces_end.
 template <class D>
 HWY_INLINE Place<D> place_of(D d, hn::Vec<D> x) {
   constexpr int kept = 50;  // bits below those that number the pieces of x + 3
@@ -148,7 +148,7 @@ struct VectorSum {
   V high, low;
 };
 
-// S_n(d) at |d| = x < 45 for d ≥ 0, F_n(d) for d < 0.
+// S_n(d) at |d| = x < pieces_end for d ≥ 0, F_n(d) for d < 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE VectorSum<V> moment_in_pieces(D d, Order n, hn::Mask<D> below_zero, V x) {
   const Place<D> place = place_of(d, x);
@@ -194,7 +194,7 @@ HWY_INLINE VectorSum<V> moment_and_log_slope(D d, Order n, hn::Mask<D> below_zer
   });
 }
 
-// sum·e^{−d²/2}, 0 ≤ d < 45.
+// sum·e^{−d²/2}, 0 ≤ d < pieces_end.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V times_gaussian(D d, VectorSum<V> sum, V x) {
   const hn::RebindToUnsigned<D> bits;
@@ -232,17 +232,15 @@ HWY_INLINE V times_gaussian(D d, VectorSum<V> sum, V x) {
   return hn::Mul(hn::Mul(value, power(first)), power(hn::Sub(whole, first)));
 }
 
-constexpr double vector_pieces_end = 45;  // of |d|
-
 // |d|, and the end of the pieces for what lies beyond or is no number.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V distance_in_pieces(D d, V argument) {
   const V x = hn::Abs(argument);
-  const V last = hn::Set(d, 0x1.67fffffffffffp5);  // below 45
+  const V last = hn::Set(d, below_pieces_end);
   return hn::IfThenElse(hn::Lt(x, last), x, last);
 }
 
-// F_n(d) for d > −45.
+// F_n(d) for d > −pieces_end.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V moment_vector(D d, Order n, V argument) {
   const auto below_zero = hn::Lt(argument, hn::Zero(d));
@@ -254,7 +252,7 @@ HWY_INLINE V moment_vector(D d, Order n, V argument) {
   return hn::IfThenElse(below_zero, sum.high, above);
 }
 
-// S_n(d) for |d| < 45.
+// S_n(d) for |d| < pieces_end.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V scaled_moment_vector(D d, Order n, V argument) {
   const auto below_zero = hn::Lt(argument, hn::Zero(d));

@@ -29,7 +29,7 @@ template <class Arithmetic>
 [[gnu::always_inline]] inline Asperities asperities(const SharingSurface& surface, double lambda) {
   const double d = lambda - surface.offset;
   const bool below_zero = d < 0;
-  const double x = std::min(below_zero ? -d : d, 0x1.67fffffffffffp5);
+  const double x = std::min(below_zero ? -d : d, below_pieces_end);
   const auto [c, t] = piece_at(surface.order, below_zero, x);
   const double square = t * t;
   // E(t²) + t O(t²), and their derivatives in t²
