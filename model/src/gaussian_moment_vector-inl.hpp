@@ -41,15 +41,16 @@ class GatheredRows {
 };
 
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-// The same from two registers: Highway 1.0.3 has no look-up in two of them.
-template <class D>
+// The same from two registers, the second loaded `second` doubles after the first: Highway 1.0.3
+// has no look-up in two of them.
+template <class D, std::size_t second = 8>
 class PermutedRows {
  public:
   PermutedRows(D d, const double* base, Integers<D> piece) : d_(d), base_(base), piece_(piece) {}
   HWY_INLINE hn::Vec<D> operator()(int k) const {
     const double* row = base_ + std::ptrdiff_t{16} * k;
     return hn::Vec<D>{
-        _mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw, hn::Load(d_, row + 8).raw)};
+        _mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw, hn::Load(d_, row + second).raw)};
   }
 
  private:
@@ -58,29 +59,7 @@ class PermutedRows {
   Integers<D> piece_;
 };
 
-// The same where lanes lie on both sides of 0: near it, of the first 8 pieces of each side.
-template <class D>
-class NearRows {
- public:
-  NearRows(D d, const double* base, Integers<D> piece, hn::Mask<D> below_zero)
-      : d_(d), base_(base), piece_(piece) {
-    const hn::RebindToUnsigned<D> bits;
-    const auto side = hn::BitCast(d, hn::Set(bits, std::uint64_t{8}));
-    piece_ = hn::Or(piece, hn::BitCast(bits, hn::IfThenElseZero(below_zero, side)));
-  }
-  HWY_INLINE hn::Vec<D> operator()(int k) const {
-    const double* row = base_ + std::ptrdiff_t{16} * k;
-    return hn::Vec<D>{_mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw,
-                                             hn::Load(d_, row + vector_side_stride).raw)};
-  }
-
- private:
-  D d_;
-  const double* base_;
-  Integers<D> piece_;
-};
-
-// And anywhere.
+// The same where lanes lie on both sides of 0.
 template <class D>
 class MixedRows {
  public:
@@ -130,7 +109,13 @@ HWY_INLINE auto with_rows(D d, Order n, hn::Mask<D> below_zero, Integers<D> piec
       return visit(PermutedRows<D>(d, base + vector_side_stride, piece));
     const hn::RebindToSigned<D> integers;
     const auto is_near = hn::Lt(hn::BitCast(integers, piece), hn::Set(integers, std::int64_t{8}));
-    if (hn::AllTrue(integers, is_near)) return visit(NearRows<D>(d, base, piece, below_zero));
+    if (hn::AllTrue(integers, is_near)) {
+      // Of the first 8 pieces of each side.
+      const hn::RebindToUnsigned<D> bits;
+      const auto eight = hn::BitCast(d, hn::Set(bits, std::uint64_t{8}));
+      const auto side = hn::BitCast(bits, hn::IfThenElseZero(below_zero, eight));
+      return visit(PermutedRows<D, vector_side_stride>(d, base, hn::Or(piece, side)));
+    }
     return visit(MixedRows<D>(d, base, piece, below_zero));
   } else
 #endif
