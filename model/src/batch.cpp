@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "load_sharing_batch-inl.hpp"
+#include "sharing_method.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
