@@ -166,10 +166,10 @@ HWY_INLINE Step<D> sharing_step(D d, V flooded, const Iterate<V>& from, const As
   const V t = hn::Mul(hn::Mul(hn::Set(d, 0.5), newton), hn::Mul(g2, inverse));
   const V stretch = hn::Add(hn::MulSub(t, t, t), one);
   const V step = hn::Mul(newton, hn::Min(hn::Max(stretch, hn::Set(d, 0.5)), hn::Set(d, 2.0)));
-  const V bounded = hn::Min(hn::Max(step, hn::Set(d, -0.7)), hn::Set(d, 1.2));
+  const V bounded =
+      hn::Min(hn::Max(step, hn::Set(d, sharing_least_step)), hn::Set(d, sharing_greatest_step));
   const V rise = hn::Max(hn::Add(from.log_rise, bounded), zero);
-  // From λ₀ where y is small; from the last λ where y need not be known so well.
-  const auto is_near = hn::Lt(rise, hn::Set(d, 0.125));
+  const auto is_near = hn::Lt(rise, hn::Set(d, sharing_near_rise));
   return {rise, hn::IfThenElse(is_near, flooded, from.film_parameter),
           hn::IfThenElse(is_near, rise, bounded),  // rise − log_rise, unrounded
           hn::Lt(hn::Mul(hn::Abs(newton), hn::Max(hn::Add(p, a), g1)), hn::Set(d, 0x1p-17))};
