@@ -66,13 +66,13 @@ test-slow: build ## stream ten million lines in flat memory, and print the rate;
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_LINES=10000000 \
 	  python3 -B -m unittest -v test_stream_slow
 
-bench: ## speed and true error of every contender, as a table; FILTER=RE chooses; some four minutes
+bench: ## speed and true error of every contender, as a table; FILTER=RE chooses; some five minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck tribocheck_bench
 	build/release/tribocheck bench $(if $(FILTER),--filter '$(FILTER)')
 
-work-precision: ## true error against work, with diagrams: reports/out/work_precision; some eight minutes
+work-precision: ## true error against work, with diagrams: reports/out/work_precision; some two minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck_work_precision

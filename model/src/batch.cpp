@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "load_sharing_batch-inl.hpp"
+#include "sharing_method.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
@@ -48,13 +49,13 @@ HWY_INLINE void transform(const double* argument, double* result, std::size_t co
 
 template <class D>
 HWY_INLINE hn::Mask<D> is_past_pieces(D d, hn::Vec<D> x) {
-  return hn::Not(hn::Lt(hn::Abs(x), hn::Set(d, vector_pieces_end)));
+  return hn::Not(hn::Lt(hn::Abs(x), hn::Set(d, pieces_end)));
 }
 
 void moments(Order n, const double* argument, double* result, std::size_t count) {
   transform(
       argument, result, count, [n](auto d, auto x) HWY_ATTR { return moment_vector(d, n, x); },
-      [](auto d, auto x) HWY_ATTR { return hn::Not(hn::Gt(x, hn::Set(d, -vector_pieces_end))); },
+      [](auto d, auto x) HWY_ATTR { return hn::Not(hn::Gt(x, hn::Set(d, -pieces_end))); },
       [n](double x) { return gaussian_moment(n, x); });
 }
 
@@ -119,6 +120,26 @@ const Names& names() {
   return all;
 }
 
+// kernel(first, count, roots), which returns its steps, for each block: the result may stand where
+// an argument stood. What it leaves is NaN, and falls to Newton's method, newton(index).
+template <class Kernel, class Newton>
+SharingWork in_blocks(std::size_t count, std::span<double> film_parameter, const Kernel& kernel,
+                      const Newton& newton) {
+  std::array<double, sharing_block> lambda;
+  SharingWork work;
+  for (std::size_t first = 0; first < count; first += sharing_block) {
+    const std::size_t some = std::min(sharing_block, count - first);
+    work.steps += kernel(first, some, lambda.data());
+    for (std::size_t i = 0; i < some; ++i) {
+      if (!std::isnan(lambda[i])) continue;
+      lambda[i] = newton(first + i);
+      ++work.by_newton;
+    }
+    std::copy_n(lambda.begin(), some, film_parameter.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  return work;
+}
+
 }  // namespace
 
 void gaussian_moment(Order n, std::span<const double> d, std::span<double> moments) {
@@ -131,46 +152,31 @@ void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> l
   HWY_DYNAMIC_DISPATCH(log_moments)(n, d.data(), logarithms.data(), d.size());
 }
 
-// In blocks, because the result may stand where an argument stood. What the kernels leave is NaN,
-// and falls to Newton's method.
 SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
                            std::span<const double> offset, std::span<const double> flooded,
                            std::span<double> film_parameter) {
-  std::array<double, sharing_block> lambda;
-  SharingWork work;
-  for (std::size_t first = 0; first < flooded.size(); first += sharing_block) {
-    const std::size_t count = std::min(sharing_block, flooded.size() - first);
-    work.steps +=
-        HWY_DYNAMIC_DISPATCH(many_surfaces)(load_order(model), &stiffness[first], &offset[first],
-                                            &flooded[first], lambda.data(), count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t k = first + i;
-      if (!std::isnan(lambda[i])) continue;
-      lambda[i] = tribo::film_parameter(model, stiffness[k], offset[k], flooded[k]);
-      ++work.by_newton;
-    }
-    std::copy_n(lambda.begin(), count, film_parameter.begin() + static_cast<std::ptrdiff_t>(first));
-  }
-  return work;
+  return in_blocks(
+      flooded.size(), film_parameter,
+      [&](std::size_t first, std::size_t count, double* lambda) {
+        return HWY_DYNAMIC_DISPATCH(many_surfaces)(load_order(model), &stiffness[first],
+                                                   &offset[first], &flooded[first], lambda, count);
+      },
+      [&](std::size_t i) {
+        return tribo::film_parameter(model, stiffness[i], offset[i], flooded[i]);
+      });
 }
 
 SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const double> flooded,
                            std::span<double> film_parameter) {
-  std::array<double, sharing_block> lambda;
-  SharingWork work;
-  for (std::size_t first = 0; first < flooded.size(); first += sharing_block) {
-    const std::size_t count = std::min(sharing_block, flooded.size() - first);
-    work.steps +=
-        HWY_DYNAMIC_DISPATCH(one_surface)(sharing.surface(), &flooded[first], lambda.data(), count);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (std::isnan(lambda[i])) {
-        lambda[i] = sharing.film_parameter(flooded[first + i]);
-        ++work.by_newton;
-      }
-      film_parameter[first + i] = std::max(lambda[i], sharing.floor());
-    }
-  }
-  return work;
+  return in_blocks(
+      flooded.size(), film_parameter,
+      [&](std::size_t first, std::size_t count, double* lambda) {
+        const std::size_t steps =
+            HWY_DYNAMIC_DISPATCH(one_surface)(sharing.surface(), &flooded[first], lambda, count);
+        for (std::size_t i = 0; i < count; ++i) lambda[i] = std::max(lambda[i], sharing.floor());
+        return steps;
+      },
+      [&](std::size_t i) { return sharing.film_parameter(flooded[i]); });
 }
 
 std::string_view instruction_set() { return HWY_DYNAMIC_DISPATCH(target_name)(); }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "gaussian_moment_rows.hpp"
 #include "tribo/gaussian_moment.hpp"
 
 namespace tribo::scalar {
@@ -59,8 +60,6 @@ struct Unfused {
   const double high = a + b;
   return {high, b - (high - a)};
 }
-
-constexpr double pieces_end = 45;  // of |d|
 
 // A polynomial of S_n at |d| = x < pieces_end for d ≥ 0, of F_n for d < 0: its coefficients c0
 // high, c0 low, c1, c2, …, and the distance t of x from its centre.

@@ -41,15 +41,16 @@ class GatheredRows {
 };
 
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-// The same from two registers: Highway 1.0.3 has no look-up in two of them.
-template <class D>
+// The same from two registers, the second loaded `second` doubles after the first: Highway 1.0.3
+// has no look-up in two of them.
+template <class D, std::size_t second = 8>
 class PermutedRows {
  public:
   PermutedRows(D d, const double* base, Integers<D> piece) : d_(d), base_(base), piece_(piece) {}
   HWY_INLINE hn::Vec<D> operator()(int k) const {
     const double* row = base_ + std::ptrdiff_t{16} * k;
     return hn::Vec<D>{
-        _mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw, hn::Load(d_, row + 8).raw)};
+        _mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw, hn::Load(d_, row + second).raw)};
   }
 
  private:
@@ -58,29 +59,7 @@ class PermutedRows {
   Integers<D> piece_;
 };
 
-// The same where lanes lie on both sides of 0: near it, of the first 8 pieces of each side.
-template <class D>
-class NearRows {
- public:
-  NearRows(D d, const double* base, Integers<D> piece, hn::Mask<D> below_zero)
-      : d_(d), base_(base), piece_(piece) {
-    const hn::RebindToUnsigned<D> bits;
-    const auto side = hn::BitCast(d, hn::Set(bits, std::uint64_t{8}));
-    piece_ = hn::Or(piece, hn::BitCast(bits, hn::IfThenElseZero(below_zero, side)));
-  }
-  HWY_INLINE hn::Vec<D> operator()(int k) const {
-    const double* row = base_ + std::ptrdiff_t{16} * k;
-    return hn::Vec<D>{_mm512_permutex2var_pd(hn::Load(d_, row).raw, piece_.raw,
-                                             hn::Load(d_, row + vector_side_stride).raw)};
-  }
-
- private:
-  D d_;
-  const double* base_;
-  Integers<D> piece_;
-};
-
-// And anywhere.
+// The same where lanes lie on both sides of 0.
 template <class D>
 class MixedRows {
  public:
@@ -105,7 +84,7 @@ struct Place {
   hn::Vec<D> t;
 };
 
-// Of |d| < 45.
+// Of |d| < pieces_end.
 template <class D>
 HWY_INLINE Place<D> place_of(D d, hn::Vec<D> x) {
   constexpr int kept = 50;  // bits below those that number the pieces of x + 3
@@ -130,7 +109,13 @@ HWY_INLINE auto with_rows(D d, Order n, hn::Mask<D> below_zero, Integers<D> piec
       return visit(PermutedRows<D>(d, base + vector_side_stride, piece));
     const hn::RebindToSigned<D> integers;
     const auto is_near = hn::Lt(hn::BitCast(integers, piece), hn::Set(integers, std::int64_t{8}));
-    if (hn::AllTrue(integers, is_near)) return visit(NearRows<D>(d, base, piece, below_zero));
+    if (hn::AllTrue(integers, is_near)) {
+      // Of the first 8 pieces of each side.
+      const hn::RebindToUnsigned<D> bits;
+      const auto eight = hn::BitCast(d, hn::Set(bits, std::uint64_t{8}));
+      const auto side = hn::BitCast(bits, hn::IfThenElseZero(below_zero, eight));
+      return visit(PermutedRows<D, vector_side_stride>(d, base, hn::Or(piece, side)));
+    }
     return visit(MixedRows<D>(d, base, piece, below_zero));
   } else
 #endif
@@ -148,7 +133,7 @@ struct VectorSum {
   V high, low;
 };
 
-// S_n(d) at |d| = x < 45 for d ≥ 0, F_n(d) for d < 0.
+// S_n(d) at |d| = x < pieces_end for d ≥ 0, F_n(d) for d < 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE VectorSum<V> moment_in_pieces(D d, Order n, hn::Mask<D> below_zero, V x) {
   const Place<D> place = place_of(d, x);
@@ -194,7 +179,7 @@ HWY_INLINE VectorSum<V> moment_and_log_slope(D d, Order n, hn::Mask<D> below_zer
   });
 }
 
-// sum·e^{−d²/2}, 0 ≤ d < 45.
+// sum·e^{−d²/2}, 0 ≤ d < pieces_end.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V times_gaussian(D d, VectorSum<V> sum, V x) {
   const hn::RebindToUnsigned<D> bits;
@@ -232,17 +217,15 @@ HWY_INLINE V times_gaussian(D d, VectorSum<V> sum, V x) {
   return hn::Mul(hn::Mul(value, power(first)), power(hn::Sub(whole, first)));
 }
 
-constexpr double vector_pieces_end = 45;  // of |d|
-
 // |d|, and the end of the pieces for what lies beyond or is no number.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V distance_in_pieces(D d, V argument) {
   const V x = hn::Abs(argument);
-  const V last = hn::Set(d, 0x1.67fffffffffffp5);  // below 45
+  const V last = hn::Set(d, below_pieces_end);
   return hn::IfThenElse(hn::Lt(x, last), x, last);
 }
 
-// F_n(d) for d > −45.
+// F_n(d) for d > −pieces_end.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V moment_vector(D d, Order n, V argument) {
   const auto below_zero = hn::Lt(argument, hn::Zero(d));
@@ -254,7 +237,7 @@ HWY_INLINE V moment_vector(D d, Order n, V argument) {
   return hn::IfThenElse(below_zero, sum.high, above);
 }
 
-// S_n(d) for |d| < 45.
+// S_n(d) for |d| < pieces_end.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V scaled_moment_vector(D d, Order n, V argument) {
   const auto below_zero = hn::Lt(argument, hn::Zero(d));

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "load_sharing_vector-inl.hpp"
+#include "sharing_method.hpp"
 
 #if defined(TRIBO_LOAD_SHARING_BATCH) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIBO_LOAD_SHARING_BATCH

@@ -24,7 +24,7 @@
 
 #include "gaussian_moment_vector-inl.hpp"
 #include "sharing_method.hpp"
-#include "tribo/load_sharing.hpp"
+#include "tribo/sharing_root.hpp"
 
 #if defined(TRIBO_LOAD_SHARING_VECTOR) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIBO_LOAD_SHARING_VECTOR
@@ -166,10 +166,10 @@ HWY_INLINE Step<D> sharing_step(D d, V flooded, const Iterate<V>& from, const As
   const V t = hn::Mul(hn::Mul(hn::Set(d, 0.5), newton), hn::Mul(g2, inverse));
   const V stretch = hn::Add(hn::MulSub(t, t, t), one);
   const V step = hn::Mul(newton, hn::Min(hn::Max(stretch, hn::Set(d, 0.5)), hn::Set(d, 2.0)));
-  const V bounded = hn::Min(hn::Max(step, hn::Set(d, -0.7)), hn::Set(d, 1.2));
+  const V bounded =
+      hn::Min(hn::Max(step, hn::Set(d, sharing_least_step)), hn::Set(d, sharing_greatest_step));
   const V rise = hn::Max(hn::Add(from.log_rise, bounded), zero);
-  // From λ₀ where y is small; from the last λ where y need not be known so well.
-  const auto is_near = hn::Lt(rise, hn::Set(d, 0.125));
+  const auto is_near = hn::Lt(rise, hn::Set(d, sharing_near_rise));
   return {rise, hn::IfThenElse(is_near, flooded, from.film_parameter),
           hn::IfThenElse(is_near, rise, bounded),  // rise − log_rise, unrounded
           hn::Lt(hn::Mul(hn::Abs(newton), hn::Max(hn::Add(p, a), g1)), hn::Set(d, 0x1p-17))};
@@ -184,7 +184,7 @@ HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterat
                  hn::Eq(now.log_rise, hn::Zero(d)));
 }
 
-// Where λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0 puts A/p below 2^−54.
+// Where λ = λ₀ to half an ulp (sharing_root.hpp).
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const SharingInputs<V>& in) {
   const hn::RebindToSigned<D> integers;
@@ -192,7 +192,8 @@ HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const SharingInputs<V>& in) {
   const V exponent =
       hn::ConvertTo(d, hn::Sub(hn::BitCast(integers, biased), hn::Set(integers, 1022)));
   const V distance = hn::Sub(in.flooded, in.offset);
-  const V limit = hn::MulAdd(exponent, hn::Set(d, 1.3863), hn::Set(d, 141.1));
+  const V limit =
+      hn::MulAdd(exponent, hn::Set(d, detail::free_square_slope), hn::Set(d, detail::free_square));
   return hn::And(hn::Ge(distance, hn::Zero(d)), hn::Gt(hn::Mul(distance, distance), limit));
 }
 

@@ -91,6 +91,7 @@ void ProxyPieces::sample(const Function& function, const std::vector<Interval>& 
 }
 
 ProxyPieces::ProxyPieces(const Function& function, double from, double to, double tolerance) {
+  if (!(from > 0 && from <= to)) return;
   const auto cell_of = [](double x) { return std::bit_cast<std::uint64_t>(x) >> kept_bits; };
   const auto start_of = [](std::uint64_t cell) { return std::bit_cast<double>(cell << kept_bits); };
   constexpr std::uint64_t binade = std::uint64_t{1} << halvings;
@@ -132,26 +133,13 @@ double ProxyPieces::left_out() const {
 }
 
 template <class Arithmetic>
-[[gnu::always_inline]] inline double ProxyPieces::value_with(double x) const {
-  const std::uint64_t cell = (std::bit_cast<std::uint64_t>(x) >> kept_bits) - first_cell_;
-  const Piece& piece = pieces_[cell < piece_of_cell_.size() ? piece_of_cell_[cell] : 0];
-  const double* c = piece.coefficients;
-  const double t = x - piece.centre, square = t * t;
-  double even = c[10], odd = c[9];
-  for (int k = 8; k >= 2; k -= 2) {
-    even = Arithmetic::multiply_add(even, square, c[k]);
-    if (k > 2) odd = Arithmetic::multiply_add(odd, square, c[k - 1]);
-  }
-  const double slope = Arithmetic::multiply_add(Arithmetic::multiply_add(odd, t, even), t, c[1]);
-  return Arithmetic::multiply_add(slope, t, c[0]);
-}
-
-template <class Arithmetic>
 [[gnu::always_inline]] inline bool ProxyPieces::fill(std::span<const double> x,
                                                      std::span<double> result) const {
   bool all = true;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    result[i] = value_with<Arithmetic>(x[i]);
+    const std::uint64_t cell = (std::bit_cast<std::uint64_t>(x[i]) >> kept_bits) - first_cell_;
+    const std::uint32_t piece = cell < piece_of_cell_.size() ? piece_of_cell_[cell] : 0;
+    result[i] = value_in<Arithmetic>(pieces_[piece], x[i]);
     all &= result[i] == result[i];
   }
   return all;

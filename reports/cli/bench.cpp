@@ -105,9 +105,10 @@ constexpr const char* footer =
     R"(Jobs: moment_5_2, moment_2, root_wide, root_one_surface, curve_200, points_1e6. Every contender of a
 job is written as its users write it and runs in the same process, repetitions interleaved. Columns:
 ns, CPU time a point, the median; ratio, to the fastest of tribocheck's in the same job; max ulp, the
-greatest true error in units in the last place, over certified values; evaluations, of the integrand or
-the moment a point; failures, cases with no number or off by more than 1e-6. The published fits are
-judged where they claim to hold. Takes some four minutes, with --quick less than one.
+greatest true error in units in the last place, against certified values, of curve_200 and points_1e6
+against the model in long double; evaluations, of the integrand or the moment a point; failures, cases
+with no number or off by more than 1e-6. The published fits are judged where they claim to hold. Takes
+some five minutes, with --quick less than one.
 
 Example:
   tribocheck bench --quick --filter 'root_wide/(GSL|tribocheck)/')";

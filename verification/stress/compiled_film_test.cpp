@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "support/long_double.hpp"
@@ -134,6 +135,27 @@ TEST(CompiledFilm, IsTheRootItselfOutsideItsRange) {
       flooded.push_back(sampler.log_uniform(1e-8, 0.007));
       flooded.push_back(sampler.log_uniform(16.1, 1e4));
     }
+    std::vector<double> lambda(flooded.size());
+    compiled.film_parameter(flooded, lambda);
+    for (std::size_t i = 0; i < flooded.size(); ++i) {
+      const double root = sharing.film_parameter(flooded[i]);
+      EXPECT_EQ(lambda[i], root) << describe({{"lambda0", flooded[i]}});
+      EXPECT_EQ(compiled.film_parameter(flooded[i]), root) << describe({{"lambda0", flooded[i]}});
+    }
+  }
+}
+
+// Also one that the limits of the root's kernels reverse.
+TEST(CompiledFilm, IsTheRootItselfWhereItsRangeIsReversedOrNoRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const LoadSharing<double> sharing(AsperityModel::greenwood_tripp, 0.3, 1.146);
+  const std::vector<double> flooded{1e-9, 1e-4, 0.3, 1.0, 100.0, 1e290};
+  for (const auto& [low, high] :
+       {std::pair{to, from}, {nan, to}, {from, nan}, {-to, -from}, {1e290, 1e300}}) {
+    const CompiledFilm compiled(sharing, low, high);
+    EXPECT_EQ(compiled.pieces().piece_count(), 0u) << describe({{"from", low}, {"to", high}});
+    EXPECT_EQ(compiled.pieces().evaluations(), 0u);
+    EXPECT_EQ(compiled.pieces().left_out(), 1);
     std::vector<double> lambda(flooded.size());
     compiled.film_parameter(flooded, lambda);
     for (std::size_t i = 0; i < flooded.size(); ++i) {

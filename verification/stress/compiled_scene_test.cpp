@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "support/contracts.hpp"
@@ -115,6 +116,21 @@ TEST(CompiledScene, LeavesToTheModelWhatIsOutsideItsRange) {
   const Both points = both(contact, compiled, speeds);
   for (std::size_t i = 0; i < speeds.size(); ++i)
     EXPECT_EQ(numbers_of(points.compiled[i]), numbers_of(points.solved[i])) << speeds[i];
+}
+
+TEST(CompiledScene, LeavesAllToTheModelWhereItsRangeIsReversedOrNoRange) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const MixedContact<double> contact(
+      paper_scene(paper_surfaces[0], AsperityModel::greenwood_tripp));
+  const std::vector<double> speeds{1e-4, 0.007, 0.13, 3};
+  for (const auto& [from, to] :
+       {std::pair{fastest, slowest}, {nan, fastest}, {slowest, nan}, {-fastest, -slowest}}) {
+    const CompiledScene compiled(contact, OutputSet::all(), from, to);
+    EXPECT_EQ(compiled.piece_count(), 0u) << describe({{"from", from}, {"to", to}});
+    const Both points = both(contact, compiled, speeds);
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+      EXPECT_EQ(numbers_of(points.compiled[i]), numbers_of(points.solved[i])) << speeds[i];
+  }
 }
 
 TEST(CompiledScene, FillsWhatWasAskedAndNothingElse) {

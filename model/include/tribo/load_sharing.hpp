@@ -11,11 +11,10 @@
 // monotonically to the root: they never fail.
 #pragma once
 
-#include <algorithm>
-
 #include "tribo/asperity_contact.hpp"
 #include "tribo/contract.hpp"
 #include "tribo/film_thickness.hpp"
+#include "tribo/sharing_root.hpp"
 
 namespace tribo {
 
@@ -38,46 +37,6 @@ struct LoadShares {
   int iterations;    // steps to the root that were taken
 };
 
-namespace detail {
-
-// One surface, as the double kernels of the root want it (src/load_sharing_vector-inl.hpp).
-struct SharingSurface {
-  Order order;               // p of F_p
-  double stiffness, offset;  // K, δ
-  double floor, hazard;      // λ_b, 0 without one; −d ln A/dλ there
-  double floor_up_to = 0;    // λ = λ_b to half an ulp for λ₀ from 0 to here
-  double film_from = 0;      // λ = λ₀ to half an ulp for λ₀ from here on
-  // Without a floor: up to near_zero, −ln A is nearly −ln A(0) + hλ + sλ²/2, and a root starts
-  // there.
-  double near_zero = 0;
-  double share_at_zero = 0, hazard_at_zero = 0, slope_at_zero = 0;  // A(0), h, s
-};
-
-// The root λ of one surface at λ₀, and the steps to it. NaN where the kernel leaves it to
-// Newton's method: beyond its range, or not there after max_sharing_steps.
-struct SharingRoot {
-  double film_parameter;
-  int iterations;
-};
-inline constexpr int max_sharing_steps = 16;
-SharingRoot film_parameter(const SharingSurface& surface, double flooded_film_parameter);
-// A root with the rounding of A taken out where its condition makes much of that: next to a
-// critical stiffness, K F_p(−δ) = 1. For CompiledFilm, which fits polynomials to roots.
-double polished_film_parameter(const SharingSurface& surface, double flooded, double lambda);
-
-}  // namespace detail
-
-// From this λ₀ on, A/p < 2^−54 and λ = λ₀ to half an ulp: F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0.
-// K in [1e-300, 1e300].
-inline double sharing_film_from(double stiffness, double offset) {
-  const double exponent = std::ilogb(stiffness) + 1.0;
-  return offset + std::sqrt(std::max(141.1 + 1.3863 * exponent, 0.0));
-}
-
-// λ of one point in double: what LoadSharing would give, without the floor that it finds first.
-double film_parameter(AsperityModel model, double stiffness, double offset,
-                      double flooded_film_parameter);
-
 template <class T>
 class LoadSharing {
  public:
@@ -95,7 +54,7 @@ class LoadSharing {
   const T& offset() const { return offset_; }
   bool has_floor() const { return has_floor_; }
   // Only in double: is A(λ) < 2^−54, half an ulp of 1 − A? By the bound of sharing_film_from, which
-  // is A < 2^−54 p.
+  // is A < 2^−54 p, p = 1/0.14, and falls as e^{−d²/4}.
   bool is_free_of_asperities(const T& film_parameter) const {
     const T d = film_parameter - offset_, limit = surface_.film_from - offset_;
     return d > 0 && d * d > limit * limit + 7.9;  // 4 ln p < 7.9
@@ -349,6 +308,7 @@ class LoadSharing {
     surface_.share_at_zero = at.share;
     surface_.hazard_at_zero = -at.log_slope;
     surface_.slope_at_zero = exponent_ * (hazard * (hazard + offset_) - value_of<T>(order_));
+    // At hλ = 0.05 what is left out, cubic in λ, is at most 5e-5 of A; the next step is exact.
     surface_.near_zero = 0.05 / surface_.hazard_at_zero;
   }
 

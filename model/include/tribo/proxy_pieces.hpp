@@ -15,7 +15,7 @@ namespace tribo {
 // f(x) for x in [from, to], 0 < from < to. Each binade of x is halved until the interpolant of
 // degree 10 through f's Chebyshev nodes there agrees with f to `tolerance`, relative, at 12 points
 // between them and at the ends. A piece that does not after 8 halvings (a kink, or f's own noise)
-// is left out: there, and outside the range, value() is NaN.
+// is left out: there, and outside the range, value() is NaN. No pieces, unless 0 < from ≤ to.
 class ProxyPieces {
  public:
   // Fills the second span with f of the first.
@@ -53,15 +53,22 @@ class ProxyPieces {
     double low, high;
   };
 
-  static double value_in(const Piece& piece, double x) {
+  struct Plain {
+    static double multiply_add(double a, double b, double c) { return a * b + c; }
+  };
+  // Inlined even into what is compiled for other processors.
+  template <class Arithmetic = Plain>
+  [[gnu::always_inline]] static double value_in(const Piece& piece, double x) {
     const double* c = piece.coefficients;
     const double t = x - piece.centre, square = t * t;
-    const double even = (((c[10] * square + c[8]) * square + c[6]) * square + c[4]) * square + c[2];
-    const double odd = ((c[9] * square + c[7]) * square + c[5]) * square + c[3];
-    return c[0] + t * (c[1] + t * (even + t * odd));
+    double even = c[10], odd = c[9];
+    for (int k = 8; k >= 2; k -= 2) {
+      even = Arithmetic::multiply_add(even, square, c[k]);
+      if (k > 2) odd = Arithmetic::multiply_add(odd, square, c[k - 1]);
+    }
+    const double slope = Arithmetic::multiply_add(Arithmetic::multiply_add(odd, t, even), t, c[1]);
+    return Arithmetic::multiply_add(slope, t, c[0]);
   }
-  template <class Arithmetic>
-  double value_with(double x) const;
   template <class Arithmetic>
   bool fill(std::span<const double> x, std::span<double> result) const;
   bool fill_fused(std::span<const double> x, std::span<double> result) const;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// One operating point of a scene: its numbers and its words.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "tribo/contract.hpp"
+#include "tribo/real.hpp"
+
+namespace tribo {
+
+// Of each output of an operating point. The film formula is good to 10 ε (its decimal exponents are
+// rounded, and the logarithms of its numbers are near 20), the moments and the root to as much
+// again.
+inline constexpr Contract operating_point_contract{8, 16};
+
+enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic };
+enum class Inlet : std::uint8_t { flooded, starved, collapsed };
+
+constexpr std::string_view name(Regime regime) {
+  return regime == Regime::boundary ? "boundary"
+         : regime == Regime::mixed  ? "mixed"
+                                    : "elastohydrodynamic";
+}
+constexpr std::string_view name(Inlet inlet) {
+  return inlet == Inlet::flooded ? "flooded" : inlet == Inlet::starved ? "starved" : "collapsed";
+}
+
+// From the load shares of asperities and film.
+template <class T>
+Regime regime_of(const T& asperity_share, const T& fluid_share) {
+  const T little = ratio<T>(1, 100);
+  return fluid_share < little      ? Regime::boundary
+         : asperity_share < little ? Regime::elastohydrodynamic
+                                   : Regime::mixed;
+}
+
+// One operating point; units and meaning in outputs.hpp. What was not asked for is 0. An overflow
+// of the number type shows as ∞ or NaN.
+template <class T>
+struct OperatingPoint {
+  T speed{};
+  T film_flooded{};
+  T film{};
+  T separation{};
+  T film_parameter{};
+  T asperity_load_share{};
+  T fluid_load_share{};
+  T real_area_ratio{};
+  T summit_count{};
+  T friction{};
+  Regime regime = Regime::mixed;
+  Inlet inlet = Inlet::flooded;
+  bool friction_undefined = false;  // the film has collapsed and no floor keeps the faces apart
+};
+
+}  // namespace tribo
