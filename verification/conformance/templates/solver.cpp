@@ -1,4 +1,4 @@
-// A solver for tribocheck in C++. It skips everything: give a function for each thing that you have.
+// A solver for tribocheck in C++. It skips everything: give a function for each thing you have.
 // Cases, results, units: verification/conformance/serve.hpp of tribocheck. A CMakeLists.txt for it:
 //
 //   cmake_minimum_required(VERSION 3.25)
