@@ -66,11 +66,11 @@ test-slow: build ## stream ten million lines in flat memory, and print the rate;
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_LINES=10000000 \
 	  python3 -B -m unittest -v test_stream_slow
 
-bench: ## speed and true error of every contender, as a table; FILTER=RE chooses; some five minutes
+bench: ## speed and true error of every contender; FILTER=RE chooses, PLUGIN=LIB adds one; some five minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck tribocheck_bench
-	build/release/tribocheck bench $(if $(FILTER),--filter '$(FILTER)')
+	build/release/tribocheck bench $(if $(FILTER),--filter '$(FILTER)') $(if $(PLUGIN),--plugin '$(PLUGIN)')
 
 work-precision: ## true error against work, with diagrams: reports/out/work_precision; some two minutes
 	@.ci/deps build bench
@@ -78,7 +78,7 @@ work-precision: ## true error against work, with diagrams: reports/out/work_prec
 	cmake --build --preset release --target tribocheck_work_precision
 	build/release/benchmarks/tribocheck_work_precision --out reports/out/work_precision \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" --date "$$(date -u +%F)" \
-	  --baseline reference/baselines/work_precision.json
+	  $(if $(PLUGIN),--plugin '$(PLUGIN)',--baseline reference/baselines/work_precision.json)
 	benchmarks/work_precision/draw reports/out/work_precision
 
 # valgrind is on bench.txt; a machine that cannot have it is measured without.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/errors.hpp"
+#include "cases/measured.hpp"
 #include "contenders/curve_contender.hpp"
 
 namespace tribo::benchmarks {
@@ -18,5 +19,8 @@ std::vector<double> curve_speeds(std::size_t count);
 // The films of `count` points at the speeds that the contender has chosen, against the same model
 // in long double.
 Errors judge(const CurveContender& contender, std::size_t count = 200);
+
+// These at both jobs.
+std::vector<Measured> jobs_of(const std::vector<CurveContender>& contenders);
 
 }  // namespace tribo::benchmarks

@@ -33,8 +33,7 @@ Measured curve_job(const CurveContender& contender, const std::string& job, std:
 
 }  // namespace
 
-std::vector<Measured> curve_jobs(Settings settings) {
-  const std::vector<CurveContender> contenders = curve_contenders(settings);
+std::vector<Measured> jobs_of(const std::vector<CurveContender>& contenders) {
   std::vector<Measured> all;
   for (const CurveContender& contender : contenders)
     all.push_back(curve_job(contender, "curve_200", 200));
@@ -45,5 +44,7 @@ std::vector<Measured> curve_jobs(Settings settings) {
                                                                : 100000));
   return all;
 }
+
+std::vector<Measured> curve_jobs(Settings settings) { return jobs_of(curve_contenders(settings)); }
 
 }  // namespace tribo::benchmarks

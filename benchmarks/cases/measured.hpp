@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/errors.hpp"
+#include "conformance/plugin_library.hpp"
 #include "contenders/settings.hpp"
 
 namespace tribo::benchmarks {
@@ -28,6 +29,8 @@ std::vector<Measured> moment_jobs(Settings settings);
 std::vector<Measured> root_jobs(Settings settings);
 std::vector<Measured> curve_jobs(Settings settings);
 std::vector<Measured> all_jobs(Settings settings);
+// What a plug-in offers, at every job.
+std::vector<Measured> plugin_jobs(const conformance::Plugin& plugin);
 
 // What each job is, for people.
 const std::vector<std::pair<std::string, std::string>>& job_titles();

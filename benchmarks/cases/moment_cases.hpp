@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/errors.hpp"
+#include "cases/measured.hpp"
 #include "contenders/moment_contender.hpp"
 
 namespace tribo::benchmarks {
@@ -16,5 +17,8 @@ std::vector<double> moment_arguments(std::size_t count);
 // Over the certified rows (reference/exact) of the contender's order with from < d < to that it
 // claims.
 Errors judge(const MomentContender& contender, double from = 0, double to = 6);
+
+// These at the job of their order.
+std::vector<Measured> jobs_of(const std::vector<MomentContender>& contenders);
 
 }  // namespace tribo::benchmarks

@@ -17,11 +17,11 @@ double evaluations_a_point(const MomentContender& contender, const std::vector<d
 
 }  // namespace
 
-std::vector<Measured> moment_jobs(Settings settings) {
+std::vector<Measured> jobs_of(const std::vector<MomentContender>& contenders) {
   std::vector<Measured> all;
   const auto d = std::make_shared<const std::vector<double>>(moment_arguments(count));
   const auto moments = std::make_shared<std::vector<double>>(count);
-  for (const MomentContender& contender : moment_contenders(settings)) {
+  for (const MomentContender& contender : contenders) {
     Measured measured{contender.order == Order::two ? "moment_2" : "moment_5_2",
                       contender.family,
                       contender.name,
@@ -35,6 +35,10 @@ std::vector<Measured> moment_jobs(Settings settings) {
     all.push_back(std::move(measured));
   }
   return all;
+}
+
+std::vector<Measured> moment_jobs(Settings settings) {
+  return jobs_of(moment_contenders(settings));
 }
 
 }  // namespace tribo::benchmarks

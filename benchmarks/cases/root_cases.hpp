@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/errors.hpp"
+#include "cases/measured.hpp"
 #include "contenders/root_contender.hpp"
 
 namespace tribo::benchmarks {
@@ -32,5 +33,8 @@ StoredRootCases random_root_cases(RootJob job, std::size_t count);
 const StoredRootCases& certified_root_cases(RootJob job);
 
 Errors judge(const RootContender& contender, RootJob job);
+
+// These at the job.
+std::vector<Measured> jobs_of(const std::vector<RootContender>& contenders, RootJob job);
 
 }  // namespace tribo::benchmarks

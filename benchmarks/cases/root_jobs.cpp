@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film parameter of load sharing at 1024 cases, 256 for those that take long.
+#include <iterator>
 #include <memory>
 
 #include "cases/measured.hpp"
@@ -39,15 +40,17 @@ Measured root_job(const RootContender& contender, RootJob job,
 
 }  // namespace
 
-std::vector<Measured> root_jobs(Settings settings) {
+std::vector<Measured> jobs_of(const std::vector<RootContender>& contenders, RootJob job) {
+  const auto stored = std::make_shared<const StoredRootCases>(random_root_cases(job, most));
   std::vector<Measured> all;
-  for (const RootJob job : {RootJob::wide, RootJob::one_surface}) {
-    const auto stored = std::make_shared<const StoredRootCases>(random_root_cases(job, most));
-    for (const RootContender& contender : job == RootJob::wide
-                                              ? wide_root_contenders(settings)
-                                              : one_surface_root_contenders(settings))
-      all.push_back(root_job(contender, job, stored));
-  }
+  for (const RootContender& contender : contenders) all.push_back(root_job(contender, job, stored));
+  return all;
+}
+
+std::vector<Measured> root_jobs(Settings settings) {
+  std::vector<Measured> all = jobs_of(wide_root_contenders(settings), RootJob::wide);
+  std::vector<Measured> one = jobs_of(one_surface_root_contenders(settings), RootJob::one_surface);
+  std::move(one.begin(), one.end(), std::back_inserter(all));
   return all;
 }
 

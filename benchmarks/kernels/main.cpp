@@ -2,19 +2,29 @@
 // All contenders in one Google Benchmark program: job/family/name. `tribocheck bench` runs it and
 // makes the table.
 #include <benchmark/benchmark.h>
+#include <stdio.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
+#include <exception>
 #include <iostream>
+#include <optional>
 #include <regex>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "conformance/plugin_library.hpp"
+#include "conformance/serve.hpp"
 #include "kernels/progress.hpp"
 #include "kernels/registered.hpp"
 
 namespace {
+
+constexpr int exit_plugin_refused = 3;
 
 // Debian builds Google Benchmark with its assertions, and it then calls itself DEBUG. Only its own
 // bookkeeping around the timed loop is slower for it: what is timed here is built as Release.
@@ -26,6 +36,12 @@ class Console : public benchmark::ConsoleReporter {
     return true;
   }
 };
+
+bool asks_for(std::string_view option, int count, char** arguments) {
+  for (int i = 1; i < count; ++i)
+    if (option == arguments[i]) return true;
+  return false;
+}
 
 bool asks_for_another_format(int count, char** arguments) {
   for (int i = 1; i < count; ++i)
@@ -45,21 +61,69 @@ bool matches_any(std::string filter) {
   });
 }
 
+// The plug-in of --plugin=LIBRARY, which is taken out of the arguments.
+std::optional<std::string> take_plugin(int& count, char** arguments) {
+  constexpr std::string_view option = "--plugin=";
+  std::optional<std::string> path;
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+    if (i > 0 && std::string_view(arguments[i]).starts_with(option))
+      path = arguments[i] + option.size();
+    else
+      arguments[kept++] = arguments[i];
+  count = kept;
+  return path;
+}
+
+void register_all(std::vector<tribo::benchmarks::Measured> jobs) {
+  for (tribo::benchmarks::Measured& measured : jobs)
+    tribo::benchmarks::register_benchmark(std::move(measured));
+}
+
+// JSON goes to its reader in one piece, whatever a plug-in prints.
+void run_as_json(int output) {
+  std::ostringstream text;
+  benchmark::JSONReporter reporter;
+  reporter.SetOutputStream(&text);
+  reporter.SetErrorStream(&std::cerr);
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  std::FILE* const file = ::fdopen(output, "w");
+  if (file == nullptr) return;
+  std::fwrite(text.str().data(), 1, text.str().size(), file);
+  std::fclose(file);
+}
+
+int refuse(const std::exception& refusal) {
+  std::cerr << "tribocheck: " << refusal.what() << '\n';
+  return exit_plugin_refused;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
+  const std::optional<std::string> plugin = take_plugin(count, arguments);
+  const bool is_json = asks_for("--benchmark_format=json", count, arguments);
   const bool is_console = !asks_for_another_format(count, arguments);
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
   using namespace tribo::benchmarks;
   for (const auto& [job, title] : job_titles()) benchmark::AddCustomContext(job, title);
-  for (Measured& measured : all_jobs(Settings::usual)) register_benchmark(std::move(measured));
+  register_all(all_jobs(Settings::usual));
+  const int output = is_json ? tribo::conformance::take_stdout() : -1;
+  try {
+    if (plugin) register_all(plugin_jobs(tribo::conformance::load_plugin(*plugin)));
+  } catch (const tribo::conformance::PluginRefused& refusal) {
+    return refuse(refusal);
+  }
   if (!matches_any(benchmark::GetBenchmarkFilter())) {
     if (is_console) std::cerr << "tribocheck_bench: no contender matches the filter\n";
     return 2;
   }
   Console console;
-  benchmark::RunSpecifiedBenchmarks(is_console ? &console : nullptr);
+  if (is_json)
+    run_as_json(output);
+  else
+    benchmark::RunSpecifiedBenchmarks(is_console ? &console : nullptr);
   show_progress("");
   benchmark::Shutdown();
   return 0;

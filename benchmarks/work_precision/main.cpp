@@ -10,7 +10,11 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "cases/measured.hpp"
+#include "contenders/plugin_way.hpp"
 #include "tribo/batch.hpp"
 #include "work_precision/error_against_work.hpp"
 #include "work_precision/profile.hpp"
@@ -24,6 +28,7 @@ struct Arguments {
   std::string baseline;  // empty: none
   std::string commit = "unknown";
   std::string date = "unknown";
+  std::string plugin;  // empty: none
   bool quick = false;
 };
 
@@ -37,12 +42,19 @@ std::string processor() {
 void write_all(const Arguments& arguments) {
   const Effort effort = arguments.quick ? Effort{3, 0.002} : Effort{};
   const auto step = [](const char* what) { fmt::print(stderr, "{}\n", what); };
+  std::vector<Measured> others;
+  std::vector<RootContender> other_roots;
+  if (!arguments.plugin.empty()) {
+    const conformance::Plugin plugin = conformance::load_plugin(arguments.plugin);
+    others = plugin_jobs(plugin);
+    other_roots = plugin_roots(plugin);
+  }
   step("error against work");
-  const Rows work = errors_against_work(effort);
+  const Rows work = errors_against_work(effort, std::move(others));
   step("error by range");
   const Rows ranges = errors_by_range();
   step("performance profile");
-  const Rows profile = performance_profile(effort);
+  const Rows profile = performance_profile(effort, other_roots);
   step("throughput");
   const Rows by_size = throughput_by_size(effort);
   const Rows by_threads = throughput_by_threads(effort);
@@ -96,6 +108,7 @@ int main(int count, char** argv) {
   program.add_option("--baseline", arguments.baseline, "also write everything to this JSON file");
   program.add_option("--commit", arguments.commit, "what was measured");
   program.add_option("--date", arguments.date, "when");
+  program.add_option("--plugin", arguments.plugin, "a shared library with a solver of yours");
   program.add_flag("--quick", arguments.quick, "fewer and shorter repetitions");
   CLI11_PARSE(program, count, argv);
   try {

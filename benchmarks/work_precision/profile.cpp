@@ -42,11 +42,12 @@ Times times_by_case(const std::vector<RootContender>& solvers, const Effort& eff
 
 }  // namespace
 
-Rows performance_profile(const Effort& effort) {
+Rows performance_profile(const Effort& effort, const std::vector<RootContender>& others) {
   std::vector<RootContender> solvers = wide_root_contenders();
   std::erase_if(solvers, [](const RootContender& solver) {
     return solver.own_seconds || solver.name.starts_with("batch");
   });
+  solvers.insert(solvers.end(), others.begin(), others.end());
   const Times times = times_by_case(solvers, effort);
   const std::size_t cases = times.front().size();
   std::vector<double> best(cases, infinity);

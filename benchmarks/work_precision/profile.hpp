@@ -3,12 +3,16 @@
 // of cases that each solves to 1e-10 within τ times the best solver's time for that case.
 #pragma once
 
+#include <vector>
+
+#include "contenders/root_contender.hpp"
 #include "work_precision/effort.hpp"
 #include "work_precision/table.hpp"
 
 namespace tribo::benchmarks {
 
-// solver, tau, fraction; over the certified rows of the wide job.
-Rows performance_profile(const Effort& effort);
+// solver, tau, fraction; over the certified rows of the wide job; of all contenders, and of others
+// besides.
+Rows performance_profile(const Effort& effort, const std::vector<RootContender>& others = {});
 
 }  // namespace tribo::benchmarks

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <regex>
@@ -27,6 +28,7 @@ struct BenchArguments {
   bool quick = false;
   std::string filter;
   std::string format = "table";
+  std::string plugin;  // empty: none
 };
 
 // Beside this program, as in the build tree, or where an installation puts helpers; empty: nowhere.
@@ -58,6 +60,7 @@ std::vector<std::string> command_line(const fs::path& program, const BenchArgume
       fmt::format("--benchmark_repetitions={}", arguments.quick ? 3 : 9),
       fmt::format("--benchmark_min_time={}", arguments.quick ? 0.02 : 0.2)};
   if (!arguments.filter.empty()) command.push_back("--benchmark_filter=" + arguments.filter);
+  if (!arguments.plugin.empty()) command.push_back("--plugin=" + arguments.plugin);
   return command;
 }
 
@@ -75,6 +78,15 @@ int fail(int code, const std::string& line) {
   return code;
 }
 
+std::string failure_text(const report::ChildEnd& end, const BenchArguments& arguments) {
+  const std::string text = end.signal() != 0
+                               ? fmt::format("tribocheck_bench ended by signal {} ({})",
+                                             end.signal(), ::strsignal(end.signal()))
+                               : "tribocheck_bench failed";
+  if (arguments.plugin.empty()) return text;
+  return text + " with the plug-in " + arguments.plugin + " loaded";
+}
+
 int bench(const BenchArguments& arguments, OutputStream& output) {
   if (!is_expression(arguments.filter))
     return fail(exit_bad,
@@ -90,10 +102,8 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
   if (end.exited_with(2))
     return fail(exit_bad,
                 "--filter: no contender's job/family/name matches \"" + arguments.filter + "\"");
-  if (!end.succeeded())
-    return fail(exit_failed, end.signal() != 0
-                                 ? fmt::format("tribocheck_bench ended by signal {}", end.signal())
-                                 : "tribocheck_bench failed");
+  if (!arguments.plugin.empty() && end.exited_with(3)) return exit_bad;  // it has said why
+  if (!end.succeeded()) return fail(exit_failed, failure_text(end, arguments));
   const BenchResults results = read_bench_results(end.text);
   for (const std::string& line : results.left_out) complain("left out: " + line);
   append_results(output.text(), results, arguments.format);
@@ -107,11 +117,13 @@ job is written as its users write it and runs in the same process, repetitions i
 ns, CPU time a point, the median; ratio, to the fastest of tribocheck's in the same job; max ulp, the
 greatest true error in units in the last place, against certified values, of curve_200 and points_1e6
 against the model in long double; evaluations, of the integrand or the moment a point; failures, cases
-with no number or off by more than 1e-6. The published fits are judged where they claim to hold. Takes
-some five minutes, with --quick less than one.
+with no number or off by more than 1e-6. The published fits are judged where they claim to hold. A
+plug-in, a shared library made for tribocheck_plugin.h, takes part in the jobs that it offers, as family
+"plugin". Takes some five minutes, with --quick less than one.
 
 Example:
-  tribocheck bench --quick --filter 'root_wide/(GSL|tribocheck)/')";
+  tribocheck bench --quick --filter 'root_wide/(GSL|tribocheck)/'
+  tribocheck bench --plugin ./libsolver.so --filter '/(plugin|tribocheck)/')";
 
 }  // namespace
 
@@ -123,6 +135,7 @@ Command add_bench(CLI::App& program) {
   app->add_flag("--quick", arguments->quick, "fewer and shorter repetitions");
   app->add_option("--filter", arguments->filter,
                   "run only contenders whose job/family/name matches this regular expression");
+  app->add_option("--plugin", arguments->plugin, "a shared library with a solver of yours");
   app->add_option("--format", arguments->format, "how to write the results (default: table)")
       ->check(CLI::IsMember({"table", "json", "tsv"}));
   return {app, [arguments](OutputStream& output) { return bench(*arguments, output); }};

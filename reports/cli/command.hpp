@@ -21,6 +21,7 @@ Command add_stream(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);
+Command add_plugin_host(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 
 }  // namespace tribo::cli

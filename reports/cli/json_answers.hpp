@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "function_call.hpp"
 #include "output_stream.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -26,7 +27,7 @@ void append_error(Text& to, std::optional<std::string_view> id, std::string_view
 // {"id": …, "film": …} for a scene with one speed.
 void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id);
 
-// Is this line a call of a function, {"function": …}? Then appends its answer.
-bool append_function_answer(Text& to, std::string_view line);
+// The model's {"id": …, "value": …} to a call, or what is wrong with the call.
+void append_function_answer(Text& to, const FunctionCall& call);
 
 }  // namespace tribo::cli

@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Single functions of the model, called by a line of JSON:
-//
-//   {"id": "f1", "function": "gaussian_moment", "order": 2.5, "argument": -1.146}
-//   {"id": "f1", "value": 3.4…}
-//
-// One table says which functions there are and what their arguments may be.
-#include <array>
-#include <cstddef>
-#include <span>
-
+// The model's answers to calls of its functions.
 #include "answer_object.hpp"
-#include "flat_json.hpp"
 #include "json_answers.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/gaussian_moment.hpp"
@@ -21,52 +11,12 @@
 namespace tribo::cli {
 namespace {
 
-using Words = std::span<const std::string_view>;
-
-enum class Range : std::uint8_t { above_zero, not_below_zero, any, order };
-
-struct Parameter {
-  std::string_view name;
-  Range range = Range::above_zero;
-  std::string_view unit = "";
-  Words words = {};  // not empty: the argument is one of these
-  std::optional<double> default_value = {};
-};
-
-// The arguments in the order of the parameters; of a word, its place among the words.
-using Arguments = std::array<double, 8>;
-
-struct Function {
-  std::string_view name;
-  std::span<const Parameter> parameters;
-  void (*answer)(AnswerObject&, const Arguments&);
-};
-
-// In the order of the enumerations of scene.hpp.
-constexpr std::array<std::string_view, 2> asperity_words{"greenwood_tripp", "greenwood_williamson"};
-constexpr std::array<std::string_view, 4> closure_words{"flooded_inlet", "starved_inlet",
-                                                        "printed_exponents", "damiens"};
-
 template <class Enum>
 Enum enum_at(double place) {
   return static_cast<Enum>(static_cast<int>(place));
 }
 
-constexpr std::array<Parameter, 2> gaussian_moment_parameters{{
-    {.name = "order", .range = Range::order},
-    {.name = "argument", .range = Range::any},
-}};
-void answer_gaussian_moment(AnswerObject& answer, const Arguments& given) {
-  const auto order = static_cast<Order>(static_cast<int>(2 * given[0]));
-  answer.number("value", gaussian_moment(order, given[1]));
-}
-
-constexpr std::array<Parameter, 3> hertz_point_parameters{{
-    {.name = "load", .unit = "N"},
-    {.name = "effective_modulus", .unit = "Pa"},
-    {.name = "reduced_radius", .unit = "m"},
-}};
-void answer_hertz_point(AnswerObject& answer, const Arguments& given) {
+void answer_hertz_point(AnswerObject& answer, const FunctionArguments& given) {
   const HertzPoint<double> hertz = hertz_point(given[0], given[1], given[2]);
   answer.number("radius", hertz.radius);
   answer.number("mean_pressure", hertz.mean_pressure);
@@ -74,219 +24,36 @@ void answer_hertz_point(AnswerObject& answer, const Arguments& given) {
   answer.number("approach", hertz.approach);
 }
 
-constexpr std::array<Parameter, 7> hamrock_dowson_parameters{{
-    {.name = "speed", .unit = "m/s"},
-    {.name = "viscosity", .unit = "Pa·s"},
-    {.name = "pressure_viscosity", .unit = "1/Pa"},
-    {.name = "load", .unit = "N"},
-    {.name = "effective_modulus", .unit = "Pa"},
-    {.name = "reduced_radius", .unit = "m"},
-    {.name = "ellipticity", .default_value = 1},
-}};
-void answer_hamrock_dowson(AnswerObject& answer, const Arguments& given) {
-  answer.number("value", hamrock_dowson_central(given[0], given[1], given[2], given[3], given[4],
-                                                given[5], given[6]));
-}
-
-constexpr std::array<Parameter, 3> starvation_ratio_parameters{{
-    {.name = "closure", .words = closure_words},
-    {.name = "flooded_over_inlet"},
-    {.name = "damiens_exponent", .default_value = 3},
-}};
-void answer_starvation_ratio(AnswerObject& answer, const Arguments& given) {
-  answer.number("value",
-                starvation_ratio(enum_at<StarvationClosure>(given[0]), given[1], given[2]));
-}
-
-constexpr std::array<Parameter, 4> load_sharing_parameters{{
-    {.name = "asperity", .words = asperity_words},
-    {.name = "flooded_film_parameter"},
-    {.name = "stiffness", .range = Range::not_below_zero},
-    {.name = "offset", .range = Range::not_below_zero},
-}};
-void answer_load_sharing(AnswerObject& answer, const Arguments& given) {
+double load_sharing(const FunctionArguments& given) {
   const LoadSharing<double> sharing(enum_at<AsperityModel>(given[0]), given[2], given[3]);
-  answer.number("value", sharing.solve(given[1]).film_parameter);
+  return sharing.solve(given[1]).film_parameter;
 }
 
-constexpr std::array<Function, 5> functions{{
-    {"gaussian_moment", gaussian_moment_parameters, answer_gaussian_moment},
-    {"hertz_point", hertz_point_parameters, answer_hertz_point},
-    {"hamrock_dowson_central", hamrock_dowson_parameters, answer_hamrock_dowson},
-    {"starvation_ratio", starvation_ratio_parameters, answer_starvation_ratio},
-    {"load_sharing", load_sharing_parameters, answer_load_sharing},
-}};
-
-struct Mistake {
-  std::string field, message;
-};
-
-std::string joined(Words words) {
-  std::string text;
-  for (const std::string_view word : words) {
-    if (!text.empty()) text += ", ";
-    text += word;
+void answer(AnswerObject& answer, Function function, const FunctionArguments& given) {
+  switch (function) {
+    case Function::gaussian_moment:
+      return answer.number("value", gaussian_moment(enum_at<Order>(2 * given[0]), given[1]));
+    case Function::hertz_point:
+      return answer_hertz_point(answer, given);
+    case Function::hamrock_dowson_central:
+      return answer.number("value", hamrock_dowson_central(given[0], given[1], given[2], given[3],
+                                                           given[4], given[5], given[6]));
+    case Function::starvation_ratio:
+      return answer.number(
+          "value", starvation_ratio(enum_at<StarvationClosure>(given[0]), given[1], given[2]));
+    case Function::load_sharing:
+      return answer.number("value", load_sharing(given));
   }
-  return text;
-}
-
-std::string allowed_text(const Parameter& parameter) {
-  if (!parameter.words.empty()) return joined(parameter.words);
-  std::string text = "a number";
-  if (parameter.range == Range::above_zero) text += " above 0";
-  if (parameter.range == Range::not_below_zero) text += " not below 0";
-  if (parameter.range == Range::order) return "0, 0.5, 1, 1.5, 2 or 2.5";
-  if (!parameter.unit.empty()) text += ", in " + std::string(parameter.unit);
-  return text;
-}
-
-bool is_in_range(double number, Range range) {
-  switch (range) {
-    case Range::above_zero:
-      return number > 0;
-    case Range::not_below_zero:
-      return number >= 0;
-    case Range::order:
-      return number >= 0 && number <= 2.5 && 2 * number == static_cast<int>(2 * number);
-    case Range::any:
-      return true;
-  }
-  return false;
-}
-
-// The place of a text among words; `words.size()` if it is not there.
-std::size_t place_of(std::string_view text, Words words) {
-  std::size_t place = 0;
-  while (place < words.size() && words[place] != text) ++place;
-  return place;
-}
-
-std::optional<double> word_argument(const Parameter& parameter, const FlatMember& member,
-                                    std::string& complaint) {
-  if (member.kind != FlatMember::Kind::text) {
-    complaint = "this is no text";
-    return std::nullopt;
-  }
-  const std::size_t place = place_of(member.text, parameter.words);
-  if (place < parameter.words.size()) return static_cast<double>(place);
-  complaint = '"' + printable(member.text) + "\" is not known";
-  return std::nullopt;
-}
-
-std::optional<double> number_argument(const Parameter& parameter, const FlatMember& member,
-                                      std::string& complaint) {
-  if (member.kind != FlatMember::Kind::number)
-    complaint = "this is no number";
-  else if (!member.fault.empty())
-    complaint = member.fault;
-  else if (!is_in_range(member.number, parameter.range))
-    complaint = fmt::format("{} is not allowed", member.number);
-  else
-    return member.number;
-  return std::nullopt;
-}
-
-std::optional<double> argument(const Parameter& parameter, const FlatObject& object,
-                               std::string& complaint) {
-  const FlatMember* member = object.find(parameter.name);
-  if (member == nullptr) {
-    complaint = "missing";
-    return parameter.default_value;
-  }
-  return parameter.words.empty() ? number_argument(parameter, *member, complaint)
-                                 : word_argument(parameter, *member, complaint);
-}
-
-std::string parameter_names(const Function& function) {
-  std::string text;
-  for (const Parameter& parameter : function.parameters) {
-    if (!text.empty()) text += ", ";
-    text += parameter.name;
-  }
-  return text;
-}
-
-bool is_known(const Function& function, std::string_view name) {
-  if (name == "id" || name == "function") return true;
-  for (const Parameter& parameter : function.parameters)
-    if (parameter.name == name) return true;
-  return false;
-}
-
-std::optional<Mistake> mistake_in_names(const Function& function, const FlatObject& object) {
-  for (const FlatMember& member : object.members) {
-    if (!is_known(function, member.name))
-      return Mistake{printable(member.name),
-                     "unknown argument; known: " + parameter_names(function)};
-    if (object.find(member.name) != &member) return Mistake{member.name, "given twice"};
-  }
-  return std::nullopt;
-}
-
-std::optional<Mistake> read_arguments(const Function& function, const FlatObject& object,
-                                      Arguments& arguments) {
-  std::size_t place = 0;
-  for (const Parameter& parameter : function.parameters) {
-    std::string complaint;
-    const std::optional<double> value = argument(parameter, object, complaint);
-    if (!value)
-      return Mistake{std::string(parameter.name),
-                     complaint + "; allowed: " + allowed_text(parameter)};
-    arguments[place++] = *value;
-  }
-  return std::nullopt;
-}
-
-const Function* find_function(const FlatMember& member) {
-  for (const Function& function : functions)
-    if (member.kind == FlatMember::Kind::text && member.text == function.name) return &function;
-  return nullptr;
-}
-
-Mistake unknown_function(const FlatMember& member) {
-  std::string message = member.kind == FlatMember::Kind::text
-                            ? '"' + printable(member.text) + "\" is not known"
-                            : "this is no text";
-  const char* before = "; allowed: ";
-  for (const Function& function : functions) {
-    message += before + std::string(function.name);
-    before = ", ";
-  }
-  return {"function", message};
-}
-
-// Appends the answer, or says what is wrong.
-std::optional<Mistake> call(const FlatObject& object, std::optional<std::string_view> id,
-                            Text& to) {
-  const FlatMember& name = *object.find("function");
-  const Function* function = find_function(name);
-  if (function == nullptr) return unknown_function(name);
-  if (auto mistake = mistake_in_names(*function, object)) return mistake;
-  Arguments arguments{};
-  if (auto mistake = read_arguments(*function, object, arguments)) return mistake;
-  AnswerObject answer(to, id);
-  function->answer(answer, arguments);
-  answer.close();
-  to.push_back('\n');
-  return std::nullopt;
 }
 
 }  // namespace
 
-bool append_function_answer(Text& to, std::string_view line) {
-  const std::optional<FlatObject> object = parse_flat_json(line);
-  if (!object || object->find("function") == nullptr) return false;
-  std::optional<std::string_view> id;
-  std::optional<Mistake> mistake;
-  if (const FlatMember* member = object->find("id")) {
-    if (member->kind == FlatMember::Kind::text)
-      id = member->text;
-    else
-      mistake = Mistake{"id", "this is no text; allowed: a text"};
-  }
-  if (!mistake) mistake = call(*object, id, to);
-  if (mistake) append_error(to, id, mistake->field, mistake->message);
-  return true;
+void append_function_answer(Text& to, const FunctionCall& call) {
+  if (call.mistake) return append_error(to, call.id, call.mistake->field, call.mistake->message);
+  AnswerObject object(to, call.id);
+  answer(object, call.function, call.arguments);
+  object.close();
+  to.push_back('\n');
 }
 
 }  // namespace tribo::cli

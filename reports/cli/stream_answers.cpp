@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "json_answers.hpp"
+#include "question.hpp"
 
 namespace tribo::cli {
-namespace {
-
-bool is_blank(std::string_view line) {
-  return line.find_first_not_of(" \t\r") == std::string_view::npos;
-}
-
-}  // namespace
 
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(const InputProblem&)>& warn) {
@@ -25,7 +19,7 @@ void answer_lines(LineReader& lines, OutputStream& output,
     const Line line = lines.next();
     if (line.kind == Line::Kind::end_of_input) return;
     if (line.kind == Line::Kind::too_long)
-      append_error(output.text(), std::nullopt, "", "the line is over 1 MiB");
+      append_error(output.text(), std::nullopt, "", line_too_long);
     else if (!is_blank(line.text))
       append_answer(output.text(), line.text, number, warnings);
     for (const InputProblem& warning : warnings) warn(warning);

@@ -12,14 +12,14 @@ load scripts."canvas.gp"
 colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 : \
   family eq "Boost" ? 0x009E73 : family eq "SciPy" ? 0xCC79A7 : family eq "table" ? 0xE69F00 : \
   family eq "textbook" || family eq "fixed rule" ? 0x56B4E9 : \
-  family eq "closed form" ? 0x8C6D00 : 0x777777
+  family eq "closed form" ? 0x8C6D00 : family eq "plugin" ? 0x000000 : 0x777777
 family_of(series) = series[1:strstrt(series, ":") - 1]
 # In blocks of a table column 2 is the family and 3 the series.
 ns = 5; evaluations = 6; max_ulp = 7; p99_ulp = 8; mean_ulp = 9; no_numbers = 11
 # Some twenty series in one diagram: a shape each, ours larger and with the thicker line.
 shape(i) = word("7 5 9 11 13 4 6 8 10 12 1 2 3", i % 13 + 1) + 0
 is_ours(family) = family eq "tribocheck"
-size(family) = (is_ours(family) ? 1.5 : 0.8)*point
+size(family) = (is_ours(family) || family eq "plugin" ? 1.5 : 0.8)*point
 
 # The error is that of the numbers; a cross says that some cases gave none.
 failing(y) = column(no_numbers) > 0 ? column(y) : NaN

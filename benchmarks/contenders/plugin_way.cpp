@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contenders/plugin_way.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "conformance/plugin_scene.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+using conformance::Plugin;
+using conformance::PluginFunctions;
+
+constexpr const char* family = "plugin";
+constexpr int unset = -1;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double slow = 5e-6;  // seconds a case
+
+// Arrays that the timed call need not make.
+struct MomentRoom {
+  std::vector<double> order;
+  std::vector<int> status;
+};
+struct RootRoom {
+  std::vector<int> asperity, status;
+};
+struct PointRoom {
+  std::vector<tribocheck_point> points;
+  std::vector<int> status;
+};
+
+void drop_numbers_not_done(const std::vector<int>& status, std::span<double> values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (status[i] != TRIBOCHECK_DONE) values[i] = no_number;
+}
+
+// The second of two calls: in the first a library may set itself up.
+template <class Call>
+double seconds_of(Call&& call) {
+  call();
+  const auto start = std::chrono::steady_clock::now();
+  call();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+MomentBatch moment_batch(const PluginFunctions& functions, Order order) {
+  const auto room = std::make_shared<MomentRoom>();
+  return [=, moment = functions.gaussian_moment](std::span<const double> d,
+                                                 std::span<double> moments) {
+    room->order.resize(d.size(), value_of<double>(order));
+    room->status.assign(d.size(), unset);
+    moment(d.size(), room->order.data(), d.data(), moments.data(), room->status.data());
+    drop_numbers_not_done(room->status, moments);
+  };
+}
+
+bool offers(const PluginFunctions& functions, Order order) {
+  if (functions.gaussian_moment == nullptr) return false;
+  const double n = value_of<double>(order);
+  const double d = 0.5;
+  double value = no_number;
+  int status = unset;
+  functions.gaussian_moment(1, &n, &d, &value, &status);
+  return status != TRIBOCHECK_NOT_OFFERED;
+}
+
+RootRun root_run(const PluginFunctions& functions) {
+  const auto room = std::make_shared<RootRoom>();
+  return [=, root = functions.load_sharing](const RootCases& cases, std::span<double> film) {
+    room->asperity.resize(cases.size(), TRIBOCHECK_GREENWOOD_TRIPP);
+    room->status.assign(cases.size(), unset);
+    root(cases.size(), room->asperity.data(), cases.flooded.data(), cases.stiffness.data(),
+         cases.offset.data(), film.data(), room->status.data());
+    drop_numbers_not_done(room->status, film);
+  };
+}
+
+bool offers_roots(const PluginFunctions& functions) {
+  if (functions.load_sharing == nullptr) return false;
+  const int asperity = TRIBOCHECK_GREENWOOD_TRIPP;
+  const double flooded = 1, stiffness = 0.3, offset = 1.146;
+  double value = no_number;
+  int status = unset;
+  functions.load_sharing(1, &asperity, &flooded, &stiffness, &offset, &value, &status);
+  return status != TRIBOCHECK_NOT_OFFERED;
+}
+
+double seconds_of_root(const RootRun& run) {
+  const double stiffness = 0.3, offset = 1.146, flooded = 1;
+  double film = 0;
+  const RootCases one{{&stiffness, 1}, {&offset, 1}, {&flooded, 1}};
+  return seconds_of([&] { run(one, {&film, 1}); });
+}
+
+void solve_points(const PluginFunctions& functions, PointRoom& room, const Scene& scene,
+                  std::span<const double> speeds, OperatingPoints& points) {
+  const tribocheck_scene given = conformance::plugin_scene(scene);
+  room.points.resize(speeds.size(), conformance::empty_point());
+  room.status.assign(speeds.size(), unset);
+  functions.operating_point(&given, speeds.size(), speeds.data(), room.points.data(),
+                            room.status.data());
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const tribocheck_point& point = room.points[i];
+    points.speed[i] = speeds[i];
+    points.film[i] = room.status[i] == TRIBOCHECK_DONE ? point.film : no_number;
+    points.asperity_load_share[i] = point.asperity_load_share;
+    points.friction[i] = point.friction;
+  }
+}
+
+// A scene whose film is neither starved nor far from the roughness.
+Scene ordinary_scene() {
+  Scene scene;
+  scene.load = 50;
+  scene.surface = {5e10, 1e-5, 1e-7, 1.146, 1};
+  scene.bodies = {107.9e9, 9.5e-3, 1};
+  scene.lubricant = {0.0202, 2e-8, 2.5e6};
+  scene.friction.boundary_coefficient = 0.13;
+  return scene;
+}
+
+bool offers_points(const PluginFunctions& functions) {
+  if (functions.operating_point == nullptr) return false;
+  const tribocheck_scene scene = conformance::plugin_scene(ordinary_scene());
+  const double speed = 0.1;
+  tribocheck_point point = conformance::empty_point();
+  int status = unset;
+  functions.operating_point(&scene, 1, &speed, &point, &status);
+  return status == TRIBOCHECK_DONE &&
+         !std::isnan(point.film + point.asperity_load_share + point.friction);
+}
+
+}  // namespace
+
+std::vector<MomentContender> plugin_moments(const Plugin& plugin) {
+  std::vector<MomentContender> all;
+  for (const Order order : {Order::five_halves, Order::two})
+    if (offers(plugin.functions, order))
+      all.push_back({family, plugin.name, order, moment_batch(plugin.functions, order), {}});
+  return all;
+}
+
+std::vector<RootContender> plugin_roots(const Plugin& plugin) {
+  if (!offers_roots(plugin.functions)) return {};
+  const RootRun run = root_run(plugin.functions);
+  return {{family,
+           plugin.name,
+           [run](const RootCases&) { return run; },
+           {},
+           seconds_of_root(run) > slow}};
+}
+
+std::vector<CurveContender> plugin_curves(const Plugin& plugin) {
+  if (!offers_points(plugin.functions)) return {};
+  const auto room = std::make_shared<PointRoom>();
+  const auto run = [=, functions = plugin.functions](const Scene& scene,
+                                                     std::span<const double> speeds,
+                                                     OperatingPoints& points) {
+    solve_points(functions, *room, scene, speeds, points);
+  };
+  OperatingPoints one;
+  one.resize(1, curve_outputs());
+  const double speed = 0.1;
+  const double seconds = seconds_of([&] { run(ordinary_scene(), {&speed, 1}, one); });
+  return {{family, plugin.name, run, seconds > slow}};
+}
+
+}  // namespace tribo::benchmarks

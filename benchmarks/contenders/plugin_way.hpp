@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Somebody's solver in a shared library (verification/conformance/tribocheck_plugin.h), as a
+// contender for what it offers. What is timed is its function, with a look at each status; a case
+// without the status TRIBOCHECK_DONE has no number.
+#pragma once
+
+#include <vector>
+
+#include "conformance/plugin_library.hpp"
+#include "contenders/curve_contender.hpp"
+#include "contenders/moment_contender.hpp"
+#include "contenders/root_contender.hpp"
+
+namespace tribo::benchmarks {
+
+// Each asks the plug-in for one case, to find out whether it offers this.
+std::vector<MomentContender> plugin_moments(const conformance::Plugin& plugin);
+std::vector<RootContender> plugin_roots(const conformance::Plugin& plugin);
+// Those that offer film, load share of the asperities and friction.
+std::vector<CurveContender> plugin_curves(const conformance::Plugin& plugin);
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck plugin-host: a shared library of somebody's answers JSON lines, in a process of its
+// own.
+#include "conformance/plugin_host.hpp"
+
+#include <memory>
+#include <string>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+
+namespace tribo::cli {
+namespace {
+
+int host(const std::string& path) {
+  try {
+    return conformance::host_plugin(path);
+  } catch (const conformance::PluginRefused& refusal) {
+    complain(refusal.what());
+    return exit_bad;
+  }
+}
+
+constexpr const char* footer =
+    R"(The library is one made for tribocheck_plugin.h. Lines and answers are those of `tribocheck stream`;
+what the library does not offer is answered with "skip". What it prints to stdout comes out on stderr.
+`tribocheck verify --plugin` starts this. Exit code 2: the library cannot be used.
+
+Example:
+  echo '{"id": "f1", "function": "gaussian_moment", "order": 2.5, "argument": 0}' |
+    tribocheck plugin-host ./libsolver.so)";
+
+}  // namespace
+
+Command add_plugin_host(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("plugin-host",
+                                         "answer JSON lines from stdin on stdout with a plug-in");
+  app->footer(footer);
+  const auto path = std::make_shared<std::string>();
+  app->add_option("LIBRARY", *path, "the shared library")->required();
+  return {app, [path](OutputStream&) { return host(*path); }};
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "question.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include "json_answers.hpp"
+#include "ordinary_scene.hpp"
+
+namespace tribo::cli {
+
+Question read_question(std::string_view line, std::size_t number) {
+  const std::string source = fmt::format("line {}", number);
+  if (std::optional<SceneReading> reading = read_ordinary_scene(line, source))
+    return *std::move(reading);
+  // Most of the others are scenes too: only those that may call a function are parsed for one.
+  if (line.find("\"function\"") != std::string_view::npos)
+    if (std::optional<FunctionCall> call = read_function_call(line)) return *std::move(call);
+  return parse_scene_json(line, source, SceneUse::one_speed);
+}
+
+bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+void append_first_error(Text& to, const SceneReading& reading) {
+  const InputProblem& problem = reading.errors.front();
+  std::string message = problem.message;
+  if (problem.column > 0)
+    fmt::format_to(std::back_inserter(message), " (column {})", problem.column);
+  append_error(to, reading.id, problem.field, message);
+}
+
+}  // namespace tribo::cli

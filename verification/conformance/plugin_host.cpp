@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/plugin_host.hpp"
+
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "conformance/plugin_scene.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+constexpr int unset = -1;  // a status that the plug-in has not written
+
+// One field of all cases; of a word, its codes.
+template <class Case, class T>
+auto column(std::span<const Case> cases, T Case::*field) {
+  using Element = std::conditional_t<std::is_enum_v<T>, int, T>;
+  std::vector<Element> all;
+  all.reserve(cases.size());
+  for (const Case& one : cases) all.push_back(static_cast<Element>(one.*field));
+  return all;
+}
+
+template <class Result>
+Answer<Result> answer_of(int status, Result result) {
+  switch (status) {
+    case TRIBOCHECK_DONE:
+      return result;
+    case TRIBOCHECK_NOT_OFFERED:
+      return skip("the plug-in does not offer this case");
+    case TRIBOCHECK_UNDEFINED:
+      return undefined("the plug-in says that there is none");
+    case TRIBOCHECK_FAILED:
+      return failed("the plug-in says that it failed");
+    case unset:
+      return failed("the plug-in wrote no status");
+    default:
+      return failed("the plug-in wrote the status " + std::to_string(status) +
+                    ", which means nothing");
+  }
+}
+
+// A function with one result, from the fields of its cases in the order of its arguments.
+template <class Case, class Function, class... Fields>
+Batch<Case, double> with_value(Function function, Fields Case::*... fields) {
+  if (function == nullptr) return {};
+  return [=](std::span<const Case> cases, std::span<Answer<double>> answers) {
+    std::vector<double> value(cases.size(), not_offered);
+    std::vector<int> status(cases.size(), unset);
+    function(cases.size(), column(cases, fields).data()..., value.data(), status.data());
+    for (std::size_t i = 0; i < cases.size(); ++i) answers[i] = answer_of(status[i], value[i]);
+  };
+}
+
+Batch<HertzCase, HertzResult> hertz_point(decltype(&tribocheck_hertz_point) function) {
+  if (function == nullptr) return {};
+  return [=](std::span<const HertzCase> cases, std::span<Answer<HertzResult>> answers) {
+    const std::vector<double> none(cases.size(), not_offered);
+    std::vector<double> radius = none, mean = none, peak = none, approach = none;
+    std::vector<int> status(cases.size(), unset);
+    function(cases.size(), column(cases, &HertzCase::load).data(),
+             column(cases, &HertzCase::effective_modulus).data(),
+             column(cases, &HertzCase::reduced_radius).data(), radius.data(), mean.data(),
+             peak.data(), approach.data(), status.data());
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      answers[i] = answer_of(status[i], HertzResult{radius[i], mean[i], peak[i], approach[i]});
+  };
+}
+
+// A word of a code in 0 … last. False: the code means nothing.
+template <class Word>
+bool read_word(int code, Word last, WordResult<Word>& to) {
+  using Kind = typename WordResult<Word>::Kind;
+  if (code == TRIBOCHECK_NO_CODE) return true;
+  if (code == TRIBOCHECK_UNDEFINED_CODE) {
+    to.kind = Kind::undefined;
+    return true;
+  }
+  if (code < 0 || code > static_cast<int>(last)) return false;
+  to = static_cast<Word>(code);
+  return true;
+}
+
+Answer<PointResult> point_answer(int status, const tribocheck_point& point) {
+  PointResult result{point.film_flooded,
+                     point.film,
+                     point.separation,
+                     point.film_parameter,
+                     point.asperity_load_share,
+                     point.fluid_load_share,
+                     point.real_area_ratio,
+                     point.summit_count,
+                     point.friction,
+                     {},
+                     {}};
+  const bool codes_are_known = read_word(point.regime, Regime::elastohydrodynamic, result.regime) &&
+                               read_word(point.inlet, Inlet::collapsed, result.inlet);
+  if (status == TRIBOCHECK_DONE && !codes_are_known)
+    return failed("the plug-in wrote a code of regime or inlet that means nothing");
+  return answer_of(status, result);
+}
+
+// Neighbours of the same scene go to the plug-in together.
+Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) function) {
+  if (function == nullptr) return {};
+  return [=](std::span<const Scene> scenes, std::span<Answer<PointResult>> answers) {
+    std::vector<double> speeds;
+    for (std::size_t first = 0; first < scenes.size(); first += speeds.size()) {
+      const tribocheck_scene scene = plugin_scene(scenes[first]);
+      speeds.clear();
+      for (std::size_t i = first; i < scenes.size(); ++i) {
+        const tribocheck_scene other = plugin_scene(scenes[i]);
+        if (std::memcmp(&scene, &other, sizeof scene) != 0) break;
+        speeds.push_back(scenes[i].speeds[0]);
+      }
+      std::vector<tribocheck_point> points(speeds.size(), empty_point());
+      std::vector<int> status(speeds.size(), unset);
+      function(&scene, speeds.size(), speeds.data(), points.data(), status.data());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        answers[first + i] = point_answer(status[i], points[i]);
+    }
+  };
+}
+
+}  // namespace
+
+Solver plugin_solver(const PluginFunctions& functions) {
+  // What is compared by its bytes has none that mean nothing.
+  static_assert(sizeof(tribocheck_scene) == 15 * sizeof(double) + 6 * sizeof(int));
+  return {with_value(functions.gaussian_moment, &MomentCase::order, &MomentCase::argument),
+          hertz_point(functions.hertz_point),
+          with_value(functions.hamrock_dowson_central, &FilmCase::speed, &FilmCase::viscosity,
+                     &FilmCase::pressure_viscosity, &FilmCase::load, &FilmCase::effective_modulus,
+                     &FilmCase::reduced_radius, &FilmCase::ellipticity),
+          with_value(functions.starvation_ratio, &StarvationCase::closure,
+                     &StarvationCase::flooded_over_inlet, &StarvationCase::damiens_exponent),
+          with_value(functions.load_sharing, &SharingCase::asperity,
+                     &SharingCase::flooded_film_parameter, &SharingCase::stiffness,
+                     &SharingCase::offset),
+          operating_point(functions.operating_point)};
+}
+
+int host_plugin(const std::string& path) {
+  const int answers = take_stdout();
+  const Plugin plugin = load_plugin(path);
+  return serve(plugin_solver(plugin.functions), answers);
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A shared library made for tribocheck_plugin.h, loaded into this process.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "conformance/tribocheck_plugin.h"
+
+namespace tribo::conformance {
+
+// What a plug-in offers; null: not.
+struct PluginFunctions {
+  decltype(&tribocheck_gaussian_moment) gaussian_moment = nullptr;
+  decltype(&tribocheck_hertz_point) hertz_point = nullptr;
+  decltype(&tribocheck_hamrock_dowson_central) hamrock_dowson_central = nullptr;
+  decltype(&tribocheck_starvation_ratio) starvation_ratio = nullptr;
+  decltype(&tribocheck_load_sharing) load_sharing = nullptr;
+  decltype(&tribocheck_operating_point) operating_point = nullptr;
+};
+
+struct Plugin {
+  std::string name;  // as it calls itself, or the file's stem without "lib"
+  PluginFunctions functions;
+};
+
+// One line that says what is wrong with which file.
+struct PluginRefused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Loads it for the rest of the process; what it runs as it is loaded, runs here. A path without a
+// slash is a file in the working directory. Throws PluginRefused.
+Plugin load_plugin(const std::string& path);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/result_fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "cli/answer_object.hpp"
+#include "cli/json_answers.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using cli::OutputValue;
+using cli::Text;
+using Id = std::optional<std::string_view>;
+
+struct Field {
+  std::string_view name;
+  std::optional<OutputValue> value;  // none: not offered
+};
+using Fields = std::vector<Field>;
+
+std::optional<OutputValue> value_of(double number,
+                                    std::string_view undefined = cli::beyond_double) {
+  if (std::isnan(number)) return std::nullopt;
+  if (std::isinf(number)) return OutputValue{.undefined = undefined, .word = {}};
+  return OutputValue{.undefined = {}, .word = {}, .number = number};
+}
+
+template <class Word>
+std::optional<OutputValue> value_of(const WordResult<Word>& result) {
+  using Kind = typename WordResult<Word>::Kind;
+  if (result.kind == Kind::absent) return std::nullopt;
+  if (result.kind == Kind::undefined)
+    return OutputValue{.undefined = cli::beyond_double, .word = {}};
+  return OutputValue{.undefined = {}, .word = name(result.word)};
+}
+
+std::optional<OutputValue> friction_of(const PointResult& point) {
+  const bool has_collapsed =
+      point.inlet.kind == WordResult<Inlet>::Kind::word && point.inlet.word == Inlet::collapsed;
+  return value_of(point.friction, has_collapsed ? cli::film_collapsed : cli::beyond_double);
+}
+
+std::optional<OutputValue> value_of(const PointResult& point, Output output) {
+  switch (output) {
+    case Output::film_flooded:
+      return value_of(point.film_flooded);
+    case Output::film:
+      return value_of(point.film);
+    case Output::separation:
+      return value_of(point.separation);
+    case Output::film_parameter:
+      return value_of(point.film_parameter);
+    case Output::asperity_load_share:
+      return value_of(point.asperity_load_share);
+    case Output::fluid_load_share:
+      return value_of(point.fluid_load_share);
+    case Output::real_area_ratio:
+      return value_of(point.real_area_ratio);
+    case Output::summit_count:
+      return value_of(point.summit_count);
+    case Output::friction:
+      return friction_of(point);
+    case Output::regime:
+      return value_of(point.regime);
+    case Output::inlet:
+      return value_of(point.inlet);
+  }
+  return std::nullopt;
+}
+
+Fields fields_of(double value, OutputSet) { return {{"value", value_of(value)}}; }
+
+Fields fields_of(const HertzResult& hertz, OutputSet) {
+  return {{"radius", value_of(hertz.radius)},
+          {"mean_pressure", value_of(hertz.mean_pressure)},
+          {"peak_pressure", value_of(hertz.peak_pressure)},
+          {"approach", value_of(hertz.approach)}};
+}
+
+Fields fields_of(const PointResult& point, OutputSet asked) {
+  Fields fields;
+  for (const OutputInfo& output : output_infos)
+    if (asked.contains(output.output))
+      fields.push_back({output.name, value_of(point, output.output)});
+  return fields;
+}
+
+void append_fields(Text& to, Id id, const Fields& fields) {
+  cli::AnswerObject object(to, id);
+  for (const Field& field : fields)
+    if (field.value) object.value(field.name, *field.value);
+  object.close();
+  to.push_back('\n');
+}
+
+void append_undefined(Text& to, Id id, const Fields& fields, std::string_view reason) {
+  cli::AnswerObject object(to, id);
+  for (const Field& field : fields) object.undefined(field.name, reason);
+  object.close();
+  to.push_back('\n');
+}
+
+template <class Result>
+void append_result(Text& to, Id id, const Result& result, OutputSet asked) {
+  const Fields fields = fields_of(result, asked);
+  const bool offers_any = std::any_of(fields.begin(), fields.end(),
+                                      [](const Field& field) { return field.value.has_value(); });
+  if (offers_any) return append_fields(to, id, fields);
+  append_skip_line(to, id, "nothing of what is asked for is offered");
+}
+
+template <class Result>
+void append_line(Text& to, Id id, const Answer<Result>& answer, OutputSet asked) {
+  switch (answer.status) {
+    case Status::done:
+      return append_result(to, id, answer.result, asked);
+    case Status::skipped:
+      return append_skip_line(to, id, answer.reason);
+    case Status::undefined:
+      return append_undefined(to, id, fields_of(answer.result, asked), answer.reason);
+    case Status::failed:
+      return cli::append_error(to, id, "", answer.reason);
+  }
+}
+
+}  // namespace
+
+void append_answer_line(Text& to, Id id, const Answer<double>& answer, OutputSet asked) {
+  if (answer.status == Status::done && std::isnan(answer.result))
+    return cli::append_error(to, id, "", "the solver gave NaN");
+  append_line(to, id, answer, asked);
+}
+
+void append_answer_line(Text& to, Id id, const Answer<HertzResult>& answer, OutputSet asked) {
+  append_line(to, id, answer, asked);
+}
+
+void append_answer_line(Text& to, Id id, const Answer<PointResult>& answer, OutputSet asked) {
+  append_line(to, id, answer, asked);
+}
+
+void append_skip_line(Text& to, Id id, std::string_view reason) {
+  cli::AnswerObject object(to, id);
+  object.word("skip", reason);
+  object.close();
+  to.push_back('\n');
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/serve.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cli/json_answers.hpp"
+#include "cli/line_reader.hpp"
+#include "cli/output_stream.hpp"
+#include "cli/question.hpp"
+#include "conformance/result_fields.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using cli::FunctionArguments;
+using cli::FunctionCall;
+using cli::Question;
+
+template <class Enum>
+Enum enum_at(double place) {
+  return static_cast<Enum>(static_cast<int>(place));
+}
+
+void fill(MomentCase& to, const FunctionArguments& a) { to = {a[0], a[1]}; }
+void fill(HertzCase& to, const FunctionArguments& a) { to = {a[0], a[1], a[2]}; }
+void fill(FilmCase& to, const FunctionArguments& a) {
+  to = {a[0], a[1], a[2], a[3], a[4], a[5], a[6]};
+}
+void fill(StarvationCase& to, const FunctionArguments& a) {
+  to = {enum_at<StarvationClosure>(a[0]), a[1], a[2]};
+}
+void fill(SharingCase& to, const FunctionArguments& a) {
+  to = {enum_at<AsperityModel>(a[0]), a[1], a[2], a[3]};
+}
+template <class Case>
+void fill(Case& to, const Question& question) {
+  fill(to, std::get<FunctionCall>(question).arguments);
+}
+void fill(Scene& to, const Question& question) { to = *std::get<SceneReading>(question).scene; }
+
+std::optional<std::string_view> id_of(const Question& question) {
+  return std::visit([](const auto& asked) -> std::optional<std::string_view> { return asked.id; },
+                    question);
+}
+
+OutputSet asked_outputs(const Question& question) {
+  const auto* reading = std::get_if<SceneReading>(&question);
+  return reading == nullptr ? OutputSet() : reading->scene->outputs;
+}
+
+// What a question is about, by a name that messages use.
+std::string_view subject_of(const Question& question) {
+  const auto* call = std::get_if<FunctionCall>(&question);
+  return call == nullptr ? "operating_point" : cli::name(call->function);
+}
+
+// Questions of one kind in a row go to the solver together, once no complete line is waiting. What
+// was answered before is out by then, whatever the solver does.
+class Server {
+ public:
+  Server(const Solver& solver, int descriptor) : solver_(solver), output_(descriptor) {}
+
+  void answer(cli::LineReader& lines) {
+    for (std::size_t number = 1;; ++number) {
+      if (!lines.line_waiting()) answer_all();
+      const cli::Line line = lines.next();
+      if (line.kind == cli::Line::Kind::end_of_input) return;
+      if (line.kind == cli::Line::Kind::too_long)
+        complain(std::nullopt, "", cli::line_too_long);
+      else if (!cli::is_blank(line.text))
+        take(cli::read_question(line.text, number));
+    }
+  }
+
+ private:
+  static constexpr std::size_t most_together = 1024;
+
+  void complain(std::optional<std::string_view> id, std::string_view field,
+                std::string_view message) {
+    answer_waiting();
+    cli::append_error(output_.text(), id, field, message);
+    output_.end_row();
+  }
+
+  void take(Question question) {
+    if (const auto* call = std::get_if<FunctionCall>(&question); call && call->mistake)
+      return complain(call->id, call->mistake->field, call->mistake->message);
+    if (const auto* reading = std::get_if<SceneReading>(&question); reading && !reading->scene) {
+      answer_waiting();
+      cli::append_first_error(output_.text(), *reading);
+      return output_.end_row();
+    }
+    const bool is_other = !waiting_.empty() && subject_of(waiting_[0]) != subject_of(question);
+    if (is_other || waiting_.size() == most_together) answer_waiting();
+    waiting_.push_back(std::move(question));
+  }
+
+  void answer_all() {
+    answer_waiting();
+    output_.flush();
+  }
+
+  void answer_waiting() {
+    if (waiting_.empty()) return;
+    if (const auto* call = std::get_if<FunctionCall>(&waiting_[0]))
+      answer_calls(call->function);
+    else
+      answer_by(solver_.operating_point);
+    waiting_.clear();
+  }
+
+  void answer_calls(cli::Function function) {
+    switch (function) {
+      case cli::Function::gaussian_moment:
+        return answer_by(solver_.gaussian_moment);
+      case cli::Function::hertz_point:
+        return answer_by(solver_.hertz_point);
+      case cli::Function::hamrock_dowson_central:
+        return answer_by(solver_.hamrock_dowson_central);
+      case cli::Function::starvation_ratio:
+        return answer_by(solver_.starvation_ratio);
+      case cli::Function::load_sharing:
+        return answer_by(solver_.load_sharing);
+    }
+  }
+
+  template <class Case, class Result>
+  void answer_by(const Batch<Case, Result>& batch) {
+    if (!batch) return skip_waiting();
+    std::vector<Case> cases(waiting_.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) fill(cases[i], waiting_[i]);
+    std::vector<Answer<Result>> answers(cases.size());
+    output_.flush();
+    try {
+      batch(cases, answers);
+    } catch (const std::exception& error) {
+      std::fill(answers.begin(), answers.end(), failed(error.what()));
+    }
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      append_answer_line(output_.text(), id_of(waiting_[i]), answers[i],
+                         asked_outputs(waiting_[i]));
+      output_.end_row();
+    }
+  }
+
+  void skip_waiting() {
+    const std::string reason = "no " + std::string(subject_of(waiting_[0]));
+    for (const Question& question : waiting_) {
+      append_skip_line(output_.text(), id_of(question), reason);
+      output_.end_row();
+    }
+  }
+
+  const Solver& solver_;
+  cli::OutputStream output_;
+  std::vector<Question> waiting_;
+};
+
+}  // namespace
+
+int serve(const Solver& solver, int answers) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away shows as a failed write
+  try {
+    cli::LineReader lines(STDIN_FILENO, max_scene_bytes);
+    Server(solver, answers).answer(lines);
+    return 0;
+  } catch (const cli::OutputClosed&) {
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tribocheck: %s\n", error.what());
+    return 1;
+  }
+}
+
+int serve(const Solver& solver) { return serve(solver, take_stdout()); }
+
+int take_stdout() {
+  std::fflush(stdout);
+  const int copy = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  if (::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    ::dup2(nowhere, STDOUT_FILENO);
+    if (nowhere > STDERR_FILENO) ::close(nowhere);
+  }
+  return copy;
+}
+
+}  // namespace tribo::conformance
