@@ -10,7 +10,6 @@ import math
 import moments
 
 TRIPP = "greenwood_tripp"
-SHARING_EXPONENT = 0.14
 
 
 # Hertz and the flooded film
@@ -90,6 +89,11 @@ def summit_count(asperity, roughness, density, area, d):
 
 # Load sharing
 
+def film_exponent():
+    """Of h = h_0 (1 - A)^-0.14."""
+    return 0.14
+
+
 def safe_log(x):
     return math.log(x) if x > 0 else -math.inf
 
@@ -109,7 +113,7 @@ def sign_change(is_low, low, high):
 
 def beyond(is_low, start):
     """A number past the change of sign."""
-    while is_low(start):
+    while is_low(start) and start < 1e300:
         start *= 2
     return start
 
@@ -127,7 +131,7 @@ def load_sharing(asperity, flooded, K, delta):
         log_A = log_share(asperity, K, delta, lam)
         if log_A >= 0:
             return True
-        return math.log(lam / flooded) + SHARING_EXPONENT * safe_log(-math.expm1(log_A)) < 0
+        return math.log(lam / flooded) + film_exponent() * safe_log(-math.expm1(log_A)) < 0
     low = max(flooded, floor_of(asperity, K, delta))
     if not film_is_thin(low):
         return low
@@ -136,7 +140,7 @@ def load_sharing(asperity, flooded, K, delta):
 
 def shares_of_flooded(asperity, flooded, K, delta, lam):
     """Shares of asperities and fluid at the root; the fluid's is (flooded/lam)^(1/0.14)."""
-    log_fluid = math.log(flooded / lam) / SHARING_EXPONENT
+    log_fluid = math.log(flooded / lam) / film_exponent()
     if log_fluid < -0.7:
         return -math.expm1(log_fluid), math.exp(log_fluid)
     return math.exp(log_share(asperity, K, delta, lam)), math.exp(log_fluid)
@@ -159,7 +163,7 @@ def log_share_below(asperity, delta, lam, fluid, step):
 def shares_of_starved(asperity, K, delta, flooded_lam, flooded_fluid, ratio, deficit):
     """Shares at the film that the inlet leaves, ratio = 1 - deficit of the flooded one."""
     step = flooded_lam * deficit
-    if flooded_fluid < 0.25 and step < 0.1:
+    if flooded_fluid < 0.25 and abs(step) < 0.1:
         log_A = log_share_below(asperity, delta, flooded_lam, flooded_fluid, step)
     else:
         log_A = log_share(asperity, K, delta, flooded_lam * ratio)
