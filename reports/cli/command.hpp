@@ -23,5 +23,6 @@ Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_plugin_host(CLI::App& program);
 Command add_reproduce(CLI::App& program);
+Command add_init(CLI::App& program);
 
 }  // namespace tribo::cli

@@ -46,10 +46,12 @@ ReportPlaces default_places() {
   fs::path root = project_above(current);
   if (root.empty()) root = project_above(folder_of_program());
   if (!root.empty())
-    return {root / "reports/out", root / "reference/published", root / "reports/gnuplot", root,
-            root / "reference"};
+    return {root / "reports/out",     root / "reference/published",
+            root / "reports/gnuplot", root,
+            root / "reference",       root / "verification/conformance/templates"};
   const fs::path shared = folder_of_program().parent_path() / "share/tribocheck";
-  return {current / "reports/out", shared / "published", shared / "gnuplot", {}, shared};
+  return {current / "reports/out", shared / "published", shared / "gnuplot", {}, shared,
+          shared / "templates"};
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct ReportPlaces {
   std::filesystem::path gnuplot;    // absolute: the folder of the scripts
   std::filesystem::path root;       // of the project, or empty
   std::filesystem::path reference;  // absolute: the folder of exact/ and baselines/
+  std::filesystem::path templates;  // absolute: the folder of the solvers that `init` writes
 
   // A file as provenance names it: from the project's root if it lies below it.
   std::string shown(const std::filesystem::path& file) const;

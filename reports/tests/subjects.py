@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the example solvers and holds their answers to those of `tribocheck stream`."""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+
+from program import TIMEOUT, run, scene, strict_json
+
+SUBJECTS = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "verification/conformance/subjects"
+ORDERS = [0, 0.5, 1, 1.5, 2, 2.5]
+ARGUMENTS = [-40, -9.5, -8.5, -3, -1.146, -1e-3, 0, 0.25, 1, 3.5, 9, 20, 38]
+MODELS = ["greenwood_tripp", "greenwood_williamson"]
+CLOSURES = ["flooded_inlet", "starved_inlet", "printed_exponents", "damiens"]
+SUPPLIES = [None, {"inlet_film_ratio": 4}, {"inlet_film": 1e-7}, {"inlet_flow": 1e-8}]
+FILM = {"viscosity": 0.04, "pressure_viscosity": 2e-8, "effective_modulus": 1.1e11}
+
+
+def call(function, **arguments):
+    return {"function": function, **arguments}
+
+
+def moments():
+    return [call("gaussian_moment", order=order, argument=d) for order in ORDERS for d in ARGUMENTS]
+
+
+def hertz_points():
+    return [call("hertz_point", load=load, effective_modulus=modulus, reduced_radius=radius)
+            for load, modulus, radius in [(50, 107.9e9, 9.5e-3), (1e-6, 1e6, 10), (1e6, 1e12, 1e-6)]]
+
+
+def films():
+    return [call("hamrock_dowson_central", speed=u, load=load, reduced_radius=radius, ellipticity=k, **FILM)
+            for u, load, radius, k in [(1, 20, 0.01, 1), (1e-4, 0.1, 1e-3, 3), (30, 1e4, 0.3, 8)]]
+
+
+def starvation_ratios():
+    return [call("starvation_ratio", closure=closure, flooded_over_inlet=r, damiens_exponent=2.5)
+            for closure in CLOSURES for r in [1e-12, 0.01, 0.6, 0.999, 1, 1.5, 100, 1e12]]
+
+
+def load_sharings():
+    return [call("load_sharing", asperity=asperity, flooded_film_parameter=flooded, stiffness=stiffness,
+                 offset=offset)
+            for asperity in MODELS for flooded in [1e-4, 0.3, 2, 50] for stiffness in [0, 1e-6, 0.3, 10, 1e6]
+            for offset in [0, 1.146]]
+
+
+def operating_points():
+    friction = [{"boundary_coefficient": 0.13},
+                {"boundary_coefficient": 0.1, "slide_roll_ratio": 0.2, "viscosity": "roelands"},
+                {"boundary_coefficient": 0.1, "fluid": "limiting", "viscosity": "ambient"},
+                {"boundary_coefficient": 0, "slide_roll_ratio": 0}]
+    points = []
+    for surface in ["rough", "smooth"]:
+        for asperity in MODELS:
+            for closure in CLOSURES:
+                for i, supply in enumerate(SUPPLIES):
+                    for speed in [1e-4, 0.01, 0.1, 3]:
+                        points.append(scene(surface, speed=speed, supply=supply, friction=friction[i],
+                                            closures={"asperity": asperity, "starvation": closure}))
+    return points
+
+
+def all_lines():
+    return numbered(moments() + hertz_points() + films() + starvation_ratios() + load_sharings()
+                    + operating_points())
+
+
+def numbered(lines):
+    return [{**line, "id": f"c{i}"} for i, line in enumerate(lines)]
+
+
+def text_of(lines):
+    return "".join(json.dumps(line) + "\n" for line in lines)
+
+
+def answers_of(command, lines):
+    done = subprocess.run(list(map(str, command)), input=text_of(lines).encode(), capture_output=True,
+                          timeout=TIMEOUT)
+    assert (done.returncode, done.stderr) == (0, b""), (done.returncode, done.stderr.decode()[-500:])
+    return [strict_json(line) for line in done.stdout.decode().splitlines()]
+
+
+def reference_answers(lines):
+    result = run("stream", stdin=text_of(lines))
+    assert result.code == 0, result.err
+    return result.json_lines()
+
+
+def python(name, *arguments):
+    """The command of a Python subject."""
+    return [sys.executable, "-B", SUBJECTS / name, *arguments]
+
+
+def is_close(found, expected, relative):
+    if isinstance(expected, (int, float)) and isinstance(found, (int, float)):
+        return math.isclose(found, expected, rel_tol=relative, abs_tol=1e-300)
+    return found == expected
+
+
+def assert_agree(test, command, lines, relative):
+    """Every answer is a skip or agrees with ours; gives the lines that were answered."""
+    answered = []
+    found = answers_of(command, lines)
+    for line, mine, theirs in zip(lines, reference_answers(lines), found, strict=True):
+        test.assertEqual(theirs["id"], line["id"])
+        if "skip" in theirs:
+            test.assertEqual(list(theirs), ["id", "skip"])
+            continue
+        test.assertNotIn("error", theirs, line)
+        for name, value in theirs.items():
+            if name != "undefined":
+                test.assertTrue(is_close(value, mine[name], relative), (line, name, value, mine[name]))
+        answered.append((line, theirs))
+    return answered
+
+
+def functions_of(answered):
+    return {line.get("function", "operating_point") for line, _ in answered}

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The example solver and the template in GNU Octave; skipped where it is not installed."""
+
+import shutil
+import unittest
+
+from program import Folder, run
+from subjects import SUBJECTS, all_lines, answers_of, assert_agree, functions_of
+
+MISSING = None if shutil.which("octave-cli") else "octave-cli is not installed (Debian: octave)"
+OCTAVE = ["octave-cli", "--norc", "--quiet", "--no-history"]
+
+
+@unittest.skipIf(MISSING, MISSING)
+class Octave(unittest.TestCase):
+    def test_it_answers_what_it_offers_as_we_do(self):
+        answered = assert_agree(self, [*OCTAVE, SUBJECTS / "octave/subject.m"], all_lines(), 1e-7)
+        self.assertEqual(functions_of(answered), {"gaussian_moment", "hertz_point", "hamrock_dowson_central",
+                                                  "starvation_ratio"})
+        closures = {line["closure"] for line, _ in answered if line.get("function") == "starvation_ratio"}
+        self.assertEqual(closures, {"flooded_inlet", "damiens"})
+
+    def test_the_template_skips_everything(self):
+        with Folder() as folder:
+            path = f"{folder}/solver.m"
+            self.assertEqual(run("init", "subject", "--language", "octave", "--out", path).code, 0)
+            lines = all_lines()
+            self.assertEqual(answers_of([*OCTAVE, path], lines),
+                             [{"id": line["id"], "skip": "not offered yet"} for line in lines])
+
+    def test_the_template_writes_what_is_filled_in(self):
+        with Folder() as folder:
+            path = f"{folder}/solver.m"
+            run("init", "subject", "--language", "octave", "--out", path)
+            with open(path) as file:
+                text = file.read()
+            point = 'answer = struct ("friction", NaN, "regime", "mixed");'
+            text = text.replace("film = [];", "film = 1 / 3;").replace(
+                'answer = [];  % struct ("film"', point + "  %")
+            with open(path, "w") as file:
+                file.write(text)
+            lines = [{"id": "a\"b", "function": "hamrock_dowson_central"}, {"id": "p"}]
+            self.assertEqual(answers_of([*OCTAVE, path], lines),
+                             [{"id": "a\"b", "value": 1 / 3},
+                              {"id": "p", "friction": None, "regime": "mixed"}])
+
+
+if __name__ == "__main__":
+    unittest.main()

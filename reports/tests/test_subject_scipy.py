@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The example solver on SciPy; skipped where SciPy is not installed."""
+
+import importlib.util
+import unittest
+
+from subjects import all_lines, assert_agree, functions_of, python
+
+MISSING = None if importlib.util.find_spec("scipy") else "scipy is not installed (Debian: python3-scipy)"
+
+
+@unittest.skipIf(MISSING, MISSING)
+class Scipy(unittest.TestCase):
+    def test_it_answers_what_it_offers_as_we_do(self):
+        answered = assert_agree(self, python("python_scipy/subject.py"), all_lines(), 1e-7)
+        self.assertEqual(functions_of(answered), {"gaussian_moment", "hertz_point", "hamrock_dowson_central",
+                                                  "load_sharing", "operating_point"})
+
+
+if __name__ == "__main__":
+    if MISSING:
+        print(MISSING)
+    unittest.main()

@@ -1,0 +1,37 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""A subject with one planted mistake: the solver of python_stdlib with one formula replaced.
+
+  fake.py --mistake NAME    answers JSON lines; NAME none: no mistake
+  fake.py --list            name, description and first wrong capability, separated by tabs
+"""
+
+import argparse
+
+from catalogue import MISTAKES
+import subject
+import wrong_contact
+import wrong_film
+import wrong_inlet
+import wrong_moments
+
+PARTS = (wrong_moments, wrong_film, wrong_contact, wrong_inlet)  # importing them fills the list
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    action = parser.add_mutually_exclusive_group(required=True)
+    action.add_argument("--mistake", choices=["none", *MISTAKES], metavar="NAME")
+    action.add_argument("--list", action="store_true")
+    arguments = parser.parse_args()
+    if arguments.list:
+        for mistake in MISTAKES.values():
+            print(mistake.name, mistake.description, mistake.capability, sep="\t")
+        return
+    if arguments.mistake != "none":
+        MISTAKES[arguments.mistake].make()
+    subject.main()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The fields of a line: which there are, what they may be, and what they are when absent."""
+
+import math
+
+import inlet
+import point
+
+REQUIRED = object()
+
+FUNCTIONS = {
+    "gaussian_moment": {"order": ("order", REQUIRED), "argument": ("any", REQUIRED)},
+    "hertz_point": {name: ("above 0", REQUIRED)
+                    for name in ("load", "effective_modulus", "reduced_radius")},
+    "hamrock_dowson_central": {
+        "speed": ("above 0", REQUIRED), "viscosity": ("above 0", REQUIRED),
+        "pressure_viscosity": ("above 0", REQUIRED), "load": ("above 0", REQUIRED),
+        "effective_modulus": ("above 0", REQUIRED), "reduced_radius": ("above 0", REQUIRED),
+        "ellipticity": ("above 0", 1.0)},
+    "starvation_ratio": {"closure": (inlet.CLOSURES, REQUIRED),
+                         "flooded_over_inlet": ("above 0", REQUIRED), "damiens_exponent": ("above 0", 3.0)},
+    "load_sharing": {"asperity": (("greenwood_tripp", "greenwood_williamson"), REQUIRED),
+                     "flooded_film_parameter": ("above 0", REQUIRED), "stiffness": ("from 0", REQUIRED),
+                     "offset": ("from 0", REQUIRED)},
+}
+
+SCENE = {
+    "load": ("above 0", REQUIRED), "speed": ("above 0", REQUIRED),
+    "surface.summit_density": ("above 0", REQUIRED), "surface.summit_radius": ("above 0", REQUIRED),
+    "surface.summit_height_sd": ("above 0", REQUIRED), "surface.summit_plane_offset": ("from 0", 0.0),
+    "surface.offset_planes": ((0, 1, 2), 1),
+    "bodies.effective_modulus": ("above 0", REQUIRED), "bodies.reduced_radius": ("above 0", REQUIRED),
+    "bodies.ellipticity": ("above 0", 1.0),
+    "lubricant.viscosity": ("above 0", REQUIRED), "lubricant.pressure_viscosity": ("above 0", REQUIRED),
+    "lubricant.eyring_stress": ("above 0", None),
+    "supply.inlet_film": ("above 0", None), "supply.inlet_film_ratio": ("above 0", None),
+    "supply.inlet_flow": ("above 0", None),
+    "friction.boundary_coefficient": ("from 0", None), "friction.slide_roll_ratio": ("from 0", 1.0),
+    "friction.fluid": (("eyring", "limiting"), "eyring"),
+    "friction.viscosity": (("barus", "ambient", "roelands"), "barus"),
+    "closures.asperity": (("greenwood_tripp", "greenwood_williamson"), "greenwood_tripp"),
+    "closures.starvation": (inlet.CLOSURES, "flooded_inlet"), "closures.damiens_exponent": ("above 0", 3.0),
+}
+OF_FRICTION = ("lubricant.eyring_stress", "friction.boundary_coefficient")
+ORDERS = (0, 0.5, 1, 1.5, 2, 2.5)
+
+
+class InputError(Exception):
+    """field, message"""
+
+
+def number(name, value, allowed):
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise InputError(name, "this is no finite number")
+    value = float(value)
+    if (allowed == "above 0" and value <= 0) or (allowed == "from 0" and value < 0):
+        raise InputError(name, f"{value} is not allowed; allowed: {allowed}")
+    return value
+
+
+def checked(name, value, allowed):
+    words = ORDERS if allowed == "order" else allowed
+    if isinstance(words, str):
+        return number(name, value, words)
+    if isinstance(value, bool) or value not in words:
+        raise InputError(name, f"not known; allowed: {', '.join(map(str, words))}")
+    return value
+
+
+def read(given, allowed_fields):
+    """Every field by its name, with defaults in place; raises InputError."""
+    for name in given:
+        if name not in allowed_fields:
+            raise InputError(name, "unknown field")
+    result = {}
+    for name, (allowed, default) in allowed_fields.items():
+        if name in given:
+            result[name] = checked(name, given[name], allowed)
+        elif default is REQUIRED:
+            raise InputError(name, "missing")
+        else:
+            result[name] = default
+    return result
+
+
+def flattened(line):
+    """{"bodies": {"reduced_radius": 1}} as {"bodies.reduced_radius": 1}, without id and outputs."""
+    flat = {}
+    for name, value in line.items():
+        if isinstance(value, dict):
+            flat.update({f"{name}.{key}": inner for key, inner in value.items()})
+        elif name not in ("id", "outputs"):
+            flat[name] = value
+    return flat
+
+
+def read_outputs(line, scene):
+    """The outputs that are asked for; without a list, those that the fields allow."""
+    asked = line.get("outputs")
+    missing = [name for name in OF_FRICTION if scene[name] is None]
+    if asked is None:
+        return [name for name in point.OUTPUTS if name != "friction" or not missing]
+    if not isinstance(asked, list) or not asked:
+        raise InputError("outputs", "this is no list of outputs")
+    for name in asked:
+        if name not in point.OUTPUTS:
+            raise InputError("outputs", f"not known; allowed: {', '.join(point.OUTPUTS)}")
+    if "friction" in asked and missing:
+        raise InputError(missing[0], "missing: friction needs it")
+    return asked
+
+
+def read_scene(line):
+    scene = read(flattened(line), SCENE)
+    if "supply" in line and sum(scene[f"supply.{kind}"] is not None for kind in
+                                ("inlet_film", "inlet_film_ratio", "inlet_flow")) != 1:
+        raise InputError("supply", "one of inlet_film, inlet_film_ratio, inlet_flow is needed")
+    if scene["friction.viscosity"] == "roelands" and math.log(scene["lubricant.viscosity"]) <= -9.67:
+        raise InputError("lubricant.viscosity", "too thin for Roelands' law")
+    return scene

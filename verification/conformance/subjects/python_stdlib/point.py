@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One operating point: from the fields of a scene, by their names, to all outputs."""
+
+import friction
+import inlet
+import solver
+
+OUTPUTS = ("film_flooded", "film", "separation", "film_parameter", "asperity_load_share",
+           "fluid_load_share", "real_area_ratio", "summit_count", "friction", "regime", "inlet")
+
+
+def height_sd(scene):
+    return scene["surface.summit_height_sd"]
+
+
+def plane_offset(scene):
+    return scene["surface.offset_planes"] * scene["surface.summit_plane_offset"]
+
+
+def inlet_film(scene):
+    """Film of oil that reaches the inlet, in m; None: as much as the contact takes."""
+    if scene.get("supply.inlet_flow") is not None:
+        return scene["supply.inlet_flow"] / scene["speed"]
+    if scene.get("supply.inlet_film_ratio") is not None:
+        return scene["supply.inlet_film_ratio"] * height_sd(scene)
+    return scene.get("supply.inlet_film")
+
+
+def flooded_film(scene):
+    return solver.hamrock_dowson_central(
+        scene["speed"], scene["lubricant.viscosity"], scene["lubricant.pressure_viscosity"], scene["load"],
+        scene["bodies.effective_modulus"], scene["bodies.reduced_radius"], scene["bodies.ellipticity"])
+
+
+class Contact:
+    """What does not depend on the film."""
+
+    def __init__(self, scene):
+        load, modulus = scene["load"], scene["bodies.effective_modulus"]
+        hertz = solver.hertz_point(load, modulus, scene["bodies.reduced_radius"])
+        self.model = scene["closures.asperity"]
+        self.mean_pressure = hertz["mean_pressure"]
+        self.area = solver.nominal_area(hertz["radius"])
+        self.density, self.sd = scene["surface.summit_density"], height_sd(scene)
+        summit_radius = scene["surface.summit_radius"]
+        self.roughness = self.density * summit_radius * self.sd
+        self.delta = plane_offset(scene)
+        self.K = solver.stiffness(self.model, self.density, summit_radius, self.sd, load, modulus,
+                                  self.area)
+        self.floor = solver.floor_of(self.model, self.K, self.delta)
+
+    def asperities(self, lam):
+        """Real area ratio and summit count."""
+        d = solver.moment_argument(lam, self.delta)
+        return (solver.real_area_ratio(self.model, self.roughness, d),
+                solver.summit_count(self.model, self.roughness, self.density, self.area, d))
+
+
+def friction_fields(scene):
+    return {"viscosity_law": scene["friction.viscosity"], "viscosity": scene["lubricant.viscosity"],
+            "alpha": scene["lubricant.pressure_viscosity"],
+            "eyring_stress": scene["lubricant.eyring_stress"], "fluid": scene["friction.fluid"],
+            "speed": scene["speed"], "slide_roll_ratio": scene["friction.slide_roll_ratio"],
+            "boundary_coefficient": scene["friction.boundary_coefficient"]}
+
+
+def starved(scene, film):
+    """The parts of the flooded film that are left and lost."""
+    supply = inlet_film(scene)
+    if supply is None:
+        return 1.0, 0.0
+    return inlet.starved(scene["closures.starvation"], film / supply, scene["closures.damiens_exponent"])
+
+
+def solve(scene, outputs):
+    """The outputs asked for, and the reasons of those that are undefined."""
+    contact = Contact(scene)
+    model, K, delta, sd = contact.model, contact.K, contact.delta, contact.sd
+    flooded = flooded_film(scene) / sd
+    lam_flooded = solver.load_sharing(model, flooded, K, delta)
+    A, w = solver.shares_of_flooded(model, flooded, K, delta, lam_flooded)
+    ratio, deficit = starved(scene, lam_flooded * sd)
+    lam = ratio * lam_flooded
+    apart = max(lam, contact.floor)
+    if inlet_film(scene) is not None:
+        A, w = solver.shares_of_starved(model, K, delta, lam_flooded, w, ratio, deficit)
+    area, count = contact.asperities(apart)
+    values = {"film_flooded": lam_flooded * sd, "film": lam * sd, "separation": apart * sd,
+              "film_parameter": lam, "asperity_load_share": A, "fluid_load_share": w,
+              "real_area_ratio": area, "summit_count": count, "regime": solver.regime(A, w),
+              "inlet": solver.inlet_state(ratio)}
+    undefined = {}
+    if "friction" in outputs and apart == 0:
+        values["friction"], undefined["friction"] = None, "the film has collapsed"
+    elif "friction" in outputs:
+        values["friction"] = friction.friction(
+            {**friction_fields(scene), "separation": apart * sd, "asperity_share": A, "fluid_share": w,
+             "area_ratio": area}, contact.mean_pressure)
+    return {name: values[name] for name in OUTPUTS if name in outputs}, undefined

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mixed lubrication of one circular point contact: pure functions, SI units, no input or output.
+
+Symbols: F load, E effective modulus E*, R reduced radius, K stiffness of the asperities, lam a film or
+separation over the standard deviation of summit heights, delta the offset of the summit planes over it.
+"""
+
+import math
+
+import moments
+
+TRIPP = "greenwood_tripp"
+
+
+# Hertz and the flooded film
+
+def nominal_area(radius):
+    return math.pi * radius * radius
+
+
+def peak_over_mean_pressure():
+    return 1.5
+
+
+def contact_radius(F, E, R):
+    return math.cbrt(0.75 * F * R / E)
+
+
+def approach(F, E, R):
+    return contact_radius(F, E, R) ** 2 / R
+
+
+def hertz_point(F, E, R):
+    radius = contact_radius(F, E, R)
+    mean = F / nominal_area(radius)
+    return {"radius": radius, "mean_pressure": mean,
+            "peak_pressure": peak_over_mean_pressure() * mean, "approach": approach(F, E, R)}
+
+
+def film_constant(ellipticity):
+    return 2.69 * (1 - 0.61 * math.exp(-0.73 * ellipticity))
+
+
+def film_numbers(speed, viscosity, alpha, F, E, R):
+    """The dimensionless U, G and W of Hamrock and Dowson, with E' = 2E*."""
+    return viscosity * speed / (2 * E * R), alpha * 2 * E, F / (2 * E * R * R)
+
+
+def hamrock_dowson_central(speed, viscosity, alpha, F, E, R, ellipticity):
+    U, G, W = film_numbers(speed, viscosity, alpha, F, E, R)
+    return R * film_constant(ellipticity) * U**0.67 * G**0.53 * W**-0.067
+
+
+# Rough contact
+
+def load_order(asperity):
+    return 2.5 if asperity == TRIPP else 1.5
+
+
+def share_exponent(asperity):
+    """Load sharing takes Greenwood and Tripp's n^2 as (n times the share)^2: the root is left."""
+    return 0.5 if asperity == TRIPP else 1.0
+
+
+def stiffness(asperity, density, summit_radius, sd, F, E, area):
+    """K of A = (K F_p)^q."""
+    common = density * summit_radius * sd * math.sqrt(sd / summit_radius) * E * area / F
+    if asperity == TRIPP:
+        return 16 * math.sqrt(2) * math.pi / 15 * (density * summit_radius * sd) * common
+    return 4 / 3 * common
+
+
+def moment_argument(lam, delta):
+    return lam - delta
+
+
+def real_area_ratio(asperity, roughness, d):
+    """roughness is n beta sigma."""
+    if asperity == TRIPP:
+        return (math.pi * roughness) ** 2 * moments.gaussian_moment(2, d)
+    return math.pi * roughness * moments.gaussian_moment(1, d)
+
+
+def summit_count(asperity, roughness, density, area, d):
+    if asperity == TRIPP:
+        return 4 * math.pi * roughness * density * area * moments.gaussian_moment(1, d)
+    return density * area * moments.gaussian_moment(0, d)
+
+
+# Load sharing
+
+def film_exponent():
+    """Of h = h_0 (1 - A)^-0.14."""
+    return 0.14
+
+
+def safe_log(x):
+    return math.log(x) if x > 0 else -math.inf
+
+
+def log_share(asperity, K, delta, lam):
+    """ln A, above 0 below the floor."""
+    log_moment = moments.log_moment(load_order(asperity), moment_argument(lam, delta))
+    return share_exponent(asperity) * (safe_log(K) + log_moment)
+
+
+def sign_change(is_low, low, high):
+    """The least double of [low, high] at which is_low is false: bisection to the last digit."""
+    while low < (middle := low + (high - low) / 2) < high:
+        low, high = (middle, high) if is_low(middle) else (low, middle)
+    return high
+
+
+def beyond(is_low, start):
+    """A number past the change of sign."""
+    while is_low(start) and start < 1e300:
+        start *= 2
+    return start
+
+
+def floor_of(asperity, K, delta):
+    """lam at which the asperities carry everything; 0 where even at lam = 0 they do not."""
+    def carries_all(lam):
+        return log_share(asperity, K, delta, lam) >= 0
+    return sign_change(carries_all, 0.0, beyond(carries_all, 1.0)) if carries_all(0.0) else 0.0
+
+
+def load_sharing(asperity, flooded, K, delta):
+    """lam that solves ln lam - ln flooded + 0.14 ln(1 - A(lam)) = 0."""
+    def film_is_thin(lam):
+        log_A = log_share(asperity, K, delta, lam)
+        if log_A >= 0:
+            return True
+        return math.log(lam / flooded) + film_exponent() * safe_log(-math.expm1(log_A)) < 0
+    low = max(flooded, floor_of(asperity, K, delta))
+    if not film_is_thin(low):
+        return low
+    return sign_change(film_is_thin, low, beyond(film_is_thin, low))
+
+
+def shares_of_flooded(asperity, flooded, K, delta, lam):
+    """Shares of asperities and fluid at the root; the fluid's is (flooded/lam)^(1/0.14)."""
+    log_fluid = math.log(flooded / lam) / film_exponent()
+    if log_fluid < -0.7:
+        return -math.expm1(log_fluid), math.exp(log_fluid)
+    return math.exp(log_share(asperity, K, delta, lam)), math.exp(log_fluid)
+
+
+def log_share_slope(asperity, delta, lam):
+    """-d ln A/d lam."""
+    order, d = load_order(asperity), moment_argument(lam, delta)
+    return (share_exponent(asperity) * order
+            * math.exp(moments.log_moment(order - 1, d) - moments.log_moment(order, d)))
+
+
+def log_share_below(asperity, delta, lam, fluid, step):
+    """ln A at lam - step from the fluid's share at lam, where 1 - A would cancel (Gauss-Legendre)."""
+    middle, reach = lam - step / 2, math.sqrt(0.15) * step
+    slopes = [log_share_slope(asperity, delta, middle + place) for place in (-reach, 0, reach)]
+    return math.log1p(-fluid) + step * (5 * slopes[0] + 8 * slopes[1] + 5 * slopes[2]) / 18
+
+
+def shares_of_starved(asperity, K, delta, flooded_lam, flooded_fluid, ratio, deficit):
+    """Shares at the film that the inlet leaves, ratio = 1 - deficit of the flooded one."""
+    step = flooded_lam * deficit
+    if flooded_fluid < 0.25 and abs(step) < 0.1:
+        log_A = log_share_below(asperity, delta, flooded_lam, flooded_fluid, step)
+    else:
+        log_A = log_share(asperity, K, delta, flooded_lam * ratio)
+    return (1.0, 0.0) if log_A >= 0 else (math.exp(log_A), -math.expm1(log_A))
+
+
+# Names of states
+
+def regime(asperity_share, fluid_share):
+    if fluid_share < 0.01:
+        return "boundary"
+    return "elastohydrodynamic" if asperity_share < 0.01 else "mixed"
+
+
+def inlet_state(ratio):
+    if ratio == 0:
+        return "collapsed"
+    return "flooded" if ratio >= 0.95 else "starved"

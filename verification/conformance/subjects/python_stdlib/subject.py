@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Answers JSON lines: one question a line on stdin, one answer a line on stdout, in order."""
+
+import json
+import math
+import sys
+
+import fields
+import inlet
+import moments
+import point
+import solver
+
+BEYOND = "outside the range of double precision"
+
+
+def gaussian_moment(given):
+    return {"value": moments.gaussian_moment(given["order"], given["argument"])}
+
+
+def hertz_point(given):
+    return solver.hertz_point(given["load"], given["effective_modulus"], given["reduced_radius"])
+
+
+def hamrock_dowson_central(given):
+    return {"value": solver.hamrock_dowson_central(*given.values())}
+
+
+def starvation_ratio(given):
+    return {"value": inlet.starvation_ratio(*given.values())}
+
+
+def load_sharing(given):
+    return {"value": solver.load_sharing(*given.values())}
+
+
+FUNCTIONS = {function.__name__: function for function in (
+    gaussian_moment, hertz_point, hamrock_dowson_central, starvation_ratio, load_sharing)}
+
+
+def call(line):
+    name = line["function"]
+    if name not in FUNCTIONS:
+        return {"skip": f"no function {name}"}, {}
+    given = {key: value for key, value in line.items() if key not in ("id", "function")}
+    arguments = fields.read(given, fields.FUNCTIONS[name])
+    try:
+        return FUNCTIONS[name](arguments), {}
+    except (OverflowError, ZeroDivisionError):
+        return {"value": math.inf}, {}
+
+
+def operating_point(line):
+    scene = fields.read_scene(line)
+    outputs = fields.read_outputs(line, scene)
+    try:
+        return point.solve(scene, outputs)
+    except (OverflowError, ZeroDivisionError):
+        return dict.fromkeys(outputs, math.inf), {}
+
+
+def answer(line):
+    """The members of an answer, without the id."""
+    values, undefined = call(line) if "function" in line else operating_point(line)
+    for name, value in values.items():
+        if isinstance(value, float) and not math.isfinite(value):
+            values[name], undefined[name] = None, BEYOND
+    return {**values, "undefined": undefined} if undefined else values
+
+
+def answer_text(text):
+    identity = None
+    try:
+        line = json.loads(text)
+        if not isinstance(line, dict):
+            raise ValueError("a line has to be an object")
+        identity = line.get("id")
+        members = answer(line)
+    except fields.InputError as problem:
+        members = {"error": dict(zip(("field", "message"), problem.args))}
+    except ValueError as problem:
+        members = {"error": {"field": "", "message": str(problem)}}
+    return json.dumps({"id": identity, **members}, allow_nan=False)
+
+
+def main():
+    for text in sys.stdin:
+        if text.strip():
+            print(answer_text(text), flush=True)
+
+
+if __name__ == "__main__":
+    main()
