@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import select
 import subprocess
 import sys
 
@@ -117,6 +118,21 @@ def assert_agree(test, command, lines, relative):
                 test.assertTrue(is_close(value, mine[name], relative), (line, name, value, mine[name]))
         answered.append((line, theirs))
     return answered
+
+
+def assert_lockstep(test, command):
+    """Each answer is there before the next question."""
+    with subprocess.Popen(list(map(str, command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+        try:
+            for line in numbered(hertz_points() + operating_points()[:3]):
+                process.stdin.write(text_of([line]).encode())
+                process.stdin.flush()
+                test.assertTrue(select.select([process.stdout], [], [], TIMEOUT)[0], "no answer")
+                test.assertEqual(json.loads(process.stdout.readline())["id"], line["id"])
+            process.stdin.close()
+            test.assertEqual(process.wait(TIMEOUT), 0)
+        finally:
+            process.kill()
 
 
 def functions_of(answered):

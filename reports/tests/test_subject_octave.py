@@ -5,7 +5,7 @@ import shutil
 import unittest
 
 from program import Folder, run
-from subjects import SUBJECTS, all_lines, answers_of, assert_agree, functions_of
+from subjects import SUBJECTS, all_lines, answers_of, assert_agree, assert_lockstep, functions_of
 
 MISSING = None if shutil.which("octave-cli") else "octave-cli is not installed (Debian: octave)"
 OCTAVE = ["octave-cli", "--norc", "--quiet", "--no-history"]
@@ -19,6 +19,10 @@ class Octave(unittest.TestCase):
                                                   "starvation_ratio"})
         closures = {line["closure"] for line, _ in answered if line.get("function") == "starvation_ratio"}
         self.assertEqual(closures, {"flooded_inlet", "damiens"})
+
+    def test_every_answer_is_there_before_the_next_question(self):
+        assert_lockstep(self, [*OCTAVE, SUBJECTS / "octave/subject.m"])
+        assert_lockstep(self, [*OCTAVE, SUBJECTS.parent / "templates/solver.m"])
 
     def test_the_template_skips_everything(self):
         with Folder() as folder:

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The example solvers in plain Python: the complete one, the small one, the hostile ones."""
 
-import json
 import subprocess
 import unittest
 
 from program import TIMEOUT, scene, with_field, without_field
-from subjects import (SUBJECTS, all_lines, answers_of, assert_agree, functions_of, numbered, python,
-                      reference_answers, text_of)
+from subjects import (SUBJECTS, all_lines, answers_of, assert_agree, assert_lockstep, functions_of, numbered,
+                      python, reference_answers, text_of)
 
 COMPLETE = python("python_stdlib/subject.py")
 SMALL = python("small_python/my_solver.py")
@@ -61,13 +60,8 @@ class Complete(unittest.TestCase):
         self.assertEqual(answer, {"id": "c0", "skip": "no function stokes"})
 
     def test_every_answer_is_there_before_the_next_question(self):
-        with subprocess.Popen(COMPLETE, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
-            for line in numbered([scene(speed=0.1)] * 3):
-                process.stdin.write(text_of([line]).encode())
-                process.stdin.flush()
-                self.assertEqual(json.loads(process.stdout.readline())["id"], line["id"])
-            process.stdin.close()
-            self.assertEqual(process.wait(TIMEOUT), 0)
+        assert_lockstep(self, COMPLETE)
+        assert_lockstep(self, SMALL)
 
 
 class Small(unittest.TestCase):

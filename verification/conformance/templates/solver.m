@@ -61,8 +61,17 @@ function text = members_of (answer)
   endfor
 endfunction
 
+function line = next_line ()
+  % fgetl would wait for a sign of the line after this one; at the end of stdin input fails
+  try
+    line = input ("", "s");
+  catch
+    line = -1;
+  end_try_catch
+endfunction
+
 known = {"gaussian_moment", "hertz_point", "hamrock_dowson_central", "starvation_ratio", "load_sharing"};
-while (ischar (line = fgetl (stdin)))
+while (ischar (line = next_line ()))
   q = jsondecode (line, "makeValidName", false);
   if (! isfield (q, "function"))
     answer = operating_point (q);

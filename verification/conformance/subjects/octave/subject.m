@@ -74,7 +74,16 @@ function text = members_of (answer)
   endfor
 endfunction
 
-while (ischar (line = fgetl (stdin)))
+function line = next_line ()
+  % fgetl would wait for a sign of the line after this one; at the end of stdin input fails
+  try
+    line = input ("", "s");
+  catch
+    line = -1;
+  end_try_catch
+endfunction
+
+while (ischar (line = next_line ()))
   question = jsondecode (line, "makeValidName", false);
   try
     text = members_of (answer_to (question));
