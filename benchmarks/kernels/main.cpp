@@ -2,7 +2,6 @@
 // All contenders in one Google Benchmark program: job/family/name. `tribocheck bench` runs it and
 // makes the table.
 #include <benchmark/benchmark.h>
-#include <stdio.h>
 
 #include <algorithm>
 #include <cstdio>

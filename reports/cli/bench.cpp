@@ -79,12 +79,11 @@ int fail(int code, const std::string& line) {
 }
 
 std::string failure_text(const report::ChildEnd& end, const BenchArguments& arguments) {
-  const std::string text = end.signal() != 0
-                               ? fmt::format("tribocheck_bench ended by signal {} ({})",
-                                             end.signal(), ::strsignal(end.signal()))
-                               : "tribocheck_bench failed";
+  std::string text = end.signal() != 0 ? fmt::format("tribocheck_bench ended by signal {} ({})",
+                                                     end.signal(), ::strsignal(end.signal()))
+                                       : "tribocheck_bench failed";
   if (arguments.plugin.empty()) return text;
-  return text + " with the plug-in " + arguments.plugin + " loaded";
+  return fmt::format("{} with the plug-in {} loaded", text, arguments.plugin);
 }
 
 int bench(const BenchArguments& arguments, OutputStream& output) {

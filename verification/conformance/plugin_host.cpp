@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "conformance/plugin_host.hpp"
 
+#include <array>
+#include <bit>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -103,6 +104,12 @@ Answer<PointResult> point_answer(int status, const tribocheck_point& point) {
   return answer_of(status, result);
 }
 
+// Its bytes, so that scenes with NaN compare too.
+auto bytes_of(const tribocheck_scene& scene) {
+  static_assert(sizeof(tribocheck_scene) == 15 * sizeof(double) + 6 * sizeof(int), "no padding");
+  return std::bit_cast<std::array<std::byte, sizeof(tribocheck_scene)>>(scene);
+}
+
 // Neighbours of the same scene go to the plug-in together.
 Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) function) {
   if (function == nullptr) return {};
@@ -112,8 +119,7 @@ Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) 
       const tribocheck_scene scene = plugin_scene(scenes[first]);
       speeds.clear();
       for (std::size_t i = first; i < scenes.size(); ++i) {
-        const tribocheck_scene other = plugin_scene(scenes[i]);
-        if (std::memcmp(&scene, &other, sizeof scene) != 0) break;
+        if (bytes_of(plugin_scene(scenes[i])) != bytes_of(scene)) break;
         speeds.push_back(scenes[i].speeds[0]);
       }
       std::vector<tribocheck_point> points(speeds.size(), empty_point());
@@ -128,19 +134,22 @@ Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) 
 }  // namespace
 
 Solver plugin_solver(const PluginFunctions& functions) {
-  // What is compared by its bytes has none that mean nothing.
-  static_assert(sizeof(tribocheck_scene) == 15 * sizeof(double) + 6 * sizeof(int));
-  return {with_value(functions.gaussian_moment, &MomentCase::order, &MomentCase::argument),
-          hertz_point(functions.hertz_point),
-          with_value(functions.hamrock_dowson_central, &FilmCase::speed, &FilmCase::viscosity,
-                     &FilmCase::pressure_viscosity, &FilmCase::load, &FilmCase::effective_modulus,
-                     &FilmCase::reduced_radius, &FilmCase::ellipticity),
-          with_value(functions.starvation_ratio, &StarvationCase::closure,
-                     &StarvationCase::flooded_over_inlet, &StarvationCase::damiens_exponent),
-          with_value(functions.load_sharing, &SharingCase::asperity,
-                     &SharingCase::flooded_film_parameter, &SharingCase::stiffness,
-                     &SharingCase::offset),
-          operating_point(functions.operating_point)};
+  Solver solver;
+  solver.gaussian_moment =
+      with_value(functions.gaussian_moment, &MomentCase::order, &MomentCase::argument);
+  solver.hertz_point = hertz_point(functions.hertz_point);
+  solver.hamrock_dowson_central =
+      with_value(functions.hamrock_dowson_central, &FilmCase::speed, &FilmCase::viscosity,
+                 &FilmCase::pressure_viscosity, &FilmCase::load, &FilmCase::effective_modulus,
+                 &FilmCase::reduced_radius, &FilmCase::ellipticity);
+  solver.starvation_ratio =
+      with_value(functions.starvation_ratio, &StarvationCase::closure,
+                 &StarvationCase::flooded_over_inlet, &StarvationCase::damiens_exponent);
+  solver.load_sharing = with_value(functions.load_sharing, &SharingCase::asperity,
+                                   &SharingCase::flooded_film_parameter, &SharingCase::stiffness,
+                                   &SharingCase::offset);
+  solver.operating_point = operating_point(functions.operating_point);
+  return solver;
 }
 
 int host_plugin(const std::string& path) {
