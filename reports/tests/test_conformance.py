@@ -1,0 +1,306 @@
+# SPDX-License-Identifier: Apache-2.0
+"""verify --subject and --plugin: right solvers hold, wrong ones are named, hostile ones are survived."""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import time
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from program import PROGRAM, Folder, run
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+SUBJECTS = ROOT / "verification/conformance/subjects"
+BUILT = pathlib.Path(PROGRAM).parent / "verification/conformance/subjects"
+PYTHON = sys.executable
+
+# A fake's mistake, and what the diagnosis may call it. The numbers do not tell some apart.
+NAMED = {
+    "asperity_stiffness_halved": "stiffness-halved",
+    "asperity_stiffness_of_williamson": "stiffness-gw-for-gt",
+    "asperity_sd_in_micrometres": "stiffness-sigma-in-um",
+    "asperity_radius_in_micrometres": "stiffness-beta-in-um",
+    "asperity_sd_of_one_face": "sigma-of-one-face",
+    "asperity_offset_two_planes": "offset-of-two-planes",
+    "asperity_offset_none": "sharing-offset-ignored",
+    "asperity_offset_other_sign": "sharing-offset-added",
+    "sharing_order_of_williamson": "sharing-order-3/2",
+    "sharing_share_exponent_one": "sharing-q-1",
+    "sharing_none": "sharing-none",
+    "sharing_film_exponent_067": "sharing-exponent-0.67",
+    "hertz_modulus_doubled": "hertz-2E*",
+    "hertz_modulus_halved": "hertz-E*-halved",
+    "hertz_approach_modulus_doubled": "hertz-approach-2E*",
+    "hertz_half_radius": "hertz-radius-halved",
+    "hertz_radius_in_mm": "hertz-R-in-mm",
+    "hertz_area_without_pi": "hertz-area-without-pi",
+    "hertz_peak_without_3_2": "hertz-peak-is-mean",
+    "film_half_radius": "film-radius-halved",
+    "film_radius_in_mm": "film-R-in-mm",
+    "film_speed_sum": "film-speed-sum",
+    "film_modulus_in_speed": "film-E*-in-U",
+    "film_modulus_in_material": "film-E*-in-G",
+    "film_modulus_in_load": "film-E*-in-W",
+    "film_modulus_single": "film-E*",
+    "film_modulus_doubled": "film-4E*",
+    "film_constant_0_6": "film-0.6",
+    "film_constant_without_bracket": "film-bracket-dropped",
+    "film_minimum": "film-minimum",
+    "inlet_ratio_to_oil": "inlet-over-r",
+    "inlet_circular_gap": "inlet-circular-gap",
+    "inlet_printed_exponents": "inlet-printed_exponents-for-flooded_inlet",
+    "friction_viscosity_ambient": "viscosity-ambient-for-barus",
+    "friction_roelands_log10": "viscosity-decimal-logarithm",
+    "friction_limiting_for_eyring": "shear-limiting-for-eyring",
+    "friction_slide_roll_ignored": "slide-roll-ignored",
+    "friction_boundary_by_fluid_share": "friction-share-swapped",
+    "friction_area_not_subtracted": "friction-area-not-subtracted",
+    "moment_fit_power_5_2": "moment-fit-6.804",
+    "moment_fit_power_5_2_miscopied": "moment-fit-4.4068",
+    "moment_fit_power_2": "moment-fit-6.9",
+    "moment_fit_exponential_5_2": "moment-fit-exponential",
+    "moment_fit_exponential_2": "moment-fit-exponential-2",
+    "moment_fit_error_function": "moment-fit-erf",
+    "moment_simpson_201_points": "moment-simpson-201",
+    "moment_simpson_200_intervals": "moment-simpson-cut-4.5",
+    "moment_cut_at_4": "moment-cut-at-4",
+    "moment_cut_at_5_beyond": "moment-cut-at-d-plus-5",
+    "moment_bessel_stray_root": "moment-stray-root",
+    "moment_without_root_two_pi": "moment-unnormalized",
+    "moment_order_half_up": "moment-order-half-higher",
+    "moment_order_one_up": "moment-order-higher",
+    "moment_sign_of_argument": "moment-sign",
+    "moment_about_zero": "moment-about-zero",
+}
+
+
+def subject(script, *words):
+    return " ".join([PYTHON, "-B", str(SUBJECTS / script), *words])
+
+
+def verify(*arguments):
+    return run("verify", *arguments, "--format", "json")
+
+
+def listed(script):
+    done = run_python(SUBJECTS / script, "--list")
+    return [line.split("\t")[0] for line in done.splitlines()]
+
+
+def run_python(*words):
+    return subprocess.run([PYTHON, "-B", *map(str, words)], capture_output=True, text=True, check=True,
+                          timeout=60).stdout
+
+
+class RightSolvers(unittest.TestCase):
+    def test_our_own_model_is_complete_by_each_of_the_three_ways(self):
+        verdicts = []
+        for way in (["--subject", f"{PROGRAM} stream"], ["--subject", str(BUILT / "own_model")],
+                    ["--plugin", str(BUILT / "own_model_plugin.so")]):
+            result = verify(*way, "--tolerance", "strict")
+            self.assertEqual((result.code, result.err), (0, ""), way)
+            verdict = result.json()
+            self.assertEqual((verdict["overall"], verdict["starts"]), ("complete", 1), way)
+            verdicts.append(verdict["quantities"])
+        self.assertGreater(len(verdicts[0]), 18)
+        self.assertEqual(verdicts[0], verdicts[1])
+        self.assertEqual(verdicts[0], verdicts[2])
+
+    def test_pythons_standard_library_is_enough_for_a_complete_one(self):
+        result = verify("--subject", subject("python_stdlib/subject.py"))
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertEqual(result.json()["overall"], "complete")
+        self.assertEqual(result.json()["diagnoses"], [])
+
+    def test_what_is_skipped_makes_it_partial(self):
+        result = verify("--plugin", str(BUILT / "c_plugin.so"))
+        self.assertEqual(result.code, 0, result.out)
+        verdict = result.json()
+        self.assertEqual(verdict["overall"], "partial")
+        status = {one["quantity"]: one["status"] for one in verdict["quantities"]}
+        self.assertEqual(status["hertz_point.radius"], "held")
+        self.assertEqual(status["operating_point.film"], "not offered")
+        self.assertTrue(verdict["summary"].startswith("PARTIAL: "), verdict["summary"])
+        required = verify("--plugin", str(BUILT / "c_plugin.so"), "--require", "operating_point.film")
+        self.assertEqual(required.code, 1)
+        self.assertIn("required, but not offered: operating_point.film", required.err)
+
+    def test_a_sample_is_a_part_of_the_cases(self):
+        quantities = verify("--subject", f"{PROGRAM} stream", "--sample", "7").json()["quantities"]
+        self.assertEqual({one["asked"] for one in quantities if "operating_point" not in one["quantity"]}, {7})
+
+
+class Fakes(unittest.TestCase):
+    """Every fake is caught, and its mistake is named."""
+
+    def test_the_table_of_names_has_every_fake(self):
+        self.assertEqual(sorted(NAMED), sorted(listed("fakes/fake.py")))
+
+    def test_each_mistake_is_named(self):
+        def asked(fake):
+            return verify("--subject", subject("fakes/fake.py", "--mistake", fake), "--sample", "400")
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            results = dict(zip(NAMED, pool.map(asked, NAMED)))
+        for fake, mistake in NAMED.items():
+            with self.subTest(fake):
+                result = results[fake]
+                self.assertEqual(result.code, 1)
+                diagnoses = result.json()["diagnoses"]
+                self.assertIn(mistake, sum((one["mistakes"] for one in diagnoses), []),
+                              [one["text"] for one in diagnoses])
+
+    def test_nothing_is_named_where_nothing_is_wrong(self):
+        result = verify("--subject", subject("fakes/fake.py", "--mistake", "none"))
+        self.assertEqual((result.code, result.json()["diagnoses"]), (0, []))
+
+    def test_the_newcomers_film_is_told_in_a_sentence(self):
+        result = run("verify", "--subject", subject("small_python/my_solver.py"))
+        self.assertEqual(result.code, 1)
+        self.assertIn("hamrock_dowson_central is 27.5 % low everywhere. These are the numbers that this gives: "
+                      "R/2 in place of R", result.out)
+
+
+class Hostile(unittest.TestCase):
+    """Whatever a subject does, each case gets one result, in time, and the rest still runs."""
+
+    def test_each_is_survived(self):
+        def asked(behaviour):
+            start = time.monotonic()
+            result = verify("--subject", subject("hostile/hostile.py", behaviour, "--after", "5"),
+                            "--sample", "12", "--case-timeout", "0.7", "--timeout", "15")
+            return result, time.monotonic() - start
+        behaviours = listed("hostile/hostile.py")
+        self.assertGreater(len(behaviours), 30)
+        with concurrent.futures.ThreadPoolExecutor(8) as pool:  # most of them sleep
+            results = dict(zip(behaviours, pool.map(asked, behaviours)))
+        for behaviour, (result, seconds) in results.items():
+            with self.subTest(behaviour):
+                self.assertLess(seconds, 60)
+                self.assertIn(result.code, (0, 1), result.err)
+                verdict = result.json()
+                for one in verdict["quantities"]:
+                    self.assertEqual(one["asked"], one["held"] + one["failed"] + one["skipped"], one)
+                if result.code == 0:  # only what does no harm to the protocol
+                    self.assertIn(verdict["overall"], ("complete", "partial"), behaviour)
+                    self.assertTrue(re.search("stderr|slow|SIGTERM|sigterm", behaviour), behaviour)
+
+    def test_one_that_no_one_may_run_or_that_is_not_there(self):
+        for command, words in ((str(SUBJECTS / "hostile/not_executable"), "ermission denied"),
+                               ("/no/such/program", "not found")):
+            result = verify("--subject", command)
+            self.assertEqual(result.code, 1)
+            self.assertEqual(result.json()["overall"], "failed")
+            self.assertIn(words, result.json()["last_errors"])
+
+    def test_a_plugin_that_crashes_does_not_take_the_run_with_it(self):
+        crashing = sorted(BUILT.glob("*crash*.so"))
+        self.assertTrue(crashing)
+        result = verify("--plugin", str(crashing[0]), "--sample", "20")
+        self.assertEqual(result.code, 1)
+        self.assertIn("signal", json.dumps(result.json()["quantities"]))
+
+
+class Outputs(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def test_markdown_and_junit_tell_the_same(self):
+        path = self.folder.path("junit.xml")
+        result = run("verify", "--subject", subject("small_python/my_solver.py"), "--format", "markdown",
+                     "--junit", path)
+        self.assertEqual(result.code, 1)
+        self.assertIn("| `hamrock_dowson_central` | **FAILED** |", result.out)
+        self.assertIn("**Diagnosis.**", result.out)
+        suite = ElementTree.parse(path).getroot()
+        failed = [case.get("name") for case in suite if case.find("failure") is not None]
+        self.assertEqual(failed, ["hamrock_dowson_central"])
+        self.assertEqual(int(suite.get("failures")), 1)
+        self.assertGreater(int(suite.get("skipped")), 5)
+
+    def test_tolerance_of_ones_own(self):
+        good = self.folder.write("tolerance.txt", "default 1e-3  # wide\nhamrock_dowson_central 0.5\n")
+        result = verify("--subject", subject("small_python/my_solver.py"), "--tolerance", good)
+        self.assertEqual(result.code, 0, result.out)
+        for text, words in (("film 1e-3\n", "tolerance.txt:1: film is no quantity"),
+                            ("default\n", "default needs one number"),
+                            ("default 2\n", "above 0 and below 1")):
+            path = self.folder.write("tolerance.txt", text)
+            result = verify("--subject", subject("small_python/my_solver.py"), "--tolerance", path)
+            self.assertEqual(result.code, 2)
+            self.assertIn(words, result.err)
+
+    def test_bad_usage(self):
+        for arguments, words in (
+                (["--subject", "a", "--plugin", "b"], "--subject excludes --plugin"),
+                (["--subject", f"{PROGRAM} stream", "--require", "film"], "film is no quantity"),
+                (["--subject", f"{PROGRAM} stream", "--tolerance", "loose"], "loose: cannot be read"),
+                (["--subject", f"{PROGRAM} stream", "--baseline", self.folder.path("none.json")],
+                 "there is no such baseline"),
+                (["--subject", f"{PROGRAM} stream", "--sample", "0"], "--sample"),
+                (["--update-baseline", "--subject", "a"], "--update-baseline requires --baseline")):
+            result = run("verify", *arguments)
+            self.assertEqual(result.code, 2, arguments)
+            self.assertIn(words, result.err)
+
+
+class Baselines(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+        self.path = self.folder.path("baseline.json")
+
+    def gate(self, script, *more):
+        return verify("--subject", subject(*script), "--sample", "60", "--baseline", self.path, *more)
+
+    def test_what_failed_before_may_fail_and_nothing_else(self):
+        small = ("small_python/my_solver.py",)
+        self.assertEqual(self.gate(small, "--update-baseline").code, 1)  # it fails, and is written
+        self.assertEqual(self.gate(small).code, 0)
+        worse = self.gate(("fakes/fake.py", "--mistake", "hertz_peak_without_3_2"))
+        self.assertEqual(worse.code, 1)
+        self.assertIn("hertz_point.peak_pressure: was held, is FAILED",
+                      "\n".join(worse.json()["baseline"]["worse"]))
+        better = self.gate(("python_stdlib/subject.py",))
+        self.assertEqual(better.code, 0)
+        self.assertTrue(better.json()["baseline"]["better"])
+
+    def test_update_takes_what_is_better_and_force_what_is_worse(self):
+        right, wrong = ("python_stdlib/subject.py",), ("fakes/fake.py", "--mistake", "film_minimum")
+        self.gate(right, "--update-baseline")
+        before = pathlib.Path(self.path).read_text()
+        kept = self.gate(wrong, "--update-baseline")
+        self.assertEqual(kept.code, 1)
+        self.assertIn("baseline kept: hamrock_dowson_central: was held, is FAILED", kept.err)
+        rows = json.loads(pathlib.Path(self.path).read_text())["quantities"]
+        self.assertEqual(rows, json.loads(before)["quantities"])
+        forced = self.gate(wrong, "--update-baseline", "--force")
+        self.assertIn("baseline lowered: hamrock_dowson_central", forced.err)
+        self.assertEqual(self.gate(wrong).code, 0)
+
+    def test_accuracy_has_a_ratchet(self):
+        right = ("python_stdlib/subject.py",)
+        self.gate(right, "--update-baseline")
+        baseline = json.loads(pathlib.Path(self.path).read_text())
+        baseline["quantities"]["hamrock_dowson_central"]["worst_relative_error"] = 1e-16
+        pathlib.Path(self.path).write_text(json.dumps(baseline))
+        result = self.gate(right)
+        self.assertEqual(result.code, 1)
+        self.assertIn("hamrock_dowson_central: the worst error was 1e-16",
+                      "\n".join(result.json()["baseline"]["worse"]))
+
+    def test_a_file_that_is_no_baseline(self):
+        for text in ("{}", "no", '{"schema": 1, "quantities": {"x": 1}, "tolerance": "strict"}'):
+            pathlib.Path(self.path).write_text(text)
+            result = self.gate(("python_stdlib/subject.py",))
+            self.assertEqual(result.code, 2, text)
+            self.assertIn("baseline.json", result.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
