@@ -2,6 +2,7 @@
 #include "bench_rows.hpp"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
@@ -34,6 +35,7 @@ BenchRow row_of(const Json& run) {
           whole.substr(job_end + 1, family_end - job_end - 1),
           name,
           time / run.at("points").get<double>(),
+          time / run.at("points").get<double>(),
           std::nullopt,
           optional_number(run, "judged"),
           optional_number(run, "failures"),
@@ -41,6 +43,14 @@ BenchRow row_of(const Json& run) {
           optional_number(run, "p99_ulp"),
           optional_number(run, "mean_ulp"),
           optional_number(run, "evaluations")};
+}
+
+// The least time of each contender's repetitions; aggregates are its mean, median and spread.
+using LeastTimes = std::map<std::string, double>;
+void note_least(LeastTimes& least, const BenchRow& row) {
+  const std::string key = row.job + '/' + row.family + '/' + row.name;
+  const auto [place, is_new] = least.try_emplace(key, row.ns);
+  if (!is_new) place->second = std::min(place->second, row.ns);
 }
 
 void add_ratios(BenchJob& job) {
@@ -87,6 +97,7 @@ BenchResults read_bench_results(const std::string& json) {
   std::stable_sort(runs.begin(), runs.end(), [](const Json& a, const Json& b) {
     return a.at("family_index").get<int>() < b.at("family_index").get<int>();
   });
+  LeastTimes least;
   for (const Json& run : runs) {
     if (run.value("error_occurred", false)) {
       const std::string line =
@@ -96,6 +107,7 @@ BenchResults read_bench_results(const std::string& json) {
         results.left_out.push_back(line);
       continue;
     }
+    if (run.value("run_type", "") == "iteration") note_least(least, row_of(run));
     if (run.value("aggregate_name", "") != "median") continue;
     BenchRow row = row_of(run);
     const auto same_job = std::find_if(results.jobs.begin(), results.jobs.end(),
@@ -105,7 +117,13 @@ BenchResults read_bench_results(const std::string& json) {
     else
       results.jobs.push_back({all.at("context").value(row.job, row.job), {std::move(row)}});
   }
-  for (BenchJob& job : results.jobs) add_ratios(job);
+  for (BenchJob& job : results.jobs) {
+    add_ratios(job);
+    for (BenchRow& row : job.rows)
+      if (const auto found = least.find(row.job + '/' + row.family + '/' + row.name);
+          found != least.end())
+        row.least_ns = found->second;
+  }
   return results;
 }
 

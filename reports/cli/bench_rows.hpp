@@ -16,6 +16,7 @@ struct BenchRow {
   std::string family;
   std::string name;
   double ns;                    // a point: CPU time, the median of the repetitions
+  double least_ns;              // and the least of them
   std::optional<double> ratio;  // to the fastest of tribocheck's in this job and run
   // Where there was something to judge: cases, those without a number or off by more than 1e-6, and
   // of the numbers the true error.

@@ -216,7 +216,7 @@ constexpr const char* footer =
 all combinations that reproduce most claims, or one of your own. The verdicts are held against
 reference/baselines/ledger.csv. Exit code 1: a verdict changed; stderr names it.
 
-Examples:
+Example:
   tribocheck reproduce
   tribocheck reproduce --claim C1
   tribocheck reproduce --reading inlet=printed_exponents,speed=sum

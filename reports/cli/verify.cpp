@@ -142,7 +142,7 @@ writes one (README.md of verification/conformance says how; `tribocheck init sub
 plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
 it skips. Exit code 0: all that it offers holds; 1: something failed, or it offers nothing.
 
-Examples:
+Example:
   tribocheck verify --junit verify.xml
   tribocheck verify --subject 'python3 my_solver.py'
   tribocheck verify --plugin ./libmine.so --tolerance strict --baseline mine.json)";

@@ -61,13 +61,6 @@ std::string age(const std::string& date, chrono::sys_days now) {
   return days == 0 ? "today" : fmt::format("{} {}", days, days == 1 ? "day" : "days");
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
 std::string kernel() {
   utsname name{};
   if (::uname(&name) != 0) return "unknown";
@@ -80,8 +73,8 @@ TextTable machine_table(const std::string& commit, chrono::sys_days now) {
           {false, false},
           {{"tribocheck", std::string(version)},
            {"commit", commit.empty() ? "not told" : fmt::format("`{}`", commit)},
-           {"compiler", std::string(compiler)},
-           {"processor", processor()},
+           {"compiler", compiler_name()},
+           {"processor", processor_name()},
            {"instruction set", std::string(instruction_set())},
            {"kernel", kernel()},
            {"date", iso(now)}},
@@ -129,6 +122,15 @@ TextTable baselines_table(const ReportPlaces& places, chrono::sys_days now) {
 }
 
 }  // namespace
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string compiler_name() { return std::string(compiler); }
 
 Section environment_section(const ReportPlaces& places, const std::string& commit) {
   const chrono::sys_days now = today();

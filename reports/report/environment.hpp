@@ -10,6 +10,10 @@
 
 namespace tribo::report {
 
+// "AMD EPYC", and "g++ 12.2.0"; "unknown" where the machine does not tell.
+std::string processor_name();
+std::string compiler_name();
+
 // `commit`: what was built, where it is known. The date is today's, or that of SOURCE_DATE_EPOCH.
 Section environment_section(const ReportPlaces& places, const std::string& commit);
 

@@ -208,7 +208,12 @@ Section requirements_section(const Ledger& ledger) {
       "plausible, and which other claims it mends or breaks. The factor by sensitivity is what the "
       "slope at "
       "the paper's inputs predicts; the factor is the exact one, nearest to 1."};
-  section.tables = requirement_tables(ledger);
+  for (TextTable& table : requirement_tables(ledger)) {
+    if (table.rows.empty())
+      section.paragraphs.push_back(fmt::format("{}. {}", table.caption, table.note));
+    else
+      section.tables.push_back(std::move(table));
+  }
   section.tables.push_back(departure_table(ledger));
   return section;
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """tribocheck bench: its rows in every format, and what is said when it cannot run."""
+import json
 import os
 import pathlib
 import shutil
@@ -72,6 +73,60 @@ class Rows(unittest.TestCase):
         done = subprocess.run(["bash", "-c", line], capture_output=True, timeout=TIMEOUT, check=True)
         self.assertEqual(done.stdout.splitlines()[-1], b"0")
         self.assertEqual(done.stderr, b"")
+
+
+class Baselines(unittest.TestCase):
+    FILTER = "^moment_5_2/(control|tribocheck/scalar)|^root_one_surface/tribocheck/scalar"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.path = pathlib.Path(folder.name) / "bench.json"
+        done = self.gate("--update-baseline")
+        self.assertEqual((done.code, done.err), (0, ""))
+        self.baseline = json.loads(self.path.read_text())
+
+    def gate(self, *more):
+        return bench("--filter", self.FILTER, "--baseline", self.path, *more)
+
+    def change(self, row, **fields):
+        self.baseline["rows"][row].update(fields)
+        self.path.write_text(json.dumps(self.baseline))
+
+    def test_more_work_and_more_error_are_red(self):
+        row = "root_one_surface/tribocheck/scalar"
+        evaluations = self.baseline["rows"][row]["evaluations"]
+        self.change(row, evaluations=evaluations - 1, max_ulp=0.001)
+        done = self.gate()
+        self.assertEqual(done.code, 1)
+        self.assertIn(f"worse than the baseline: {row}: evaluations were", done.err)
+        self.assertIn(f"worse than the baseline: {row}: the greatest error was 0.001 ulp", done.err)
+
+    def test_a_time_is_red_when_a_second_run_says_so_too(self):
+        row = "moment_5_2/tribocheck/scalar"
+        before = self.baseline["rows"][row]
+        self.change(row, least_over_control=before["least_over_control"] / 3,
+                    median_over_control=before["median_over_control"] / 3)
+        done = self.gate()
+        self.assertEqual(done.code, 1)
+        self.assertIn("measuring once more", done.err)
+        self.assertIn(f"slower than the baseline: {row}: ", done.err)
+
+    def test_times_of_another_processor_are_not_compared(self):
+        self.baseline["environment"]["processor"] = "another"
+        self.change("moment_5_2/tribocheck/scalar", least_over_control=1e-3, median_over_control=1e-3)
+        done = self.gate()
+        self.assertEqual(done.code, 0)
+        self.assertIn("times are not comparable", done.err)
+
+    def test_a_file_that_is_no_baseline(self):
+        for text in ("{}", "no"):
+            self.path.write_text(text)
+            self.assertEqual(self.gate().code, 2)
+        self.path.unlink()
+        done = self.gate()
+        self.assertEqual(done.code, 2)
+        self.assertIn("there is no such baseline", done.err)
 
 
 class Refusals(unittest.TestCase):

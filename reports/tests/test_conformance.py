@@ -1,23 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify --subject and --plugin: right solvers hold, wrong ones are named, hostile ones are survived."""
+"""verify --subject and --plugin: right solvers hold, wrong ones are named; tolerances, formats, baselines."""
 
 import concurrent.futures
 import json
-import os
 import pathlib
-import re
-import subprocess
-import sys
-import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+from conformance import BUILT, listed, subject, verify
 from program import PROGRAM, Folder, run
-
-ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
-SUBJECTS = ROOT / "verification/conformance/subjects"
-BUILT = pathlib.Path(PROGRAM).parent / "verification/conformance/subjects"
-PYTHON = sys.executable
 
 # A fake's mistake, and what the diagnosis may call it. The numbers do not tell some apart.
 NAMED = {
@@ -77,24 +68,6 @@ NAMED = {
     "moment_sign_of_argument": "moment-sign",
     "moment_about_zero": "moment-about-zero",
 }
-
-
-def subject(script, *words):
-    return " ".join([PYTHON, "-B", str(SUBJECTS / script), *words])
-
-
-def verify(*arguments):
-    return run("verify", *arguments, "--format", "json")
-
-
-def listed(script):
-    done = run_python(SUBJECTS / script, "--list")
-    return [line.split("\t")[0] for line in done.splitlines()]
-
-
-def run_python(*words):
-    return subprocess.run([PYTHON, "-B", *map(str, words)], capture_output=True, text=True, check=True,
-                          timeout=60).stdout
 
 
 class RightSolvers(unittest.TestCase):
@@ -163,46 +136,6 @@ class Fakes(unittest.TestCase):
         self.assertEqual(result.code, 1)
         self.assertIn("hamrock_dowson_central is 27.5 % low everywhere. These are the numbers that this gives: "
                       "R/2 in place of R", result.out)
-
-
-class Hostile(unittest.TestCase):
-    """Whatever a subject does, each case gets one result, in time, and the rest still runs."""
-
-    def test_each_is_survived(self):
-        def asked(behaviour):
-            start = time.monotonic()
-            result = verify("--subject", subject("hostile/hostile.py", behaviour, "--after", "5"),
-                            "--sample", "12", "--case-timeout", "0.7", "--timeout", "15")
-            return result, time.monotonic() - start
-        behaviours = listed("hostile/hostile.py")
-        self.assertGreater(len(behaviours), 30)
-        with concurrent.futures.ThreadPoolExecutor(8) as pool:  # most of them sleep
-            results = dict(zip(behaviours, pool.map(asked, behaviours)))
-        for behaviour, (result, seconds) in results.items():
-            with self.subTest(behaviour):
-                self.assertLess(seconds, 60)
-                self.assertIn(result.code, (0, 1), result.err)
-                verdict = result.json()
-                for one in verdict["quantities"]:
-                    self.assertEqual(one["asked"], one["held"] + one["failed"] + one["skipped"], one)
-                if result.code == 0:  # only what does no harm to the protocol
-                    self.assertIn(verdict["overall"], ("complete", "partial"), behaviour)
-                    self.assertTrue(re.search("stderr|slow|SIGTERM|sigterm", behaviour), behaviour)
-
-    def test_one_that_no_one_may_run_or_that_is_not_there(self):
-        for command, words in ((str(SUBJECTS / "hostile/not_executable"), "ermission denied"),
-                               ("/no/such/program", "not found")):
-            result = verify("--subject", command)
-            self.assertEqual(result.code, 1)
-            self.assertEqual(result.json()["overall"], "failed")
-            self.assertIn(words, result.json()["last_errors"])
-
-    def test_a_plugin_that_crashes_does_not_take_the_run_with_it(self):
-        crashing = sorted(BUILT.glob("*crash*.so"))
-        self.assertTrue(crashing)
-        result = verify("--plugin", str(crashing[0]), "--sample", "20")
-        self.assertEqual(result.code, 1)
-        self.assertIn("signal", json.dumps(result.json()["quantities"]))
 
 
 class Outputs(unittest.TestCase):
