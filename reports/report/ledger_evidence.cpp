@@ -79,15 +79,13 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
     std::stable_sort(found.begin(), found.end(), [](const Requirement* a, const Requirement* b) {
       return std::abs(std::log(*a->factor)) < std::abs(std::log(*b->factor));
     });
-    TextTable table{
-        fmt::format("{}: {}", item.id, typeset(item.statement)),
-        {"input", "sensitivity", "factor by it", "factor", "value", "plausible range", "plausible",
-         "mends", "breaks"},
-        {false, true, true, true, true, false, false, false, false},
-        {},
-        fmt::format("Computed {}, asked {}. The factor goes on an input of all surfaces; "
-                    "values and ranges of those that differ are the rough one's.",
-                    computed(item, ledger.readings.front().results[i]), asked(item))};
+    TextTable table{fmt::format("{}: {}", item.id, typeset(item.statement)),
+                    {"input", "sensitivity", "factor by it", "factor", "value", "plausible range",
+                     "plausible", "mends", "breaks"},
+                    {false, true, true, true, true, false, false, false, false},
+                    {},
+                    fmt::format("Computed {}, asked {}.",
+                                computed(item, ledger.readings.front().results[i]), asked(item))};
     for (const Requirement* one : found)
       table.rows.push_back({fmt::format("`{}`", name(one->field)), number(one->sensitivity, 2),
                             number(one->by_sensitivity, 3), number(one->factor, 4),
@@ -96,7 +94,11 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
                             one->plausible ? "yes" : "no", list(one->mended), list(one->broken)});
     if (!none.empty())
       table.note += fmt::format(" No factor from 1/30 to 30 on {} makes it hold.", list(none));
-    if (table.rows.empty()) table.note += " No single input makes it hold.";
+    if (!table.rows.empty())
+      table.note +=
+          " The factor goes on an input of all surfaces; values and ranges of those that differ "
+          "are "
+          "the rough one's.";
     tables.push_back(std::move(table));
   }
   return tables;

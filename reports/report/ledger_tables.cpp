@@ -29,7 +29,7 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
   TextTable table{
       fmt::format("Reading “{}”: {} of {} claims reproduced", reading.name, reading.score,
                   ledger.claims.size()),
-      {"item", "the paper says", "asked", "computed", "factor, or where it holds", "verdict"},
+      {"item", "verdict", "asked", "computed", "factor, or where it holds", "the paper says"},
       {false, false, true, true, true, false},
       {},
       {}};
@@ -37,10 +37,10 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
     const Item& item = ledger.items[i];
     if (!is_wanted(claims, item.claim)) continue;
     const ItemResult& result = reading.results[i];
-    table.rows.push_back({item.id, typeset(item.statement), asked(item), computed(item, result),
-                          factor(item, result), verdict(result)});
+    table.rows.push_back({item.id, verdict(result), asked(item), computed(item, result),
+                          factor(item, result), typeset(item.statement)});
   }
-  if (!with_statements) drop_column(table, 1);
+  if (!with_statements) drop_column(table, 5);
   const std::string where = departures(reading.reading);
   table.note =
       where == "corrected"

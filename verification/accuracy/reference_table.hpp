@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading tables of text: a line of column names, then rows, # before comments. The certified tables of
-// reference/exact are comma-separated, those of reference/published tab-separated.
+// Reading tables of text: a line of column names, then rows, # before comments. The certified
+// tables of reference/exact are comma-separated, those of reference/published tab-separated.
 #pragma once
 
 #include <memory>

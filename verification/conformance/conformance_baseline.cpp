@@ -112,10 +112,10 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
     if (compared.change == Change::worse) changes.worse.push_back(std::move(compared.line));
     if (compared.change == Change::better) changes.better.push_back(std::move(compared.line));
   }
-  for (const auto& [quantity, row] : rows.items())
+  for (const auto& row : rows.items())
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
-                     [&](const QuantityVerdict& one) { return one.quantity == quantity; }))
-      changes.worse.push_back(fmt::format("{}: is no longer asked", quantity));
+                     [&](const QuantityVerdict& one) { return one.quantity == row.key(); }))
+      changes.worse.push_back(fmt::format("{}: is no longer asked", row.key()));
   if (result.violation_count > 0)
     changes.worse.push_back(
         fmt::format("the protocol was broken {} times", result.violation_count));

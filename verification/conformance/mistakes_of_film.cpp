@@ -23,7 +23,9 @@ WrongFilm wrong_film(const char* name, const char* text, Wrong&& wrong) {
 
 }  // namespace
 
-double right_film(const FilmInputs& f) { return film(f, 2.69 * bracket(f.ellipticity), 2, 2, 2); }
+double right_film(const FilmInputs& inputs) {
+  return film(inputs, 2.69 * bracket(inputs.ellipticity), 2, 2, 2);
+}
 
 std::vector<WrongFilm> wrong_films() {
   const auto with_moduli = [](double u, double g, double w) {

@@ -164,8 +164,8 @@ Argument onset_spacing(const PaperScenes& scenes, const std::vector<Item>& items
       {"σ_s^1/0.67, no load sharing", decimal_power(sds, inverse(speed_exponent)), false});
   const std::vector<double> speeds =
       speed_grid(scenes.scene[0].speeds.from, scenes.scene[0].speeds.to);
-  for (std::uint8_t k = 0; k < onset_choices.size(); ++k) {
-    const Reading reading = with(Switch::criterion, k);
+  for (std::size_t k = 0; k < onset_choices.size(); ++k) {
+    const Reading reading = with(Switch::criterion, static_cast<std::uint8_t>(k));
     const ReadInlet inlet(reading);
     const auto onset = [&](std::size_t i) {
       const FloodedCurve flooded =

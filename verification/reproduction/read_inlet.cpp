@@ -62,23 +62,24 @@ double ReadInlet::slope_of_log_inverse_r(double log_length) const {
   return weight * crook_slope + (flooded ? 0 : (1 - weight) * y_slope);
 }
 
-double ReadInlet::log_length(double r) const {
-  if (rule_ == InletRule::flooded_inlet) return 2.0 / 3 * std::log((1 - r) / r * crook_);
-  const double log_r = std::log(r);
+double ReadInlet::log_length(double flooded_over_inlet) const {
+  if (rule_ == InletRule::flooded_inlet)
+    return 2.0 / 3 * std::log((1 - flooded_over_inlet) / flooded_over_inlet * crook_);
+  const double log_r = std::log(flooded_over_inlet);
   return bracketed_root([&](double t) { return log_inverse_r(t) + log_r; },
                         -4 * std::max(log_r, 0.0) - 20, std::max(-log_r, 0.0) + 5,
                         epsilon<double>());
 }
 
-double ReadInlet::film_ratio(double r) const {
-  if (rule_ == InletRule::as_printed) return constant_film_ / r;
-  if (rule_ == InletRule::flooded_inlet && r >= 1) return 0;
-  return wolveridge_film_ratio(std::exp(log_length(r)));
+double ReadInlet::film_ratio(double flooded_over_inlet) const {
+  if (rule_ == InletRule::as_printed) return constant_film_ / flooded_over_inlet;
+  if (rule_ == InletRule::flooded_inlet && flooded_over_inlet >= 1) return 0;
+  return wolveridge_film_ratio(std::exp(log_length(flooded_over_inlet)));
 }
 
-double ReadInlet::slope(double r) const {
+double ReadInlet::slope(double flooded_over_inlet) const {
   if (rule_ == InletRule::as_printed) return -1;
-  const double t = log_length(r);
+  const double t = log_length(flooded_over_inlet);
   return -slope_of_log_film_ratio(t) / slope_of_log_inverse_r(t);
 }
 

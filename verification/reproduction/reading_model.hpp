@@ -70,9 +70,9 @@ class ReadContact {
  public:
   ReadContact(const Scene& scene, const Reading& reading, double film_scale = 1);
 
-  // λ of the flooded film at a speed: the only root.
+  // λ of the flooded film at a speed: the only root. `flooded` below is that.
   double flooded_film_parameter(double speed) const;
-  ContactPoint point(double speed, double flooded_film_parameter, const ReadInlet& inlet) const;
+  ContactPoint point(double speed, double flooded, const ReadInlet& inlet) const;
   ContactPoint point(double speed, const ReadInlet& inlet) const {
     return point(speed, flooded_film_parameter(speed), inlet);
   }
@@ -82,9 +82,9 @@ class ReadContact {
   // The speed at which the flooded film is λ; none at the floor and below.
   std::optional<double> speed_at(double film_parameter) const;
   // Onset at a given r, whatever the criterion.
-  std::optional<OnsetPoint> onset_at_ratio(double flooded_over_inlet, const ReadInlet& inlet) const;
+  std::optional<OnsetPoint> onset_at_ratio(double r, const ReadInlet& inlet) const;
   // d ln h*/d ln u at r.
-  double film_slope(double flooded_over_inlet, const ReadInlet& inlet) const;
+  double film_slope(double r, const ReadInlet& inlet) const;
   double inlet_film_ratio() const { return inlet_film_ratio_; }
   double film_at_unit_speed() const { return film_at_unit_speed_; }
 
