@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bad_input.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
@@ -16,7 +17,6 @@
 #include "report/ledger_tables.hpp"
 #include "report/markup.hpp"
 #include "report/project_files.hpp"
-#include "report/report_error.hpp"
 #include "reproduction/ledger_file.hpp"
 #include "table.hpp"
 
@@ -184,7 +184,7 @@ int compare(const Ledger& ledger, const std::vector<NamedReading>& readings,
 }
 
 int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
-  try {
+  return answered_or_complained([&] {
     const report::ReportPlaces places = report::find_places({});
     LedgerOptions options;
     options.published = arguments.published.empty() ? places.scenes.string() : arguments.published;
@@ -199,16 +199,7 @@ int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
                    arguments.ledger.empty()
                        ? (places.reference / "baselines" / "ledger.csv").string()
                        : arguments.ledger);
-  } catch (const report::ReportError& error) {
-    for (const std::string& line : error.lines()) complain(line);
-  } catch (const OutputFailed&) {
-    throw;
-  } catch (const std::invalid_argument& error) {
-    complain(error.what());
-  } catch (const std::runtime_error& error) {
-    complain(error.what());
-  }
-  return exit_bad;
+  });
 }
 
 constexpr const char* footer =

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "accuracy/accuracy.hpp"
+#include "bad_input.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "report/pending_file.hpp"
 #include "report/project_files.hpp"
-#include "report/report_error.hpp"
 #include "table.hpp"
 #include "verify_subject.hpp"
 
@@ -107,7 +107,7 @@ int verify(const VerifyArguments& arguments, OutputStream& output) {
     complain("--format markdown is for --subject and --plugin");
     return exit_bad;
   }
-  try {
+  return answered_or_complained([&] {
     const std::string folder = arguments.reference.empty()
                                    ? (report::find_places({}).reference / "exact").string()
                                    : arguments.reference;
@@ -121,14 +121,7 @@ int verify(const VerifyArguments& arguments, OutputStream& output) {
     const bool all_held = std::all_of(results.begin(), results.end(),
                                       [](const QuantityResult& r) { return r.passed(); });
     return all_held ? exit_done : exit_failed;
-  } catch (const report::ReportError& error) {
-    for (const std::string& line : error.lines()) complain(line);
-  } catch (const OutputFailed&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    complain(error.what());
-  }
-  return exit_bad;
+  });
 }
 
 constexpr const char* footer =
@@ -160,10 +153,16 @@ Command add_verify(CLI::App& program) {
       ->check(CLI::IsMember({"table", "json", "markdown"}));
   app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
   SubjectArguments& subject = arguments->subject;
+  // An empty one, as an unset variable gives it, is not a wish for our own model.
+  const CLI::Validator not_empty(
+      [](const std::string& text) { return text.empty() ? "nothing is given" : std::string(); },
+      "");
   CLI::Option* const command = app->add_option("--subject", subject.command,
-                                               "command line of a program that answers JSON lines");
+                                               "command line of a program that answers JSON lines")
+                                   ->check(not_empty);
   CLI::Option* const plugin =
-      app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions");
+      app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions")
+          ->check(not_empty);
   plugin->excludes(command);
   const auto of_subject = [&](CLI::Option* option) {
     option->group("Subjects");

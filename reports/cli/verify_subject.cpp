@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "bad_input.hpp"
 #include "conformance_writers.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
 #include "report/pending_file.hpp"
 #include "report/project_files.hpp"
-#include "report/report_error.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -143,18 +143,7 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
 }  // namespace
 
 int verify_subject(const SubjectArguments& arguments, OutputStream& output) {
-  try {
-    return verify(arguments, output);
-  } catch (const report::ReportError& error) {
-    for (const std::string& line : error.lines()) complain(line);
-  } catch (const OutputFailed&) {
-    throw;
-  } catch (const std::invalid_argument& error) {
-    complain(error.what());
-  } catch (const std::runtime_error& error) {
-    complain(error.what());
-  }
-  return exit_bad;
+  return answered_or_complained([&] { return verify(arguments, output); });
 }
 
 }  // namespace tribo::cli

@@ -170,6 +170,8 @@ class Outputs(unittest.TestCase):
 
     def test_bad_usage(self):
         for arguments, words in (
+                (["--subject", ""], "--subject: nothing is given"),
+                (["--plugin", ""], "--plugin: nothing is given"),
                 (["--subject", "a", "--plugin", "b"], "--subject excludes --plugin"),
                 (["--subject", f"{PROGRAM} stream", "--require", "film"], "film is no quantity"),
                 (["--subject", f"{PROGRAM} stream", "--tolerance", "loose"], "loose: cannot be read"),
