@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a varied field is drawn from, by its quantile function: numbers in (0, 1) to values.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace tribo::sweep {
+
+enum class DistributionKind : std::uint8_t { uniform, log_uniform, normal, log_normal };
+
+constexpr std::string_view name(DistributionKind kind) {
+  return kind == DistributionKind::uniform       ? "uniform"
+         : kind == DistributionKind::log_uniform ? "log_uniform"
+         : kind == DistributionKind::normal      ? "normal"
+                                                 : "log_normal";
+}
+
+// from < to bound all four; for the two normal ones they truncate, and may be infinite.
+class Distribution {
+ public:
+  Distribution() = default;
+  static Distribution uniform(double from, double to);
+  static Distribution log_uniform(double from, double to);  // 0 < from
+  static Distribution normal(double mean, double sd, double from, double to);
+  // ln x has this sd around ln median; 0 < median, 0 <= from.
+  static Distribution log_normal(double median, double log_sd, double from, double to);
+
+  // The value below which a part u in (0, 1) lies. Error: 8 ulp of the greater of the value and the
+  // distribution's width, for u as they come from unit_number() of design.hpp.
+  double quantile(double u) const;
+  // The same for the u that belongs to a standard normal z, P(Z < z) = u.
+  double quantile_of_normal(double z) const;
+
+  double median() const { return quantile(0.5); }
+  // The extremes that can be drawn: the quantiles at the least and the greatest u.
+  double least() const;
+  double greatest() const;
+
+  DistributionKind kind() const { return kind_; }
+  // "normal, mean 0.0202, sd 0.001, from 0.01 to 0.04"
+  std::string text() const;
+
+ private:
+  Distribution(DistributionKind kind, double first, double second, double from, double to);
+
+  DistributionKind kind_ = DistributionKind::uniform;
+  double first_ = 0;   // mean, ln median; of the uniform ones: from, ln from
+  double second_ = 1;  // sd, sd of ln; of the uniform ones: to, ln to
+  double from_ = -std::numeric_limits<double>::infinity();
+  double to_ = std::numeric_limits<double>::infinity();
+  double below_from_ = 0;  // P(Z < z(from)) of the whole normal
+  double above_to_ = 0;    // P(Z > z(to))
+};
+
+}  // namespace tribo::sweep
