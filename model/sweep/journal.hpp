@@ -4,6 +4,7 @@
 // for what it is. The first record says which sweep it is and on what it was computed.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -31,13 +32,14 @@ struct JournalHeader {
 
 // A journal, open for appending. One process at a time has it: a lock (flock) sees to that. Writes
 // go to the system at once, so that a killed process loses nothing, and to the disk every few
-// seconds and at the end. All errors are thrown as std::system_error, with a text that names the
+// seconds and in sync(). All errors are thrown as std::system_error, with a text that names the
 // file; a record that could not be written whole is taken back (the file is cut to where it was).
 class Journal {
  public:
   // Makes a new one; fails if there is a file already.
   static Journal create(const std::string& path, const JournalHeader& header);
-  // Opens one to go on, behind its last whole record. What follows that is cut off.
+  // Opens one to go on, behind its last whole record. What follows that is cut off; damage before
+  // it stays, so that no whole record behind it is lost.
   static Journal resume(const std::string& path);
 
   Journal(Journal&&) noexcept;
@@ -54,6 +56,9 @@ class Journal {
 
   int descriptor_ = -1;
   std::string path_;
+  std::uint64_t seed_ = 0;  // of the checksums
+  std::uint64_t end_ = 0;   // where the next record goes
+  std::chrono::steady_clock::time_point synced_;
   std::mutex mutex_;  // moved from only while one thread knows of it
 };
 
@@ -75,7 +80,8 @@ class JournalReader {
     std::uint64_t size;
   };
   std::span<const Record> records() const { return records_; }
-  // Bytes behind the last whole record: half a record, or damage. 0: none.
+  // Bytes that belong to no whole record: half a record at the end, or damage anywhere, behind
+  // which the pass goes on. 0: none.
   std::uint64_t lost_bytes() const { return lost_bytes_; }
   // Reads a record again and checks it again.
   Bytes read(const Record& record) const;
@@ -84,6 +90,7 @@ class JournalReader {
   int descriptor_ = -1;
   std::string path_;
   JournalHeader header_;
+  std::uint64_t seed_ = 0;  // of the checksums
   std::vector<Record> records_;
   std::uint64_t lost_bytes_ = 0;
 };
