@@ -44,7 +44,9 @@ bool has_speeds(const SceneResult& scene) {
 }
 
 std::string speed_text(const SceneResult& scene, const ColumnResult& column, std::size_t i) {
-  return column.values.size() > 1 && i < scene.speeds.size() ? number(scene.speeds[i]) : "–";
+  return column.values.size() > 1 && i < scene.speeds.size()
+             ? fmt::format("{:.{}g}", scene.speeds[i], digits)
+             : "–";
 }
 
 std::string speeds_note(const SceneResult& scene) {
