@@ -14,7 +14,7 @@ namespace tribo::sweep {
 
 // The rows of the lower triangle L with L·Lᵀ = the matrix, which is given by its rows and is
 // symmetric with ones on its diagonal; or why there is none ("not positive definite: its least
-// eigenvalue is −0.2").
+// eigenvalue is -0.2").
 struct CorrelationRoot {
   std::vector<std::vector<double>> rows;
   std::string fault;  // empty: none

@@ -32,8 +32,13 @@ struct Moments {
     if (value > greatest) greatest = value;
   }
   void merge(const Moments& other);
+  void write(Bytes& to) const;
+  static Moments read(ByteReader& from);
   // Of a sample; NaN for fewer than two values.
-  double sd() const { return std::sqrt(squares / (static_cast<double>(count) - 1)); }
+  double sd() const {
+    if (count < 2) return std::numeric_limits<double>::quiet_NaN();
+    return std::sqrt(squares / static_cast<double>(count - 1));
+  }
 };
 
 // A value that is not there (an onset that does not exist, friction of a collapsed film) or not
@@ -57,14 +62,17 @@ struct ValueSummary {
 };
 
 // The p-quantile with an interval that holds that of the distribution itself in 95 of 100 sweeps of
-// independent draws: by the binomial distribution of ranks, wider by the error of the sketch.
+// independent draws: by the binomial distribution of ranks, wider by the error of the sketch. An
+// end is infinite where there are too few values to bound that side; all are NaN where there is
+// none.
 struct Quantile {
   double value, low, high;
 };
 Quantile quantile_of(const ValueSummary& summary, double p);
 
-// At most `most` bins, each made of the same number of neighbouring bins of the sketch, so that the
-// counts are exact: nearly of one width in the logarithm.
+// At most `most` bins from the least value to the greatest, without gaps, each made of the same
+// number of neighbouring bins of the sketch, so that the counts are exact: nearly of one width in
+// the logarithm.
 std::vector<QuantileSketch::Bin> histogram_of(const QuantileSketch& sketch, std::size_t most);
 
 }  // namespace tribo::sweep
