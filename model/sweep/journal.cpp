@@ -6,13 +6,13 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <filesystem>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "sweep/disk.hpp"
 #include "sweep/journal_record.hpp"
 
 namespace tribo::sweep {
@@ -54,17 +54,6 @@ void lock(int descriptor, const std::string& path) {
   if (errno != ENOSYS && errno != ENOTSUP && errno != ENOLCK) fail("cannot lock " + path, errno);
 }
 
-// A new file is there after a power failure only once its folder is on the disk.
-void sync_folder_of(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail("cannot open the folder of " + path, errno);
-  // EINVAL: a file system that needs none.
-  const int code = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-  ::close(descriptor);
-  if (code != 0) fail("cannot write the folder of " + path, code);
-}
-
 // Writes all of two pieces; the error's number, 0: none.
 int write_all(int descriptor, std::uint64_t offset, std::span<const std::byte> first,
               std::span<const std::byte> second) {
@@ -101,7 +90,9 @@ Journal Journal::create(const std::string& path, const JournalHeader& header) {
     for (int copy = 0; copy < 2; ++copy) journal.write_record(header_number, bytes);
     journal.seed_ = journal_record::checksum(head, bytes, 0);
     journal.sync();
-    sync_folder_of(path);
+    // A new file is there after a power failure only once its folder is on the disk.
+    if (const int code = sync_to_disk(folder_of(path)); code != 0)
+      fail("cannot write the folder of " + path, code);
   } catch (...) {
     ::unlink(path.c_str());  // it would be in the way of the next attempt
     throw;

@@ -25,12 +25,7 @@ bool Ranks::everywhere(bool mine) const { return mine; }
 bool Ranks::share(ChunkQueue& queue, const std::function<void(const NextChunk&)>& compute,
                   const std::function<void(std::uint64_t)>& tick,
                   const std::function<bool()>& stopped) const {
-  WorkerThread worker([&] { compute(chunks_of(queue)); });
-  while (!worker.wait()) {
-    if (stopped()) queue.stop();
-    tick(0);
-  }
-  worker.rethrow();
+  share_alone(queue, compute, tick, stopped);
   return true;
 }
 

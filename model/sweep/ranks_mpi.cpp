@@ -180,6 +180,10 @@ bool Ranks::everywhere(bool mine) const {
 bool Ranks::share(ChunkQueue& queue, const std::function<void(const NextChunk&)>& compute,
                   const std::function<void(std::uint64_t)>& tick,
                   const std::function<bool()>& stopped) const {
+  if (count_ == 1) {
+    share_alone(queue, compute, tick, stopped);
+    return true;
+  }
   bool good = true;
   if (rank_ == 0) {
     Dispatcher dispatcher(queue, count_);

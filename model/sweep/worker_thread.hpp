@@ -36,4 +36,16 @@ inline NextChunk chunks_of(ChunkQueue& queue) {
   };
 }
 
+// Ranks::share() of a process that is alone.
+inline void share_alone(ChunkQueue& queue, const std::function<void(const NextChunk&)>& compute,
+                        const std::function<void(std::uint64_t)>& tick,
+                        const std::function<bool()>& stopped) {
+  WorkerThread worker([&] { compute(chunks_of(queue)); });
+  while (!worker.wait()) {
+    if (stopped()) queue.stop();
+    tick(0);
+  }
+  worker.rethrow();
+}
+
 }  // namespace tribo::sweep

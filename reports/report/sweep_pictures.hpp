@@ -2,7 +2,8 @@
 // Pictures of a sweep's result: which of them there are follows from what the sweep holds.
 //
 //   onset_distribution   histograms of the onset speed by each criterion, a row for each scene
-//   sensitivity          a tornado: total Sobol indices of each scalar column, greatest on top, with
+//   sensitivity          a tornado: total Sobol indices of each scalar column, greatest on top,
+//   with
 //                        their intervals and the first-order part
 //   film_map             film over speed × one varied field, where a sweep is a single grid (as of
 //                        roughness) with a range of speeds and keeps its points
@@ -15,9 +16,9 @@
 #include <string_view>
 #include <vector>
 
+#include "report/data_file.hpp"
 #include "report/figure.hpp"
 #include "report/project_files.hpp"
-#include "report/data_file.hpp"
 #include "sweep/result_file.hpp"
 
 namespace tribo::report {
