@@ -84,7 +84,7 @@ sweep::Shard shard_of(const std::string& text) {
 // --- What a result holds, told.
 
 void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
-  if (format == "json") return append(to, report::sweep_json(result).dump(1) + "\n");
+  if (format == "json") return append(to, report::sweep_json(result));
   if (format == "csv") return append(to, report::sweep_csv(result));
   bool first = true;
   for (const report::TextTable& table : report::sweep_tables(result)) {

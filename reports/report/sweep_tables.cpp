@@ -49,22 +49,22 @@ std::string speed_text(const SceneResult& scene, const ColumnResult& column, std
              : "–";
 }
 
-std::string speeds_note(const SceneResult& scene) {
-  return scene.speeds.size() > most_speeds
-             ? fmt::format("Shown are {} of {} speeds, evenly chosen; csv and json have all.",
-                           most_speeds, scene.speeds.size())
+// For a caption.
+std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
+  return with_speed && scene.speeds.size() > most_speeds
+             ? fmt::format("; {} of {} speeds, evenly chosen", most_speeds, scene.speeds.size())
              : "";
 }
 
 TextTable number_table(const SceneResult& scene) {
   const bool with_speed = has_speeds(scene);
-  TextTable table{
-      fmt::format("{}: {} cases, {} points", scene.id, grouped(scene.cases), grouped(scene.points)),
-      {"column", "unit", "speed, m/s", "cases", "undefined", "mean", "sd", "2.5 %", "50 %",
-       "97.5 %"},
-      {false, false, true, true, true, true, true, true, true, true},
-      {},
-      with_speed ? speeds_note(scene) : ""};
+  TextTable table{fmt::format("{}: {} cases, {} points{}", scene.id, grouped(scene.cases),
+                              grouped(scene.points), chosen_speeds(scene, with_speed)),
+                  {"column", "unit", "speed, m/s", "cases", "undefined", "mean", "sd", "2.5 %",
+                   "50 %", "97.5 %"},
+                  {false, false, true, true, true, true, true, true, true, true},
+                  {},
+                  ""};
   for (const ColumnResult& column : scene.columns) {
     if (!column.words.empty()) continue;
     const ReadableUnit unit = readable_unit(column);
@@ -89,11 +89,12 @@ TextTable number_table(const SceneResult& scene) {
 
 TextTable word_table(const SceneResult& scene, const ColumnResult& column) {
   const bool with_speed = column.values.size() > 1;
-  TextTable table{fmt::format("{}: {}, part of the cases in per cent", scene.id, code(column.name)),
+  TextTable table{fmt::format("{}: {}, part of the cases in per cent{}", scene.id,
+                              code(column.name), chosen_speeds(scene, with_speed)),
                   {},
                   {},
                   {},
-                  with_speed ? speeds_note(scene) : ""};
+                  ""};
   if (with_speed) table.headings.emplace_back("speed, m/s");
   table.headings.emplace_back("cases");
   for (const std::string& word : column.words) table.headings.push_back(word + ", %");
@@ -133,13 +134,12 @@ std::vector<Columns> in_tables(const SceneResult& scene) {
 
 TextTable index_table(const SceneResult& scene, const Columns& columns) {
   const std::string_view prefix = split_name(columns.front()->name).first;
-  TextTable table{
-      fmt::format("{}: Sobol indices{}", scene.id, prefix.empty() ? "" : " of " + code(prefix)),
-      {"variable"},
-      {false},
-      {},
-      "The part of the variance that a variable brings, alone and with all others; ± 1.96 standard "
-      "errors."};
+  TextTable table{fmt::format("{}: Sobol indices{} ± 1.96 standard errors", scene.id,
+                              prefix.empty() ? "" : " of " + code(prefix)),
+                  {"variable"},
+                  {false},
+                  {},
+                  "The part of the variance that a variable brings, alone and with all others."};
   for (const ColumnResult* const column : columns)
     for (const char* const kind : {"first order", "total"}) {
       table.headings.push_back(fmt::format("{}, {}", split_name(column->name).second, kind));

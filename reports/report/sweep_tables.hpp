@@ -2,7 +2,6 @@
 // The summaries of a sweep: for people, as tables; for machines, unrounded.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,6 @@ std::vector<TextTable> sweep_tables(const sweep::SweepResult& result);
 std::string sweep_csv(const sweep::SweepResult& result);
 
 // All there is but the cases themselves; what is undefined, and an unbounded end, is null.
-nlohmann::ordered_json sweep_json(const sweep::SweepResult& result);
+std::string sweep_json(const sweep::SweepResult& result);
 
 }  // namespace tribo::report

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "report/number_text.hpp"
 #include "report/sweep_tables.hpp"
@@ -175,13 +176,13 @@ std::string sweep_csv(const SweepResult& result) {
   return text;
 }
 
-Json sweep_json(const SweepResult& result) {
+std::string sweep_json(const SweepResult& result) {
   Json object{{"tribocheck_version", result.identity.version},
               {"sweep_digest", result.identity.digest},
               {"instruction_set", result.identity.instruction_set},
               {"scenes", Json::array()}};
   for (const SceneResult& scene : result.scenes) object["scenes"].push_back(scene_json(scene));
-  return object;
+  return object.dump(1) + '\n';
 }
 
 }  // namespace tribo::report
