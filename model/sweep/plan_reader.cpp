@@ -352,7 +352,7 @@ class SweepBinder {
     if (!sweep_.correlation_root.empty())
       error("sweep.sensitivity",
             "Sobol indices are of independent fields; allowed: true without a correlation");
-    if (sweep_.draws < 2 * jackknife_blocks)
+    if (sweep_.drawn() > 0 && sweep_.draws < 2 * jackknife_blocks)
       error("sweep.draws", std::to_string(sweep_.draws) + " is too few for sensitivity; allowed: " +
                                std::to_string(2 * jackknife_blocks) + " and more");
   }
