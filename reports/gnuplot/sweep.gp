@@ -26,12 +26,16 @@ tick_text(value) = value > 0.9e-4 && value < 1.1e4 ? sprintf("%g", value) : \
   gprintf(value/10.0**floor(log10(value) + 1e-9) > 1.5 ? "%.0t×10^{%T}" : "10^{%T}", value*(1 + 1e-12))
 tick(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
   sprintf("set %stics add ('%s' %.9g); ", axis, tick_text(value), value)
-is_short(low, high) = log10(high/low) < 3.2
-decade(axis, value, low, high) = tick(axis, value, low, high). \
+minor(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
+  sprintf("set %stics add ('' %.9g 1); ", axis, value)
+minors(axis, from, times, low, high) = times > 9 ? "" : \
+  minor(axis, times*from, low, high).minors(axis, from, times + 1, low, high)
+is_short(low, high) = log10(high/low) < 3.6
+decade(axis, value, low, high) = minors(axis, value, 2, low, high).tick(axis, value, low, high). \
   (is_short(low, high) ? tick(axis, 2*value, low, high).tick(axis, 5*value, low, high) : "")
 decades(axis, from, low, high) = from > high*(1 + 1e-9) ? "" : \
   decade(axis, from, low, high).decades(axis, 10*from, low, high)
 log_ticks(axis, low, high) = sprintf("set logscale %s 10; set %stics (); ", axis, axis). \
-  decades(axis, 10.0**floor(log10(low)), low, high).sprintf("set m%stics 10", axis)
+  decades(axis, 10.0**floor(log10(low)), low, high)
 
 load scripts.script

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 
@@ -93,10 +94,10 @@ std::optional<SweepPicture> curve_band(const sweep::SweepResult& result, std::st
       is_log ? with_room({values.least(), values.greatest()}, 0.03) : linear_range(values);
   std::string stem = fmt::format("curve_band_{}", column);
   std::replace(stem.begin(), stem.end(), '.', '_');
-  const std::string words = in_words(column);
-  return make(stem, "sweep_curve_band.gp", fmt::format("{} over speed", words),
+  const std::string words = column_words(column);
+  return make(stem, "sweep_curve_band.gp", with_capital(words + " over speed"),
               "Lines: medians of the cases; bands: 95 % of them at each speed.",
-              fmt::format("{} against speed: a line and a band for each scene.", words),
+              with_capital(words + " against speed: a line and a band for each scene."),
               "lines: medians; bands: 95 % of the cases at each speed", 640,
               fmt::format("# low\thigh\tbottom\ttop\tlog\tlabel\n{}\t{}\t{}\t{}\t{}\t{}\n\n\n"
                           "# number\tscene\tcolour\n{}{}",
@@ -104,60 +105,117 @@ std::optional<SweepPicture> curve_band(const sweep::SweepResult& result, std::st
                           axis_label(words, unit.name), scenes, curves));
 }
 
-std::optional<SweepPicture> film_map(const SceneResult& scene, const std::string& path) {
+namespace {
+
+// So many polygons are still an SVG that opens.
+constexpr std::size_t most_columns = 120, most_rows = 90;
+
+std::vector<std::size_t> thinned(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> places;
+  const std::size_t some = std::min(count, most);
+  for (std::size_t i = 0; i < some; ++i) places.push_back(i * (count - 1) / (some - 1));
+  return places;
+}
+
+// Where the parabola through the greatest value and its neighbours is highest, all in logarithms;
+// NaN where an end is greatest, or a neighbour has no film.
+double speed_of_greatest(std::span<const double> speeds, std::span<const double> films) {
+  const auto at =
+      static_cast<std::size_t>(std::max_element(films.begin(), films.end()) - films.begin());
+  if (at == 0 || at + 1 >= films.size()) return std::nan("");
+  const double before = std::log(speeds[at - 1] / speeds[at]);
+  const double after = std::log(speeds[at + 1] / speeds[at]);
+  const double fall_before = std::log(films[at - 1] / films[at]) / before;
+  const double fall_after = std::log(films[at + 1] / films[at]) / after;
+  const double curvature = (fall_after - fall_before) / (after - before);
+  if (!std::isfinite(curvature) || curvature >= 0) return speeds[at];
+  const double slope = fall_before - curvature * before;
+  return speeds[at] * std::exp(std::clamp(-slope / (2 * curvature), before, after));
+}
+
+// The film of a grid of one field, in ascending order of the field.
+struct FilmGrid {
+  std::vector<double> field;
+  std::vector<std::vector<double>> films;
+};
+
+// Empty where the scene is not such a grid.
+FilmGrid read_grid(const SceneResult& scene, const std::string& path) {
   const ColumnResult* const film = scene.column("film");
   if (scene.design != "factorial" || !scene.has_points || scene.inputs.size() != 1 ||
       !scene.inputs.front().words.empty() || film == nullptr || film->values.size() < 3 ||
       film->values.size() != scene.speeds.size())
-    return std::nullopt;
-  const sweep::InputResult& input = scene.inputs.front();
-  const std::vector<double> field = sweep::read_input(path, scene.id, input.path);
+    return {};
+  const std::vector<double> field = sweep::read_input(path, scene.id, scene.inputs.front().path);
   const std::vector<double> films = sweep::read_column(path, scene.id, film->name);
   const std::size_t speeds = scene.speeds.size();
   if (films.size() != field.size() * speeds) throw std::runtime_error(path + " has a torn film");
   std::vector<std::size_t> order(field.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return field[a] < field[b]; });
-  if (order.size() < 3 || field[order.front()] == field[order.back()]) return std::nullopt;
+  FilmGrid grid;
+  for (const std::size_t i : order) {
+    grid.field.push_back(field[i]);
+    const auto first = films.begin() + static_cast<std::ptrdiff_t>(i * speeds);
+    grid.films.emplace_back(first, first + static_cast<std::ptrdiff_t>(speeds));
+  }
+  return grid;
+}
+
+ReadableUnit unit_of_field(const sweep::InputResult& input, const FilmGrid& grid) {
+  ColumnResult as_column{input.path, input.unit, {}, {}};
+  as_column.values.resize(1);
+  as_column.values.front().least = grid.field.front();
+  as_column.values.front().greatest = grid.field.back();
+  return readable_unit(as_column);
+}
+
+}  // namespace
+
+std::optional<SweepPicture> film_map(const SceneResult& scene, const std::string& path) {
+  const FilmGrid grid = read_grid(scene, path);
+  if (grid.field.size() < 3 || !(grid.field.front() < grid.field.back())) return std::nullopt;
+  const sweep::InputResult& input = scene.inputs.front();
+  const ReadableUnit unit = unit_of_field(input, grid);
 
   constexpr double nanometres = 1e9;
-  Extremes fields, shown;
+  Extremes shown;
   std::string map, ridge;
-  for (const std::size_t i : order) {
-    const auto row = std::span(films).subspan(i * speeds, speeds);
-    fields.take(field[i]);
-    for (std::size_t j = 0; j < speeds; ++j) {
-      // A film of 0 has collapsed: a hole in the map, as in any on a logarithmic scale.
-      const double here = row[j] > 0 ? nanometres * row[j] : std::nan("");
+  bool has_gaps = false, has_ridge = false;
+  for (const std::size_t i : thinned(grid.field.size(), most_rows)) {
+    const double field = unit.factor * grid.field[i];
+    for (const std::size_t j : thinned(scene.speeds.size(), most_columns)) {
+      // A film of 0 has collapsed: a hole in the map, as on any logarithmic scale.
+      const double film = grid.films[i][j];
+      has_gaps = has_gaps || !(film > 0);
+      const double here = film > 0 ? nanometres * film : std::nan("");
       shown.take(here);
-      map += fmt::format("{}\t{}\t{}\n", exact(scene.speeds[j]), exact(field[i]), exact(here));
+      map += fmt::format("{}\t{}\t{}\n", exact(scene.speeds[j]), exact(field), exact(here));
     }
     map += '\n';
-    const auto greatest = static_cast<std::size_t>(
-        std::max_element(row.begin(), row.end(),
-                         [](double a, double b) { return std::isnan(a) || a < b; }) -
-        row.begin());
-    if (greatest > 0 && greatest + 1 < speeds)
-      ridge += fmt::format("{}\t{}\n", exact(scene.speeds[greatest]), exact(field[i]));
+    const double speed = speed_of_greatest(scene.speeds, grid.films[i]);
+    has_ridge = has_ridge || !std::isnan(speed);
+    ridge += fmt::format("{}\t{}\n", exact(speed), exact(field));
   }
-  if (shown.empty()) return std::nullopt;
-  const bool is_log = fields.least() > 0 && fields.greatest() > 3 * fields.least();
+  if (shown.empty() || !(shown.least() < shown.greatest())) return std::nullopt;
+  const double low = unit.factor * grid.field.front(), high = unit.factor * grid.field.back();
   const std::string words = in_words(input.path.substr(input.path.rfind('.') + 1));
-  const bool has_ridge = !ridge.empty();
-  return make("film_map", "sweep_film_map.gp", fmt::format("Film over speed and {}", words),
-              "Colours and contour lines: the film; the orange line: the greatest film of each "
-              "value, where starvation sets in.",
-              fmt::format("A map of the film over speed and {}, with contour lines.", words),
-              fmt::format("{}: {} × {} points", plain_words(cell(scene.id)), speeds, field.size()),
-              720,
-              fmt::format("# low\thigh\tbottom\ttop\tlog\tleast\tgreatest\thas_ridge\tlabel\n"
-                          "{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n\n\n# speed\tfield\tfilm_nm\n{}\n"
-                          "# speed\tfield, of the greatest film\n{}",
-                          scene.speeds.front(), scene.speeds.back(), fields.least(),
-                          fields.greatest(), is_log ? 1 : 0, shown.least(), shown.greatest(),
-                          has_ridge ? 1 : 0, axis_label(words, input.unit), map,
-                          has_ridge ? ridge : std::string("NaN\tNaN\n")));
+  return make(
+      "film_map", "sweep_film_map.gp", fmt::format("Film over speed and {}", words),
+      "Colours and contour lines: the film; the orange line: the greatest film of each "
+      "value, where starvation sets in; white: the film has collapsed.",
+      fmt::format("A map of the film over speed and {}, with contour lines.", words),
+      fmt::format("{}: {} × {} points{}{}", plain_words(cell(scene.id)), scene.speeds.size(),
+                  grid.field.size(), has_ridge ? "; orange: the greatest film" : "",
+                  has_gaps ? "; white: it has collapsed" : ""),
+      720,
+      fmt::format("# low\thigh\tbottom\ttop\tlog\tleast\tgreatest\tlabel\n"
+                  "{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n\n\n# speed\tfield\tfilm_nm\n{}\n"
+                  "# speed\tfield, of the greatest film\n{}",
+                  scene.speeds.front(), scene.speeds.back(), low, high,
+                  low > 0 && high > 3 * low ? 1 : 0, shown.least(), shown.greatest(),
+                  axis_label(words, unit.name), map, ridge));
 }
 
 }  // namespace tribo::report

@@ -56,12 +56,28 @@ std::vector<Group> lay_out(const sweep::SweepResult& result, double& height) {
   return groups;
 }
 
+// Half as many bins as the result has: quiet enough to see a shape.
+std::vector<sweep::QuantileSketch::Bin> bins_of(const ColumnResult::Value& value) {
+  std::vector<sweep::QuantileSketch::Bin> bins;
+  for (std::size_t i = 0; i < value.histogram.size(); ++i) {
+    const auto& bin = value.histogram[i];
+    if (i % 2 == 0 || bins.empty()) {
+      bins.push_back(bin);
+    } else {
+      bins.back().high = bin.high;
+      bins.back().count += bin.count;
+    }
+  }
+  return bins;
+}
+
+double density(const sweep::QuantileSketch::Bin& bin) {
+  return bin.low > 0 ? static_cast<double>(bin.count) / std::log(bin.high / bin.low) : 0;
+}
+
 // A number of cases over the logarithm of the speed, the highest bar `peak` high.
 std::string outline(const Lane& lane, std::uint32_t colour) {
-  const auto& bins = lane.column->values.front().histogram;
-  const auto density = [](const auto& bin) {
-    return bin.low > 0 ? static_cast<double>(bin.count) / std::log(bin.high / bin.low) : 0;
-  };
+  const auto bins = bins_of(lane.column->values.front());
   double greatest = 0;
   for (const auto& bin : bins) greatest = std::max(greatest, density(bin));
   std::string text;
@@ -76,26 +92,25 @@ std::string outline(const Lane& lane, std::uint32_t colour) {
 
 // What stands beside a lane: "0.0934 (0.0810 to 0.108)".
 std::string numbers(const ColumnResult::Value& value) {
-  const std::uint64_t all = value.count + value.undefined;
   if (value.count == 0) return "none in any case";
-  std::string text = fmt::format("{} ({} to {})", rounded(quantile(value, 0.5).value, 3),
-                                 rounded(quantile(value, 0.025).value, 3),
-                                 rounded(quantile(value, 0.975).value, 3));
-  if (value.undefined > 0)
-    text += fmt::format(
-        "; none in {} %",
-        rounded(100 * static_cast<double>(value.undefined) / static_cast<double>(all), 2));
-  return text;
+  return fmt::format("{} ({} to {})", rounded(quantile(value, 0.5).value, 3),
+                     rounded(quantile(value, 0.025).value, 3),
+                     rounded(quantile(value, 0.975).value, 3));
+}
+
+std::string missing(const ColumnResult::Value& value) {
+  if (value.count == 0 || value.undefined == 0) return " ";
+  const auto all = static_cast<double>(value.count + value.undefined);
+  return fmt::format("none in {} % of the cases",
+                     rounded(100 * static_cast<double>(value.undefined) / all, 2));
 }
 
 // Where in its own outline a median stands.
 double height_at(const ColumnResult::Value& value, double speed) {
   double greatest = 0, here = 0;
-  for (const auto& bin : value.histogram) {
-    if (!(bin.low > 0)) continue;
-    const double density = static_cast<double>(bin.count) / std::log(bin.high / bin.low);
-    greatest = std::max(greatest, density);
-    if (speed >= bin.low && speed < bin.high) here = density;
+  for (const auto& bin : bins_of(value)) {
+    greatest = std::max(greatest, density(bin));
+    if (speed >= bin.low && speed < bin.high) here = density(bin);
   }
   return greatest > 0 ? here / greatest : 0;
 }
@@ -120,10 +135,10 @@ std::optional<SweepPicture> onset_distribution(const sweep::SweepResult& result,
       for (const auto& bin : value.histogram) take(bin.low, bin.high);
       const std::string criterion(split_name(split_name(lane.column->name).first).second);
       const double median = quantile(value, 0.5).value;
-      lanes += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", lane.base, cell(group.scene->id),
-                           in_words(criterion), group.colour, exact(median),
+      lanes += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", lane.base,
+                           cell(group.scene->id), in_words(criterion), group.colour, exact(median),
                            exact(quantile(value, 0.025).value), exact(quantile(value, 0.975).value),
-                           height_at(value, median), numbers(value));
+                           height_at(value, median), numbers(value), missing(value));
       outlines += "\n\n" + outline(lane, group.colour);
     }
     const auto mark = std::find_if(reported.begin(), reported.end(),
@@ -141,7 +156,8 @@ std::optional<SweepPicture> onset_distribution(const sweep::SweepResult& result,
   const std::string blocks = fmt::format(
       "# low\thigh\ttop\treported\n{}\t{}\t{}\t{}\n\n\n"
       "# base\tscene\tcriterion\tcolour\tmedian\tquantile_0.025\tquantile_0.975\theight_at_median\t"
-      "text\n{}\n\n# scene\tname_at\tbottom\ttop\treported\treported_low\treported_high\tcolour\n{}"
+      "text\tmissing\n{}\n\n# "
+      "scene\tname_at\tbottom\ttop\treported\treported_low\treported_high\tcolour\n{}"
       "{}",
       range.low, range.high, height, reported.empty() ? 0 : 1, lanes, scenes, outlines);
   return make("onset_distribution", "sweep_onset_distribution.gp", "How the onset speeds scatter",
@@ -149,7 +165,7 @@ std::optional<SweepPicture> onset_distribution(const sweep::SweepResult& result,
               "height; the bar under it spans 95 % of the cases, the line stands at the median.",
               "Histograms of the onset speed on a logarithmic axis, a lane for each scene and "
               "criterion, with medians and intervals of 95 %.",
-              fmt::format("{} cases; cases a logarithmic width, each lane to the same height",
+              fmt::format("{} cases, over the logarithm of the speed; each lane to the same height",
                           grouped(cases)),
               static_cast<int>(std::lround(points_around + points_a_lane * (height + 0.12))),
               blocks);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "report/sweep_values.hpp"
+
 namespace tribo::report::sweep_picture {
 namespace {
 
@@ -69,14 +71,24 @@ std::string plain_words(std::string_view text) {
   return words;
 }
 
-std::string in_words(std::string_view column) {
-  constexpr std::string_view onset = "onset.";
-  const bool is_onset = column.starts_with(onset);
-  if (is_onset) column.remove_prefix(onset.size());
-  std::string words;
-  for (const char sign : column)
-    words += sign == '_' ? " " : sign == '.' ? ": " : std::string(1, sign);
-  return is_onset ? "onset, " + words : words;
+std::string in_words(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string column_words(std::string_view column) {
+  const auto [onset, quantity] = split_name(column);
+  if (onset.empty()) return in_words(column);
+  const std::string criterion = in_words(split_name(onset).second);
+  if (quantity == "speed") return fmt::format("onset speed ({})", criterion);
+  return fmt::format("{} at the onset ({})", in_words(quantity), criterion);
+}
+
+std::string with_capital(std::string words) {
+  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z')
+    words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  return words;
 }
 
 Range with_room(Range range, double part) {

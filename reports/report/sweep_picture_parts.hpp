@@ -46,8 +46,10 @@ std::uint32_t pale(std::uint32_t colour);
 std::string cell(std::string_view text, std::size_t longest = 40);
 // Words for gnuplot's enhanced text as they are.
 std::string plain_words(std::string_view text);
-// "onset.film_maximum.speed" as "film maximum: speed".
-std::string in_words(std::string_view column);
+std::string in_words(std::string_view name);  // without its underscores
+// "onset.film_maximum.speed" as "onset speed (film maximum)".
+std::string column_words(std::string_view column);
+std::string with_capital(std::string words);
 
 struct Range {
   double low, high;

@@ -15,7 +15,7 @@ using sweep::SobolIndex;
 using sweep::SobolIndices;
 
 constexpr double shown_from = 0.005;
-constexpr double points_a_bar = 15, points_between = 12, points_around = 78 + 78;
+constexpr double points_a_bar = 15, points_between = 12;
 
 struct Subject {
   const sweep::SceneResult* scene;
@@ -66,20 +66,11 @@ std::string index_cells(const SobolIndex& index) {
   return fmt::format("{}\t{}\t{}", exact(index.value), exact(index.low), exact(index.high));
 }
 
-// In the corner that the rows leave free: they are sorted.
-std::string legend(const std::vector<Subject>& subjects, double right, double row_height) {
-  std::string text;
-  double y = 0.6;
-  const auto add = [&](const std::string& words, std::uint32_t colour) {
-    text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", 0.70 * right, y, 0.70 * right,
-                        0.74 * right, y - 0.35, y + 0.35, words, colour);
-    y += row_height;
-  };
-  for (std::size_t i = subjects.size(); i-- > 0;)
-    if (subjects.size() > 1) add(cell(subjects[i].scene->id, 24), subjects[i].colour);
-  add("total", pale(subjects.front().colour));
-  add("of it, first order", subjects.front().colour);
-  return text;
+int height(double top, std::size_t subjects) {
+  constexpr double around = 78 + 92, key_row = 22;
+  const auto entries = static_cast<double>(subjects > 1 ? subjects + 2 : 2);
+  const double key_rows = std::ceil(entries / 3);
+  return static_cast<int>(std::lround(around + key_row * key_rows + points_a_bar * top));
 }
 
 }  // namespace
@@ -96,10 +87,12 @@ std::optional<SweepPicture> sensitivity(const sweep::SweepResult& result, std::s
 
   // In units of a bar.
   const double row_height = static_cast<double>(subjects.size()) + points_between / points_a_bar;
-  // Few rows would leave no room for the legend beside their ends.
-  const double top = std::max(row_height * static_cast<double>(rows.size()), 9.0);
+  const double top = row_height * static_cast<double>(rows.size());
   double y = top - points_between / points_a_bar / 2, right = 1;
-  std::string variables, bars;
+  std::string variables, bars, scenes;
+  for (const Subject& subject : subjects)
+    scenes += fmt::format("{}\t{}\t{}\n", cell(subject.scene->id, 24), subject.colour,
+                          pale(subject.colour));
   for (const Row& row : rows) {
     variables += fmt::format("{}\t{}\n", y - static_cast<double>(subjects.size()) / 2,
                              cell(field_words(row.variable), 30));
@@ -123,20 +116,22 @@ std::optional<SweepPicture> sensitivity(const sweep::SweepResult& result, std::s
       "# right\ttop\n{}\t{}\n\n\n# y\tvariable\n{}\n\n"
       "# y\thalf_height\tfirst_order\tfirst_order_low\tfirst_order_high\ttotal\ttotal_low\t"
       "total_high\tcolour\tpale\tscene\tvariable\n{}\n\n"
-      "# x\ty\tleft\tright\tbottom\ttop\ttext\tcolour\n{}",
-      right, top, variables, bars, legend(subjects, right, 1.3));
+      "# scene\tcolour\tpale\n{}",
+      right, top, variables, bars, scenes);
   std::string stem = fmt::format("sensitivity_{}", column);
   std::replace(stem.begin(), stem.end(), '.', '_');
   return make(
-      stem, "sweep_sensitivity.gp", fmt::format("What carries the variance: {}", in_words(column)),
+      stem, "sweep_sensitivity.gp",
+      fmt::format("What carries the variance: {}", column_words(column)),
       "Sobol indices: the part of the variance that each input brings with all others (pale) and, "
       "of it, alone (full); the lines are the intervals of the former.",
       "Bars of total and first-order Sobol indices, an input a row, the greatest on top.",
-      left_out == 0 ? "Sobol indices, with 95 % intervals of the totals"
-                    : fmt::format("Sobol indices, with 95 % intervals of the totals; {} inputs "
-                                  "below {} are left out",
-                                  left_out, shown_from),
-      static_cast<int>(std::lround(points_around + points_a_bar * top)), blocks);
+      left_out == 0
+          ? "Sobol indices, with 95 % intervals of the totals"
+          : fmt::format(
+                "Sobol indices, with 95 % intervals of the totals; below {} and left out: {} {}",
+                shown_from, left_out, left_out == 1 ? "input" : "inputs"),
+      height(top, subjects.size()), blocks);
 }
 
 }  // namespace tribo::report

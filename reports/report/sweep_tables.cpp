@@ -132,6 +132,16 @@ std::vector<Columns> in_tables(const SceneResult& scene) {
   return tables;
 }
 
+// Would all of a variable's indices be shown as 0.000?
+bool is_nothing(const Columns& columns, std::size_t variable) {
+  constexpr double shown_from = 0.0005;
+  return std::all_of(columns.begin(), columns.end(), [variable](const ColumnResult* column) {
+    const sweep::SobolIndices& indices = column->values.front().sensitivity;
+    return std::max(std::abs(indices.total[variable].high),
+                    std::abs(indices.first_order[variable].high)) < shown_from;
+  });
+}
+
 TextTable index_table(const SceneResult& scene, const Columns& columns) {
   const std::string_view prefix = split_name(columns.front()->name).first;
   TextTable table{fmt::format("{}: Sobol indices{} ± 1.96 standard errors", scene.id,
@@ -150,7 +160,12 @@ TextTable index_table(const SceneResult& scene, const Columns& columns) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return totals[a].value > totals[b].value; });
+  std::size_t left_out = 0;
   for (const std::size_t v : order) {
+    if (is_nothing(columns, v)) {
+      ++left_out;
+      continue;
+    }
     std::vector<std::string> row{code(scene.sensitivity_variables[v])};
     for (const ColumnResult* const column : columns) {
       const sweep::SobolIndices& indices = column->values.front().sensitivity;
@@ -159,6 +174,12 @@ TextTable index_table(const SceneResult& scene, const Columns& columns) {
     }
     table.rows.push_back(std::move(row));
   }
+  if (left_out > 0) table.caption += fmt::format("; {} variables at 0.000 left out", left_out);
+  // A group is left out where one of its cases has no such value.
+  const std::uint64_t all = scene.cases / 2,
+                      used = columns.front()->values.front().sensitivity.groups;
+  if (used < all)
+    table.caption += fmt::format("; {} of {} groups have it", grouped(used), grouped(all));
   return table;
 }
 
