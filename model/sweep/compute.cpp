@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/compute.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -29,6 +30,9 @@ void compute(const SweepPlan& plan, int threads, const NextChunk& next,
     }
   };
   if (count == 1) return work();
+  // More than the machine has are allowed, as they are elsewhere.
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(count));
   tbb::task_arena arena(count);
   arena.execute([&] {
     tbb::task_group group;

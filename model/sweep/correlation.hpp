@@ -21,8 +21,7 @@ struct CorrelationRoot {
 };
 CorrelationRoot correlation_root(const std::vector<std::vector<double>>& matrix);
 
-// The z of a standard normal with P(Z < z) = u, u from unit_number(). Error: 4 ulp, absolutely
-// 2e-16 around u = ½.
+// The z of a standard normal with P(Z < z) = u, 0 < u < 1. Error: 4 ulp, around u = ½ too.
 double standard_normal(double u);
 
 // Mixes independent normals in place.

@@ -3,13 +3,12 @@
 // chunks can be computed anywhere in any order.
 //
 //   monte_carlo      independent: Philox4x32-10 (Random123) of point, dimension and seed
-//   latin_hypercube  of N points each N-th of each dimension holds one: a permutation of the cells
-//   by a
-//                    keyed Feistel network, and a random place in the cell (McKay, Beckman, Conover
-//                    1979)
-//   sobol            the digital sequence of Sobol' with Joe and Kuo's direction numbers
-//   (Boost.Random),
-//                    from its zeroth point on, with a random digital shift of each dimension
+//   latin_hypercube  each N-th of each dimension holds one of the N points: a permutation of the
+//                    cells by a keyed Feistel network, and a random place in the cell (McKay,
+//                    Beckman, Conover 1979)
+//   sobol            the digital sequence of Sobol' with the direction numbers of Joe and Kuo
+//                    (Boost.Random), from its zeroth point on, with a random digital shift of each
+//                    dimension
 #pragma once
 
 #include <cstddef>
@@ -32,14 +31,16 @@ inline constexpr std::size_t most_dimensions = 100;
 // Not for two threads at once: each has its own.
 class UnitPoints {
  public:
-  // design: any but factorial. `points` is how many there are in all; a Latin hypercube is of them.
+  // design: any but factorial. `points` is how many there are in all; a Latin hypercube is of them,
+  // at most 2⁴⁸. Throws std::invalid_argument.
   UnitPoints(Design design, std::size_t dimensions, std::uint64_t points, std::uint64_t seed);
   UnitPoints(UnitPoints&&) noexcept;
   UnitPoints& operator=(UnitPoints&&) noexcept;
   ~UnitPoints();
 
   // Points first, first + 1 …: as many as there is room for, dimension by dimension: coordinate d
-  // of point i is coordinates[i·dimensions + d], and comes from unit_number().
+  // of point i is coordinates[i·dimensions + d], and comes from unit_number(). Throws
+  // std::out_of_range where the design has no such point.
   void points(std::uint64_t first, std::span<double> coordinates);
 
  private:

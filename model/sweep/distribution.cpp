@@ -81,8 +81,9 @@ double Distribution::value_at(double z) const {
 
 double Distribution::truncated(double u, double one_minus_u) const {
   const double below = below_from_ + u * between_;
-  if (below < 0.5) return value_at(standard_normal(below));
-  return value_at(-standard_normal(above_to_ + one_minus_u * between_));
+  if (below < 0.5) return below > 0 ? value_at(standard_normal(below)) : from_;
+  const double above = above_to_ + one_minus_u * between_;
+  return above > 0 ? value_at(-standard_normal(above)) : to_;
 }
 
 double Distribution::quantile(double u) const {

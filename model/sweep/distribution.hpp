@@ -32,7 +32,8 @@ class Distribution {
   static Distribution log_normal(double median, double log_sd, double from, double to);
 
   // The value below which a part u in (0, 1) lies, for u as they come from unit_number() of
-  // design.hpp.
+  // design.hpp. Error: uniform 1.5 ulp of the greater bound, log_uniform 3 ulp, normal 4 ulp of the
+  // greatest of |value|, |mean| and sd, log_normal 3 + 3|ln(value/median)| + 3·log_sd ulp.
   double quantile(double u) const;
   // The same for the u that belongs to a standard normal z, P(Z < z) = u.
   double quantile_of_normal(double z) const;

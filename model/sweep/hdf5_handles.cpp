@@ -76,28 +76,6 @@ Handle string_type() {
   return type;
 }
 
-Handle words_type(std::span<const std::string> words) {
-  Handle type(H5Tenum_create(H5T_STD_U8LE));
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto place = static_cast<std::uint8_t>(i);
-    checked(H5Tenum_insert(type, words[i].c_str(), &place));
-  }
-  return type;
-}
-
-std::vector<std::string> words_of(hid_t type) {
-  std::vector<std::string> words;
-  if (H5Tget_class(type) != H5T_ENUM) return words;
-  const auto count = static_cast<unsigned>(checked(H5Tget_nmembers(type)));
-  for (unsigned i = 0; i < count; ++i) {
-    char* const name = H5Tget_member_name(type, i);
-    if (name == nullptr) throw Error();
-    words.emplace_back(name);
-    H5free_memory(name);
-  }
-  return words;
-}
-
 void without_times(hid_t creation) { checked(H5Pset_obj_track_times(creation, false)); }
 
 Handle make_group(hid_t parent, const std::string& name) {

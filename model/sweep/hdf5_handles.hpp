@@ -14,10 +14,14 @@
 
 namespace tribo::sweep::hdf5 {
 
-// While it lives, HDF5 prints nothing of its errors in this thread.
+// While it lives, HDF5 prints nothing of its errors in this thread. To be there before any other
+// call.
 class QuietErrors {
  public:
   QuietErrors() {
+    // At exit HDF5 would close once more what it could not close on a full disk, and crash
+    // (1.10.8).
+    H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
@@ -73,10 +77,6 @@ class Handle {
 
 // Texts of UTF-8 of any length.
 Handle string_type();
-
-// The enumeration of one byte whose names are these.
-Handle words_type(std::span<const std::string> words);
-std::vector<std::string> words_of(hid_t type);
 
 // Groups, datasets and attributes are made without times, so that files of one content are equal.
 Handle make_group(hid_t parent, const std::string& name);

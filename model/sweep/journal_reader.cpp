@@ -229,7 +229,7 @@ JournalSet::JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks,
     for (const JournalReader::Record& record : reader.records())
       if (record.chunk >= chunks)
         throw std::runtime_error(reader.path() + " has chunk " + std::to_string(record.chunk) +
-                                 " of a sweep that has " + std::to_string(chunks));
+                                 " of a sweep that has " + std::to_string(chunks) + " chunks");
   }
   places_.resize(static_cast<std::size_t>(chunks));
   for (std::size_t r = 0; r < readers_.size(); ++r) {

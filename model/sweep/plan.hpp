@@ -54,7 +54,7 @@ struct Column {
 
 // The sweep of one scene file.
 struct SceneSweep {
-  std::string file;  // as it was given
+  std::string file;  // without its folder
   std::string text;  // the whole of it
   Scene scene;       // with nominal values
 

@@ -352,7 +352,7 @@ class SweepBinder {
     if (!sweep_.correlation_root.empty())
       error("sweep.sensitivity",
             "Sobol indices are of independent fields; allowed: true without a correlation");
-    if (sweep_.draws < 2 * jackknife_blocks)
+    if (sweep_.drawn() > 0 && sweep_.draws < 2 * jackknife_blocks)
       error("sweep.draws", std::to_string(sweep_.draws) + " is too few for sensitivity; allowed: " +
                                std::to_string(2 * jackknife_blocks) + " and more");
   }
@@ -420,7 +420,7 @@ SweepReading parse_sweep(std::string_view text, const std::string& source) {
   if (!entries) return reading;
   SweepBinder(std::move(*entries), source, reading).bind();
   if (reading.sweep) {
-    reading.sweep->file = source;
+    reading.sweep->file = source.substr(source.rfind('/') + 1);  // the result is not to tell where
     reading.sweep->text = text;
   }
   return reading;

@@ -3,12 +3,12 @@
 //
 //   /                        attributes: format, tribocheck_version, sweep_digest, instruction_set
 //   /<scene id>              attributes: scene (the sweep file's text), file, design, seed, draws,
-//   cases,
-//                            points, departure
+//                            cases, points, departure, columns (their names)
 //     speed                  [speeds] the scene's speeds, where operating points are asked
-//     inputs/<field>         [cases] attributes: unit, meaning, varies
-//     outputs/<column>       [cases] or [cases, speeds] attributes: unit
-//     summary/<column>/      count, undefined, mean, sd, least, greatest: [width];
+//     inputs/<field>         [cases] attributes: unit, meaning, varies, words
+//     outputs/<column>       [cases] or [cases, speeds] attributes: unit, words
+//     summary/<column>/      attributes: unit, words
+//                            count, undefined, mean, sd, least, greatest: [width];
 //                            quantile_levels: [levels]; quantiles, quantiles_low, quantiles_high:
 //                            [width, levels], attribute relative_error;
 //                            histogram_edges: [width, bins + 1], histogram_counts: [width, bins]
@@ -18,7 +18,9 @@
 //                            total_high: [width, variables]; groups, left_out: [width]
 //
 // Columns "onset.film_maximum.speed" are groups: outputs/onset/film_maximum/speed. Numbers are
-// doubles, NaN where undefined; words are HDF5 enumerations of one byte.
+// doubles, NaN where undefined. Words are places of one byte in the list of the attribute `words`,
+// counted from 0; not HDF5's enumerations, which Octave cannot read. Where points are not kept,
+// there are no outputs, and inputs are of length 0.
 #pragma once
 
 #include <array>

@@ -110,11 +110,14 @@ std::vector<T> read_array(hid_t group, const std::string& name, std::size_t size
   return values;
 }
 
+// Also words, as their places.
 std::vector<double> read_values(hid_t dataset) {
-  const Handle type(H5Dget_type(dataset));
-  if (H5Tget_class(type) != H5T_ENUM) return read_array<double>(dataset, H5T_NATIVE_DOUBLE);
-  const auto places = read_array<std::uint8_t>(dataset, type);
-  return {places.begin(), places.end()};
+  return read_array<double>(dataset, H5T_NATIVE_DOUBLE);
+}
+
+std::vector<std::string> words_of(hid_t object) {
+  if (checked(H5Aexists(object, "words")) == 0) return {};
+  return read_texts(object, "words");
 }
 
 std::size_t length_of(hid_t dataset) {
@@ -137,8 +140,7 @@ std::vector<QuantileSketch::Bin> bins_from(std::span<const double> edges,
 
 ColumnResult read_summary(hid_t group, const std::string& name) {
   constexpr std::size_t levels = quantile_levels.size();
-  ColumnResult column{name, read_text(group, "unit"), {}, {}};
-  if (checked(H5Aexists(group, "words")) > 0) column.words = read_texts(group, "words");
+  ColumnResult column{name, read_text(group, "unit"), words_of(group), {}};
   const std::size_t width = length_of(open_dataset(group, "count"));
   const auto count = read_array<std::uint64_t>(group, "count", width);
   const auto undefined = read_array<std::uint64_t>(group, "undefined", width);
@@ -187,7 +189,7 @@ void read_sensitivity(hid_t group, std::size_t variables, ColumnResult& column) 
 InputResult read_input_texts(hid_t inputs, const std::string& path) {
   const Handle dataset = open_dataset(inputs, path);
   return {path, read_text(dataset, "unit"), read_text(dataset, "meaning"),
-          read_text(dataset, "varies"), hdf5::words_of(Handle(H5Dget_type(dataset)))};
+          read_text(dataset, "varies"), words_of(dataset)};
 }
 
 SceneResult read_scene(hid_t file, const std::string& id) {

@@ -75,8 +75,9 @@ class CaseDataset {
     checked(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
     checked(H5Pset_shuffle(creation));
     checked(H5Pset_deflate(creation, 1));
-    const Handle type = words.empty() ? Handle(H5Tcopy(H5T_IEEE_F64LE)) : hdf5::words_type(words);
-    dataset_ = hdf5::make_dataset(group, name, type, space, creation);
+    dataset_ = hdf5::make_dataset(group, name, words.empty() ? H5T_IEEE_F64LE : H5T_STD_U8LE, space,
+                                  creation);
+    if (!words.empty()) write_attribute(dataset_, "words", words);
   }
 
   hid_t id() const { return dataset_; }

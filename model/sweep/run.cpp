@@ -57,6 +57,10 @@ class Starter {
 
   Start start() {
     const std::string& path = settings_.result;
+    if (fs::exists(path) && !fs::is_regular_file(path))
+      throw RunRefused(path + " is " +
+                       (fs::is_directory(path) ? "a directory" : "no regular file") +
+                       "; allowed: a file, or none yet");
     const std::vector<std::string> journals = journals_of(path);
     if (settings_.force) {
       remove_all(journals);

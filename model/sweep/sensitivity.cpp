@@ -117,6 +117,7 @@ SobolIndices sobol_indices(const SensitivityBlocks& blocks) {
   indices.groups = all.both.count / 2;
   const auto index = [&](std::vector<double> Values::*kind, std::size_t i) {
     std::vector<double> of_each;
+    of_each.reserve(replicates.size());
     for (const Values& replicate : replicates)
       of_each.push_back(i < (replicate.*kind).size() ? (replicate.*kind)[i]
                                                      : std::numeric_limits<double>::quiet_NaN());

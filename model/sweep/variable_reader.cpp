@@ -199,7 +199,7 @@ class VariableReader {
     variable_.distribution = Distribution::uniform(printed->value - printed->half_digit,
                                                    printed->value + printed->half_digit);
     variable_.nominal = printed->value;
-    variable_.text = "printed as " + *text + ": " + variable_.distribution.text();
+    variable_.text = "printed as " + *text + ": ± " + number_text(printed->half_digit);
   }
 
   void read_distribution(TableReader& table) {

@@ -258,8 +258,10 @@ Command add_sweep(CLI::App& program) {
       ->check(CLI::Range(1, 4096));
   app->add_flag("--estimate", arguments->estimate,
                 "only say how many points, how long, how much memory and how large a file");
-  app->add_flag("--resume", arguments->resume, "go on with what a stopped run has left");
-  app->add_flag("--force", arguments->force, "throw away a result and journals that are there");
+  CLI::Option* const resume =
+      app->add_flag("--resume", arguments->resume, "go on with what a stopped run has left");
+  app->add_flag("--force", arguments->force, "throw away a result and journals that are there")
+      ->excludes(resume);
   app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
   app->add_option("--instruction-set", arguments->instruction_set,
                   "use this one (AVX2, SSE4, …), so that unlike machines give the same bits");
