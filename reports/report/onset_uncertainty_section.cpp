@@ -116,14 +116,14 @@ std::string place_of(const ColumnResult::Value& value, double speed) {
 std::string speed_text(double value) { return std::isnan(value) ? "–" : rounded(value, 3); }
 
 TextTable speed_table(const Swept& all) {
-  TextTable table{
-      "Onset speeds within the precision of Table 1, m/s",
-      {"surface", "criterion", "as printed", "2.5 %", "median", "97.5 %", "no onset in", "reported",
-       "the reported one lies at"},
-      {false, false, true, true, true, true, true, true, true},
-      {},
-      "As printed: with every number as Table 1 has it. The last column is the part of the cases "
-      "that set in below the reported speed."};
+  TextTable table{"Onset speeds within the precision of Table 1, m/s",
+                  {"surface", "criterion", "as printed", "2.5 %", "median", "97.5 %", "no onset in",
+                   "reported", "the reported one lies at"},
+                  {false, false, true, true, true, true, true, true, true},
+                  {},
+                  "As printed: with every number as Table 1 has it, misprints mended. The last "
+                  "column is the part of the cases "
+                  "that set in below the reported speed."};
   for (std::size_t i = 0; i < surface_names.size(); ++i) {
     const sweep::SceneSweep& scene = all.plan.scenes[i];
     const auto mark = std::find_if(all.reported.begin(), all.reported.end(),
