@@ -18,6 +18,7 @@
 #include "sweep/plan_reader.hpp"
 #include "sweep/run.hpp"
 #include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
 
 namespace tribo::report {
 namespace {
