@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,11 +25,13 @@ struct Value {
 };
 
 // `path` is "load" or "surface.summit_radius". Tables of a known section have an entry of their own
-// and one for each of their fields; what other tables hold is left out.
+// and one for each of their fields. What other tables hold, and lists in lists, is in `inner`, by
+// its keys ("[0]", "[1]" …), from TOML alone: scenes have none, sweeps (model/sweep) do.
 struct Entry {
   std::string path;
   Value value;
   std::vector<Value> elements;  // of a list
+  std::vector<Entry> inner = {};
 };
 
 inline constexpr std::size_t max_depth = 16;      // of lists and tables within each other
@@ -59,6 +62,9 @@ std::string path_part(std::string_view key);
 std::string too_large_text(std::size_t bytes);
 extern const std::string_view too_many_fields_text;
 extern const std::string_view too_deep_text;
+
+// The entries of a TOML text; where it is none, nothing and an error. Text over 1 MiB is refused.
+std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems);
 
 // Fills reading.scene from the entries, or reading.errors.
 void bind_scene(std::span<const Entry> entries, SceneUse use, Problems& problems,

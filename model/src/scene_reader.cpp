@@ -2,98 +2,26 @@
 // Scenes from files and standard input.
 #include "tribo/scene_reader.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <system_error>
-
+#include "input_text.hpp"
 #include "scene_entries.hpp"
-#include "scene_text.hpp"
 
 namespace tribo {
 namespace {
 
 using scene_detail::Problems;
-
-// Closes what it opened; standard input stays open.
-class InputFile {
- public:
-  explicit InputFile(const std::string& path)
-      // Without O_NONBLOCK, opening a FIFO would wait for somebody to write.
-      : descriptor_(path == "-" ? STDIN_FILENO
-                                : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)),
-        owned_(path != "-") {}
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
-  ~InputFile() {
-    if (owned_ && descriptor_ >= 0) ::close(descriptor_);
-  }
-  int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_;
-  bool owned_;
-};
-
-std::string system_message(int code) { return std::generic_category().message(code); }
-
-// Why a path is not to be opened; empty if it is a regular file.
-std::string refusal_of(const std::string& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return "cannot be read: " + system_message(errno);
-  if (S_ISDIR(status.st_mode)) return "is a directory; allowed: a regular file";
-  if (!S_ISREG(status.st_mode)) return "is not a regular file; allowed: a regular file";
-  return scene_detail::too_large_text(static_cast<std::size_t>(status.st_size));
-}
-
-// Reads to the end, or one byte past the limit, which is enough to know that it is too large.
-std::string read_up_to_limit(int descriptor, std::string& text) {
-  std::array<char, 65536> block;
-  while (text.size() <= max_scene_bytes) {
-    const std::size_t room = std::min(block.size(), max_scene_bytes + 1 - text.size());
-    const ssize_t count = ::read(descriptor, block.data(), room);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return "cannot be read: " + system_message(errno);
-    if (count == 0) break;
-    text.append(block.data(), static_cast<std::size_t>(count));
-  }
-  return scene_detail::too_large_text(text.size());
-}
-
-// Fills `text`; what comes back is why it could not.
-std::string read_text(const std::string& path, std::string& text) {
-  if (path != "-")
-    if (std::string refusal = refusal_of(path); !refusal.empty()) return refusal;
-  const InputFile file(path);
-  if (file.descriptor() < 0) return "cannot be read: " + system_message(errno);
-  if (std::string refusal = read_up_to_limit(file.descriptor(), text); !refusal.empty())
-    return refusal;
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "is empty; allowed: a scene";
-  return {};
-}
+using scene_detail::read_input_text;
+using scene_detail::stem_of;
 
 bool is_json(const std::string& path, const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");  // BOM
   return path.ends_with(".json") || (first != std::string::npos && text[first] == '{');
 }
 
-// "scenes/rough.toml" → "rough"
-std::string stem_of(std::string_view path) {
-  path.remove_prefix(path.rfind('/') + 1);
-  const std::size_t dot = path.rfind('.');
-  return printable(dot == 0 ? path : path.substr(0, dot), 255);
-}
-
 }  // namespace
 
 SceneReading read_scene(const std::string& path, SceneUse use) {
   std::string text;
-  if (const std::string refusal = read_text(path, text); !refusal.empty()) {
+  if (const std::string refusal = read_input_text(path, "a scene", text); !refusal.empty()) {
     SceneReading reading;
     Problems(reading, path.empty() ? "\"\"" : path).error("", refusal);
     return reading;

@@ -50,12 +50,27 @@ class TomlCollector {
 
  private:
   void add(std::string path, const toml::node& node) {
+    const bool apart = is_section(path);  // its fields get entries of their own
+    entries_.push_back(entry_of(std::move(path), node, apart ? 0 : inner_depth));
+  }
+
+  // With what it holds, so many levels down.
+  Entry entry_of(std::string path, const toml::node& node, int levels) const {
     Entry entry{std::move(path), value_of(node), {}};
     if (const toml::array* const list = node.as_array()) {
       entry.elements.reserve(list->size());
-      for (const toml::node& element : *list) entry.elements.push_back(value_of(element));
+      for (const toml::node& element : *list) {
+        entry.elements.push_back(value_of(element));
+        if (levels > 0 && element.is_array())
+          entry.inner.push_back(
+              entry_of('[' + std::to_string(entry.elements.size() - 1) + ']', element, levels - 1));
+      }
     }
-    entries_.push_back(std::move(entry));
+    const toml::table* const table = node.as_table();
+    if (levels > 0 && table != nullptr)
+      for (const auto& [key, inner] : *table)
+        entry.inner.push_back(entry_of(path_part(key.str()), inner, levels - 1));
+    return entry;
   }
 
   Value value_of(const toml::node& node) const {
@@ -93,6 +108,8 @@ class TomlCollector {
     return {.kind = ValueKind::number, .number = node.as_floating_point()->get(), .text = {}};
   }
 
+  static constexpr int inner_depth = 3;  // sweep.correlation is a list of lists in a table
+
   const std::vector<WideNumber>& wide_numbers_;
   std::vector<Entry> entries_;
 };
@@ -125,15 +142,11 @@ void report(const toml::parse_error& error, const TomlScreen& screen, Problems& 
 }
 
 }  // namespace
-}  // namespace scene_detail
 
-SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use) {
-  using namespace scene_detail;
-  SceneReading reading;
-  Problems problems(reading, source);
+std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems) {
   if (const std::string refusal = too_large_text(text.size()); !refusal.empty()) {
     problems.error("", refusal);
-    return reading;
+    return std::nullopt;
   }
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
@@ -141,15 +154,23 @@ SceneReading parse_scene_toml(std::string_view text, std::string_view source, Sc
   const TomlScreen screen = screen_toml(screened);
   if (!screen.complaint.empty()) {
     problems.error_at(screen.row, screen.column, "", screen.complaint);
-    return reading;
+    return std::nullopt;
   }
   const toml::parse_result result = toml::parse(std::string_view(screened));
   if (!result) {
     report(result.error(), screen, problems);
-    return reading;
+    return std::nullopt;
   }
-  const std::vector<Entry> entries = TomlCollector(screen.wide_numbers).collect(result.table());
-  bind_scene(entries, use, problems, reading);
+  return TomlCollector(screen.wide_numbers).collect(result.table());
+}
+
+}  // namespace scene_detail
+
+SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use) {
+  SceneReading reading;
+  scene_detail::Problems problems(reading, source);
+  if (const auto entries = scene_detail::toml_entries(text, problems))
+    scene_detail::bind_scene(*entries, use, problems, reading);
   return reading;
 }
 

@@ -24,5 +24,6 @@ Command add_bench(CLI::App& program);
 Command add_plugin_host(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 Command add_init(CLI::App& program);
+Command add_sweep(CLI::App& program);
 
 }  // namespace tribo::cli

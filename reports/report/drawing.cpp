@@ -7,7 +7,6 @@
 #include <iterator>
 #include <system_error>
 
-#include "report/gnuplot.hpp"
 #include "report/pending_file.hpp"
 
 namespace tribo::report {
@@ -26,20 +25,24 @@ std::string picture_path(const Figure& figure, std::string_view format) {
   return fmt::format("figures/{}.{}", figure.stem, format);
 }
 
+GnuplotRun draw_picture(const fs::path& scripts, const Drawing& drawing, const fs::path& data,
+                        std::string_view format, const fs::path& target) {
+  PendingFile file(target);
+  GnuplotRun run =
+      run_gnuplot(scripts / drawing.frame,
+                  {drawing.script, std::string(format), file.temporary().string(), data.string(),
+                   drawing.name, std::to_string(drawing.height), drawing.title, drawing.subtitle});
+  if (run.end == GnuplotEnd::drawn) file.commit();
+  return run;
+}
+
 std::string Draughtsman::draw_as(const Figure& figure, std::string_view format) {
   const std::string path = picture_path(figure, format);
   progress_("drawing " + path);
-  const Drawing& drawing = figure.drawing;
-  PendingFile file(places_.out / path);
   const GnuplotRun run =
-      run_gnuplot(places_.gnuplot / drawing.frame,
-                  {drawing.script, std::string(format), file.temporary().string(),
-                   (places_.out / drawing.data).string(), drawing.name,
-                   std::to_string(drawing.height), drawing.title, drawing.subtitle});
-  if (run.end == GnuplotEnd::drawn) {
-    file.commit();
-    return {};
-  }
+      draw_picture(places_.gnuplot, figure.drawing, places_.out / figure.drawing.data, format,
+                   places_.out / path);
+  if (run.end == GnuplotEnd::drawn) return {};
   gnuplot_is_there_ = run.end != GnuplotEnd::not_found;
   return gnuplot_is_there_ ? fmt::format("{}: {}", path, run.message) : run.message;
 }

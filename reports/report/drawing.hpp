@@ -2,18 +2,26 @@
 // Drawing the figures of the report, each as SVG and as PNG.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "report/figure.hpp"
+#include "report/gnuplot.hpp"
 #include "report/project_files.hpp"
 
 namespace tribo::report {
 
 // Below the report's folder.
 std::string picture_path(const Figure& figure, std::string_view format);
+
+// Draws one picture into `target`, whole or not at all. `scripts`: the folder of the gnuplot
+// scripts; `data`: that of the .tsv files, in place of the drawing's own.
+GnuplotRun draw_picture(const std::filesystem::path& scripts, const Drawing& drawing,
+                        const std::filesystem::path& data, std::string_view format,
+                        const std::filesystem::path& target);
 
 class Draughtsman {
  public:

@@ -17,7 +17,7 @@ double factor(const Input& input, Spread spread, double uniform) {
 }
 
 double uniform(Spread spread, std::size_t draw, std::size_t input) {
-  const verification::PhiloxCounter words = verification::philox4x32(
+  const verification::PhiloxCounter words = verification::philox_words(
       {static_cast<std::uint32_t>(draw), static_cast<std::uint32_t>(input), 0, 0},
       {static_cast<std::uint32_t>(spread), 0});
   return (words[0] + 0.5) * 0x1p-32;

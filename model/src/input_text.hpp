@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole text of an input: a regular file of at most 1 MiB, or standard input.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tribo::scene_detail {
+
+// Fills `text`; what comes back is why it could not, "" if it could. `what` is what the file should
+// hold: "a scene".
+std::string read_input_text(const std::string& path, std::string_view what, std::string& text);
+
+// "scenes/rough.toml" → "rough"
+std::string stem_of(std::string_view path);
+
+}  // namespace tribo::scene_detail

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/case_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/operating_points_arrays.hpp"
+#include "tribo/batch.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+// From so many speeds on, a case's own roots fill a batch; below, those of many cases share one.
+constexpr std::size_t speeds_of_a_curve = 16;
+constexpr std::size_t cases_in_hand = 256;
+
+double value_of(const OperatingPoint<double>& point, Output output) {
+  switch (output) {
+    case Output::film_flooded:
+      return point.film_flooded;
+    case Output::film:
+      return point.film;
+    case Output::separation:
+      return point.separation;
+    case Output::film_parameter:
+      return point.film_parameter;
+    case Output::asperity_load_share:
+      return point.asperity_load_share;
+    case Output::fluid_load_share:
+      return point.fluid_load_share;
+    case Output::real_area_ratio:
+      return point.real_area_ratio;
+    case Output::summit_count:
+      return point.summit_count;
+    case Output::friction:
+      return point.friction_undefined ? undefined : point.friction;
+    case Output::regime:
+      return static_cast<double>(point.regime);
+    case Output::inlet:
+      return static_cast<double>(point.inlet);
+  }
+  return undefined;
+}
+
+}  // namespace
+
+CaseSolver::CaseSolver(const SceneSweep& sweep) : sweep_(sweep), scene_(sweep.scene) {
+  contacts_.reserve(cases_in_hand);
+  while (speed_variable_ < sweep.variables.size() &&
+         sweep.variables[speed_variable_].path != "speed")
+    ++speed_variable_;
+  if (sweep.outputs.empty()) return;
+  for (std::size_t i = 0; i < scene_.speeds.size(); ++i) speeds_.push_back(scene_.speeds[i]);
+  for (const OutputInfo& info : output_infos)
+    if (sweep.outputs.contains(info.output)) point_width_ += speeds_.size();
+}
+
+void CaseSolver::solve(std::span<const double> variables, std::span<double> results) {
+  const std::size_t width = sweep_.width(), count = sweep_.variables.size();
+  const std::size_t cases = results.size() / width;
+  for (std::size_t first = 0; first < cases; first += cases_in_hand) {
+    const std::size_t some = std::min(cases_in_hand, cases - first);
+    const auto values = variables.subspan(first * count, some * count);
+    const auto to = results.subspan(first * width, some * width);
+    contacts_.clear();
+    const bool curves = speeds_.size() >= speeds_of_a_curve;
+    for (std::size_t i = 0; i < some; ++i) {
+      prepare(values.subspan(i * count, count));
+      if (curves) solve_curve(to.subspan(i * width, point_width_));
+      if (!sweep_.criteria.empty())
+        find_onsets(to.subspan(i * width + point_width_, width - point_width_));
+    }
+    if (!curves && point_width_ > 0) solve_few_speeds(values, to);
+  }
+}
+
+// Cases that differ in their speed alone share what is prepared.
+bool CaseSolver::is_contact_of(std::span<const double> values) const {
+  for (std::size_t v = 0; v < values.size(); ++v)
+    if (v != speed_variable_ && values[v] != prepared_[v]) return false;
+  return true;
+}
+
+void CaseSolver::prepare(std::span<const double> values) {
+  if (!contacts_.empty() && is_contact_of(values)) {
+    contacts_.push_back(contacts_.back());
+    return;
+  }
+  prepared_.assign(values.begin(), values.end());
+  for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
+  contacts_.emplace_back(scene_);
+}
+
+void CaseSolver::solve_curve(std::span<double> results) {
+  const std::size_t speeds = speeds_.size();
+  points_.resize(speeds, sweep_.outputs);
+  tribo::solve(contacts_.back(), speeds_, sweep_.outputs, points_);
+  double* to = results.data();
+  for_each_number(points_, [&](Output output, const std::vector<double>& numbers) {
+    if (numbers.empty()) return;
+    for (std::size_t j = 0; j < speeds; ++j)
+      to[j] =
+          output == Output::friction && points_.friction_undefined[j] != 0 ? undefined : numbers[j];
+    to += speeds;
+  });
+  const auto put_words = [&](const auto& words) {
+    if (words.empty()) return;
+    for (std::size_t j = 0; j < speeds; ++j) to[j] = static_cast<double>(words[j]);
+    to += speeds;
+  };
+  put_words(points_.regime);
+  put_words(points_.inlet);
+}
+
+void CaseSolver::solve_few_speeds(std::span<const double> variables, std::span<double> results) {
+  const std::size_t cases = contacts_.size(), speeds = speeds_.size(), width = sweep_.width();
+  const std::size_t count = cases * speeds, variable_count = sweep_.variables.size();
+  stiffness_.resize(count), offset_.resize(count), flooded_.resize(count), lambda_.resize(count);
+  const auto speed_of = [&](std::size_t i, std::size_t j) {
+    return speed_variable_ < variable_count ? variables[i * variable_count + speed_variable_]
+                                            : speeds_[j];
+  };
+  for (std::size_t i = 0; i < cases; ++i)
+    for (std::size_t j = 0; j < speeds; ++j) {
+      const std::size_t at = i * speeds + j;
+      stiffness_[at] = contacts_[i].asperities().stiffness;
+      offset_[at] = contacts_[i].asperities().offset;
+      flooded_[at] = contacts_[i].flooded_film_parameter(speed_of(i, j));
+    }
+  // One call for each run of cases with one asperity model, which may vary too.
+  for (std::size_t first = 0; first < cases;) {
+    const AsperityModel model = contacts_[first].asperities().model;
+    std::size_t end = first + 1;
+    while (end < cases && contacts_[end].asperities().model == model) ++end;
+    const std::size_t from = first * speeds, some = (end - first) * speeds;
+    film_parameter(model, std::span(stiffness_).subspan(from, some),
+                   std::span(offset_).subspan(from, some), std::span(flooded_).subspan(from, some),
+                   std::span(lambda_).subspan(from, some));
+    first = end;
+  }
+  for (std::size_t i = 0; i < cases; ++i)
+    for (std::size_t j = 0; j < speeds; ++j) {
+      const std::size_t at = i * speeds + j;
+      const MixedContact<double>& contact = contacts_[i];
+      const FloodedFilm<double> film =
+          contact.flooded(speed_of(i, j), flooded_[at], {lambda_[at], 0}, sweep_.outputs);
+      const InletState<double> inlet = contact.needs_inlet(sweep_.outputs)
+                                           ? contact.inlet(film)
+                                           : InletState<double>{1, 0, false};
+      const OperatingPoint<double> point = contact.complete(film, inlet, sweep_.outputs);
+      double* to = &results[i * width + j];
+      for (const OutputInfo& info : output_infos)
+        if (sweep_.outputs.contains(info.output)) {
+          *to = value_of(point, info.output);
+          to += speeds;
+        }
+    }
+}
+
+void CaseSolver::find_onsets(std::span<double> results) {
+  for (std::size_t c = 0; c < sweep_.criteria.size(); ++c) {
+    const Onset<double> found =
+        onset(contacts_.back(), scene_, sweep_.criteria[c], sweep_.departure);
+    results[3 * c] = found.exists ? found.speed : undefined;
+    results[3 * c + 1] = found.exists ? found.film : undefined;
+    results[3 * c + 2] = found.exists ? found.film_parameter : undefined;
+  }
+}
+
+}  // namespace tribo::sweep

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// All columns of some cases of a scene, in one pass.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "sweep/plan.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/operating_points.hpp"
+
+namespace tribo::sweep {
+
+// Not for two threads at once: each has its own.
+class CaseSolver {
+ public:
+  explicit CaseSolver(const SceneSweep& sweep);
+
+  // variables: of each case, its variables' values. results: of each case, its columns' values, NaN
+  // where undefined. A case's bits depend on nothing but its variables.
+  void solve(std::span<const double> variables, std::span<double> results);
+
+ private:
+  bool is_contact_of(std::span<const double> values) const;
+  void prepare(std::span<const double> values);
+  void solve_curve(std::span<double> results);  // of the prepared case, all speeds in a row
+  void solve_few_speeds(std::span<const double> variables, std::span<double> results);
+  void find_onsets(std::span<double> results);
+
+  const SceneSweep& sweep_;
+  Scene scene_;
+  std::size_t speed_variable_ = 0;              // its place; past the last: it does not vary
+  std::vector<MixedContact<double>> contacts_;  // of the cases in hand
+  std::vector<double> prepared_;                // the last contact's variables
+  std::vector<double> speeds_;
+  std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow
+  OperatingPoints points_;
+  std::vector<double> stiffness_, offset_, flooded_, lambda_;
+};
+
+}  // namespace tribo::sweep

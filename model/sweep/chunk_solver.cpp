@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/chunk_solver.hpp"
+
+#include <algorithm>
+
+#include "sweep/case_solver.hpp"
+#include "sweep/cases.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+// Rows that are solved, then summed up, while they are in the cache.
+constexpr std::size_t block_numbers = 8192;
+
+}  // namespace
+
+struct ChunkSolver::OfScene {
+  explicit OfScene(const SceneSweep& s) : sweep(s), generator(s), solver(s) {
+    if (!s.sensitivity) return;
+    // c of sensitivity.hpp.
+    std::vector<double> nominal_values;
+    for (const Variable& variable : s.variables) nominal_values.push_back(variable.nominal);
+    nominal.resize(s.width());
+    solver.solve(nominal_values, nominal);
+    for (double& value : nominal)
+      if (!std::isfinite(value)) value = 0;
+  }
+
+  const SceneSweep& sweep;
+  CaseGenerator generator;
+  CaseSolver solver;
+  std::vector<double> nominal;
+  std::vector<double> values, results;    // of a block
+  std::vector<std::vector<double>> kept;  // of the chunk: inputs, columns
+};
+
+namespace {
+
+// Which bytes a kept array has: words are places in a list.
+PackedValues packed(const std::vector<double>& values, bool words) {
+  if (!words) return pack(std::span<const double>(values));
+  std::vector<std::uint8_t> places(values.size());
+  std::transform(values.begin(), values.end(), places.begin(),
+                 [](double value) { return static_cast<std::uint8_t>(value); });
+  return pack(std::span<const std::uint8_t>(places));
+}
+
+class ChunkInHand {
+ public:
+  ChunkInHand(const SceneSweep& sweep, Chunk& chunk) : sweep_(sweep), chunk_(chunk) {
+    for (const Column& column : sweep.columns) {
+      chunk_.summaries.emplace_back(column.width);
+      if (sweep.sensitivity) chunk_.sensitivities.emplace_back(column.width);
+    }
+  }
+
+  // The results of one group's cases, row by row.
+  void add(std::uint64_t group, std::span<const double> results, std::span<const double> nominal) {
+    const std::size_t width = sweep_.width(), kept = sweep_.cases_kept_per_group();
+    std::size_t at = 0;
+    for (std::size_t c = 0; c < sweep_.columns.size(); ++c)
+      for (std::size_t j = 0; j < sweep_.columns[c].width; ++j, ++at) {
+        for (std::size_t row = 0; row < kept; ++row)
+          chunk_.summaries[c][j].add(results[row * width + at]);
+        if (sweep_.sensitivity) add_sensitivity(group, c, j, at, results, nominal[at]);
+      }
+  }
+
+ private:
+  void add_sensitivity(std::uint64_t group, std::size_t c, std::size_t j, std::size_t at,
+                       std::span<const double> results, double nominal) {
+    const std::size_t width = sweep_.width();
+    of_column_.resize(sweep_.cases_per_group());
+    for (std::size_t row = 0; row < of_column_.size(); ++row)
+      of_column_[row] = results[row * width + at];
+    const auto block = static_cast<std::uint32_t>(block_of(group, sweep_.groups));
+    chunk_.sensitivities[c][j][block].add(of_column_, nominal);
+  }
+
+  const SceneSweep& sweep_;
+  Chunk& chunk_;
+  std::vector<double> of_column_;
+};
+
+}  // namespace
+
+ChunkSolver::ChunkSolver(const SweepPlan& plan) : plan_(plan), scenes_(plan.scenes.size()) {}
+ChunkSolver::ChunkSolver(ChunkSolver&&) noexcept = default;
+ChunkSolver::~ChunkSolver() = default;
+
+Chunk ChunkSolver::solve(std::uint64_t number) {
+  const ChunkPlace place = place_of(plan_, number);
+  const SceneSweep& sweep = plan_.scenes[place.scene];
+  if (!scenes_[place.scene]) scenes_[place.scene] = std::make_unique<OfScene>(sweep);
+  OfScene& of = *scenes_[place.scene];
+
+  Chunk chunk;
+  chunk.number = number;
+  ChunkInHand in_hand(sweep, chunk);
+  const std::size_t variables = sweep.variables.size(), width = sweep.width();
+  const std::size_t rows = sweep.cases_per_group(), kept_rows = sweep.cases_kept_per_group();
+  if (sweep.keep_points) {
+    of.kept.resize(variables + sweep.columns.size());
+    for (std::size_t v = 0; v < variables; ++v) of.kept[v].assign(sweep.chunk_cases(), 0);
+    for (std::size_t c = 0; c < sweep.columns.size(); ++c)
+      of.kept[variables + c].assign(sweep.chunk_cases() * sweep.columns[c].width, 0);
+  }
+  const std::uint64_t block =
+      std::max<std::uint64_t>(1, block_numbers / (rows * (width + variables)));
+  for (std::uint64_t first = 0; first < place.groups; first += block) {
+    const auto some = static_cast<std::size_t>(std::min(block, place.groups - first));
+    of.values.resize(some * rows * variables);
+    of.results.resize(some * rows * width);
+    of.generator.groups(place.first_group + first, of.values);
+    of.solver.solve(of.values, of.results);
+    for (std::size_t g = 0; g < some; ++g) {
+      const auto results =
+          std::span<const double>(of.results).subspan(g * rows * width, rows * width);
+      in_hand.add(place.first_group + first + g, results, of.nominal);
+      if (!sweep.keep_points) continue;
+      for (std::size_t row = 0; row < kept_rows; ++row) {
+        const std::uint64_t to = (first + g) * kept_rows + row;
+        for (std::size_t v = 0; v < variables; ++v)
+          of.kept[v][to] = of.values[(g * rows + row) * variables + v];
+        const double* from = &results[row * width];
+        for (std::size_t c = 0; c < sweep.columns.size(); ++c) {
+          const std::size_t w = sweep.columns[c].width;
+          std::copy_n(from, w, &of.kept[variables + c][to * w]);
+          from += w;
+        }
+      }
+    }
+  }
+  if (!sweep.keep_points) return chunk;
+  for (std::size_t v = 0; v < variables; ++v)
+    chunk.values.push_back(packed(of.kept[v], !sweep.variables[v].words.empty()));
+  for (std::size_t c = 0; c < sweep.columns.size(); ++c)
+    chunk.values.push_back(packed(of.kept[variables + c], !sweep.columns[c].words.empty()));
+  return chunk;
+}
+
+}  // namespace tribo::sweep

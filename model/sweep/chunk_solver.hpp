@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chunks by their numbers: cases, columns, summaries, packed values.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sweep/chunk.hpp"
+#include "sweep/plan.hpp"
+
+namespace tribo::sweep {
+
+// Not for two threads at once: each has its own. The plan must outlive it.
+class ChunkSolver {
+ public:
+  explicit ChunkSolver(const SweepPlan& plan);
+  ChunkSolver(ChunkSolver&&) noexcept;
+  ~ChunkSolver();
+
+  // chunk: below plan.chunks(). The same bits wherever, whenever and beside whatever it is
+  // computed, on one instruction set.
+  Chunk solve(std::uint64_t chunk);
+
+ private:
+  struct OfScene;
+
+  const SweepPlan& plan_;
+  std::vector<std::unique_ptr<OfScene>> scenes_;  // made when first asked for
+};
+
+}  // namespace tribo::sweep

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// Points of the unit cube by their number: any of them at once, without those before it, so that
+// chunks can be computed anywhere in any order.
+//
+//   monte_carlo      independent: Philox4x32-10 (Random123) of point, dimension and seed
+//   latin_hypercube  each N-th of each dimension holds one of the N points: a permutation of the
+//                    cells by a keyed Feistel network, and a random place in the cell (McKay,
+//                    Beckman, Conover 1979)
+//   sobol            the digital sequence of Sobol' with the direction numbers of Joe and Kuo
+//                    (Boost.Random), from its zeroth point on, with a random digital shift of each
+//                    dimension
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "sweep/plan.hpp"
+
+namespace tribo::sweep {
+
+// The middle of one of 2⁵² equal parts of (0, 1), by a word's leading bits.
+constexpr double unit_number(std::uint64_t word) {
+  return (static_cast<double>(word >> 12) + 0.5) * 0x1p-52;
+}
+inline constexpr double least_unit_number = 0x1p-53;
+
+inline constexpr std::size_t most_dimensions = 100;
+
+// Not for two threads at once: each has its own.
+class UnitPoints {
+ public:
+  // design: any but factorial. `points` is how many there are in all; a Latin hypercube is of them,
+  // at most 2⁴⁸. Throws std::invalid_argument.
+  UnitPoints(Design design, std::size_t dimensions, std::uint64_t points, std::uint64_t seed);
+  UnitPoints(UnitPoints&&) noexcept;
+  UnitPoints& operator=(UnitPoints&&) noexcept;
+  ~UnitPoints();
+
+  // Points first, first + 1 …: as many as there is room for, dimension by dimension: coordinate d
+  // of point i is coordinates[i·dimensions + d], and comes from unit_number(). Throws
+  // std::out_of_range where the design has no such point.
+  void points(std::uint64_t first, std::span<double> coordinates);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace tribo::sweep

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a varied field is drawn from, by its quantile function: numbers in (0, 1) to values.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace tribo::sweep {
+
+enum class DistributionKind : std::uint8_t { uniform, log_uniform, normal, log_normal };
+
+constexpr std::string_view name(DistributionKind kind) {
+  return kind == DistributionKind::uniform       ? "uniform"
+         : kind == DistributionKind::log_uniform ? "log_uniform"
+         : kind == DistributionKind::normal      ? "normal"
+                                                 : "log_normal";
+}
+
+// from < to bound all four; for the two normal ones they truncate, and may be infinite. No value
+// that comes out is beyond them.
+class Distribution {
+ public:
+  Distribution() = default;
+  static Distribution uniform(double from, double to);
+  static Distribution log_uniform(double from, double to);  // 0 < from
+  // These two throw std::invalid_argument if the bounds are on one side and so far out (37 sd) that
+  // the part of the whole normal beyond the nearer one is less than 1e-300.
+  static Distribution normal(double mean, double sd, double from, double to);
+  // ln x has this sd around ln median; 0 < median, 0 <= from.
+  static Distribution log_normal(double median, double log_sd, double from, double to);
+
+  // The value below which a part u in (0, 1) lies, for u as they come from unit_number() of
+  // design.hpp. Error: uniform 1.5 ulp of the greater bound, log_uniform 3 ulp, normal 4 ulp of the
+  // greatest of |value|, |mean| and sd, log_normal 3 + 3|ln(value/median)| + 3·log_sd ulp.
+  double quantile(double u) const;
+  // The same for the u that belongs to a standard normal z, P(Z < z) = u.
+  double quantile_of_normal(double z) const;
+
+  double median() const { return quantile(0.5); }
+  // The extremes that can be drawn: the quantiles at the least and the greatest u.
+  double least() const;
+  double greatest() const;
+
+  DistributionKind kind() const { return kind_; }
+  // "normal, mean 0.0202, sd 0.001, from 0.01 to 0.04"
+  std::string text() const;
+
+ private:
+  Distribution(DistributionKind kind, double first, double second, double from, double to);
+  void truncate(double from, double to);
+  double value_at(double z) const;
+  double truncated(double u, double one_minus_u) const;
+
+  DistributionKind kind_ = DistributionKind::uniform;
+  double first_ = 0;        // mean, median; of the uniform ones: from
+  double second_ = 1;       // sd, sd of ln; of the uniform ones: to − from, ln(to/from)
+  double second_rest_ = 0;  // what rounding took from ln(to/from)
+  double from_ = 0;
+  double to_ = 1;
+  // Of the whole normal: P(Z < z(from)), P(Z > z(to)), and what lies between.
+  double below_from_ = 0;
+  double above_to_ = 0;
+  double between_ = 1;
+};
+
+}  // namespace tribo::sweep

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/hdf5_handles.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tribo::sweep::hdf5 {
+namespace {
+
+// Called from the innermost message outwards. HDF5's texts have the system's word among much else:
+// "file write failed: time = …, errno = 28, error message = 'No space left on device', buf = …".
+herr_t note_message(unsigned, const H5E_error2_t* error, void* noted) {
+  constexpr std::string_view before = "error message = '";
+  auto& message = *static_cast<std::string*>(noted);
+  const std::string_view text = error->desc == nullptr ? "" : error->desc;
+  const std::size_t found = text.find(before);
+  if (found != text.npos) {
+    const std::string_view rest = text.substr(found + before.size());
+    message = rest.substr(0, rest.find('\''));
+    return 1;
+  }
+  if (message.empty()) message = text;
+  return 0;
+}
+
+Handle utf8_names() {
+  Handle list(H5Pcreate(H5P_LINK_CREATE));
+  checked(H5Pset_char_encoding(list, H5T_CSET_UTF8));
+  return list;
+}
+
+Handle scalar() { return Handle(H5Screate(H5S_SCALAR)); }
+
+void write_attribute(hid_t object, const char* name, hid_t file_type, hid_t memory_type,
+                     hid_t space, const void* value) {
+  Handle attribute(H5Acreate2(object, name, file_type, space, H5P_DEFAULT, H5P_DEFAULT));
+  checked(H5Awrite(attribute, memory_type, value));
+}
+
+// Strings that HDF5 has allocated.
+class ReadStrings {
+ public:
+  explicit ReadStrings(hid_t attribute)
+      : type_(string_type()),
+        space_(H5Aget_space(attribute)),
+        texts_(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space_))), nullptr) {
+    checked(H5Aread(attribute, type_, texts_.data()));
+  }
+  ReadStrings(const ReadStrings&) = delete;
+  ReadStrings& operator=(const ReadStrings&) = delete;
+  ~ReadStrings() { H5Dvlen_reclaim(type_, space_, H5P_DEFAULT, texts_.data()); }
+
+  std::vector<std::string> texts() const {
+    std::vector<std::string> copies;
+    for (const char* const text : texts_) copies.emplace_back(text == nullptr ? "" : text);
+    return copies;
+  }
+
+ private:
+  Handle type_, space_;
+  std::vector<char*> texts_;
+};
+
+}  // namespace
+
+std::string last_error() {
+  std::string message;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, note_message, &message);
+  return message.empty() ? "HDF5 does not say why" : message;
+}
+
+Handle string_type() {
+  Handle type(H5Tcopy(H5T_C_S1));
+  checked(H5Tset_size(type, H5T_VARIABLE));
+  checked(H5Tset_cset(type, H5T_CSET_UTF8));
+  return type;
+}
+
+void without_times(hid_t creation) { checked(H5Pset_obj_track_times(creation, false)); }
+
+Handle make_group(hid_t parent, const std::string& name) {
+  Handle creation(H5Pcreate(H5P_GROUP_CREATE));
+  without_times(creation);
+  checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  return Handle(H5Gcreate2(parent, name.c_str(), utf8_names(), creation, H5P_DEFAULT));
+}
+
+Handle make_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space,
+                    hid_t creation) {
+  without_times(creation);
+  return Handle(H5Dcreate2(parent, name.c_str(), type, space, utf8_names(), creation, H5P_DEFAULT));
+}
+
+void write_attribute(hid_t object, const char* name, std::string_view text) {
+  const std::string copy(text);
+  const char* const first = copy.c_str();
+  const Handle type = string_type();
+  write_attribute(object, name, type, type, scalar(), &first);
+}
+
+void write_attribute(hid_t object, const char* name, std::span<const std::string> texts) {
+  std::vector<const char*> firsts;
+  for (const std::string& text : texts) firsts.push_back(text.c_str());
+  const hsize_t count = texts.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr));
+  const Handle type = string_type();
+  write_attribute(object, name, type, type, space, firsts.data());
+}
+
+void write_attribute(hid_t object, const char* name, double value) {
+  write_attribute(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, scalar(), &value);
+}
+
+void write_attribute(hid_t object, const char* name, std::uint64_t value) {
+  write_attribute(object, name, H5T_STD_U64LE, H5T_NATIVE_UINT64, scalar(), &value);
+}
+
+std::string read_text(hid_t object, const char* name) {
+  const std::vector<std::string> texts = read_texts(object, name);
+  return texts.empty() ? "" : texts.front();
+}
+
+std::vector<std::string> read_texts(hid_t object, const char* name) {
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
+  return ReadStrings(attribute).texts();
+}
+
+std::uint64_t read_count(hid_t object, const char* name) {
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
+  std::uint64_t value = 0;
+  checked(H5Aread(attribute, H5T_NATIVE_UINT64, &value));
+  return value;
+}
+
+}  // namespace tribo::sweep::hdf5

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// HDF5's C API with owners for what it hands out and exceptions for what fails.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tribo::sweep::hdf5 {
+
+// While it lives, HDF5 prints nothing of its errors in this thread. To be there before any other
+// call.
+class QuietErrors {
+ public:
+  QuietErrors() {
+    // At exit HDF5 would close once more what it could not close on a full disk, and crash
+    // (1.10.8).
+    H5dont_atexit();
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  QuietErrors(const QuietErrors&) = delete;
+  QuietErrors& operator=(const QuietErrors&) = delete;
+  ~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+// What HDF5 says of the last call that failed: the system's word for it ("No space left on device")
+// where there is one, else the innermost message.
+std::string last_error();
+
+struct Error : std::runtime_error {
+  Error() : std::runtime_error(last_error()) {}
+  using std::runtime_error::runtime_error;
+};
+
+// Of each call that returns a number below zero when it fails.
+template <class T>
+T checked(T result) {
+  if (result < 0) throw Error();
+  return result;
+}
+
+// Owns an identifier of any kind.
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(hid_t id) : id_(checked(id)) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) H5Idec_ref(id_);
+  }
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
+
+  // As the destructor, but what fails is thrown: closing is when a file's last bytes are written.
+  void close() {
+    const hid_t id = std::exchange(id_, H5I_INVALID_HID);
+    if (id >= 0) checked(H5Idec_ref(id));
+  }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+};
+
+// Texts of UTF-8 of any length.
+Handle string_type();
+
+// Groups, datasets and attributes are made without times, so that files of one content are equal.
+Handle make_group(hid_t parent, const std::string& name);
+Handle make_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, hid_t creation);
+void without_times(hid_t creation);
+
+void write_attribute(hid_t object, const char* name, std::string_view text);
+void write_attribute(hid_t object, const char* name, std::span<const std::string> texts);
+void write_attribute(hid_t object, const char* name, double value);
+void write_attribute(hid_t object, const char* name, std::uint64_t value);
+// Throw Error where there is none of that name and type.
+std::string read_text(hid_t object, const char* name);
+std::vector<std::string> read_texts(hid_t object, const char* name);
+std::uint64_t read_count(hid_t object, const char* name);
+
+}  // namespace tribo::sweep::hdf5

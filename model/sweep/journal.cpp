@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/journal.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "sweep/disk.hpp"
+#include "sweep/journal_record.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+using journal_record::Head;
+using journal_record::header_number;
+
+constexpr std::chrono::seconds between_syncs{5};
+
+[[noreturn]] void fail(const std::string& what, int code) {
+  throw std::system_error(code, std::generic_category(), what);
+}
+
+Bytes to_bytes(const JournalHeader& header) {
+  Bytes bytes;
+  put_text(bytes, header.version);
+  put_text(bytes, header.digest);
+  put_text(bytes, header.instruction_set);
+  put(bytes, static_cast<std::uint64_t>(header.files.size()));
+  for (const auto& [name, text] : header.files) {
+    put_text(bytes, name);
+    put_text(bytes, text);
+  }
+  return bytes;
+}
+
+int open_file(const std::string& path, int flags) {
+  for (;;) {
+    const int descriptor = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EINTR) return descriptor;
+  }
+}
+
+// Some network file systems know no locks; a sweep runs there all the same.
+void lock(int descriptor, const std::string& path) {
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return;
+  if (errno == EWOULDBLOCK) fail(path + " is being written by another process", errno);
+  if (errno != ENOSYS && errno != ENOTSUP && errno != ENOLCK) fail("cannot lock " + path, errno);
+}
+
+// Writes all of two pieces; the error's number, 0: none.
+int write_all(int descriptor, std::uint64_t offset, std::span<const std::byte> first,
+              std::span<const std::byte> second) {
+  while (!first.empty() || !second.empty()) {
+    // writev() only reads from what it is given, but its type does not say so.
+    const std::array<iovec, 2> pieces{{{const_cast<std::byte*>(first.data()), first.size()},
+                                       {const_cast<std::byte*>(second.data()), second.size()}}};
+    const ssize_t written = ::pwritev(descriptor, pieces.data(), 2, static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    if (written == 0) return ENOSPC;
+    const auto count = static_cast<std::size_t>(written);
+    offset += count;
+    const std::size_t of_first = std::min(count, first.size());
+    first = first.subspan(of_first);
+    second = second.subspan(count - of_first);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Journal::Journal(int descriptor, std::string path)
+    : descriptor_(descriptor), path_(std::move(path)), synced_(std::chrono::steady_clock::now()) {}
+
+// Under another name until its header is whole: a process killed on the way leaves no journal that
+// is none.
+Journal Journal::create(const std::string& path, const JournalHeader& header) {
+  if (::access(path.c_str(), F_OK) == 0) fail("cannot create " + path, EEXIST);
+  const std::string unfinished = path + ".new";
+  const int descriptor = open_file(unfinished, O_CREAT);
+  if (descriptor < 0) fail("cannot create " + path, errno);
+  Journal journal(descriptor, path);
+  lock(descriptor, path);
+  const Bytes bytes = to_bytes(header);
+  try {
+    if (::ftruncate(descriptor, 0) != 0) fail("cannot write " + path, errno);
+    const Head head{header_number, bytes.size(), 0};
+    for (int copy = 0; copy < 2; ++copy) journal.write_record(header_number, bytes);
+    journal.seed_ = journal_record::checksum(head, bytes, 0);
+    journal.sync();
+    if (::rename(unfinished.c_str(), path.c_str()) != 0) fail("cannot create " + path, errno);
+    // A new file is there after a power failure only once its folder is on the disk.
+    if (const int code = sync_to_disk(folder_of(path)); code != 0)
+      fail("cannot write the folder of " + path, code);
+  } catch (...) {
+    ::unlink(unfinished.c_str());
+    throw;
+  }
+  return journal;
+}
+
+Journal Journal::resume(const std::string& path) {
+  const int descriptor = open_file(path, 0);
+  if (descriptor < 0) fail("cannot open " + path, errno);
+  Journal journal(descriptor, path);
+  lock(descriptor, path);
+  const journal_record::Found found = journal_record::find_records(descriptor, path);
+  journal.seed_ = found.seed;
+  journal.end_ = found.end;
+  if (::ftruncate(descriptor, static_cast<off_t>(found.end)) != 0)
+    fail("cannot write " + path, errno);
+  return journal;
+}
+
+Journal::Journal(Journal&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      path_(std::move(other.path_)),
+      seed_(other.seed_),
+      end_(other.end_),
+      synced_(other.synced_) {}
+
+Journal& Journal::operator=(Journal&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(path_, other.path_);
+  std::swap(seed_, other.seed_);
+  std::swap(end_, other.end_);
+  std::swap(synced_, other.synced_);
+  return *this;
+}
+
+Journal::~Journal() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void Journal::append(std::uint64_t chunk, std::span<const std::byte> bytes) {
+  bool is_due = false;
+  {
+    const std::lock_guard guard(mutex_);
+    write_record(chunk, bytes);
+    const auto now = std::chrono::steady_clock::now();
+    is_due = now - synced_ >= between_syncs;
+    if (is_due) synced_ = now;
+  }
+  if (is_due) sync();  // the other threads go on writing meanwhile
+}
+
+void Journal::sync() {
+  while (::fdatasync(descriptor_) != 0)
+    if (errno != EINTR) fail("cannot write " + path_ + " to the disk", errno);
+}
+
+void Journal::write_record(std::uint64_t number, std::span<const std::byte> bytes) {
+  Head head{number, bytes.size(), 0};
+  head.checksum = journal_record::checksum(head, bytes, seed_);
+  const journal_record::HeadBytes head_bytes = journal_record::to_bytes(head);
+  if (const int code = write_all(descriptor_, end_, head_bytes, bytes)) {
+    // If this fails too, a reader knows that what is there is no record, and the next one is
+    // written over it.
+    [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(end_));
+    fail("cannot write " + path_, code);
+  }
+  end_ += head_bytes.size() + bytes.size();
+}
+
+}  // namespace tribo::sweep

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The journal of a sweep: a file to which each chunk is appended as soon as it is computed. A
+// record carries its length and a checksum (XXH3), so that what a crash left half-written is known
+// for what it is. The first record says which sweep it is and on what it was computed.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sweep/bytes.hpp"
+
+namespace tribo::sweep {
+
+// What a journal says of itself. Chunks of two journals go together if version, digest and
+// instruction set are the same.
+struct JournalHeader {
+  std::string version;          // of tribocheck
+  std::string digest;           // of the plan
+  std::string instruction_set;  // of the vector kernels, and of the C library's functions
+  // What the plan was made of: names and texts, so that a journal is enough to make the result.
+  std::vector<std::pair<std::string, std::string>> files;
+
+  friend bool operator==(const JournalHeader&, const JournalHeader&) = default;
+};
+
+// A journal, open for appending. One process at a time has it: a lock (flock) sees to that. Writes
+// go to the system at once, so that a killed process loses nothing, and to the disk every few
+// seconds and in sync(). All errors are thrown as std::system_error, with a text that names the
+// file; a record that could not be written whole is taken back (the file is cut to where it was).
+class Journal {
+ public:
+  // Makes a new one; fails if there is a file already.
+  static Journal create(const std::string& path, const JournalHeader& header);
+  // Opens one to go on, behind its last whole record. What follows that is cut off; damage before
+  // it stays, so that no whole record behind it is lost.
+  static Journal resume(const std::string& path);
+
+  Journal(Journal&&) noexcept;
+  Journal& operator=(Journal&&) noexcept;
+  ~Journal();
+
+  // Any thread may call.
+  void append(std::uint64_t chunk, std::span<const std::byte> bytes);
+  void sync();
+
+ private:
+  explicit Journal(int descriptor, std::string path);
+  void write_record(std::uint64_t number, std::span<const std::byte> bytes);
+
+  int descriptor_ = -1;
+  std::string path_;
+  std::uint64_t seed_ = 0;  // of the checksums
+  std::uint64_t end_ = 0;   // where the next record goes
+  std::chrono::steady_clock::time_point synced_;
+  std::mutex mutex_;  // moved from only while one thread knows of it
+};
+
+// The records of one journal, found and checked by one pass through the file.
+class JournalReader {
+ public:
+  // Throws std::runtime_error, with a text that names the file, where it cannot be read or its
+  // header is none.
+  explicit JournalReader(const std::string& path);
+  JournalReader(JournalReader&&) noexcept;
+  JournalReader& operator=(JournalReader&&) noexcept;
+  ~JournalReader();
+
+  const std::string& path() const { return path_; }
+  const JournalHeader& header() const { return header_; }
+  struct Record {
+    std::uint64_t chunk;
+    std::uint64_t offset;  // of its bytes in the file
+    std::uint64_t size;
+  };
+  std::span<const Record> records() const { return records_; }
+  // Bytes that belong to no whole record: half a record at the end, or damage anywhere, behind
+  // which the pass goes on. 0: none.
+  std::uint64_t lost_bytes() const { return lost_bytes_; }
+  // Reads a record again and checks it again.
+  Bytes read(const Record& record) const;
+
+ private:
+  int descriptor_ = -1;
+  std::string path_;
+  JournalHeader header_;
+  std::uint64_t seed_ = 0;  // of the checksums
+  std::vector<Record> records_;
+  std::uint64_t lost_bytes_ = 0;
+};
+
+// All chunks of some journals of one sweep, by number.
+class JournalSet {
+ public:
+  // Throws std::runtime_error where they do not go together: the text says which and why. With
+  // `any_instruction_set` those may differ.
+  JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks, bool any_instruction_set);
+
+  const JournalHeader& header() const { return readers_.front().header(); }
+  bool has(std::uint64_t chunk) const { return places_[chunk].reader != none; }
+  std::uint64_t count() const { return count_; }
+  std::uint64_t chunks() const { return places_.size(); }
+  Bytes read(std::uint64_t chunk) const;
+  std::span<const JournalReader> readers() const { return readers_; }
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+  struct Place {
+    std::uint32_t reader = none;
+    std::uint32_t record = 0;
+  };
+
+  std::vector<JournalReader> readers_;
+  std::vector<Place> places_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace tribo::sweep

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/layout.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "tribo/operating_point.hpp"
+#include "tribo/outputs.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+std::vector<std::string> words_of(Output output) {
+  if (output == Output::regime)
+    return {std::string(name(Regime::boundary)), std::string(name(Regime::mixed)),
+            std::string(name(Regime::elastohydrodynamic))};
+  if (output == Output::inlet)
+    return {std::string(name(Inlet::flooded)), std::string(name(Inlet::starved)),
+            std::string(name(Inlet::collapsed))};
+  return {};
+}
+
+std::vector<Column> columns_of(const SceneSweep& sweep) {
+  std::vector<Column> columns;
+  for (const OutputInfo& info : output_infos)
+    if (sweep.outputs.contains(info.output))
+      columns.push_back({std::string(info.name), std::string(info.unit), words_of(info.output),
+                         sweep.scene.speeds.size()});
+  for (const OnsetCriterion criterion : sweep.criteria) {
+    const std::string prefix = "onset." + std::string(name(criterion)) + '.';
+    columns.push_back({prefix + "speed", "m/s", {}, 1});
+    columns.push_back({prefix + "film", "m", {}, 1});
+    columns.push_back({prefix + "film_parameter", "", {}, 1});
+  }
+  return columns;
+}
+
+// Long enough that a record's bytes and its place in the file are little beside it, short enough
+// that little is lost with it: some 256 chunks of at least 1024 points, later of 65536, and some
+// 4096 of those that are longer still. A chunk of kept points has at most some 131072 numbers.
+std::uint64_t groups_a_chunk(const SceneSweep& sweep, std::uint64_t points) {
+  constexpr std::uint64_t least = 1024, usual = 65536, most = 1 << 20, most_numbers = 1 << 17;
+  std::uint64_t chunk_points = std::clamp(points / 256, least, usual);
+  chunk_points = std::clamp(points / 4096, chunk_points, most);
+  std::uint64_t groups = chunk_points / std::max<std::uint64_t>(points / sweep.groups, 1);
+  if (sweep.keep_points)
+    groups = std::min(groups, most_numbers / ((sweep.width() + sweep.variables.size()) *
+                                              sweep.cases_kept_per_group()));
+  return std::min(std::bit_floor(std::max<std::uint64_t>(groups, 1)), std::bit_ceil(sweep.groups));
+}
+
+}  // namespace
+
+void lay_out(SceneSweep& sweep) {
+  sweep.columns = columns_of(sweep);
+  sweep.grid_cells = 1;
+  for (const Variable& variable : sweep.variables)
+    if (!variable.is_drawn()) sweep.grid_cells *= variable.grid.size();
+  sweep.groups = sweep.grid_cells * sweep.draws;
+  sweep.chunk_groups = groups_a_chunk(sweep, sweep.points());
+  sweep.chunks = (sweep.groups + sweep.chunk_groups - 1) / sweep.chunk_groups;
+}
+
+}  // namespace tribo::sweep

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sweep: scenes in which some fields vary, and what is asked of each of their cases. Made from
+// files by plan_reader.hpp; all that follows is a function of the plan alone, so that any number of
+// threads, machines and restarts comes to the same bits.
+//
+//   case    one set of values of the varied fields
+//   point   one case at one speed, or one case with its onsets where no operating point is asked
+//   chunk   so many cases in a row: what is computed, kept and handed out as a whole
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sweep/distribution.hpp"
+#include "tribo/onset_criterion.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::sweep {
+
+enum class Design : std::uint8_t { factorial, sobol, latin_hypercube, monte_carlo };
+
+constexpr std::string_view name(Design design) {
+  constexpr std::array<std::string_view, 4> names{"factorial", "sobol", "latin_hypercube",
+                                                  "monte_carlo"};
+  return names[static_cast<std::size_t>(design)];
+}
+
+// A field that varies: over a grid, or drawn from a distribution.
+struct Variable {
+  std::string path;                         // "lubricant.viscosity"
+  std::string unit;                         // empty: dimensionless
+  std::string meaning;                      // of the field
+  std::string text;                         // how it varies: "uniform from 0.02015 to 0.02025"
+  void (*store)(Scene&, double) = nullptr;  // puts a value into a scene
+  double nominal = 0;                       // in the middle; what `scene` of the sweep has
+  std::vector<double> grid;                 // not empty: these values, each with all others
+  std::vector<std::string> words;  // of a grid of words: all that the field knows; the grid has
+                                   // places in this list
+  Distribution distribution;       // where there is no grid
+
+  bool is_drawn() const { return grid.empty(); }
+};
+
+// One result of a case: an output, or a number of an onset.
+struct Column {
+  std::string name;  // "film", "onset.film_maximum.speed"
+  std::string unit;
+  std::vector<std::string> words;  // of an output of words: values are places in this list
+  std::size_t width = 1;           // values a case: one, or one for each speed of the scene
+};
+
+// The sweep of one scene file.
+struct SceneSweep {
+  std::string file;  // without its folder
+  std::string text;  // the whole of it
+  Scene scene;       // with nominal values
+
+  std::vector<Variable> variables;  // grids first, each in the file's order
+  Design design = Design::sobol;    // of the drawn ones
+  std::uint64_t draws = 1;          // for each set of grid values; of each matrix with sensitivity
+  std::uint64_t seed = 1;
+  // Rows of the lower triangle L of the correlation matrix, L·Lᵀ, of the drawn variables in their
+  // order; empty: independent.
+  std::vector<std::vector<double>> correlation_root;
+  bool sensitivity = false;  // Sobol indices: see sensitivity.hpp for the cases that this adds
+  bool keep_points = true;   // in the result, or its summaries alone
+
+  OutputSet outputs;                     // of operating points; empty: none
+  std::vector<OnsetCriterion> criteria;  // of onsets; empty: none
+  double departure = default_departure;  // ε of film_departure
+  std::vector<Column> columns;           // what these come to, in the order of the result
+
+  std::uint64_t grid_cells = 1;  // sets of grid values
+  std::uint64_t groups = 1;      // grid_cells · draws
+  std::uint64_t chunk_groups = 1;
+  std::uint64_t chunks = 1;
+
+  std::size_t drawn() const;  // variables that are drawn; they are the last ones
+  std::size_t cases_kept_per_group() const { return sensitivity ? 2 : 1; }
+  std::size_t cases_per_group() const { return sensitivity ? 2 + drawn() : 1; }
+  std::uint64_t cases() const { return groups * cases_kept_per_group(); }  // in the result
+  std::uint64_t chunk_cases() const { return chunk_groups * cases_kept_per_group(); }
+  // Values of one case, over all columns.
+  std::size_t width() const;
+  // Points that are computed, with those for sensitivity.
+  std::uint64_t points() const;
+};
+
+struct SweepPlan {
+  std::vector<SceneSweep> scenes;
+  std::string version;  // of tribocheck
+  std::string digest;   // of version, files' texts and layout, 32 hexadecimal digits
+
+  std::uint64_t chunks() const;
+  std::uint64_t points() const;
+};
+
+// A chunk of the whole plan, found: of which scene, and its cases.
+struct ChunkPlace {
+  std::size_t scene = 0;
+  std::uint64_t chunk = 0;        // within the scene
+  std::uint64_t first_group = 0;  // within the scene
+  std::uint64_t groups = 0;
+};
+ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk);
+
+}  // namespace tribo::sweep

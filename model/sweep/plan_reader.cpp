@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/plan_reader.hpp"
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "src/input_text.hpp"
+#include "src/scene_entries.hpp"
+#include "src/scene_schema.hpp"
+#include "src/scene_text.hpp"
+#include "sweep/correlation.hpp"
+#include "sweep/layout.hpp"
+#include "sweep/sensitivity.hpp"
+#include "sweep/table_reader.hpp"
+#include "sweep/variable_reader.hpp"
+#include "tribo/onset.hpp"
+#include "tribo/version.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+using scene_detail::Entry;
+using scene_detail::Problems;
+using scene_detail::Value;
+using scene_detail::ValueKind;
+
+constexpr std::array<std::string_view, 4> design_names{name(Design::factorial), name(Design::sobol),
+                                                       name(Design::latin_hypercube),
+                                                       name(Design::monte_carlo)};
+constexpr std::array<std::string_view, 4> criterion_names{
+    name(OnsetCriterion::film_maximum), name(OnsetCriterion::film_departure),
+    name(OnsetCriterion::friction_minimum), name(OnsetCriterion::asperity_minimum)};
+constexpr std::array<std::string_view, 2> keep_names{"points", "summaries"};
+
+constexpr std::array<SweepField, 9> fields{{
+    {"design", "sobol, latin_hypercube, monte_carlo; factorial where all that varies is a grid",
+     "sobol", "how the distributions are drawn from; grids are always crossed in full"},
+    {"draws", "a whole number from 1 to 1e12", "16384",
+     "for each set of grid values; with sensitivity, of each of its two matrices"},
+    {"seed", "a whole number from 0 to 9007199254740992", "1", "of the draws"},
+    {"onset", "a list of film_maximum, film_departure, friction_minimum, asperity_minimum", "none",
+     "the onset's speed, film and film parameter by these criteria; with it, operating "
+     "points are computed only where the scene lists `outputs`"},
+    {"departure", "a number above 0 and below 1", "0.05", "the ε of film_departure"},
+    {"sensitivity", "true or false", "false",
+     "Sobol indices of the drawn fields, which have to be independent, without grids"},
+    {"correlated", "a list of drawn fields", "none", "the fields of the correlation matrix"},
+    {"correlation", "a list of its rows", "none",
+     "correlations of the normals behind the draws (a Gaussian copula)"},
+    {"keep", "points or summaries", "points", "what the result holds of each case"},
+}};
+
+std::vector<std::string_view> field_names() {
+  std::vector<std::string_view> names;
+  for (const SweepField& field : fields) names.push_back(field.name);
+  return names;
+}
+std::string_view allowed(std::string_view name) {
+  for (const SweepField& field : fields)
+    if (field.name == name) return field.allowed;
+  return "";
+}
+
+// What a field's place in the list of entries has to do with its variable.
+struct VariedEntry {
+  std::size_t entry;
+  Variable variable;
+};
+
+class SweepBinder {
+ public:
+  SweepBinder(std::vector<Entry> entries, const std::string& source, SweepReading& reading)
+      : entries_(std::move(entries)), source_(source), reading_(reading) {}
+
+  void bind() {
+    take_sweep_table();
+    take_variables();
+    if (!ok()) return;
+    take_settings();
+    take_scene();
+    if (!ok()) return;
+    check_extremes();
+    take_correlation();
+    check_combinations();
+    if (!ok()) return;
+    check_size();
+    if (!ok()) return;
+    lay_out(sweep_);
+    reading_.sweep = std::move(sweep_);
+  }
+
+ private:
+  bool ok() const { return problems_reading_.errors.empty() && reading_.errors.empty(); }
+  void error(std::string_view field, std::string_view message) {
+    problems_.error(field, message);
+    hand_over();
+  }
+  void hand_over() {
+    for (InputProblem& problem : problems_reading_.errors)
+      reading_.errors.push_back(std::move(problem));
+    problems_reading_.errors.clear();
+  }
+
+  // --- Apart: the table [sweep], and what varies.
+
+  void take_sweep_table() {
+    const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                    [](const Entry& entry) { return entry.path == "sweep"; });
+    if (found == entries_.end()) return;
+    if (found->value.kind != ValueKind::table)
+      error("sweep", "not a table; allowed: a table with the fields of [sweep]");
+    settings_ = std::move(*found);
+    entries_.erase(found);
+  }
+
+  void take_variables() {
+    gather_speed();
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const auto place = scene_detail::find_field(entries_[i].path);
+      if (!place || !varies(entries_[i])) continue;
+      const FieldInfo& field = scene_fields()[*place];
+      const bool can = field.type == FieldType::number || field.type == FieldType::integer ||
+                       field.type == FieldType::choice ||
+                       (field.type == FieldType::speeds && speed_is_drawn_);
+      if (!can) continue;
+      if (auto variable = read_variable(entries_[i], field, problems_)) {
+        entries_[i] = {entries_[i].path, value_for(*variable, variable->nominal), {}, {}};
+        varied_.push_back({i, std::move(*variable)});
+      }
+    }
+    hand_over();
+    // Grids first, then in the schema's order: the files' own is not known any more.
+    std::sort(varied_.begin(), varied_.end(),
+              [](const VariedEntry& left, const VariedEntry& right) {
+                const auto key = [](const VariedEntry& varied) {
+                  return std::pair(varied.variable.is_drawn(),
+                                   scene_detail::field_at(varied.variable.path));
+                };
+                return key(left) < key(right);
+              });
+    if (ok() && varied_.empty())
+      error("",
+            "nothing varies; allowed: a grid or a distribution in place of a number, as in "
+            "viscosity = { distribution = \"uniform\", from = 0.01, to = 0.03 }");
+    if (varied_.size() > most_variables)
+      error("", "more than " + std::to_string(most_variables) + " fields vary");
+  }
+
+  // `speed` is a section of the schema, whose fields have entries of their own.
+  void gather_speed() {
+    const auto is_part = [](const Entry& entry) { return entry.path.starts_with("speed."); };
+    for (const Entry& entry : entries_)
+      speed_is_drawn_ =
+          speed_is_drawn_ || entry.path == "speed.distribution" || entry.path == "speed.printed";
+    if (!speed_is_drawn_) return;
+    std::vector<Entry> parts;
+    for (Entry& entry : entries_)
+      if (is_part(entry)) {
+        parts.push_back(std::move(entry));
+        parts.back().path.erase(0, 6);
+        entry.path = "speed.";
+      }
+    std::erase_if(entries_, is_part);
+    for (Entry& entry : entries_)
+      if (entry.path == "speed") entry.inner = std::move(parts);
+  }
+
+  // --- The table [sweep].
+
+  void take_settings() {
+    const std::vector<std::string_view> names = field_names();
+    TableReader table("sweep", settings_.inner, names, problems_);
+    sweep_.draws = default_draws;
+    if (const auto design = table.word("design", design_names))
+      sweep_.design = static_cast<Design>(*design);
+    has_design_ = table.has("design");
+    has_draws_ = table.has("draws");
+    if (const auto draws = table.whole("draws", 1, most_cases, allowed("draws")))
+      sweep_.draws = *draws;
+    if (const auto seed = table.whole("seed", 0, std::uint64_t{1} << 53, allowed("seed")))
+      sweep_.seed = *seed;
+    if (const auto criteria = table.words("onset", criterion_names))
+      for (const std::size_t place : *criteria)
+        sweep_.criteria.push_back(static_cast<OnsetCriterion>(place));
+    if (const auto departure = table.number("departure", allowed("departure"))) {
+      if (*departure > 0 && *departure < 1)
+        sweep_.departure = *departure;
+      else
+        table.refuse("departure", scene_detail::number_text(*departure) + " is not allowed",
+                     allowed("departure"));
+    }
+    sweep_.sensitivity = table.boolean("sensitivity").value_or(false);
+    if (const auto keep = table.word("keep", keep_names)) sweep_.keep_points = *keep == 0;
+    hand_over();
+  }
+
+  // --- The scene with nominal values.
+
+  void take_scene() {
+    for (const Entry& entry : entries_) lists_outputs_ = lists_outputs_ || entry.path == "outputs";
+    asks_points_ = sweep_.criteria.empty() || lists_outputs_;
+    SceneReading scene = bound(entries_);
+    for (InputProblem& problem : scene.errors) reading_.errors.push_back(std::move(problem));
+    reading_.warnings = std::move(scene.warnings);
+    if (!scene.scene) return;
+    sweep_.scene = std::move(*scene.scene);
+    if (!scene.id && source_ != "-") sweep_.scene.id = scene_detail::stem_of(source_);
+    if (asks_points_) sweep_.outputs = sweep_.scene.outputs;
+    check_id();
+    for (const VariedEntry& varied : varied_) sweep_.variables.push_back(varied.variable);
+  }
+
+  SceneReading bound(const std::vector<Entry>& entries) const {
+    SceneReading reading;
+    Problems problems(reading, source_);
+    scene_detail::bind_scene(entries, asks_points_ ? SceneUse::speeds : SceneUse::onset, problems,
+                             reading);
+    return reading;
+  }
+
+  void check_id() {
+    const std::string& id = sweep_.scene.id;
+    if (!id.empty() && id != "." && id.find('/') == std::string::npos &&
+        id.find('\0') == std::string::npos && id.size() <= 200)
+      return;
+    error("id", '"' + printable(id) +
+                    "\" cannot name a group of the result; allowed: up to 200 bytes without \"/\", "
+                    "not empty and not \".\"");
+  }
+
+  // Each value that a grid has, and the ends of what is drawn, have to be legal by themselves.
+  void check_extremes() {
+    for (const VariedEntry& varied : varied_) {
+      const Variable& variable = varied.variable;
+      std::vector<double> values = variable.grid;
+      if (variable.is_drawn())
+        values = {variable.distribution.least(), variable.distribution.greatest()};
+      if (!variable.words.empty()) continue;
+      for (const double value : values)
+        if (!check_value(varied, value)) break;
+    }
+  }
+
+  bool check_value(const VariedEntry& varied, double value) {
+    Entry& entry = entries_[varied.entry];
+    const Value before = entry.value;
+    entry.value = value_for(varied.variable, value);
+    const SceneReading scene = bound(entries_);
+    entry.value = before;
+    if (scene.errors.empty()) return true;
+    const std::string what =
+        varied.variable.is_drawn()
+            ? "what can be drawn from \"" + varied.variable.text + "\" reaches to "
+            : "a value of its grid: ";
+    error(varied.variable.path, what + scene.errors.front().message);
+    return false;
+  }
+
+  // --- Correlation.
+
+  void take_correlation() {
+    const auto inner = [this](std::string_view name) -> const Entry* {
+      for (const Entry& entry : settings_.inner)
+        if (entry.path == name) return &entry;
+      return nullptr;
+    };
+    const Entry* const names = inner("correlated");
+    const Entry* const rows = inner("correlation");
+    if (names == nullptr && rows == nullptr) return;
+    if (names == nullptr || rows == nullptr)
+      return error(names == nullptr ? "sweep.correlated" : "sweep.correlation",
+                   "missing; allowed: correlated and correlation, or neither");
+    const auto places = correlated_places(*names);
+    if (!ok()) return;
+    const auto matrix = matrix_of(*rows, places.size());
+    if (!ok()) return;
+    std::vector<std::vector<double>> whole(sweep_.drawn(), std::vector<double>(sweep_.drawn(), 0));
+    for (std::size_t i = 0; i < whole.size(); ++i) whole[i][i] = 1;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t j = 0; j < places.size(); ++j) whole[places[i]][places[j]] = matrix[i][j];
+    CorrelationRoot root = correlation_root(whole);
+    if (!root.fault.empty())
+      return error("sweep.correlation", root.fault + "; allowed: a correlation matrix");
+    sweep_.correlation_root = std::move(root.rows);
+  }
+
+  std::vector<std::size_t> correlated_places(const Entry& entry) {
+    std::vector<std::string_view> drawn;
+    for (const Variable& variable : sweep_.variables)
+      if (variable.is_drawn()) drawn.push_back(variable.path);
+    if (drawn.size() < 2) {
+      error("sweep.correlated", "fewer than two fields are drawn; allowed: drawn fields");
+      return {};
+    }
+    TableReader table("sweep", std::span(&entry, 1), field_names(), problems_);
+    const auto places = table.words("correlated", drawn);
+    hand_over();
+    return places.value_or(std::vector<std::size_t>());
+  }
+
+  std::vector<std::vector<double>> matrix_of(const Entry& entry, std::size_t size) {
+    const std::string shape = std::to_string(size) + " rows of " + std::to_string(size) +
+                              " numbers from -1 to 1, symmetric, with 1 on the diagonal";
+    const auto refuse = [&](const std::string& what) {
+      error("sweep.correlation", what + "; allowed: " + shape);
+      return std::vector<std::vector<double>>();
+    };
+    if (entry.value.kind != ValueKind::list || entry.elements.size() != size ||
+        entry.inner.size() != size)
+      return refuse("not as many rows as correlated fields");
+    std::vector<std::vector<double>> matrix;
+    for (const Entry& row : entry.inner) {
+      if (row.elements.size() != size) return refuse("row " + row.path + " has another length");
+      matrix.emplace_back();
+      for (const Value& value : row.elements) {
+        if (value.kind != ValueKind::number || !(std::abs(value.number) <= 1))
+          return refuse("row " + row.path + " holds what is no number from -1 to 1");
+        matrix.back().push_back(value.number);
+      }
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t j = 0; j <= i; ++j)
+        if (matrix[i][j] != matrix[j][i] || (i == j && matrix[i][j] != 1))
+          return refuse("not symmetric with 1 on the diagonal");
+    return matrix;
+  }
+
+  // --- What does not go together.
+
+  void check_combinations() {
+    const bool drawn = sweep_.drawn() > 0;
+    if (drawn && sweep_.design == Design::factorial)
+      error("sweep.design", "factorial takes grids alone, but " + sweep_.variables.back().path +
+                                " is drawn; allowed: sobol, latin_hypercube or monte_carlo");
+    if (!drawn && has_design_ && sweep_.design != Design::factorial)
+      error("sweep.design", "nothing is drawn; allowed: factorial, or no design");
+    if (!drawn && has_draws_)
+      error("sweep.draws", "nothing is drawn; allowed: no draws where all that varies is a grid");
+    if (!drawn) sweep_.design = Design::factorial, sweep_.draws = 1;
+    if (sweep_.sensitivity) check_sensitivity();
+    check_onsets();
+  }
+
+  void check_sensitivity() {
+    if (sweep_.drawn() != sweep_.variables.size() || sweep_.drawn() == 0)
+      error("sweep.sensitivity",
+            "Sobol indices are of drawn fields alone; allowed: true where no field has a grid");
+    if (!sweep_.correlation_root.empty())
+      error("sweep.sensitivity",
+            "Sobol indices are of independent fields; allowed: true without a correlation");
+    if (sweep_.drawn() > 0 && sweep_.draws < 2 * jackknife_blocks)
+      error("sweep.draws", std::to_string(sweep_.draws) + " is too few for sensitivity; allowed: " +
+                               std::to_string(2 * jackknife_blocks) + " and more");
+  }
+
+  // A criterion that has no onset even at the nominal values will hardly have any.
+  void check_onsets() {
+    if (sweep_.criteria.empty()) return;
+    const MixedContact<double> contact(sweep_.scene);
+    for (const OnsetCriterion criterion : sweep_.criteria) {
+      const Onset<double> found = onset(contact, sweep_.scene, criterion, sweep_.departure);
+      if (found.exists) continue;
+      problems_.warning("sweep.onset",
+                        std::string(name(criterion)) +
+                            " has no onset at the nominal values: " + std::string(found.reason));
+    }
+    for (InputProblem& problem : problems_reading_.warnings)
+      reading_.warnings.push_back(std::move(problem));
+    problems_reading_.warnings.clear();
+  }
+
+  void check_size() {
+    double points = static_cast<double>(sweep_.draws * sweep_.cases_per_group());
+    for (const Variable& variable : sweep_.variables)
+      if (!variable.is_drawn()) points *= static_cast<double>(variable.grid.size());
+    if (!sweep_.outputs.empty()) points *= static_cast<double>(sweep_.scene.speeds.size());
+    if (points <= static_cast<double>(most_cases)) return;
+    error("sweep",
+          "comes to " + scene_detail::number_text(points) + " points; allowed: up to 1e12");
+  }
+
+  std::vector<Entry> entries_;
+  const std::string& source_;
+  SweepReading& reading_;
+  SceneReading problems_reading_;
+  Problems problems_{problems_reading_, source_};
+  Entry settings_;
+  std::vector<VariedEntry> varied_;
+  SceneSweep sweep_;
+  bool speed_is_drawn_ = false;
+  bool has_design_ = false, has_draws_ = false;
+  bool lists_outputs_ = false, asks_points_ = true;
+};
+
+SweepReading refused(const std::string& source, const std::string& why) {
+  SceneReading scene;
+  Problems(scene, source).error("", why);
+  SweepReading reading;
+  reading.errors = std::move(scene.errors);
+  return reading;
+}
+
+}  // namespace
+
+std::span<const SweepField> sweep_fields() { return fields; }
+
+SweepReading parse_sweep(std::string_view text, const std::string& source) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && text[first] == '{')
+    return refused(source, "looks like JSON; allowed: a sweep in TOML");
+  SceneReading scene;
+  Problems problems(scene, source);
+  auto entries = scene_detail::toml_entries(text, problems);
+  SweepReading reading;
+  reading.errors = std::move(scene.errors);
+  if (!entries) return reading;
+  SweepBinder(std::move(*entries), source, reading).bind();
+  if (reading.sweep) {
+    reading.sweep->file = source.substr(source.rfind('/') + 1);  // the result is not to tell where
+    reading.sweep->text = text;
+  }
+  return reading;
+}
+
+SweepReading read_sweep(const std::string& path) {
+  std::string text;
+  if (const std::string refusal = scene_detail::read_input_text(path, "a sweep", text);
+      !refusal.empty())
+    return refused(path.empty() ? "\"\"" : path, refusal);
+  return parse_sweep(text, path);
+}
+
+SweepPlan make_plan(std::vector<SceneSweep> scenes) {
+  SweepPlan plan;
+  plan.version = version;
+  XXH3_state_t* const state = XXH3_createState();
+  XXH3_128bits_reset(state);
+  const auto digest = [state](std::string_view text) {
+    const std::uint64_t size = text.size();
+    XXH3_128bits_update(state, &size, sizeof size);
+    XXH3_128bits_update(state, text.data(), text.size());
+  };
+  digest(plan.version);
+  for (const SceneSweep& scene : scenes) {
+    digest(scene.scene.id);
+    digest(scene.text);
+    digest(std::to_string(scene.chunk_groups));
+    for (const SceneSweep& other : scenes)
+      if (&other != &scene && other.scene.id == scene.scene.id) {
+        XXH3_freeState(state);
+        throw std::invalid_argument(other.file + " and " + scene.file + " both have the id \"" +
+                                    printable(scene.scene.id) +
+                                    "\"; allowed: each its own, as it names a group of the result");
+      }
+  }
+  const XXH128_hash_t hash = XXH3_128bits_digest(state);
+  XXH3_freeState(state);
+  constexpr std::string_view digits = "0123456789abcdef";
+  for (const std::uint64_t word : {hash.high64, hash.low64})
+    for (int shift = 60; shift >= 0; shift -= 4) plan.digest += digits[(word >> shift) & 15];
+  plan.scenes = std::move(scenes);
+  return plan;
+}
+
+}  // namespace tribo::sweep

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often values fell into fixed bins of the number line, 1024 to each power of two: counts that
+// add up to the same whatever the order, and quantiles whose error is known.
+//
+// The bins of DDSketch (Masson, Rim, Lee: DDSketch, VLDB 2019), with the floating-point format's
+// own logarithm in place of the true one: a value's bin is its sign, its exponent and its first ten
+// binary places. Zero and all that is nearer to it than the least normal number, 2.2e-308, is one
+// bin, number 0; those above it have the numbers 1, 2 …, those below it −1, −2 ….
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sweep/bytes.hpp"
+
+namespace tribo::sweep {
+
+class QuantileSketch {
+ public:
+  // A quantile is within this part of the value that has that rank (unless that is below 2.3e-308).
+  static constexpr double relative_error = 0x1p-11;
+  static constexpr std::int32_t greatest_bin = 2046 * 1024;  // of the greatest finite number
+
+  void add(double value);  // finite
+  void merge(const QuantileSketch& other);
+
+  std::uint64_t count() const { return count_; }
+  // The middle of the bin of the value of rank `rank`, 0 ≤ rank < count(), in ascending order; of
+  // bin 0: zero.
+  double value_at_rank(std::uint64_t rank) const;
+
+  // The bins that are not empty, ascending.
+  struct Bin {
+    double low, high;
+    std::uint64_t count;
+  };
+  std::vector<Bin> bins() const;
+
+  static std::int32_t bin_of(double value);
+  // The lower edge of a bin, which is the upper one of the bin below; finite at both ends.
+  static double edge(std::int32_t bin);
+
+  // The same bytes for the same values in any order.
+  void write(Bytes& to) const;
+  // Throws std::runtime_error where the bytes are not those of a sketch.
+  static QuantileSketch read(ByteReader& from);
+
+ private:
+  // Counts are kept by pages, a quarter of a power of two each: values from 1e-300 to 1 would
+  // otherwise need all the memory between.
+  static constexpr std::size_t page_bins = 256;
+  using Page = std::array<std::uint64_t, page_bins>;
+
+  std::uint64_t& count_of(std::int32_t bin);
+  Page& make_page(std::int32_t page);
+  template <class Use>
+  void each_bin(Use use) const;  // use(bin, count), ascending, of those that are not empty
+
+  std::int32_t first_page_ = 0;        // its place is places_[0]
+  std::vector<std::uint32_t> places_;  // of a page in pages_, and 1; 0: not there
+  std::vector<Page> pages_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace tribo::sweep

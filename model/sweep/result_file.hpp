@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// The result of a sweep: an HDF5 file. Its bytes are a function of the plan and the chunks alone.
+//
+//   /                        attributes: format, tribocheck_version, sweep_digest, instruction_set
+//   /<scene id>              attributes: scene (the sweep file's text), file, design, seed, draws,
+//                            cases, points, departure, columns (their names)
+//     speed                  [speeds] the scene's speeds, where operating points are asked
+//     inputs/<field>         [cases] attributes: unit, meaning, varies, words
+//     outputs/<column>       [cases] or [cases, speeds] attributes: unit, words
+//     summary/<column>/      attributes: unit, words
+//                            count, undefined, mean, sd, least, greatest: [width];
+//                            quantile_levels: [levels]; quantiles, quantiles_low, quantiles_high:
+//                            [width, levels], attribute relative_error;
+//                            histogram_edges: [width, bins + 1], histogram_counts: [width, bins]
+//                            (NaN and 0 where there are fewer bins)
+//     sensitivity/           attribute variables;
+//       <column>/            first_order, first_order_low, first_order_high, total, total_low,
+//                            total_high: [width, variables]; groups, left_out: [width]
+//
+// Columns "onset.film_maximum.speed" are groups: outputs/onset/film_maximum/speed. Numbers are
+// doubles, NaN where undefined. Words are places of one byte in the list of the attribute `words`,
+// counted from 0; not HDF5's enumerations, which Octave cannot read. Where points are not kept,
+// there are no outputs, and inputs are of length 0.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sweep/journal.hpp"
+#include "sweep/plan.hpp"
+#include "sweep/sensitivity.hpp"
+#include "sweep/summary.hpp"
+
+namespace tribo::sweep {
+
+// The levels of quantiles in results.
+inline constexpr std::array quantile_levels{0.001, 0.01, 0.025, 0.05,  0.16, 0.25, 0.5,
+                                            0.75,  0.84, 0.95,  0.975, 0.99, 0.999};
+inline constexpr std::size_t histogram_bins = 100;
+
+// Writes it next to `path`, to the disk, and renames it into place. All chunks have to be there; it
+// takes them in order, one at a time, and calls told(chunks written) after each. Throws
+// std::runtime_error (disk full, not writable …) with a text that names the file; what it wrote so
+// far is removed then.
+void write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+                  const std::function<void(std::uint64_t)>& told);
+
+// What there is at a path.
+struct ResultIdentity {
+  std::string version;
+  std::string digest;
+  std::string instruction_set;
+};
+// Throws std::runtime_error where it is not a whole result of `tribocheck sweep`; the text says
+// why.
+ResultIdentity identity_of_result(const std::string& path);
+
+// The summaries of a result, for tables and pictures.
+struct ColumnResult {
+  struct Value {  // one of `width` a case
+    std::uint64_t count = 0, undefined = 0;
+    double mean = 0, sd = 0, least = 0, greatest = 0;
+    std::vector<Quantile> quantiles;             // at quantile_levels
+    std::vector<QuantileSketch::Bin> histogram;  // ascending
+    SobolIndices sensitivity;                    // empty without
+  };
+  std::string name;
+  std::string unit;
+  std::vector<std::string> words;
+  std::vector<Value> values;
+};
+struct InputResult {
+  std::string path, unit, meaning, varies;
+  std::vector<std::string> words;
+};
+struct SceneResult {
+  std::string id, file, text, design;
+  std::uint64_t seed = 0, draws = 0, cases = 0, points = 0;
+  std::vector<double> speeds;
+  std::vector<InputResult> inputs;
+  std::vector<std::string> sensitivity_variables;  // paths; empty without
+  std::vector<ColumnResult> columns;
+  bool has_points = false;  // are inputs and outputs of each case there?
+
+  const ColumnResult* column(std::string_view name) const;  // null: none of that name
+};
+struct SweepResult {
+  ResultIdentity identity;
+  std::vector<SceneResult> scenes;
+};
+SweepResult read_result(const std::string& path);
+// The kept values of one input or column of a scene, [cases, width]. Words as their places.
+std::vector<double> read_input(const std::string& path, const std::string& scene_id,
+                               const std::string& input);
+std::vector<double> read_column(const std::string& path, const std::string& scene_id,
+                                const std::string& column);
+
+}  // namespace tribo::sweep

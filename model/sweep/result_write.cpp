@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "sweep/chunk.hpp"
+#include "sweep/disk.hpp"
+#include "sweep/hdf5_handles.hpp"
+#include "sweep/result_file.hpp"
+#include "sweep/result_names.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+using hdf5::checked;
+using hdf5::Handle;
+using hdf5::write_attribute;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+hid_t file_type(double) { return H5T_IEEE_F64LE; }
+hid_t file_type(std::uint64_t) { return H5T_STD_U64LE; }
+hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
+hid_t memory_type(std::uint64_t) { return H5T_NATIVE_UINT64; }
+
+template <class T>
+Handle write_array(hid_t group, const std::string& name, const std::vector<T>& values,
+                   std::vector<hsize_t> extents) {
+  const Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr));
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
+  Handle dataset = hdf5::make_dataset(group, name, file_type(T()), space, creation);
+  checked(H5Dwrite(dataset, memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  return dataset;
+}
+
+// The group of a column within another, and those on the way to it.
+Handle make_column_group(hid_t parent, const std::string& column) {
+  Handle group;
+  const std::string path = path_of_column(column);
+  for (std::size_t end = 0; end != path.npos;) {
+    end = path.find('/', end + 1);
+    const std::string part = path.substr(0, end);
+    if (checked(H5Lexists(parent, part.c_str(), H5P_DEFAULT)) > 0)
+      group = Handle(H5Gopen2(parent, part.c_str(), H5P_DEFAULT));
+    else
+      group = hdf5::make_group(parent, part);
+  }
+  return group;
+}
+
+// A dataset of all cases, to which packed chunks are written.
+class CaseDataset {
+ public:
+  // width 1: [cases], else [cases, width]. No cases: those that are not kept.
+  CaseDataset(hid_t group, const std::string& name, const std::vector<std::string>& words,
+              std::uint64_t cases, std::uint64_t chunk_cases, std::size_t width)
+      : element_size_(words.empty() ? 8 : 1), chunk_cases_(chunk_cases), rank_(width > 1 ? 2 : 1) {
+    // Not only as many as there are, for no chunk may be longer than a dataset can become.
+    const std::array<hsize_t, 2> extents{cases, width};
+    const std::array<hsize_t, 2> greatest{std::max<hsize_t>(cases, chunk_cases), width};
+    const std::array<hsize_t, 2> chunk{chunk_cases, width};
+    const Handle space(H5Screate_simple(rank_, extents.data(), greatest.data()));
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
+    checked(H5Pset_chunk(creation, rank_, chunk.data()));
+    checked(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
+    checked(H5Pset_shuffle(creation));
+    checked(H5Pset_deflate(creation, 1));
+    dataset_ = hdf5::make_dataset(group, name, words.empty() ? H5T_IEEE_F64LE : H5T_STD_U8LE, space,
+                                  creation);
+    if (!words.empty()) write_attribute(dataset_, "words", words);
+  }
+
+  hid_t id() const { return dataset_; }
+  std::uint32_t element_size() const { return element_size_; }
+  void write(std::uint64_t chunk, const PackedValues& values) {
+    const std::array<hsize_t, 2> first{chunk * chunk_cases_, 0};
+    checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, first.data(), values.bytes.size(),
+                           values.bytes.data()));
+  }
+
+ private:
+  Handle dataset_;
+  std::uint32_t element_size_;
+  std::uint64_t chunk_cases_;
+  int rank_;
+};
+
+void write_summary(hid_t group, const Column& column, const std::vector<ValueSummary>& summaries) {
+  write_attribute(group, "unit", column.unit);
+  if (!column.words.empty()) write_attribute(group, "words", column.words);
+
+  std::vector<std::uint64_t> count, undefined, histogram_counts;
+  std::vector<double> mean, sd, least, greatest, quantiles, low, high, histogram_edges;
+  for (const ValueSummary& summary : summaries) {
+    const Moments& moments = summary.moments;
+    const bool is_empty = moments.count == 0;
+    count.push_back(moments.count);
+    undefined.push_back(summary.undefined);
+    mean.push_back(is_empty ? nan : moments.mean);
+    sd.push_back(moments.count < 2 ? nan : moments.sd());
+    least.push_back(is_empty ? nan : moments.least);
+    greatest.push_back(is_empty ? nan : moments.greatest);
+    for (const double level : quantile_levels) {
+      const Quantile quantile = is_empty ? Quantile{nan, nan, nan} : quantile_of(summary, level);
+      quantiles.push_back(quantile.value);
+      low.push_back(quantile.low);
+      high.push_back(quantile.high);
+    }
+    const std::vector<QuantileSketch::Bin> bins = histogram_of(summary.sketch, histogram_bins);
+    for (std::size_t i = 0; i < histogram_bins; ++i) {
+      histogram_edges.push_back(i < bins.size()                     ? bins[i].low
+                                : i == bins.size() && !bins.empty() ? bins.back().high
+                                                                    : nan);
+      histogram_counts.push_back(i < bins.size() ? bins[i].count : 0);
+    }
+    histogram_edges.push_back(bins.size() == histogram_bins ? bins.back().high : nan);
+  }
+
+  const hsize_t width = summaries.size();
+  write_array(group, "count", count, {width});
+  write_array(group, "undefined", undefined, {width});
+  write_array(group, "mean", mean, {width});
+  write_array(group, "sd", sd, {width});
+  write_array(group, "least", least, {width});
+  write_array(group, "greatest", greatest, {width});
+  write_array(group, "quantile_levels",
+              std::vector<double>(quantile_levels.begin(), quantile_levels.end()),
+              {quantile_levels.size()});
+  for (const auto& [name, values] :
+       {std::pair{"quantiles", &quantiles}, std::pair{"quantiles_low", &low},
+        std::pair{"quantiles_high", &high}}) {
+    const Handle dataset = write_array(group, name, *values, {width, quantile_levels.size()});
+    write_attribute(dataset, "relative_error", QuantileSketch::relative_error);
+  }
+  write_array(group, "histogram_edges", histogram_edges, {width, histogram_bins + 1});
+  write_array(group, "histogram_counts", histogram_counts, {width, histogram_bins});
+}
+
+void write_sensitivity(hid_t group, std::size_t variables,
+                       const std::vector<SensitivityBlocks>& values) {
+  const hsize_t width = values.size();
+  std::vector<SobolIndices> indices;
+  std::vector<std::uint64_t> groups, left_out;
+  for (const SensitivityBlocks& blocks : values) {
+    indices.push_back(sobol_indices(blocks));
+    groups.push_back(indices.back().groups);
+    left_out.push_back(0);
+    for (const SensitivitySums& sums : blocks) left_out.back() += sums.left_out;
+  }
+  const auto write_index = [&](const std::string& name,
+                               std::vector<SobolIndex> SobolIndices::*kind) {
+    std::vector<double> value, low, high;
+    for (const SobolIndices& of_value : indices)
+      for (std::size_t v = 0; v < variables; ++v) {
+        const std::vector<SobolIndex>& list = of_value.*kind;
+        const SobolIndex index = v < list.size() ? list[v] : SobolIndex{nan, nan, nan};
+        value.push_back(index.value);
+        low.push_back(index.low);
+        high.push_back(index.high);
+      }
+    write_array(group, name, value, {width, variables});
+    write_array(group, name + "_low", low, {width, variables});
+    write_array(group, name + "_high", high, {width, variables});
+  };
+  write_index("first_order", &SobolIndices::first_order);
+  write_index("total", &SobolIndices::total);
+  write_array(group, "groups", groups, {width});
+  write_array(group, "left_out", left_out, {width});
+}
+
+// The group of one scene: its points as the chunks come, its summaries at the end.
+class SceneWriter {
+ public:
+  SceneWriter(hid_t file, const SceneSweep& scene)
+      : scene_(scene), group_(hdf5::make_group(file, scene.scene.id)) {
+    write_attributes();
+    if (!scene.outputs.empty()) write_speeds();
+    make_inputs();
+    if (scene.keep_points) make_outputs();
+    for (const Column& column : scene.columns) {
+      summaries_.emplace_back(column.width);
+      if (scene.sensitivity) sensitivities_.emplace_back(column.width);
+    }
+  }
+
+  void add(std::uint64_t number, const Chunk& chunk) {
+    if (!fits(chunk)) throw std::runtime_error("a chunk does not fit the plan");
+    if (scene_.keep_points)
+      for (std::size_t i = 0; i < datasets_.size(); ++i)
+        datasets_[i].write(number, chunk.values[i]);
+    for (std::size_t c = 0; c < summaries_.size(); ++c)
+      for (std::size_t i = 0; i < summaries_[c].size(); ++i) {
+        summaries_[c][i].merge(chunk.summaries[c][i]);
+        if (!scene_.sensitivity) continue;
+        for (const auto& [block, sums] : chunk.sensitivities[c][i])
+          sensitivities_[c][i][block].merge(sums);
+      }
+  }
+
+  void finish() {
+    const Handle summary = hdf5::make_group(group_, "summary");
+    for (std::size_t c = 0; c < summaries_.size(); ++c) {
+      const Column& column = scene_.columns[c];
+      write_summary(make_column_group(summary, column.name), column, summaries_[c]);
+    }
+    if (!scene_.sensitivity) return;
+    const Handle sensitivity = hdf5::make_group(group_, "sensitivity");
+    std::vector<std::string> variables;
+    for (const Variable& variable : scene_.variables)
+      if (variable.is_drawn()) variables.push_back(variable.path);
+    write_attribute(sensitivity, "variables", variables);
+    for (std::size_t c = 0; c < sensitivities_.size(); ++c)
+      write_sensitivity(make_column_group(sensitivity, scene_.columns[c].name), variables.size(),
+                        sensitivities_[c]);
+  }
+
+ private:
+  void write_attributes() const {
+    write_attribute(group_, "scene", scene_.text);
+    write_attribute(group_, "file", scene_.file);
+    write_attribute(group_, "design", name(scene_.design));
+    write_attribute(group_, "seed", scene_.seed);
+    write_attribute(group_, "draws", scene_.draws);
+    write_attribute(group_, "cases", scene_.cases());
+    write_attribute(group_, "points", scene_.points());
+    write_attribute(group_, "departure", scene_.departure);
+    std::vector<std::string> columns;
+    for (const Column& column : scene_.columns) columns.push_back(column.name);
+    write_attribute(group_, "columns", columns);
+  }
+
+  void write_speeds() const {
+    const Speeds& speeds = scene_.scene.speeds;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < speeds.size(); ++i) values.push_back(speeds[i]);
+    write_attribute(write_array(group_, "speed", values, {values.size()}), "unit", "m/s");
+  }
+
+  void make_inputs() {
+    const Handle inputs = hdf5::make_group(group_, "inputs");
+    for (const Variable& variable : scene_.variables) {
+      CaseDataset dataset(inputs, variable.path, variable.words,
+                          scene_.keep_points ? scene_.cases() : 0, scene_.chunk_cases(), 1);
+      write_attribute(dataset.id(), "unit", variable.unit);
+      write_attribute(dataset.id(), "meaning", variable.meaning);
+      write_attribute(dataset.id(), "varies", variable.text);
+      if (scene_.keep_points) datasets_.push_back(std::move(dataset));
+    }
+  }
+
+  void make_outputs() {
+    const Handle outputs = hdf5::make_group(group_, "outputs");
+    for (const Column& column : scene_.columns) {
+      const std::string path = path_of_column(column.name);
+      const std::size_t slash = path.rfind('/');
+      const Handle folder = slash == path.npos ? Handle(H5Gopen2(group_, "outputs", H5P_DEFAULT))
+                                               : make_column_group(outputs, path.substr(0, slash));
+      datasets_.emplace_back(folder, slash == path.npos ? path : path.substr(slash + 1),
+                             column.words, scene_.cases(), scene_.chunk_cases(), column.width);
+      write_attribute(datasets_.back().id(), "unit", column.unit);
+    }
+  }
+
+  bool fits(const Chunk& chunk) const {
+    const auto has_widths = [this](const auto& columns) {
+      return std::equal(
+          columns.begin(), columns.end(), scene_.columns.begin(), scene_.columns.end(),
+          [](const auto& values, const Column& column) { return values.size() == column.width; });
+    };
+    const bool has_points =
+        std::equal(chunk.values.begin(), chunk.values.end(), datasets_.begin(), datasets_.end(),
+                   [](const PackedValues& values, const CaseDataset& dataset) {
+                     return values.element_size == dataset.element_size();
+                   });
+    return (!scene_.keep_points || has_points) && has_widths(chunk.summaries) &&
+           (!scene_.sensitivity || has_widths(chunk.sensitivities));
+  }
+
+  const SceneSweep& scene_;
+  Handle group_;
+  std::vector<CaseDataset> datasets_;  // variables, then columns; none where points are not kept
+  std::vector<std::vector<ValueSummary>> summaries_;
+  std::vector<std::vector<SensitivityBlocks>> sensitivities_;
+};
+
+// One that is not kept is removed.
+class PartFile {
+ public:
+  explicit PartFile(const std::string& target) : target_(target), path_(target + ".part") {}
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  ~PartFile() {
+    if (!is_kept_) ::unlink(path_.c_str());
+  }
+
+  const std::string& path() const { return path_; }
+  void keep() {
+    check(sync_to_disk(path_));
+    check(std::rename(path_.c_str(), target_.c_str()) == 0 ? 0 : errno);
+    is_kept_ = true;
+    check(sync_to_disk(folder_of(target_)));
+  }
+
+ private:
+  static void check(int code) {
+    if (code != 0) throw std::runtime_error(std::generic_category().message(code));
+  }
+
+  std::string target_, path_;
+  bool is_kept_ = false;
+};
+
+Handle create_file(const std::string& path) {
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE));
+  hdf5::without_times(creation);
+  checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  // What HDF5 1.8 can read, whatever library writes it.
+  checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
+  checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
+  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
+}
+
+// Each once, in the journals' order: there are several only where the user has allowed it.
+std::string instruction_sets(const JournalSet& chunks) {
+  std::vector<std::string> seen;
+  std::string list;
+  for (const JournalReader& reader : chunks.readers()) {
+    const std::string& one = reader.header().instruction_set;
+    if (std::find(seen.begin(), seen.end(), one) != seen.end()) continue;
+    list += (seen.empty() ? "" : ", ") + one;
+    seen.push_back(one);
+  }
+  return list;
+}
+
+void write_file(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+                const std::function<void(std::uint64_t)>& told) {
+  Handle file = create_file(path);
+  write_attribute(file, "format", result_format);
+  write_attribute(file, "tribocheck_version", plan.version);
+  write_attribute(file, "sweep_digest", plan.digest);
+  write_attribute(file, "instruction_set", instruction_sets(chunks));
+  std::uint64_t written = 0;
+  for (const SceneSweep& scene : plan.scenes) {
+    SceneWriter writer(file, scene);
+    for (std::uint64_t i = 0; i < scene.chunks; ++i) {
+      writer.add(i, Chunk::from(chunks.read(written)));
+      ++written;
+      if (told) told(written);
+    }
+    writer.finish();
+  }
+  file.close();
+}
+
+}  // namespace
+
+void write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+                  const std::function<void(std::uint64_t)>& told) {
+  const hdf5::QuietErrors quiet;
+  const auto cannot_write = [&path](const std::string& why) {
+    return std::runtime_error("cannot write " + path + ": " + why);
+  };
+  const std::uint64_t count = plan.chunks();
+  if (chunks.chunks() != count || chunks.count() != count)
+    throw cannot_write(std::to_string(chunks.count()) + " of " + std::to_string(count) +
+                       " chunks are there");
+  PartFile part(path);
+  try {
+    write_file(part.path(), plan, chunks, told);
+    part.keep();
+  } catch (const std::runtime_error& error) {
+    throw cannot_write(error.what());
+  }
+}
+
+}  // namespace tribo::sweep

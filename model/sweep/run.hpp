@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sweep from its plan to its result: threads, ranks, journals, going on after a stop.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sweep/journal.hpp"
+#include "sweep/plan.hpp"
+#include "sweep/ranks.hpp"
+
+namespace tribo::sweep {
+
+// The i-th of n parts, 1 ≤ i ≤ n: every n-th chunk, so that what is slow is dealt out too.
+struct Shard {
+  std::uint64_t part = 1, parts = 1;
+  bool has(std::uint64_t chunk) const { return chunk % parts == part - 1; }
+};
+
+struct RunProgress {
+  enum class Phase : std::uint8_t { computing, writing } phase = Phase::computing;
+  std::uint64_t chunks = 0;  // of this run: those to compute, or to write
+  std::uint64_t done = 0;    // by all ranks
+};
+
+struct RunSettings {
+  std::string result;  // path of the HDF5 file, or of the shard
+  int threads = 0;     // of each rank; 0: as many as the machine has, 1 under mpirun
+  std::optional<Shard> shard;
+  bool resume = false;               // go on with journals that are there
+  bool force = false;                // throw away journals and the result that are there
+  bool any_instruction_set = false;  // go on with those of another arithmetic
+  std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
+  std::function<void(std::string_view)> tell;        // a line on what was found or done
+  std::function<bool()> stopped;                     // to end early, with what is computed kept
+};
+
+// What is there does not fit what was asked: bad usage, not a failure.
+struct RunRefused : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+// Another rank failed, and has said why.
+struct OtherRankFailed : std::runtime_error {
+  OtherRankFailed() : std::runtime_error("another rank failed") {}
+};
+
+enum class RunEnd : std::uint8_t { done, stopped };
+
+// Every rank calls it with the same plan and settings; rank 0 writes the result. Throws RunRefused,
+// OtherRankFailed, and std::runtime_error where it fails; computed chunks stay in journals then.
+RunEnd run(const SweepPlan& plan, const RunSettings& settings, const Ranks& ranks);
+
+// Puts shards together: the result is that of an undivided run, to the bit. Throws RunRefused where
+// they do not make a whole.
+void merge(const std::vector<std::string>& shards, const RunSettings& settings);
+
+// The journals of a result that are there, and the one of a rank.
+std::vector<std::string> journals_of(const std::string& result);
+std::string journal_of(const std::string& result, int rank);
+
+JournalHeader header_of(const SweepPlan& plan);
+
+}  // namespace tribo::sweep

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sobol indices: which part of a column's variance each drawn variable brings, alone (first order)
+// and with all others (total).
+//
+// A group is k + 2 cases: A and B, two independent draws, and for each of the k variables A with
+// that variable from B, AB_i. With V the variance over A and B:
+//   first order  S_i = E[(f(B) − c)(f(AB_i) − f(A))]/V
+//                (Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, eq. 16); c is any
+//                constant, here the value at the nominal case, so that little cancels
+//   total        T_i = E[(f(A) − f(AB_i))²]/(2V)   (Jansen 1999; there eq. 19)
+// A group in which any value is undefined is left out.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sweep/bytes.hpp"
+#include "sweep/summary.hpp"
+
+namespace tribo::sweep {
+
+// Groups are dealt into so many blocks in a row; an interval comes from leaving out one at a time.
+inline constexpr std::size_t jackknife_blocks = 32;
+std::size_t block_of(std::uint64_t group, std::uint64_t groups);
+
+// The sums of one column over some groups.
+struct SensitivitySums {
+  Moments both;                     // f(A) and f(B)
+  std::vector<double> first_order;  // of each variable: Σ (f(B) − c)(f(AB_i) − f(A))
+  std::vector<double> total;        // of each variable: Σ (f(A) − f(AB_i))²
+  std::uint64_t left_out = 0;
+
+  // values: f(A), f(B), f(AB_1) …
+  void add(std::span<const double> values, double nominal);
+  void merge(const SensitivitySums& other);
+  void write(Bytes& to) const;
+  static SensitivitySums read(ByteReader& from);
+};
+
+// The sums of one column in each block.
+using SensitivityBlocks = std::array<SensitivitySums, jackknife_blocks>;
+
+// An index with the interval of 1.96 standard errors to both sides, by the jackknife over blocks;
+// NaN where nothing varies.
+struct SobolIndex {
+  double value, low, high;
+};
+struct SobolIndices {
+  std::vector<SobolIndex> first_order, total;  // of each variable
+  std::uint64_t groups = 0;                    // that they rest on
+};
+SobolIndices sobol_indices(const SensitivityBlocks& blocks);
+
+}  // namespace tribo::sweep

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/summary.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <stdexcept>
+
+namespace tribo::sweep {
+namespace {
+
+// From this variance on the terms that the approximation leaves out are below 1/50 of a rank.
+constexpr double exact_below_variance = 400;
+constexpr double two_sided_95 = 1.959963984540054;
+
+// The least k with P(K ≤ k) ≥ 2.5 % and ≥ 97.5 %, K the number of n independent values that are
+// below the p-quantile.
+struct Ranks {
+  double low, high;
+};
+Ranks ranks_of(double n, double p) {
+  const double variance = n * p * (1 - p);
+  if (variance < exact_below_variance) {
+    using namespace boost::math::policies;
+    using Up = policy<discrete_quantile<integer_round_up>>;
+    const boost::math::binomial_distribution<double, Up> below(n, p);
+    return {boost::math::quantile(below, 0.025), boost::math::quantile(below, 0.975)};
+  }
+  // Cornish and Fisher's expansion to the skewness, with the correction for continuity.
+  const double centre = n * p - 0.5 + (two_sided_95 * two_sided_95 - 1) * (1 - 2 * p) / 6;
+  const double reach = two_sided_95 * std::sqrt(variance);
+  return {std::floor(centre - reach), std::ceil(centre + reach)};
+}
+
+}  // namespace
+
+void Moments::merge(const Moments& other) {
+  if (other.count == 0) return;
+  if (count == 0) {
+    *this = other;
+    return;
+  }
+  const auto ours = static_cast<double>(count);
+  const auto theirs = static_cast<double>(other.count);
+  const double distance = other.mean - mean;
+  const double part = theirs / (ours + theirs);
+  mean += distance * part;
+  squares += other.squares + distance * distance * ours * part;
+  count += other.count;
+  least = std::min(least, other.least);
+  greatest = std::max(greatest, other.greatest);
+}
+
+void Moments::write(Bytes& to) const {
+  put(to, count);
+  for (const double number : {mean, squares, least, greatest}) put(to, number);
+}
+
+Moments Moments::read(ByteReader& from) {
+  Moments moments;
+  moments.count = from.take<std::uint64_t>();
+  for (double* const number : {&moments.mean, &moments.squares, &moments.least, &moments.greatest})
+    *number = from.take<double>();
+  return moments;
+}
+
+void ValueSummary::merge(const ValueSummary& other) {
+  moments.merge(other.moments);
+  sketch.merge(other.sketch);
+  undefined += other.undefined;
+}
+
+void ValueSummary::write(Bytes& to) const {
+  moments.write(to);
+  put(to, undefined);
+  sketch.write(to);
+}
+
+ValueSummary ValueSummary::read(ByteReader& from) {
+  ValueSummary summary;
+  summary.moments = Moments::read(from);
+  summary.undefined = from.take<std::uint64_t>();
+  summary.sketch = QuantileSketch::read(from);
+  if (summary.sketch.count() != summary.moments.count)
+    throw std::runtime_error("these bytes are no summary: its counts differ");
+  return summary;
+}
+
+Quantile quantile_of(const ValueSummary& summary, double p) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const QuantileSketch& sketch = summary.sketch;
+  const std::uint64_t count = sketch.count();
+  if (count == 0) return {nan, nan, nan};
+  const auto n = static_cast<double>(count);
+  const auto within = [&](double value) {
+    return std::clamp(value, summary.moments.least, summary.moments.greatest);
+  };
+  const auto at = [&](double rank) {  // 0: the least value
+    return sketch.value_at_rank(
+        std::min(static_cast<std::uint64_t>(std::max(rank, 0.0)), count - 1));
+  };
+  // Of values in order, x₁ ≤ x₂ …, x_l is above the quantile if K < l, and x_h is not if K ≥ h; so
+  // l = low and h = high + 1.
+  const Ranks ranks = ranks_of(n, p);
+  Quantile quantile{within(at(std::ceil(n * p) - 1)), -infinity, infinity};
+  if (ranks.low >= 1) {
+    const double low = at(ranks.low - 1);
+    quantile.low = within(low - QuantileSketch::relative_error * std::abs(low));
+  }
+  if (ranks.high < n) {
+    const double high = at(ranks.high);
+    quantile.high = within(high + QuantileSketch::relative_error * std::abs(high));
+  }
+  return quantile;
+}
+
+std::vector<QuantileSketch::Bin> histogram_of(const QuantileSketch& sketch, std::size_t most) {
+  const std::vector<QuantileSketch::Bin> bins = sketch.bins();
+  if (bins.empty() || most == 0) return {};
+  // By the middles: the lower edge of a negative bin belongs to the bin below it.
+  const auto number = [](const QuantileSketch::Bin& bin) {
+    return QuantileSketch::bin_of(bin.low / 2 + bin.high / 2);
+  };
+  const std::int32_t first = number(bins.front());
+  const auto span = static_cast<std::size_t>(number(bins.back()) - first) + 1;
+  const std::size_t joined = (span + most - 1) / most;
+  std::vector<QuantileSketch::Bin> histogram((span + joined - 1) / joined);
+  for (std::size_t i = 0; i < histogram.size(); ++i) {
+    const std::int32_t low = first + static_cast<std::int32_t>(i * joined);
+    histogram[i] = {QuantileSketch::edge(low),
+                    QuantileSketch::edge(low + static_cast<std::int32_t>(joined)), 0};
+  }
+  for (const QuantileSketch::Bin& bin : bins)
+    histogram[static_cast<std::size_t>(number(bin) - first) / joined].count += bin.count;
+  return histogram;
+}
+
+}  // namespace tribo::sweep

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of a column of values without keeping them.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "sweep/bytes.hpp"
+#include "sweep/quantile_sketch.hpp"
+
+namespace tribo::sweep {
+
+// Count, mean and sum of squared distances from it, by the updates of Welford (1962) and of Chan,
+// Golub and LeVeque (1983), which do not cancel.
+struct Moments {
+  std::uint64_t count = 0;
+  double mean = 0;
+  double squares = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+
+  void add(double value) {
+    ++count;
+    const double from_old = value - mean;
+    mean += from_old / static_cast<double>(count);
+    squares += from_old * (value - mean);
+    if (value < least) least = value;
+    if (value > greatest) greatest = value;
+  }
+  void merge(const Moments& other);
+  void write(Bytes& to) const;
+  static Moments read(ByteReader& from);
+  // Of a sample; NaN for fewer than two values.
+  double sd() const {
+    if (count < 2) return std::numeric_limits<double>::quiet_NaN();
+    return std::sqrt(squares / static_cast<double>(count - 1));
+  }
+};
+
+// A value that is not there (an onset that does not exist, friction of a collapsed film) or not
+// finite is counted as undefined, and is in nothing else.
+struct ValueSummary {
+  Moments moments;
+  QuantileSketch sketch;
+  std::uint64_t undefined = 0;
+
+  void add(double value) {
+    if (!std::isfinite(value)) {
+      ++undefined;
+      return;
+    }
+    moments.add(value);
+    sketch.add(value);
+  }
+  void merge(const ValueSummary& other);
+  void write(Bytes& to) const;
+  static ValueSummary read(ByteReader& from);
+};
+
+// The p-quantile with an interval that holds that of the distribution itself in 95 of 100 sweeps of
+// independent draws: by the binomial distribution of ranks, wider by the error of the sketch. An
+// end is infinite where there are too few values to bound that side; all are NaN where there is
+// none.
+struct Quantile {
+  double value, low, high;
+};
+Quantile quantile_of(const ValueSummary& summary, double p);
+
+// At most `most` bins from the least value to the greatest, without gaps, each made of the same
+// number of neighbouring bins of the sketch, so that the counts are exact: nearly of one width in
+// the logarithm.
+std::vector<QuantileSketch::Bin> histogram_of(const QuantileSketch& sketch, std::size_t most);
+
+}  // namespace tribo::sweep

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fields of a small table of a sweep file, by name, each taken once; one line for each that is
+// wrong, unknown or missing.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/scene_entries.hpp"
+
+namespace tribo::sweep {
+
+class TableReader {
+ public:
+  // `path` names the table in messages; entries, names and problems must outlive the reader.
+  TableReader(std::string path, std::span<const scene_detail::Entry> entries,
+              std::span<const std::string_view> names, scene_detail::Problems& problems);
+
+  bool has(std::string_view name) const { return find(name) != nullptr; }
+  const scene_detail::Entry* find(std::string_view name) const;
+
+  // Nothing where the field is absent or wrong; the latter is reported.
+  std::optional<double> number(std::string_view name, std::string_view allowed);
+  std::optional<std::uint64_t> whole(std::string_view name, std::uint64_t least,
+                                     std::uint64_t greatest, std::string_view allowed);
+  std::optional<bool> boolean(std::string_view name);
+  std::optional<std::string> text(std::string_view name, std::string_view allowed);
+  // The place in `words`.
+  std::optional<std::size_t> word(std::string_view name, std::span<const std::string_view> words);
+  // The places of a list of words, each at most once.
+  std::optional<std::vector<std::size_t>> words(std::string_view name,
+                                                std::span<const std::string_view> words);
+  // number(), reported where it is missing.
+  std::optional<double> needed_number(std::string_view name, std::string_view allowed);
+
+  void refuse(std::string_view name, const std::string& what, std::string_view allowed);
+  bool good() const { return good_; }  // nothing has been reported yet
+
+ private:
+  std::string path_of(std::string_view name) const { return path_ + '.' + std::string(name); }
+  std::optional<std::size_t> place(const scene_detail::Value& value, const std::string& path,
+                                   std::span<const std::string_view> words);
+
+  std::string path_;
+  std::span<const scene_detail::Entry> entries_;
+  scene_detail::Problems& problems_;
+  bool good_ = true;
+};
+
+}  // namespace tribo::sweep

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/variable_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "src/scene_schema.hpp"
+#include "src/scene_text.hpp"
+#include "src/scene_value_text.hpp"
+#include "sweep/table_reader.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+using scene_detail::Entry;
+using scene_detail::number_text;
+using scene_detail::Problems;
+using scene_detail::Value;
+using scene_detail::ValueKind;
+using scene_detail::what_came;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_grid_values = 1'000'000;
+
+constexpr std::array<std::string_view, 4> distribution_names{"uniform", "log_uniform", "normal",
+                                                             "log_normal"};
+constexpr std::string_view varying =
+    "a list of values, {from, to, count, spacing}, {distribution, …} or {printed}";
+
+struct Printed {
+  double value, half_digit;
+};
+
+// "2.0e-8": 2e-8, and half of 1e-9.
+std::optional<Printed> read_printed(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  std::string half;  // the same number with all its digits 0, but for a 5 behind the last
+  bool seen_point = false;
+  std::size_t i = 0;
+  for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
+    const char c = text[i];
+    if (c == '.') seen_point = true;
+    if (c == '.' || (c >= '0' && c <= '9')) half += c == '.' ? '.' : '0';
+  }
+  if (half.find('0') == std::string::npos) return std::nullopt;  // "inf"
+  if (!seen_point) half += '.';
+  half += '5' + text.substr(i);
+  double half_digit = 0;
+  std::from_chars(half.data(), half.data() + half.size(), half_digit);
+  return Printed{value, half_digit};
+}
+
+class VariableReader {
+ public:
+  VariableReader(const Entry& entry, const FieldInfo& field, Problems& problems)
+      : entry_(entry), field_(field), problems_(problems) {
+    variable_.path = field.path;
+    variable_.unit = field.unit;
+    variable_.meaning = field.meaning;
+    variable_.store = field.path == "speed"
+                          ? [](Scene& scene, double speed) { scene.speeds.list.assign(1, speed); }
+                          : scene_detail::store_of(scene_detail::field_at(field.path));
+  }
+
+  std::optional<Variable> read() {
+    if (entry_.value.kind == ValueKind::list)
+      read_list();
+    else
+      read_table();
+    if (problem_) return std::nullopt;
+    return variable_;
+  }
+
+ private:
+  void refuse(const std::string& what, std::string_view allowed) {
+    problems_.error(field_.path, what + "; allowed: " + std::string(allowed));
+    problem_ = true;
+  }
+
+  bool takes_numbers() const {
+    return field_.type == FieldType::number || field_.type == FieldType::integer ||
+           field_.type == FieldType::speeds;
+  }
+
+  void read_list() {
+    if (entry_.elements.empty())
+      return refuse("the list is empty", "values that the field may have");
+    if (field_.type == FieldType::choice)
+      variable_.words.assign(field_.choices.begin(), field_.choices.end());
+    for (std::size_t i = 0; i < entry_.elements.size(); ++i) read_element(i);
+    std::vector<double> sorted = variable_.grid;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+      refuse("a value is given twice", "each once");
+    variable_.text = field_.type == FieldType::choice ? "each of" : "the values";
+    for (std::size_t i = 0; i < std::min<std::size_t>(variable_.grid.size(), 10); ++i)
+      variable_.text += (i > 0 ? ", " : " ") + text_of(variable_.grid[i]);
+    if (variable_.grid.size() > 10) variable_.text += ", …";
+    set_nominal();
+  }
+
+  std::string text_of(double value) const {
+    return variable_.words.empty() ? number_text(value)
+                                   : variable_.words[static_cast<std::size_t>(value)];
+  }
+
+  void set_nominal() {
+    if (!variable_.grid.empty()) variable_.nominal = variable_.grid[variable_.grid.size() / 2];
+  }
+
+  void read_element(std::size_t i) {
+    const Value& value = entry_.elements[i];
+    const std::string name = std::string(field_.path) + '[' + std::to_string(i) + ']';
+    if (takes_numbers()) {
+      if (value.kind == ValueKind::number && value.fault == scene_detail::NumberFault::none)
+        return variable_.grid.push_back(value.number);
+    } else {
+      const auto word = std::find(variable_.words.begin(), variable_.words.end(), value.text);
+      if (value.kind == ValueKind::text && word != variable_.words.end())
+        return variable_.grid.push_back(static_cast<double>(word - variable_.words.begin()));
+    }
+    problems_.error(name, what_came(value) + "; allowed: " + scene_detail::allowed_text(field_));
+    problem_ = true;
+  }
+
+  void read_table() {
+    if (!takes_numbers())
+      return refuse(what_came(entry_.value), "one of its words, or a list of them");
+    constexpr std::array<std::string_view, 10> names{"distribution", "printed", "from", "to",
+                                                     "count",        "spacing", "mean", "median",
+                                                     "sd",           "log_sd"};
+    TableReader table(std::string(field_.path), entry_.inner, names, problems_);
+    if (!table.good())
+      problem_ = true;
+    else if (table.has("distribution"))
+      read_distribution(table);
+    else if (table.has("printed"))
+      read_printed_number(table);
+    else if (table.has("from") || table.has("to") || table.has("count"))
+      read_range(table);
+    else
+      refuse("this table does not say how the field varies", varying);
+    problem_ = problem_ || !table.good();
+  }
+
+  // Of the fields that a table may have, those that this kind knows.
+  bool only(TableReader& table, std::initializer_list<std::string_view> names) {
+    for (const Entry& entry : entry_.inner) {
+      if (std::find(names.begin(), names.end(), entry.path) != names.end()) continue;
+      std::string known;
+      for (const std::string_view name : names) {
+        if (!known.empty()) known += ", ";
+        known += name;
+      }
+      table.refuse(entry.path, "not a field of this kind", known);
+    }
+    return table.good();
+  }
+
+  void read_range(TableReader& table) {
+    if (!only(table, {"from", "to", "count", "spacing"})) return;
+    constexpr std::array<std::string_view, 2> spacings{"log", "lin"};
+    const auto spacing =
+        table.has("spacing") ? table.word("spacing", spacings) : std::optional<std::size_t>(0);
+    const auto from = table.needed_number("from", "a number");
+    const auto to = table.needed_number("to", "a number above from");
+    const std::string count_text = "a whole number from 2 to " + std::to_string(most_grid_values);
+    if (!table.has("count")) table.refuse("count", "missing", count_text);
+    const auto count = table.whole("count", 2, most_grid_values, count_text);
+    if (!from || !to || !count || !spacing) return;
+    if (*to <= *from)
+      return table.refuse("to", number_text(*to) + " is not above from, " + number_text(*from),
+                          "a number above from");
+    const Spacing steps = *spacing == 0 ? Spacing::log : Spacing::lin;
+    if (steps == Spacing::log && *from <= 0)
+      return table.refuse("from", number_text(*from) + " has no logarithm",
+                          "a number above 0, or spacing = \"lin\"");
+    const Speeds range{{}, *from, *to, static_cast<std::size_t>(*count), steps};
+    for (std::size_t i = 0; i < range.size(); ++i) variable_.grid.push_back(range[i]);
+    variable_.text = std::to_string(*count) + " values from " + number_text(*from) + " to " +
+                     number_text(*to) + ", " + std::string(spacings[*spacing]);
+    set_nominal();
+  }
+
+  void read_printed_number(TableReader& table) {
+    if (!only(table, {"printed"})) return;
+    constexpr std::string_view allowed = "a number as it is printed, as a text: \"0.0202\"";
+    const auto text = table.text("printed", allowed);
+    if (!text) return;
+    const auto printed = read_printed(*text);
+    if (!printed)
+      return table.refuse("printed", '"' + printable(*text) + "\" is no number", allowed);
+    variable_.distribution = Distribution::uniform(printed->value - printed->half_digit,
+                                                   printed->value + printed->half_digit);
+    variable_.nominal = printed->value;
+    variable_.text = "printed as " + *text + ": ± " + number_text(printed->half_digit);
+  }
+
+  void read_distribution(TableReader& table) {
+    if (field_.type == FieldType::integer)
+      return refuse("a whole number is not drawn", "a whole number, or a list of them");
+    const auto kind = table.word("distribution", distribution_names);
+    if (!kind) return;
+    switch (static_cast<DistributionKind>(*kind)) {
+      case DistributionKind::uniform:
+      case DistributionKind::log_uniform:
+        read_uniform(table, *kind == 1);
+        break;
+      case DistributionKind::normal:
+        read_normal(table);
+        break;
+      case DistributionKind::log_normal:
+        read_log_normal(table);
+        break;
+    }
+    if (!table.good()) return;
+    variable_.nominal = variable_.distribution.median();
+    variable_.text = variable_.distribution.text();
+  }
+
+  struct Range {
+    double from, to;
+  };
+  // from < to; an end that is missing is at infinity, where that is allowed.
+  std::optional<Range> read_ends(TableReader& table, bool needed) {
+    constexpr std::string_view below = "a number below to", above = "a number above from";
+    const auto from = needed ? table.needed_number("from", below) : table.number("from", below);
+    const auto to = needed ? table.needed_number("to", above) : table.number("to", above);
+    if (!table.good()) return std::nullopt;
+    const Range range{from.value_or(-infinity), to.value_or(infinity)};
+    if (range.from < range.to) return range;
+    table.refuse("to", number_text(range.to) + " is not above from, " + number_text(range.from),
+                 above);
+    return std::nullopt;
+  }
+
+  void read_uniform(TableReader& table, bool logarithmic) {
+    if (!only(table, {"distribution", "from", "to"})) return;
+    const auto range = read_ends(table, true);
+    if (!range) return;
+    if (logarithmic && range->from <= 0)
+      return table.refuse("from", number_text(range->from) + " has no logarithm",
+                          "a number above 0");
+    variable_.distribution = logarithmic ? Distribution::log_uniform(range->from, range->to)
+                                         : Distribution::uniform(range->from, range->to);
+  }
+
+  void read_normal(TableReader& table) {
+    if (!only(table, {"distribution", "mean", "sd", "from", "to"})) return;
+    const auto mean = table.needed_number("mean", "a number");
+    const auto sd = positive(table, "sd");
+    const auto range = read_ends(table, false);
+    if (!mean || !sd || !range) return;
+    if (!holds_some(table, *range, *mean, *sd)) return;
+    variable_.distribution = Distribution::normal(*mean, *sd, range->from, range->to);
+  }
+
+  void read_log_normal(TableReader& table) {
+    if (!only(table, {"distribution", "median", "log_sd", "from", "to"})) return;
+    const auto median = positive(table, "median");
+    const auto log_sd = positive(table, "log_sd");
+    auto range = read_ends(table, false);
+    if (!median || !log_sd || !range) return;
+    range->from = std::max(range->from, 0.0);
+    const Range logs{std::log(range->from), std::log(std::max(range->to, 0.0))};
+    if (!holds_some(table, logs, std::log(*median), *log_sd)) return;
+    variable_.distribution = Distribution::log_normal(*median, *log_sd, range->from, range->to);
+  }
+
+  std::optional<double> positive(TableReader& table, std::string_view name) {
+    const auto value = table.needed_number(name, "a number above 0");
+    if (!value || *value > 0) return value;
+    table.refuse(name, number_text(*value) + " is not allowed", "a number above 0");
+    return std::nullopt;
+  }
+
+  // Nearly nothing of the distribution lies farther out than 30 standard deviations.
+  static bool holds_some_within(const Range& range, double middle, double sd) {
+    return (range.from - middle) / sd < 30 && (middle - range.to) / sd < 30;
+  }
+  bool holds_some(TableReader& table, const Range& range, double middle, double sd) {
+    if (holds_some_within(range, middle, sd)) return true;
+    table.refuse("from", "all between from and to is more than 30 sd from the middle",
+                 "a range that holds some of the distribution");
+    return false;
+  }
+
+  const Entry& entry_;
+  const FieldInfo& field_;
+  Problems& problems_;
+  Variable variable_;
+  bool problem_ = false;
+};
+
+}  // namespace
+
+bool varies(const Entry& entry) {
+  if (entry.path == "outputs") return false;
+  return entry.value.kind == ValueKind::table || entry.value.kind == ValueKind::list;
+}
+
+std::optional<Variable> read_variable(const Entry& entry, const FieldInfo& field,
+                                      Problems& problems) {
+  return VariableReader(entry, field, problems).read();
+}
+
+Value value_for(const Variable& variable, double value) {
+  if (variable.words.empty()) return {.kind = ValueKind::number, .number = value, .text = {}};
+  return {.kind = ValueKind::text, .text = variable.words[static_cast<std::size_t>(value)]};
+}
+
+}  // namespace tribo::sweep

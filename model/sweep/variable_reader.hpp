@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a field varies, from what stands in its place in a sweep file.
+#pragma once
+
+#include <optional>
+
+#include "src/scene_entries.hpp"
+#include "sweep/plan.hpp"
+
+namespace tribo::sweep {
+
+// Does an entry of a scene's field vary? A table or list does, but for `speed`, where only a
+// distribution does, and for `outputs`.
+bool varies(const scene_detail::Entry& entry);
+
+// The variable, without `nominal`'s range checked; nothing where an error was reported.
+std::optional<Variable> read_variable(const scene_detail::Entry& entry, const FieldInfo& field,
+                                      scene_detail::Problems& problems);
+
+// What to put in the place of the field to get a scene with one value of the variable.
+scene_detail::Value value_for(const Variable& variable, double value);
+
+}  // namespace tribo::sweep

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+# What the pictures of a sweep share, and the start of each; called as style.gp is:
+#   gnuplot -d -c sweep.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
+# All that they show, colours too, stands in the blocks of DATA/NAME.blocks.tsv. Texts of its rows
+# are names that the user chose, and drawn with noenhanced.
+script = ARG1
+scripts = ARG0[1:strlen(ARG0) - strlen("sweep.gp")]
+tall = int(ARG6)
+kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
+data = ARG4."/".prefix.".blocks.tsv"
+load scripts."canvas.gp"
+
+tiny = kind eq "svg" ? ",12" : ",9"
+bold = kind eq "svg" ? ",17" : ":Bold,11"  # an SVG of gnuplot has no bold font without enhanced text
+grey = 0x666666
+set border 3 linewidth 0.8
+set xtics nomirror out scale 1,0.5
+set ytics nomirror out scale 1,0.5
+set style fill solid 1 noborder
+set tmargin at screen 1 - 78.0/tall
+set key noenhanced
+
+# Ticks for a logarithmic axis from `low` to `high`: commands for eval. 1, 2 and 5 of each decade,
+# more where there is hardly one, and powers of ten alone where there are many.
+tick_text(value) = value > 0.9e-4 && value < 1.1e4 ? sprintf("%g", value) : \
+  gprintf(value/10.0**floor(log10(value) + 1e-9) > 1.5 ? "%.0t×10^{%T}" : "10^{%T}", value*(1 + 1e-12))
+tick(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
+  sprintf("set %stics add ('%s' %.9g); ", axis, tick_text(value), value)
+minor(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
+  sprintf("set %stics add ('' %.9g 1); ", axis, value)
+minors(axis, from, times, low, high) = times > 9 ? "" : \
+  minor(axis, times*from, low, high).minors(axis, from, times + 1, low, high)
+is_short(low, high) = log10(high/low) < 3.6
+is_narrow(low, high) = log10(high/low) < 1.1
+decade(axis, value, low, high) = minors(axis, value, 2, low, high).tick(axis, value, low, high). \
+  (is_short(low, high) ? tick(axis, 2*value, low, high).tick(axis, 5*value, low, high) : ""). \
+  (is_narrow(low, high) ? tick(axis, 3*value, low, high).tick(axis, 4*value, low, high). \
+    tick(axis, 7*value, low, high) : "")
+decades(axis, from, low, high) = from > high*(1 + 1e-9) ? "" : \
+  decade(axis, from, low, high).decades(axis, 10*from, low, high)
+log_ticks(axis, low, high) = sprintf("set logscale %s 10; set %stics (); ", axis, axis). \
+  decades(axis, 10.0**floor(log10(low)), low, high)
+
+load scripts.script

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+# The film over speed and one other field, as colours with contour lines. Loaded by sweep.gp.
+# Blocks: 0 the axes; 1 speed × field → film (nm), a blank line after each value of the field; 2 the
+# greatest film of each value of the field, where it lies within the speeds.
+stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
+  is_log = column(5), least = column(6), most = column(7), label = strcol(8), 0) nooutput
+set lmargin at screen 0.13
+set rmargin at screen 0.84
+set border 15 linewidth 0.8
+
+# The levels are the ticks of the colour bar; closer ones where it is short.
+levels = ""; ticks = ""
+steps = most/least > 1500 ? "1" : most/least > 8 ? "1 2 5" : "1 1.5 2 2.5 3 4 5 6 7 8 9"
+do for [e = int(floor(log10(least))):int(ceil(log10(most)))] {
+  do for [m in steps] {
+    at = m*10.0**e
+    if (at > least && at < most) {
+      levels = levels.(levels eq "" ? "" : ", ").sprintf("%.9g", at)
+      ticks = ticks.sprintf("%.9g ", at)
+    }
+  }
+}
+set table $contours
+set contour base
+unset surface
+if (levels ne "") { eval "set cntrparam levels discrete ".levels }
+splot data index 1 using 1:2:3
+unset table
+unset contour
+set surface
+set datafile separator whitespace  # as gnuplot writes its tables; only numbers follow
+
+set logscale cb 10
+set cbtics ()
+do for [one in ticks] {
+  set cbtics add (tick_text(real(one)) real(one))
+}
+set xrange [low:high]
+set yrange [bottom:top]
+set cbrange [least:most]
+eval log_ticks("x", low, high)
+if (int(is_log)) { eval log_ticks("y", bottom, top) }
+set xlabel "entrainment speed u (m/s)" offset 0, x_words
+set ylabel label offset y_words - 2 noenhanced
+set cblabel "film h* (nm)" offset 1
+set bmargin at screen 84.0/tall
+set colorbox user origin screen 0.86, screen 84.0/tall size screen 0.025, screen 1 - 162.0/tall
+# Cividis: from blue to yellow, even in lightness, for every eye.
+set palette defined (0 "#00224e", 0.125 "#123570", 0.25 "#3b496c", 0.375 "#575d6d", 0.5 "#707173", \
+  0.625 "#8a8678", 0.75 "#a59c74", 0.875 "#c3b369", 1 "#fee838")
+set pm3d corners2color geomean border retrace
+set view map
+set style textbox opaque noborder margins 0.6, 0.6 fillcolor rgb "#ffffff"
+unset key
+# A label now and then on each line, elsewhere on the next one.
+turn(level) = 20*(int(floor(3*log10(level) + 0.5)) % 3)
+labelled(level) = (int(column(0)) + turn(level)) % 60 == 25 ? 1 : NaN
+splot \
+  data index 1 using 1:2:3 with pm3d, \
+  $contours using 1:2:(most) with lines linewidth 1 linecolor rgb "#ffffff", \
+  data index 2 using 1:2:(most) with lines linewidth 2.4 linecolor rgb "#D55E00", \
+  $contours using (labelled(column(3))*column(1)):2:(most):(tick_text(column(3))) with labels boxed font tiny

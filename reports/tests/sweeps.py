@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sweeps for the tests: their texts, their runs, and their results by h5py."""
+
+import os
+import unittest
+
+from program import ENVIRONMENT, Folder, run
+
+ONE_LINE = {"load": "50", "bodies.effective_modulus": "107.9e9", "bodies.reduced_radius": "9.5e-3",
+            "surface.summit_density": "2e11", "surface.summit_radius": "1e-5",
+            "surface.summit_height_sd": "2.5e-8", "surface.summit_plane_offset": "1.146",
+            "lubricant.viscosity": "0.0202", "lubricant.pressure_viscosity": "2e-8",
+            "lubricant.eyring_stress": "2.5e6", "supply.inlet_film_ratio": "4",
+            "friction.boundary_coefficient": "0.13"}
+UNIFORM = '{ distribution = "uniform", from = 0.01, to = 0.03 }'
+NORMAL = '{ distribution = "normal", mean = 0.0202, sd = 0.001 }'
+
+
+def sweep(changes=None, **settings):
+    """A sweep's text: fields by their paths, as TOML, None without; settings of [sweep] likewise."""
+    fields = {"id": '"smooth"', **ONE_LINE, **(changes or {})}
+    lines = {"": []}
+    for path, value in fields.items():
+        section, _, key = path.rpartition(".")
+        if value is not None:
+            lines.setdefault(section, []).append(f"{key} = {value}\n")
+    text = "".join(lines.pop(""))
+    for section, content in lines.items():
+        text += f"[{section}]\n" + "".join(content)
+    return text + "[sweep]\n" + "".join(f"{k} = {v}\n" for k, v in settings.items())
+
+
+# Some tenths of a second of work, in many chunks.
+LONG = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
+              "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
+             onset='["film_maximum", "film_departure"]', draws=60000, sensitivity="true")
+
+
+class SweepTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return self.folder.path(name)
+
+    def names(self):
+        return sorted(os.listdir(self.folder.name))
+
+    def bytes_of(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def sweep(self, text, *options, name="sweep.toml", out="out.h5", **more):
+        """Writes it, runs it, and gives what the program said."""
+        return run("sweep", self.folder.write(name, text), "-o", self.path(out), *options, **more)
+
+    def swept(self, text, *options, out="out.h5", **more):
+        result = self.sweep(text, *options, out=out, **more)
+        self.assertEqual(result.code, 0, result.err)
+        return result
+
+    def assert_refused(self, result, *words):
+        self.assertEqual((result.code, result.out), (2, ""), result.err)
+        self.assertEqual(len(result.error_lines), 1, result.err)
+        for word in words:
+            self.assertIn(word, result.err)
+
+
+def opened(path):
+    import h5py  # not where it is not needed: a tenth of a second
+    return h5py.File(path)
+
+
+def mpirun(ranks):
+    return ["mpirun", "--oversubscribe", "-n", str(ranks)]
+
+
+def mpi_environment():
+    # Root is refused otherwise, and containers often have nobody else.
+    return dict(ENVIRONMENT, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")

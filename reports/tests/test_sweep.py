@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck sweep: what it reads, computes and leaves, held against the program's other commands."""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import unittest
+
+from program import PROGRAM, run
+from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
+
+ROOT = os.environ["TRIBOCHECK_ROOT"]
+SHIPPED = os.path.join(ROOT, "reference", "published", "sweeps")
+
+
+class Results(SweepTest):
+    def scene_of(self, values, **fields):
+        """The scene of one case, for the program's other commands."""
+        text = sweep({**{path: repr(float(value)) for path, value in values.items()}, **fields})
+        return self.folder.write("case.toml", text.replace("[sweep]\n", ""))
+
+    def test_cases_of_a_sweep_are_those_of_solve(self):
+        self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.01, 0.2, 2.0]",
+                          "surface.summit_height_sd": "[2.5e-8, 1e-7]"}, draws=20))
+        with opened(self.path("out.h5")) as file:
+            group = file["smooth"]
+            self.assertEqual(group["outputs/film"].shape, (40, 3))
+            for case in (0, 7, 19, 20, 39):
+                values = {path: data[case] for path, data in group["inputs"].items()}
+                solved = run("solve", self.scene_of(values, speed="[0.01, 0.2, 2.0]"), "--format",
+                             "json").json()
+                for j, point in enumerate(solved):
+                    for name, data in group["outputs"].items():
+                        self.assert_same(data[case][j], point[name], name, data)
+
+    def assert_same(self, got, expected, name, data):
+        if isinstance(expected, str):
+            words = [w.decode() if isinstance(w, bytes) else w for w in data.attrs["words"]]
+            self.assertEqual(words[got], expected, name)
+        elif expected is None:
+            self.assertTrue(math.isnan(got), name)
+        else:  # two batch kernels: surfaces, and one surface; each within its own bound
+            self.assertLessEqual(abs(got - expected), 1e-13 * abs(expected), (name, got, expected))
+
+    def test_curves_of_many_speeds_are_those_of_solve_to_the_bit(self):
+        speeds = "{ from = 1e-4, to = 3, count = 50 }"
+        self.swept(sweep({"load": "[20, 50]", "speed": speeds}))
+        with opened(self.path("out.h5")) as file:
+            for case, load in enumerate((20.0, 50.0)):
+                solved = run("solve", self.scene_of({"load": load}, speed=speeds), "--format",
+                             "json").json()
+                films = [point["film"] for point in solved]
+                self.assertEqual(list(file["smooth/outputs/film"][case]), films)
+                self.assertEqual(list(file["smooth/speed"]), [point["speed"] for point in solved])
+
+    def test_onsets_are_those_of_onset(self):
+        self.swept(sweep({"lubricant.viscosity": NORMAL},
+                         onset='["film_maximum", "film_departure"]', draws=50, departure=0.1))
+        with opened(self.path("out.h5")) as file:
+            group = file["smooth"]
+            for case in (0, 13, 49):
+                values = {path: data[case] for path, data in group["inputs"].items()}
+                rows = run("onset", self.scene_of(values), "--criterion", "film_maximum",
+                           "--criterion", "film_departure", "--departure", "0.1", "--format",
+                           "json").json()
+                for row in rows:
+                    for number in ("speed", "film", "film_parameter"):
+                        got = group[f"outputs/onset/{row['criterion']}/{number}"][case]
+                        self.assertEqual(got, row[number])
+
+    def test_speed_can_be_drawn(self):
+        self.swept(sweep({"speed": '{ distribution = "log_uniform", from = 0.01, to = 1 }',
+                          "outputs": '["film"]'}, draws=100))
+        with opened(self.path("out.h5")) as file:
+            self.assertEqual(file["smooth/outputs/film"].shape, (100,))
+            speed = file["smooth/inputs/speed"][42]
+            solved = run("solve", self.scene_of({"speed": speed}), "--format", "json").json()[0]
+            film = file["smooth/outputs/film"][42]
+            self.assertLessEqual(abs(film - solved["film"]), 1e-14 * film)
+
+    def test_grids_of_words_and_numbers_are_crossed(self):
+        self.swept(sweep({"closures.asperity": '["greenwood_tripp", "greenwood_williamson"]',
+                          "load": "{ from = 10, to = 40, count = 4, spacing = \"lin\" }",
+                          "surface.offset_planes": "[0, 1, 2]", "speed": "0.1"}))
+        with opened(self.path("out.h5")) as file:
+            inputs = {path: list(data[:]) for path, data in file["smooth/inputs"].items()}
+            self.assertEqual(len(set(zip(*inputs.values()))), 24)
+            self.assertEqual(sorted(set(inputs["load"])), [10, 20, 30, 40])
+            self.assertEqual(set(inputs["surface.offset_planes"]), {0, 1, 2})
+
+    def test_draws_keep_their_distributions(self):
+        self.swept(sweep({"lubricant.viscosity": NORMAL, "load": '{ printed = "50" }',
+                          "bodies.reduced_radius": '{ distribution = "log_normal", '
+                                                   'median = 9.5e-3, log_sd = 0.1, to = 1e-2 }'},
+                         onset='["film_maximum"]', draws=4096))
+        with opened(self.path("out.h5")) as file:
+            inputs = file["smooth/inputs"]
+            viscosity = inputs["lubricant.viscosity"][:]
+            self.assertAlmostEqual(viscosity.mean(), 0.0202, delta=2e-6)
+            self.assertAlmostEqual(viscosity.std(), 0.001, delta=2e-6)
+            load = inputs["load"][:]
+            self.assertTrue(49.5 <= load.min() and load.max() <= 50.5)
+            self.assertAlmostEqual(load.mean(), 50, delta=1e-3)
+            radius = inputs["bodies.reduced_radius"][:]
+            self.assertLessEqual(radius.max(), 1e-2)
+            self.assertGreater((radius < 9.5e-3).mean(), 0.7)  # the median of what is cut off
+
+    def test_correlated_draws(self):
+        import numpy
+        self.swept(sweep({"lubricant.viscosity": NORMAL,
+                          "load": '{ distribution = "normal", mean = 50, sd = 2 }'},
+                         onset='["film_maximum"]', draws=8192, design='"monte_carlo"',
+                         correlated='["load", "lubricant.viscosity"]',
+                         correlation="[[1, -0.6], [-0.6, 1]]"))
+        with opened(self.path("out.h5")) as file:
+            inputs = file["smooth/inputs"]
+            got = numpy.corrcoef(inputs["load"][:], inputs["lubricant.viscosity"][:])[0, 1]
+        self.assertAlmostEqual(got, -0.6, delta=0.03)
+
+    def test_summaries_are_of_the_kept_points(self):
+        import numpy
+        result = self.swept(sweep({"lubricant.viscosity": NORMAL}, onset='["film_maximum"]',
+                                  draws=3000, design='"latin_hypercube"'), "--format", "json")
+        with opened(self.path("out.h5")) as file:
+            values = file["smooth/outputs/onset/film_maximum/speed"][:]
+            summary = file["smooth/summary/onset/film_maximum/speed"]
+            self.assertAlmostEqual(summary["mean"][0], values.mean(), delta=1e-14)
+            self.assertAlmostEqual(summary["sd"][0], values.std(ddof=1), delta=1e-13)
+            self.assertEqual(summary["least"][0], values.min())
+            error = summary["quantiles"].attrs["relative_error"]
+            for level, got in zip(summary["quantile_levels"], summary["quantiles"][0]):
+                true = numpy.quantile(values, level, method="inverted_cdf")
+                self.assertLessEqual(abs(got - true), error * true + 1e-15, level)
+            counts, edges = summary["histogram_counts"][0], summary["histogram_edges"][0]
+            for i, count in enumerate(counts):
+                if count:
+                    inside = (values >= edges[i]) & (values < edges[i + 1])
+                    self.assertEqual(count, inside.sum())
+            self.assertEqual(counts.sum(), 3000)
+        self.assertEqual(json.loads(result.out)["scenes"][0]["id"], "smooth")
+
+    def test_sensitivities_of_a_power_law_are_those_of_its_exponents(self):
+        # By C-numbers of the flooded inlet the onset speed goes with viscosity to the power −1 and
+        # load hardly at all: nearly all variance is the viscosity's.
+        self.swept(sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }'},
+                         onset='["film_maximum"]', draws=2048, sensitivity="true"))
+        with opened(self.path("out.h5")) as file:
+            group = file["smooth/sensitivity"]
+            names = [n if isinstance(n, str) else n.decode() for n in group.attrs["variables"]]
+            speed = group["onset/film_maximum/speed"]
+            at = names.index("lubricant.viscosity")
+            self.assertGreater(speed["first_order_high"][0][at], 0.999)
+            self.assertGreater(speed["total"][0][at], 0.999)
+            self.assertLess(speed["total"][0][1 - at], 1e-3)
+            self.assertLessEqual(speed["total_low"][0][at], speed["total"][0][at])
+
+
+class Files(SweepTest):
+    TEXT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=3000)
+
+    def test_any_number_of_threads_gives_the_same_bytes(self):
+        for threads in (1, 2, 5):
+            self.swept(self.TEXT, "--threads", threads, out=f"{threads}.h5")
+        self.assertEqual(self.bytes_of("1.h5"), self.bytes_of("2.h5"))
+        self.assertEqual(self.bytes_of("1.h5"), self.bytes_of("5.h5"))
+        self.assertEqual(self.names(), ["1.h5", "2.h5", "5.h5", "sweep.toml"])
+
+    def test_shards_merge_to_the_same_bytes(self):
+        self.swept(self.TEXT, out="whole.h5")
+        shards = []
+        for part in (2, 3, 1):
+            self.swept(self.TEXT, "--shard", f"{part}/3", out=f"{part}.shard")
+            shards.append(self.path(f"{part}.shard"))
+        result = run("sweep", "merge", *shards, "-o", self.path("merged.h5"))
+        self.assertEqual(result.code, 0, result.err)
+        self.assertEqual(self.bytes_of("merged.h5"), self.bytes_of("whole.h5"))
+        missing = run("sweep", "merge", *shards[:2], "-o", self.path("half.h5"))
+        self.assert_refused(missing, "chunks are in none of these")
+
+    def test_shards_of_different_sweeps_do_not_merge(self):
+        self.swept(self.TEXT, "--shard", "1/2", out="1.shard")
+        self.swept(self.TEXT.replace("3000", "3001"), "--shard", "2/2", out="2.shard")
+        result = run("sweep", "merge", self.path("1.shard"), self.path("2.shard"), "-o",
+                     self.path("x.h5"))
+        self.assert_refused(result, "2.shard", "another sweep")
+
+    def test_several_scenes_share_one_file(self):
+        names = [self.folder.write(f"{s}.toml", self.TEXT.replace('"smooth"', f'"{s}"'))
+                 for s in ("a", "b")]
+        result = run("sweep", *names, "-o", self.path("both.h5"))
+        self.assertEqual(result.code, 0, result.err)
+        with opened(self.path("both.h5")) as file:
+            self.assertEqual(list(file), ["a", "b"])
+            self.assertTrue((file["a/outputs/film"][:] == file["b/outputs/film"][:]).all())
+        self.assert_refused(run("sweep", names[0], names[0], "-o", self.path("x.h5")), "both have")
+
+    def test_the_result_tells_what_it_is(self):
+        self.swept(self.TEXT)
+        with opened(self.path("out.h5")) as file:
+            self.assertEqual(file["smooth"].attrs["scene"], self.TEXT)
+            self.assertEqual(file["smooth"].attrs["seed"], 1)
+            self.assertEqual(file["smooth/outputs/film"].attrs["unit"], "m")
+            version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True).stdout
+            self.assertIn(file.attrs["tribocheck_version"], version)
+
+    def test_show_says_what_sweep_said(self):
+        for form in ("table", "csv", "json"):
+            said = self.swept(self.TEXT, "--force", "--format", form)
+            shown = run("sweep", "show", self.path("out.h5"), "--format", form)
+            self.assertEqual((shown.code, shown.out), (0, said.out))
+
+    @unittest.skipUnless(shutil.which("octave-cli"), "octave is not installed")
+    def test_octave_reads_it(self):
+        self.swept(self.TEXT)
+        code = (f"s = load('{self.path('out.h5')}').smooth;"
+                "printf('%d %d %.17g\\n', size(s.outputs.film), s.outputs.film(1));")
+        said = subprocess.run(["octave-cli", "--quiet", "--eval", code], capture_output=True,
+                              text=True, timeout=120)
+        with opened(self.path("out.h5")) as file:
+            first = float(file["smooth/outputs/film"][0][0])
+        self.assertEqual(said.stdout.split()[:2], ["2", "3000"], said.stderr)  # its columns first
+        self.assertEqual(float(said.stdout.split()[2]), first)
+
+    @unittest.skipUnless(shutil.which("h5dump"), "h5dump is not installed")
+    def test_h5dump_reads_it_and_finds_no_dates(self):
+        self.swept(self.TEXT)
+        said = subprocess.run(["h5dump", "-p", "-d", "/smooth/outputs/film", "-s", "0,0", "-c",
+                               "1,2", self.path("out.h5")], capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("COMPRESSION DEFLATE", said.stdout)
+        self.assertIn("PREPROCESSING SHUFFLE", said.stdout)
+
+    def test_the_shipped_sweeps_run(self):
+        files = [os.path.join(SHIPPED, name) for name in sorted(os.listdir(SHIPPED))]
+        self.assertGreaterEqual(len(files), 4)
+        result = run("sweep", *files, "-o", self.path("shipped.h5"))
+        self.assertEqual(result.code, 0, result.err)
+        self.assertEqual(result.err, "")
+
+    def test_the_shipped_onset_sweeps_are_the_papers_scenes(self):
+        import tomllib
+        for surface in ("smooth", "medium", "rough"):
+            with open(os.path.join(SHIPPED, f"onset_{surface}.toml"), "rb") as file:
+                varied = tomllib.load(file)
+            with open(os.path.join(SHIPPED, "..", f"{surface}.toml"), "rb") as file:
+                scene = tomllib.load(file)
+            for section in ("surface", "bodies", "lubricant", "supply", "friction"):
+                for key, value in scene[section].items():
+                    own = varied[section][key]
+                    self.assertEqual(float(own["printed"] if isinstance(own, dict) else own), value)
+            self.assertEqual(float(varied["load"]["printed"]), scene["load"])
+
+
+class Estimates(SweepTest):
+    def test_estimate_says_points_time_memory_and_size_and_leaves_nothing(self):
+        text = sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}, draws=200000)
+        path = self.folder.write("sweep.toml", text)
+        said = run("sweep", path, "--estimate")
+        self.assertEqual(said.code, 0, said.err)
+        for word in ("points 2e+05", "time", "memory", "file"):
+            self.assertIn(word, said.out)
+        self.assertEqual(self.names(), ["sweep.toml"])
+        line = next(line for line in said.out.splitlines() if line.startswith("file"))
+        number, unit = line.split()[1:3]
+        estimated = float(number) * {"kB": 1e3, "MB": 1e6}[unit.strip(",")]
+        self.swept(text)
+        size = os.path.getsize(self.path("out.h5"))
+        self.assertLess(abs(estimated - size), 0.1 * size, said.out)
+
+
+class BadSweeps(SweepTest):
+    CASES = [
+        ({}, {}, ["nothing varies"]),
+        ({"load": "[]"}, {}, ["load", "the list is empty"]),
+        ({"load": "[50, 50]"}, {}, ["load", "twice"]),
+        ({"load": '[50, "x"]'}, {}, ["load[1]", '"x" is a text']),
+        ({"load": "[50, -1]"}, {}, ["load", "-1 is not allowed"]),
+        ({"load": "{ from = 1, to = 2 }"}, {}, ["load.count", "missing"]),
+        ({"load": "{ from = 2, to = 1, count = 3 }"}, {}, ["load.to", "not above from"]),
+        ({"load": "{ from = 0, to = 1, count = 3 }"}, {}, ["load.from", "no logarithm"]),
+        ({"load": "{ from = 1, to = 2, count = 3, spacing = \"lni\" }"}, {},
+         ["load.spacing", "did you mean lin?"]),
+        ({"load": "{ from = 1, to = 2, cuont = 3 }"}, {}, ["load.cuont", "did you mean count?"]),
+        ({"load": '{ distribution = "gauss", mean = 1, sd = 1 }'}, {}, ["load.distribution"]),
+        ({"load": '{ distribution = "normal", mean = 50 }'}, {}, ["load.sd", "missing"]),
+        ({"load": '{ distribution = "normal", mean = 50, sd = -1 }'}, {}, ["load.sd", "-1"]),
+        ({"load": '{ distribution = "normal", mean = 50, sd = 20 }'}, {},
+         ["load", "can be drawn", "allowed: a number above 0"]),
+        ({"load": '{ distribution = "normal", mean = 50, sd = 20, median = 3 }'}, {},
+         ["load.median", "not a field of this kind"]),
+        ({"load": '{ distribution = "uniform", from = 50, to = inf }'}, {}, ["load.to", "finite"]),
+        ({"load": '{ printed = 50 }'}, {}, ["load.printed", "as a text"]),
+        ({"load": '{ printed = "fifty" }'}, {}, ["load.printed", "is no number"]),
+        ({"load": '{ printed = "0" }'}, {}, ["load", "not allowed"]),
+        ({"load": '{ value = 3 }'}, {}, ["load.value", "unknown field"]),
+        ({"load": '{}'}, {}, ["load", "does not say how"]),
+        ({"surface.offset_planes": '{ distribution = "uniform", from = 0, to = 2 }'}, {},
+         ["surface.offset_planes", "is not drawn"]),
+        ({"surface.offset_planes": "[0, 0.5]"}, {}, ["surface.offset_planes", "not whole"]),
+        ({"closures.asperity": '["greenwood"]'}, {}, ["closures.asperity[0]"]),
+        ({"load": UNIFORM.replace("0.0", "1")}, {"design": '"factorial"'}, ["sweep.design"]),
+        ({"load": "[1, 2]"}, {"draws": 10}, ["sweep.draws", "nothing is drawn"]),
+        ({"load": '{ printed = "50" }'}, {"draws": 0}, ["sweep.draws", "from 1"]),
+        ({"load": '{ printed = "50" }'}, {"seed": -1}, ["sweep.seed"]),
+        ({"load": '{ printed = "50" }'}, {"onset": '["film_maximun"]'},
+         ["sweep.onset[0]", "did you mean film_maximum?"]),
+        ({"load": '{ printed = "50" }'}, {"onset": "[]"}, ["sweep.onset", "empty"]),
+        ({"load": '{ printed = "50" }'}, {"departure": 1}, ["sweep.departure"]),
+        ({"load": '{ printed = "50" }'}, {"keep": '"all"'}, ["sweep.keep"]),
+        ({"load": '{ printed = "50" }'}, {"sede": 1}, ["sweep.sede", "did you mean seed?"]),
+        ({"load": "[1, 2]"}, {"sensitivity": "true"}, ["sweep.sensitivity"]),
+        ({"load": '{ printed = "50" }'}, {"sensitivity": "true", "draws": 10}, ["sweep.draws"]),
+        ({"load": '{ printed = "50" }'}, {"correlation": "[[1]]"}, ["sweep.correlated"]),
+        ({"load": '{ printed = "50" }', "lubricant.viscosity": UNIFORM},
+         {"correlated": '["load", "lubricant.viscosity"]', "correlation": "[[1, 2], [2, 1]]"},
+         ["sweep.correlation", "from -1 to 1"]),
+        ({"load": '{ printed = "50" }', "lubricant.viscosity": UNIFORM},
+         {"correlated": '["load", "lubricant.viscosity"]', "correlation": "[[1, 1], [1, 1]]"},
+         ["sweep.correlation", "positive definite"]),
+        ({"load": '{ printed = "50" }', "id": '"a/b"'}, {}, ["id", "group"]),
+        ({"load": '{ printed = "50" }', "speed": None}, {}, ["speed", "missing"]),
+        ({"load": '{ printed = "50" }'}, {"draws": "1e12", "sensitivity": "true"}, ["points"]),
+    ]
+
+    def test_each_gets_one_line_that_names_the_field_and_what_is_allowed(self):
+        for changes, settings, words in self.CASES:
+            with self.subTest(changes=changes, settings=settings):
+                text = sweep({"speed": "0.1", **changes}, **settings)
+                self.assert_refused(self.sweep(text), "sweep.toml", *words)
+                self.assertEqual(self.names(), ["sweep.toml"])
+
+    def test_usage(self):
+        path = self.folder.write("sweep.toml", sweep({"load": "[1, 2]", "speed": "1"}))
+        self.assert_refused(run("sweep", path), "-o")
+        self.assert_refused(run("sweep"), "SWEEP")
+        self.assert_refused(run("sweep", path, "-o", self.path("x"), "--shard", "3/2"), "3/2")
+        self.assert_refused(run("sweep", path, "-o", self.path("x"), "--instruction-set", "MMX"),
+                            "MMX")
+        self.assert_refused(run("sweep", self.path("none.toml"), "-o", self.path("x")), "none.toml")
+        self.assert_refused(run("sweep", "show", path), "sweep.toml")
+        self.assert_refused(run("sweep", "merge", path, "-o", self.path("x")), "sweep.toml")
+
+    def test_json_is_refused(self):
+        self.assert_refused(self.sweep('{"load": 3}'), "JSON")
+
+    def test_a_wild_table_is_no_sweep(self):
+        for text in ("sweep = 3\n", "[sweep]\n", "load = [[[[[[[1]]]]]]]\n", "[[sweep]]\na = 1\n"):
+            with self.subTest(text=text):
+                result = self.sweep(text)
+                self.assertEqual((result.code, result.out), (2, ""), result.err)
+                self.assertGreater(len(result.error_lines), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

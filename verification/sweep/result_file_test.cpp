@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// A result has what went into it, and nothing of when and where it was written.
+#include "sweep/result_file.hpp"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "sweep/small_sweep.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+std::string small_result(const TemporaryFolder& folder, const std::string& name) {
+  const SweepPlan plan = small_plan();
+  write_journal(folder.file(name + ".journal"), plan);
+  const JournalSet chunks = chunks_in(folder.file(name + ".journal"), plan);
+  write_result(folder.file(name), plan, chunks, nullptr);
+  return folder.file(name);
+}
+
+template <class Throw>
+std::string error_of(Throw&& throws) {
+  try {
+    throws();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+std::vector<std::uint64_t> bits_of(const std::vector<double>& values) {
+  std::vector<std::uint64_t> bits;
+  for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
+  return bits;
+}
+
+// NaN is equal to itself here.
+void expect_same(double a, double b) {
+  EXPECT_EQ(std::isnan(a) ? 0 : a, std::isnan(b) ? 0 : b);
+  EXPECT_EQ(std::isnan(a), std::isnan(b));
+}
+
+// Of all cases at once.
+ValueSummary summary_of(const SceneSweep& scene, std::size_t column, std::size_t value) {
+  const std::vector<double> values = small_cases(scene).columns[column];
+  ValueSummary summary;
+  for (std::size_t i = value; i < values.size(); i += scene.columns[column].width)
+    summary.add(values[i]);
+  return summary;
+}
+
+TEST(ResultFile, HasTheSameBytesTwice) {
+  const TemporaryFolder folder;
+  const std::string first = content_of(small_result(folder, "a.h5"));
+  EXPECT_GT(first.size(), 10000U);
+  EXPECT_TRUE(first == content_of(small_result(folder, "b.h5")));
+}
+
+TEST(ResultFile, TellsOfEachChunkAndLeavesNothingBeside) {
+  const TemporaryFolder folder;
+  const SweepPlan plan = small_plan();
+  write_journal(folder.file("journal"), plan);
+  std::vector<std::uint64_t> told;
+  write_result(folder.file("result.h5"), plan, chunks_in(folder.file("journal"), plan),
+               [&](std::uint64_t chunks) { told.push_back(chunks); });
+  EXPECT_EQ(told, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("result.h5.part")));
+}
+
+TEST(ResultFile, GivesBackEachCaseToTheBit) {
+  const TemporaryFolder folder;
+  const std::string path = small_result(folder, "result.h5");
+  const SweepPlan plan = small_plan();
+  for (const SceneSweep& scene : plan.scenes) {
+    if (!scene.keep_points) continue;
+    const SmallCases cases = small_cases(scene);
+    for (std::size_t v = 0; v < scene.variables.size(); ++v)
+      EXPECT_EQ(bits_of(read_input(path, scene.scene.id, scene.variables[v].path)),
+                bits_of(cases.inputs[v]));
+    for (std::size_t c = 0; c < scene.columns.size(); ++c)
+      EXPECT_EQ(bits_of(read_column(path, scene.scene.id, scene.columns[c].name)),
+                bits_of(cases.columns[c]));
+  }
+}
+
+TEST(ResultFile, GivesBackTheTextsOfScenes) {
+  const TemporaryFolder folder;
+  const SweepResult result = read_result(small_result(folder, "result.h5"));
+  const SweepPlan plan = small_plan();
+  EXPECT_EQ(result.identity.version, plan.version);
+  EXPECT_EQ(result.identity.digest, plan.digest);
+  EXPECT_EQ(result.identity.instruction_set, "AVX2");
+  ASSERT_EQ(result.scenes.size(), plan.scenes.size());
+  for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
+    const SceneSweep& scene = plan.scenes[i];
+    const SceneResult& read = result.scenes[i];
+    EXPECT_EQ(read.id, scene.scene.id);
+    EXPECT_EQ(read.file, scene.file);
+    EXPECT_EQ(read.text, scene.text);
+    EXPECT_EQ(read.design, name(scene.design));
+    EXPECT_EQ(read.seed, scene.seed);
+    EXPECT_EQ(read.draws, scene.draws);
+    EXPECT_EQ(read.cases, scene.cases());
+    EXPECT_EQ(read.points, scene.points());
+    EXPECT_EQ(read.speeds, scene.scene.speeds.list);
+    EXPECT_EQ(read.has_points, scene.keep_points);
+    ASSERT_EQ(read.inputs.size(), scene.variables.size());
+    for (std::size_t v = 0; v < scene.variables.size(); ++v) {
+      EXPECT_EQ(read.inputs[v].path, scene.variables[v].path);
+      EXPECT_EQ(read.inputs[v].unit, scene.variables[v].unit);
+      EXPECT_EQ(read.inputs[v].meaning, scene.variables[v].meaning);
+      EXPECT_EQ(read.inputs[v].varies, scene.variables[v].text);
+      EXPECT_EQ(read.inputs[v].words, scene.variables[v].words);
+    }
+    ASSERT_EQ(read.columns.size(), scene.columns.size());
+    for (std::size_t c = 0; c < scene.columns.size(); ++c) {
+      EXPECT_EQ(read.columns[c].name, scene.columns[c].name);
+      EXPECT_EQ(read.columns[c].unit, scene.columns[c].unit);
+      EXPECT_EQ(read.columns[c].words, scene.columns[c].words);
+      EXPECT_EQ(read.columns[c].values.size(), scene.columns[c].width);
+      EXPECT_EQ(read.column(scene.columns[c].name), &read.columns[c]);
+    }
+    EXPECT_EQ(read.column("none"), nullptr);
+  }
+}
+
+TEST(ResultFile, GivesBackTheSummariesOfAllCases) {
+  const TemporaryFolder folder;
+  const SweepResult result = read_result(small_result(folder, "result.h5"));
+  const SweepPlan plan = small_plan();
+  for (std::size_t i = 0; i < plan.scenes.size(); ++i)
+    for (std::size_t c = 0; c < plan.scenes[i].columns.size(); ++c)
+      for (std::size_t s = 0; s < plan.scenes[i].columns[c].width; ++s) {
+        const ValueSummary whole = summary_of(plan.scenes[i], c, s);
+        const ColumnResult::Value& read = result.scenes[i].columns[c].values[s];
+        EXPECT_EQ(read.count, whole.moments.count);
+        EXPECT_EQ(read.undefined, whole.undefined);
+        const std::vector<QuantileSketch::Bin> bins = histogram_of(whole.sketch, histogram_bins);
+        ASSERT_EQ(read.histogram.size(), bins.size());
+        for (std::size_t b = 0; b < bins.size(); ++b) {
+          EXPECT_EQ(read.histogram[b].low, bins[b].low);
+          EXPECT_EQ(read.histogram[b].high, bins[b].high);
+          EXPECT_EQ(read.histogram[b].count, bins[b].count);
+        }
+        for (std::size_t q = 0; q < quantile_levels.size(); ++q) {
+          const Quantile quantile = quantile_of(whole, quantile_levels[q]);
+          expect_same(read.quantiles[q].value, quantile.value);
+          expect_same(read.quantiles[q].low, quantile.low);
+          expect_same(read.quantiles[q].high, quantile.high);
+        }
+        if (read.count == 0) {
+          for (const double number : {read.mean, read.sd, read.least, read.greatest})
+            EXPECT_PRED1([](double value) { return std::isnan(value); }, number);
+          continue;
+        }
+        EXPECT_EQ(read.least, whole.moments.least);
+        EXPECT_EQ(read.greatest, whole.moments.greatest);
+        // Merged of chunks, the sums are rounded otherwise.
+        EXPECT_NEAR(read.mean, whole.moments.mean, 1e-14 * std::abs(whole.moments.mean));
+        EXPECT_NEAR(read.sd, whole.moments.sd(), 1e-14 * whole.moments.sd());
+      }
+}
+
+TEST(ResultFile, GivesBackSensitivities) {
+  const TemporaryFolder folder;
+  const SweepResult result = read_result(small_result(folder, "result.h5"));
+  const SweepPlan plan = small_plan();
+  EXPECT_TRUE(result.scenes[0].sensitivity_variables.empty());
+  EXPECT_EQ(result.scenes[1].sensitivity_variables,
+            std::vector<std::string>{"lubricant.viscosity"});
+  const SceneSweep& scene = plan.scenes[1];
+  for (std::size_t c = 0; c < scene.columns.size(); ++c)
+    for (std::size_t s = 0; s < scene.columns[c].width; ++s) {
+      SensitivityBlocks blocks;
+      for (std::uint64_t number = 0; number < scene.chunks; ++number) {
+        const Chunk chunk = small_chunk(scene, number, number);
+        for (const auto& [block, sums] : chunk.sensitivities[c][s]) blocks[block].merge(sums);
+      }
+      const SobolIndices indices = sobol_indices(blocks);
+      const SobolIndices& read = result.scenes[1].columns[c].values[s].sensitivity;
+      EXPECT_EQ(read.groups, indices.groups);
+      ASSERT_EQ(read.total.size(), 1U);
+      ASSERT_EQ(read.first_order.size(), 1U);
+      if (indices.groups == 0) continue;
+      expect_same(read.total[0].value, indices.total[0].value);
+      expect_same(read.total[0].low, indices.total[0].low);
+      expect_same(read.first_order[0].value, indices.first_order[0].value);
+      expect_same(read.first_order[0].high, indices.first_order[0].high);
+    }
+}
+
+TEST(ResultFile, SaysWhatItDoesNotHave) {
+  const TemporaryFolder folder;
+  const std::string path = small_result(folder, "result.h5");
+  EXPECT_EQ(error_of([&] { read_column(path, "other", "film"); }), path + " has no scene other");
+  EXPECT_EQ(error_of([&] { read_column(path, "plain", "onset.film_departure.speed"); }),
+            path + " has no onset.film_departure.speed among the outputs of scene plain");
+  EXPECT_EQ(error_of([&] { read_input(path, "plain", "load"); }),
+            path + " has no load among the inputs of scene plain");
+  EXPECT_EQ(error_of([&] { read_column(path, "summaries", "film"); }),
+            path + " keeps no points of scene summaries, only summaries");
+}
+
+TEST(ResultFile, IsRefusedTruncatedAnywhere) {
+  const TemporaryFolder folder;
+  const std::string whole = content_of(small_result(folder, "result.h5"));
+  const std::string cut = folder.file("cut.h5");
+  for (std::size_t size = 0; size < whole.size(); size += 997) {
+    write_content(cut, whole.substr(0, size));
+    EXPECT_EQ(error_of([&] { identity_of_result(cut); }).find(cut + " is "), 0U) << size;
+    EXPECT_THROW(read_result(cut), std::runtime_error) << size;
+  }
+}
+
+TEST(ResultFile, IsToldFromOtherFiles) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("other.h5");
+  EXPECT_EQ(error_of([&] { identity_of_result(path); }),
+            path + " cannot be read: No such file or directory");
+  write_content(path, "speed film\n");
+  EXPECT_EQ(error_of([&] { identity_of_result(path); }), path + " is no HDF5 file");
+  H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  EXPECT_EQ(error_of([&] { identity_of_result(path); }),
+            path + " is an HDF5 file, but no result of tribocheck sweep");
+}
+
+TEST(ResultFile, NeedsAllChunks) {
+  const TemporaryFolder folder;
+  const SweepPlan plan = small_plan();
+  { Journal::create(folder.file("journal"), header_of(plan)); }
+  const std::string path = folder.file("result.h5");
+  const JournalSet none = chunks_in(folder.file("journal"), plan);
+  EXPECT_EQ(error_of([&] { write_result(path, plan, none, nullptr); }),
+            "cannot write " + path + ": 0 of 9 chunks are there");
+}
+
+TEST(ResultFile, HoldsThePointsOfOneShortChunk) {
+  const TemporaryFolder folder;
+  SweepPlan plan = small_plan();
+  plan.scenes.resize(1);
+  plan.scenes[0].groups = 5;
+  plan.scenes[0].chunks = 1;
+  write_journal(folder.file("journal"), plan);
+  const std::string path = folder.file("result.h5");
+  write_result(path, plan, chunks_in(folder.file("journal"), plan), nullptr);
+  EXPECT_EQ(bits_of(read_column(path, "plain", "film")),
+            bits_of(small_cases(plan.scenes[0]).columns[0]));
+}
+
+// As on a full disk. In a process of its own, since HDF5 does not free all of a file that it could
+// not close; there the next attempt has to succeed.
+TEST(ResultFile, IsNotThereWhenItCouldNotBeWrittenWhole) {
+  const TemporaryFolder folder;
+  const SweepPlan plan = small_plan();
+  write_journal(folder.file("journal"), plan);
+  const JournalSet chunks = chunks_in(folder.file("journal"), plan);
+  const std::string path = folder.file("result.h5");
+  const auto write_twice = [&](std::uint64_t room) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlim_t before = std::exchange(limit.rlim_cur, room);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string error = error_of([&] { write_result(path, plan, chunks, nullptr); });
+    const bool is_gone = !std::filesystem::exists(path) && !std::filesystem::exists(path + ".part");
+    limit.rlim_cur = before;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    write_result(path, plan, chunks, nullptr);
+    const bool is_there = identity_of_result(path).digest == plan.digest;
+    std::fputs(error.c_str(), stderr);
+    ::_exit(is_gone && is_there ? 0 : 1);
+  };
+  for (const std::uint64_t room : {0, 100, 5000, 30000, 100000}) {
+    EXPECT_EXIT(write_twice(room), testing::ExitedWithCode(0), "cannot write .*: File too large")
+        << room;
+    std::filesystem::remove(path);
+  }
+}
+
+}  // namespace
+}  // namespace tribo::sweep

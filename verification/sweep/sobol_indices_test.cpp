@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sobol indices of functions whose indices are known.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "support/judge.hpp"
+#include "sweep/design.hpp"
+#include "sweep/sensitivity.hpp"
+
+namespace tribo::verification {
+namespace {
+
+using sweep::block_of;
+using sweep::Design;
+using sweep::jackknife_blocks;
+using sweep::SensitivityBlocks;
+using sweep::SensitivitySums;
+using sweep::SobolIndex;
+using sweep::SobolIndices;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Function = std::function<double(const std::vector<double>&)>;  // on the unit cube
+
+// A takes the first half of the coordinates of a point in 2k dimensions, B the second.
+SensitivityBlocks sums_of(const Function& f, std::size_t k, std::uint64_t groups, Design design,
+                          std::uint64_t seed) {
+  SensitivityBlocks blocks;
+  sweep::UnitPoints points(design, 2 * k, groups, seed);
+  std::vector<double> u(2 * k * groups);
+  points.points(0, u);
+  const double nominal = f(std::vector<double>(k, 0.5));
+  for (std::uint64_t group = 0; group < groups; ++group) {
+    const auto at = u.begin() + static_cast<std::ptrdiff_t>(2 * k * group);
+    const auto half = at + static_cast<std::ptrdiff_t>(k);
+    std::vector<double> a(at, half);
+    const std::vector<double> b(half, half + static_cast<std::ptrdiff_t>(k));
+    std::vector<double> values{f(a), f(b)};
+    for (std::size_t i = 0; i < k; ++i) {
+      const double kept = a[i];
+      a[i] = b[i];
+      values.push_back(f(a));
+      a[i] = kept;
+    }
+    blocks[block_of(group, groups)].add(values, nominal);
+  }
+  return blocks;
+}
+
+struct Known {
+  std::vector<double> first_order, total;
+};
+
+// sin x₁ + a sin² x₂ + b x₃⁴ sin x₁ for x in (−π, π)³ (Ishigami and Homma 1990), a = 7, b = 0.1.
+double ishigami(const std::vector<double>& u) {
+  const auto x = [&](std::size_t i) { return std::numbers::pi * (2 * u[i] - 1); };
+  return std::sin(x(0)) + 7 * std::pow(std::sin(x(1)), 2) +
+         0.1 * std::pow(x(2), 4) * std::sin(x(0));
+}
+Known known_ishigami() {
+  const double pi4 = std::pow(std::numbers::pi, 4), pi8 = pi4 * pi4;
+  const double one = 0.5 * std::pow(1 + 0.1 * pi4 / 5, 2);
+  const double two = 49.0 / 8;
+  const double both = 0.01 * pi8 * 8 / 225;
+  const double variance = one + two + both;
+  return {{one / variance, two / variance, 0},
+          {(one + both) / variance, two / variance, both / variance}};
+}
+
+constexpr std::array weights{4.0, -2.0, 1.0, 0.5, 0.0};
+double linear(const std::vector<double>& u) {
+  double sum = 100;
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * u[i];
+  return sum;
+}
+Known known_linear() {
+  double squares = 0;
+  for (const double weight : weights) squares += weight * weight;
+  Known known;
+  for (const double weight : weights) known.first_order.push_back(weight * weight / squares);
+  known.total = known.first_order;
+  return known;
+}
+
+TEST(SobolIndices, AreThoseOfIshigamisFunction) {
+  const Known known = known_ishigami();
+  const SobolIndices got =
+      sobol_indices(sums_of(ishigami, 3, std::uint64_t{1} << 15, Design::sobol, 1));
+  EXPECT_EQ(got.groups, std::uint64_t{1} << 15);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(is_within(got.first_order[i].value, known.first_order[i], 0.001)) << i;
+    EXPECT_TRUE(is_within(got.total[i].value, known.total[i], 0.001)) << i;
+  }
+}
+
+TEST(SobolIndices, AreThoseOfASum) {
+  const Known known = known_linear();
+  const SobolIndices got =
+      sobol_indices(sums_of(linear, 5, std::uint64_t{1} << 14, Design::sobol, 2));
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_TRUE(is_within(got.first_order[i].value, known.first_order[i], 1e-4)) << i;
+    EXPECT_TRUE(is_within(got.total[i].value, known.total[i], 1e-4)) << i;
+  }
+  EXPECT_EQ(got.first_order[4].value, 0) << "a variable on which nothing depends";
+  EXPECT_EQ(got.total[4].value, 0);
+}
+
+// 1.96 standard errors from 32 blocks hold in 94.1 of 100. The bound is 3½ standard deviations of
+// how many of 200 sweeps that is.
+void expect_coverage(const Function& f, const Known& known, const char* what) {
+  constexpr int sweeps = 200;
+  std::vector<int> held_first(known.total.size()), held_total(known.total.size());
+  const auto holds = [](const SobolIndex& index, double exact) {
+    return index.low <= exact && exact <= index.high ? 1 : 0;
+  };
+  for (std::uint64_t seed = 0; seed < sweeps; ++seed) {
+    const SobolIndices got =
+        sobol_indices(sums_of(f, known.total.size(), 640, Design::monte_carlo, seed));
+    for (std::size_t i = 0; i < known.total.size(); ++i) {
+      held_first[i] += holds(got.first_order[i], known.first_order[i]);
+      held_total[i] += holds(got.total[i], known.total[i]);
+    }
+  }
+  for (std::size_t i = 0; i < known.total.size(); ++i) {
+    if (known.total[i] == 0) continue;
+    EXPECT_TRUE(is_within(held_first[i], 0.94 * sweeps, 0.06 * sweeps)) << what << ", S of " << i;
+    EXPECT_TRUE(is_within(held_total[i], 0.94 * sweeps, 0.06 * sweeps)) << what << ", T of " << i;
+  }
+}
+
+TEST(SobolIndices, IntervalsHoldTheIndicesIn95Of100Sweeps) {
+  expect_coverage(ishigami, known_ishigami(), "Ishigami");
+  expect_coverage(linear, known_linear(), "a sum");
+}
+
+TEST(SobolIndices, DoNotDependOnUnitAndOrigin) {
+  const auto indices = [](const Function& f) {
+    return sobol_indices(sums_of(f, 3, 3000, Design::latin_hypercube, 3));
+  };
+  const SobolIndices expected = indices(ishigami);
+  const auto expect_equal = [&](const SobolIndices& got, double tolerance, const char* what) {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (double SobolIndex::*const part :
+           {&SobolIndex::value, &SobolIndex::low, &SobolIndex::high}) {
+        EXPECT_TRUE(is_within(got.first_order[i].*part, expected.first_order[i].*part, tolerance))
+            << what;
+        EXPECT_TRUE(is_within(got.total[i].*part, expected.total[i].*part, tolerance)) << what;
+      }
+  };
+  expect_equal(indices([](const auto& u) { return 1e-9 * ishigami(u); }), 1e-13, "smaller");
+  expect_equal(indices([](const auto& u) { return -3e7 * ishigami(u); }), 1e-13, "upside down");
+  expect_equal(indices([](const auto& u) { return 1e6 + ishigami(u); }), 1e-9, "far from zero");
+}
+
+TEST(SobolIndices, OfWhatDoesNotVaryAreNoNumbers) {
+  const SobolIndices got =
+      sobol_indices(sums_of([](const auto&) { return 0.1; }, 2, 1000, Design::sobol, 4));
+  ASSERT_EQ(got.total.size(), 2U);
+  EXPECT_EQ(got.groups, 1000U);
+  for (const auto& indices : {got.first_order, got.total})
+    for (const SobolIndex& index : indices)
+      for (const double part : {index.value, index.low, index.high})
+        EXPECT_EQ(std::isnan(part), true) << part;
+}
+
+TEST(SobolIndices, LeaveOutGroupsWithAnUndefinedValue) {
+  SensitivitySums with, without;
+  Sampler sampler(5);
+  for (int i = 0; i < 300; ++i) {
+    std::vector<double> values(5);
+    for (double& value : values) value = sampler.uniform(0, 1);
+    with.add(values, 0.5);
+    without.add(values, 0.5);
+    values[static_cast<std::size_t>(i % 5)] = i % 2 == 0 ? nan : -1 / 0.0;
+    with.add(values, 0.5);
+  }
+  EXPECT_EQ(with.left_out, 300U);
+  EXPECT_EQ(with.both.count, 600U);
+  EXPECT_EQ(with.first_order, without.first_order);
+  EXPECT_EQ(with.total, without.total);
+  EXPECT_EQ(with.both.squares, without.both.squares);
+
+  SensitivityBlocks none;
+  none[3].add(std::vector<double>{nan, 1, 2, 3}, 0);
+  const SobolIndices got = sobol_indices(none);
+  EXPECT_EQ(got.groups, 0U);
+  ASSERT_EQ(got.total.size(), 2U);
+  EXPECT_EQ(std::isnan(got.total[0].value), true);
+  EXPECT_EQ(sobol_indices(SensitivityBlocks{}).total.size(), 0U);
+}
+
+TEST(SobolIndices, OfOneBlockHaveNoInterval) {
+  SensitivityBlocks blocks;
+  blocks[0] = sums_of(linear, 5, 32, Design::monte_carlo, 1)[0];
+  for (int i = 0; i < 4; ++i)
+    blocks[0].add(std::vector<double>{1.0 * i, 2.0, 3.0 * i, 1, 1, 1, 1}, nan);
+  const SobolIndices got = sobol_indices(blocks);
+  EXPECT_EQ(std::isfinite(got.total[0].value), true);
+  EXPECT_EQ(std::isnan(got.total[0].low), true);
+  EXPECT_EQ(std::isnan(got.total[0].high), true);
+}
+
+TEST(SensitivitySums, MergedAreThoseOfAllGroups) {
+  SensitivitySums at_once, merged, part;
+  Sampler sampler(6);
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<double> values(6);
+    for (double& value : values) value = sampler.uniform(9, 10);
+    at_once.add(values, 9.5);
+    part.add(values, 9.5);
+    if (i % 70 == 0 || i == 999) {
+      merged.merge(part);
+      part = {};
+    }
+  }
+  merged.merge(part);
+  EXPECT_EQ(merged.both.count, at_once.both.count);
+  EXPECT_TRUE(is_within(merged.both.squares, at_once.both.squares, 1e-10));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_TRUE(is_within(merged.first_order[i], at_once.first_order[i], 1e-11));
+    EXPECT_TRUE(is_within(merged.total[i], at_once.total[i], 1e-11));
+  }
+}
+
+TEST(SensitivitySums, AreReadAsTheyWereWrittenAndRefusedIfCut) {
+  const SensitivityBlocks blocks = sums_of(ishigami, 3, 100, Design::monte_carlo, 7);
+  sweep::Bytes bytes;
+  blocks[1].write(bytes);
+  sweep::ByteReader reader(bytes);
+  const SensitivitySums read = SensitivitySums::read(reader);
+  EXPECT_EQ(reader.empty(), true);
+  EXPECT_EQ(read.first_order, blocks[1].first_order);
+  EXPECT_EQ(read.total, blocks[1].total);
+  EXPECT_EQ(read.both.squares, blocks[1].both.squares);
+  sweep::Bytes again;
+  read.write(again);
+  EXPECT_EQ(again, bytes);
+  while (!bytes.empty()) {
+    bytes.pop_back();
+    sweep::ByteReader cut(bytes);
+    bool is_refused = false;
+    try {
+      SensitivitySums::read(cut);
+    } catch (const std::runtime_error&) {
+      is_refused = true;
+    }
+    EXPECT_EQ(is_refused, true) << bytes.size();
+  }
+}
+
+TEST(JackknifeBlocks, DifferByOneGroupAtMostAndFollowEachOther) {
+  for (const std::uint64_t groups : {1, 5, 31, 32, 33, 63, 64, 1000, 4099}) {
+    std::array<std::uint64_t, jackknife_blocks> sizes{};
+    std::size_t previous = 0;
+    for (std::uint64_t group = 0; group < groups; ++group) {
+      const std::size_t block = block_of(group, groups);
+      ASSERT_LT(block, jackknife_blocks);
+      EXPECT_GE(block, previous);
+      previous = block;
+      ++sizes[block];
+    }
+    for (const std::uint64_t size : sizes) {
+      EXPECT_GE(size, groups / jackknife_blocks);
+      EXPECT_LE(size, (groups + jackknife_blocks - 1) / jackknife_blocks);
+    }
+  }
+  const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_EQ(block_of(most - 1, most), jackknife_blocks - 1);
+}
+
+}  // namespace
+}  // namespace tribo::verification
