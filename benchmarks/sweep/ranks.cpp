@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What asking for chunks takes: rank 0 answers and computes nothing, the others ask and compute
-// nothing. Started by mpirun with two ranks or more; a line a rank, with tabs.
+// nothing. So few chunks are left that each answer holds one, as in the last seconds of a sweep.
+// Started by mpirun with two ranks or more; a line a rank, with tabs.
 #include "sweep/ranks.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 // A chunk that is there takes some tens of nanoseconds, one that has to be asked for much more.
 constexpr double least_asked_seconds = 1e-6;
-constexpr std::uint64_t chunks = 1 << 24;
+constexpr int rounds = 200;
 
 double cpu_seconds_of_this_thread() {
   timespec now{};
@@ -44,11 +45,6 @@ int main() {
     std::fputs("tribocheck_bench_ranks: start it with mpirun -n 2 or more\n", stderr);
     return 2;
   }
-  std::vector<std::uint64_t> pending(ranks.rank() == 0 ? chunks : 0);
-  std::iota(pending.begin(), pending.end(), std::uint64_t{0});
-  tribo::sweep::ChunkQueue queue(std::move(pending));
-  ranks.everywhere(true);
-
   std::vector<double> asked;
   const auto ask_for_all = [&](const tribo::sweep::NextChunk& next) {
     if (ranks.rank() == 0) return;
@@ -59,14 +55,24 @@ int main() {
       if (seconds >= least_asked_seconds) asked.push_back(seconds);
     }
   };
-  const auto start = Clock::now();
-  const double cpu_before = cpu_seconds_of_this_thread();
-  ranks.share(
-      queue, ask_for_all, [](std::uint64_t) {}, [] { return false; });
-  const double cpu = cpu_seconds_of_this_thread() - cpu_before;
-  const double wall = std::chrono::duration<double>(Clock::now() - start).count();
+  // Of each rank but the first in a round: two chunks, no more chunks, and that it leaves.
+  const std::uint64_t chunks = 2 * (static_cast<std::uint64_t>(ranks.count()) - 1);
+  const std::uint64_t messages = rounds * 2 * chunks;
+  double wall = 0, cpu = 0;
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<std::uint64_t> pending(ranks.rank() == 0 ? chunks : 0);
+    std::iota(pending.begin(), pending.end(), std::uint64_t{0});
+    tribo::sweep::ChunkQueue queue(std::move(pending));
+    ranks.everywhere(true);
+    const auto start = Clock::now();
+    const double cpu_before = cpu_seconds_of_this_thread();
+    ranks.share(
+        queue, ask_for_all, [](std::uint64_t) {}, [] { return false; });
+    cpu += cpu_seconds_of_this_thread() - cpu_before;
+    wall += std::chrono::duration<double>(Clock::now() - start).count();
+  }
   std::fputs(ranks.rank() == 0
-                 ? fmt::format("answered\t{}\t{:.9f}\t{:.9f}\n", chunks, wall, cpu).c_str()
+                 ? fmt::format("answered\t{}\t{:.9f}\t{:.9f}\n", messages, wall, cpu).c_str()
                  : fmt::format("asked\t{}\t{:.9f}\n", asked.size(), median(asked)).c_str(),
              stdout);
   return 0;
