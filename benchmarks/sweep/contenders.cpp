@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
-constexpr std::uint64_t draws_of_a_run = 1 << 19;  // with all that a run begins and ends with
+constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins and ends with
 constexpr std::uint64_t chunks_in_turn = 8;        // that contenders of one thread go through
 constexpr std::uint64_t chunks_on_threads = 64;    // of an iteration
 
@@ -274,10 +274,11 @@ void register_sweep(const Workload& workload) {
     const auto timed = [&](std::string_view name, Contender contender) {
       add(subject, fmt::format("{}, threads: {}", name, threads), std::move(contender))
           ->MeasureProcessCPUTime()
-          ->UseRealTime();
+          ->UseRealTime()
+          ->Iterations(1);
     };
-    timed("compute summaries", on_threads(&Subject::summaries, threads));
-    timed("compute points", on_threads(&Subject::points, threads));
+    timed("chunks with summaries", on_threads(&Subject::summaries, threads));
+    timed("chunks with points", on_threads(&Subject::points, threads));
     timed("run of summaries", whole_run("summaries", threads));
     timed("run of points", whole_run("points", threads));
   }

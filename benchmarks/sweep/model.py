@@ -12,6 +12,7 @@ The start is that of one rank here: what a cluster takes to start processes come
 import math
 
 LEASE = 0.25  # s: ranks_mpi.cpp
+BEGIN, END = "<!-- by scaling.py -->", "<!-- end -->"
 RANKS = (1, 10, 100, 1000, 10000)
 
 
@@ -79,6 +80,33 @@ def text(made):
                  for time in row["times"]]
         lines.append(f"| {row['keep']} | {row['points']:.0e} | {row['chunks']:,} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def page_text(found):
+    known = found["model"]["constants"]
+    of = known["of"]
+    return f"""{BEGIN}
+Measured on {found['date']}, {found['environment']['cpu']}, {found['processors']} processors; five fields drawn, the film at
+one speed. Two threads: {found['threads']['speedup']:.2f} times one. Two ranks: {found['ranks']['speedup']['2']:.2f} times
+one, and with twice the points {100 * found['ranks']['weak_efficiency']:.0f} %; four, oversubscribed,
+{found['ranks']['speedup']['4']:.2f} times one. Others used up to {found['others']:.2f} processors meanwhile.
+
+| constant | summaries | points |
+|---|---|---|
+| a point computed, ns | {1e9 * of['summaries']['point_seconds']:.3g} | {1e9 * of['points']['point_seconds']:.3g} |
+| bytes of journal | {of['summaries']['journal_bytes_a_chunk']:.3g} a chunk | {of['points']['journal_bytes_a_point']:.3g} a point |
+| result written | {1e3 * of['summaries']['write_seconds_a_chunk']:.2g} ms a chunk | {1e9 * of['points']['write_seconds_a_point']:.3g} ns a point |
+| rank 0, a request | {1e6 * known['answer_seconds']:.2g} µs of CPU | likewise |
+| there and back | {1e6 * known['trip_seconds']:.3g} µs | likewise |
+| disk | {1e-9 * known['disk_bytes_a_second']:.2g} GB/s | likewise |
+
+{text(found['model'])}
+{END}"""
+
+
+def page_block(page):
+    """What of a page page_text() replaces."""
+    return page[page.index(BEGIN):page.index(END) + len(END)]
 
 
 def duration(seconds):

@@ -38,9 +38,10 @@ sys.path.insert(0, str(ROOT / "benchmarks/gates"))
 import measure  # noqa: E402
 
 BASELINE = ROOT / "reference/baselines/sweep.json"
+PAGE = pathlib.Path(__file__).with_name("README.md")
 PARTS = ("ratios", "threads", "ranks", "messages", "files", "chunks", "memory")
-ROUNDS = 9       # of times by the clock
-KEPT = 5         # of these, those with the least done by others
+ROUNDS = 7       # of times by the clock
+KEPT = 3         # of these, those with the least done by others
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 SCENE = """id = "rough"
@@ -160,7 +161,7 @@ def ratios(sweeps):
 
 
 def threads(sweeps):
-    draws = 1 << 23
+    draws = 1 << 22
     sweep = sweeps.file(FIVE, draws, "summaries")
     small = sweeps.file(FIVE, 1, "summaries")
     found = interleaved({
@@ -173,7 +174,7 @@ def threads(sweeps):
 
 
 def ranks(sweeps):
-    draws = 1 << 23
+    draws = 1 << 22
     strong = sweeps.file(FIVE, draws, "summaries")
     double = sweeps.file(FIVE, 2 * draws, "summaries")
     small = sweeps.file(FIVE, 1, "summaries")
@@ -358,9 +359,17 @@ def main():
     found["seconds"] = round(time.perf_counter() - start, 1)
     if set(PARTS) <= found.keys():
         found["model"] = model.of(found)
-    wanted.out.write_text(json.dumps(rounded(found), indent=1, ensure_ascii=False) + "\n")
+    found = rounded(found)
+    wanted.out.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
+    if wanted.out == BASELINE and "model" in found:
+        write_page(found)
     tables(found)
     return 0
+
+
+def write_page(found):
+    text = PAGE.read_text()
+    PAGE.write_text(text.replace(model.page_block(text), model.page_text(found)))
 
 
 def rounded(value):

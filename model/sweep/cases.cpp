@@ -58,8 +58,8 @@ void CaseGenerator::quantiles(Rows<const double> unit, Rows<double> values, std:
   const auto variables = std::span(sweep_.variables).subspan(grids_);
   if (sweep_.correlation_root.empty()) {
     for (std::size_t v = 0; v < drawn_; ++v)
-      for (std::size_t i = 0; i < count; ++i)
-        values[i][v] = variables[v].distribution.quantile(unit[i][v]);
+      variables[v].distribution.quantiles({unit.first + v, unit.stride},
+                                          {values.first + v, values.stride}, count);
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {

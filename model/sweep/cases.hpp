@@ -26,12 +26,6 @@ class CaseGenerator {
   void draw(std::uint64_t group, std::size_t count);
   void take_from_grids(std::uint64_t group, std::span<double> values) const;
   // Of a case of each group, the drawn variables from their unit numbers.
-  template <class T>
-  struct Rows {
-    T* first;
-    std::size_t stride;
-    T* operator[](std::size_t row) const { return first + row * stride; }
-  };
   void quantiles(Rows<const double> unit, Rows<double> values, std::size_t count);
   void mix(std::span<double> group) const;  // AB_i of a group whose A and B are there
 
