@@ -116,7 +116,7 @@ faults: ## plant every fault of verification/gates/faults and see it caught; tak
 verify-full: ## all verification, the slow parts too, and what each took; takes some 25 minutes
 	.ci/verify-full
 
-debug: ## build with sanitizers and run the quick tests
+debug: ## build with g++ and its sanitizers, and run the quick tests; .ci/run does so with clang
 	@.ci/deps build test
 	cmake --preset debug
 	cmake --build --preset debug

@@ -7,6 +7,7 @@
 
 #include "src/operating_points_arrays.hpp"
 #include "tribo/batch.hpp"
+#include "tribo/onset.hpp"
 
 namespace tribo::sweep {
 namespace {

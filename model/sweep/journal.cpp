@@ -79,22 +79,28 @@ int write_all(int descriptor, std::uint64_t offset, std::span<const std::byte> f
 Journal::Journal(int descriptor, std::string path)
     : descriptor_(descriptor), path_(std::move(path)), synced_(std::chrono::steady_clock::now()) {}
 
+// Under another name until its header is whole: a process killed on the way leaves no journal that
+// is none.
 Journal Journal::create(const std::string& path, const JournalHeader& header) {
-  const int descriptor = open_file(path, O_CREAT | O_EXCL);
+  if (::access(path.c_str(), F_OK) == 0) fail("cannot create " + path, EEXIST);
+  const std::string unfinished = path + ".new";
+  const int descriptor = open_file(unfinished, O_CREAT);
   if (descriptor < 0) fail("cannot create " + path, errno);
   Journal journal(descriptor, path);
   lock(descriptor, path);
   const Bytes bytes = to_bytes(header);
   try {
+    if (::ftruncate(descriptor, 0) != 0) fail("cannot write " + path, errno);
     const Head head{header_number, bytes.size(), 0};
     for (int copy = 0; copy < 2; ++copy) journal.write_record(header_number, bytes);
     journal.seed_ = journal_record::checksum(head, bytes, 0);
     journal.sync();
+    if (::rename(unfinished.c_str(), path.c_str()) != 0) fail("cannot create " + path, errno);
     // A new file is there after a power failure only once its folder is on the disk.
     if (const int code = sync_to_disk(folder_of(path)); code != 0)
       fail("cannot write the folder of " + path, code);
   } catch (...) {
-    ::unlink(path.c_str());  // it would be in the way of the next attempt
+    ::unlink(unfinished.c_str());
     throw;
   }
   return journal;

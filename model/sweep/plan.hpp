@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "sweep/distribution.hpp"
-#include "tribo/onset.hpp"
+#include "tribo/onset_criterion.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::sweep {

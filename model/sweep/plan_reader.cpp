@@ -18,6 +18,7 @@
 #include "sweep/sensitivity.hpp"
 #include "sweep/table_reader.hpp"
 #include "sweep/variable_reader.hpp"
+#include "tribo/onset.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::sweep {

@@ -19,8 +19,8 @@ using NextChunk = std::function<std::optional<std::uint64_t>()>;
 
 class Ranks {
  public:
-  // Joins the others if mpirun started this process. Throws std::runtime_error if it did and this
-  // was built without MPI. One at a time in a process, and of MPI one ever.
+  // Joins the others if mpirun started this process. Throws std::invalid_argument if it did and
+  // this was built without MPI. One at a time in a process, and of MPI one ever.
   Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;

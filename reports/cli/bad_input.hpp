@@ -7,7 +7,7 @@
 
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "output_stream.hpp"
+#include "output.hpp"
 #include "report/report_error.hpp"
 
 namespace tribo::cli {

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "output_stream.hpp"
+#include "output.hpp"
 
 namespace tribo::cli {
 

@@ -7,7 +7,7 @@
 
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/diagnosis.hpp"
-#include "output_stream.hpp"
+#include "output.hpp"
 
 namespace tribo::cli {
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "output_stream.hpp"
+#include "output.hpp"
 
 namespace tribo::cli {
 

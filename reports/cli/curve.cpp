@@ -8,9 +8,9 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "output_values.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
+#include "protocol/output_values.hpp"
 #include "scene_arguments.hpp"
 #include "tribo/stribeck_walk.hpp"
 
@@ -49,8 +49,8 @@ void walk_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const Span span = span_of(scene.speeds);
   writer.begin_scene(scene);
-  stribeck_curve(contact, span.from, span.to, scene.speeds.size(), needed_for(scene.outputs),
-                 [&](const OperatingPoint<double>& point) {
+  stribeck_curve(contact, span.from, span.to, scene.speeds.size(),
+                 protocol::needed_for(scene.outputs), [&](const OperatingPoint<double>& point) {
                    writer.add(point);
                    progress.step();
                  });

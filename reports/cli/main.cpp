@@ -11,8 +11,8 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
-#include "line_reader.hpp"
 #include "messages.hpp"
+#include "protocol/line_reader.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::cli {
@@ -90,7 +90,7 @@ int run_and_report(int count, char** arguments) {
     return run(count, arguments, output);
   } catch (const OutputClosed&) {
     return exit_done;
-  } catch (const InputFailed& failure) {
+  } catch (const protocol::InputFailed& failure) {
     complain(failure.what());
     return exit_bad;
   } catch (const std::exception& failure) {

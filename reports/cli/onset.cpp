@@ -11,7 +11,7 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "onset_writers.hpp"
-#include "output_values.hpp"
+#include "protocol/output_values.hpp"
 #include "scene_arguments.hpp"
 
 namespace tribo::cli {
@@ -32,7 +32,7 @@ bool is_asked(const OnsetArguments& arguments, OnsetCriterion criterion) {
 Onset<double> checked(Onset<double> onset) {
   if (!onset.exists || std::isfinite(onset.speed + onset.film + onset.film_parameter)) return onset;
   onset.exists = false;
-  onset.reason = beyond_double;
+  onset.reason = protocol::beyond_double;
   return onset;
 }
 

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "answer_object.hpp"
 #include "csv.hpp"
+#include "protocol/answer_object.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {
@@ -27,7 +27,7 @@ class OnsetCsv : public OnsetWriter {
     append(text_, name(onset.criterion));
     for (const double value : {onset.speed, onset.film, onset.film_parameter}) {
       text_.push_back(',');
-      if (onset.exists) append_number(text_, value);
+      if (onset.exists) protocol::append_number(text_, value);
     }
     text_.push_back(',');
     append_csv_text(text_, onset.reason);
@@ -50,7 +50,7 @@ class OnsetJson : public OnsetWriter {
  private:
   void add_object(const Scene& scene, const Onset<double>& onset) {
     append(text_, std::exchange(before_, ",\n"));
-    AnswerObject answer(text_, scene.id);
+    protocol::AnswerObject answer(text_, scene.id);
     answer.word("criterion", name(onset.criterion));
     add_value(answer, "speed", onset.speed, onset);
     add_value(answer, "film", onset.film, onset);
@@ -58,7 +58,7 @@ class OnsetJson : public OnsetWriter {
     answer.close();
   }
 
-  static void add_value(AnswerObject& answer, std::string_view name, double value,
+  static void add_value(protocol::AnswerObject& answer, std::string_view name, double value,
                         const Onset<double>& onset) {
     if (onset.exists)
       answer.number(name, value);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output_stream.hpp"
+#include "output.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::cli {

@@ -6,16 +6,16 @@
 #include <string>
 #include <utility>
 
-#include "answer_object.hpp"
 #include "csv.hpp"
-#include "output_values.hpp"
+#include "protocol/answer_object.hpp"
+#include "protocol/output_values.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {
 namespace {
 
-OutputValue speed_of(const OperatingPoint<double>& point) {
-  if (!std::isfinite(point.speed)) return {.undefined = beyond_double, .word = {}};
+protocol::OutputValue speed_of(const OperatingPoint<double>& point) {
+  if (!std::isfinite(point.speed)) return {.undefined = protocol::beyond_double, .word = {}};
   return {.undefined = {}, .word = {}, .number = point.speed};
 }
 
@@ -42,7 +42,7 @@ class CsvWriter : public PointWriter {
     add_cell(speed_of(point));
     for (const Output column : columns_) {
       if (scene_->outputs.contains(column))
-        add_cell(value_of(point, column));
+        add_cell(protocol::value_of(point, column));
       else
         output_.text().push_back(',');
     }
@@ -52,12 +52,12 @@ class CsvWriter : public PointWriter {
   void finish() override {}
 
  private:
-  void add_cell(const OutputValue& value) {
+  void add_cell(const protocol::OutputValue& value) {
     Text& text = output_.text();
     text.push_back(',');
     if (!value.undefined.empty()) return;
     if (value.word.empty())
-      append_number(text, value.number);
+      protocol::append_number(text, value.number);
     else
       append(text, value.word);
   }
@@ -81,11 +81,11 @@ class JsonWriter : public PointWriter {
 
   void add(const OperatingPoint<double>& point) override {
     append(output_.text(), std::exchange(before_, ",\n"));
-    AnswerObject answer(output_.text(), scene_->id);
+    protocol::AnswerObject answer(output_.text(), scene_->id);
     answer.value("speed", speed_of(point));
     for (const OutputInfo& info : output_infos)
       if (scene_->outputs.contains(info.output))
-        answer.value(info.name, value_of(point, info.output));
+        answer.value(info.name, protocol::value_of(point, info.output));
     answer.close();
     output_.end_row();
   }
@@ -122,7 +122,7 @@ class TableWriter : public PointWriter {
     add_cell(column, "speed", speed_of(point));
     for (const OutputInfo& info : output_infos)
       if (scene_->outputs.contains(info.output))
-        add_cell(++column, info.name, value_of(point, info.output));
+        add_cell(++column, info.name, protocol::value_of(point, info.output));
     output_.text().push_back('\n');
     output_.end_row();
   }
@@ -147,7 +147,7 @@ class TableWriter : public PointWriter {
     return fmt::format("{}: {} speed{}", scene_->id, count, count == 1 ? "" : "s");
   }
 
-  void add_cell(std::size_t column, std::string_view name, const OutputValue& value) {
+  void add_cell(std::size_t column, std::string_view name, const protocol::OutputValue& value) {
     Text& text = output_.text();
     const std::size_t width = heads_[column].width();
     if (!value.undefined.empty()) {

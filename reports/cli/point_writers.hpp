@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output_stream.hpp"
+#include "output.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene.hpp"
 

@@ -6,9 +6,9 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
-#include "output_values.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
+#include "protocol/output_values.hpp"
 #include "scene_arguments.hpp"
 #include "sweep/parallel_points.hpp"
 
@@ -24,7 +24,7 @@ constexpr std::size_t chunk = std::size_t{1} << 16;
 
 void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
-  const OutputSet outputs = needed_for(scene.outputs);
+  const OutputSet outputs = protocol::needed_for(scene.outputs);
   writer.begin_scene(scene);
   std::vector<double> speeds;
   OperatingPoints points;

@@ -4,9 +4,9 @@
 
 #include "command.hpp"
 #include "exit_code.hpp"
-#include "line_reader.hpp"
 #include "messages.hpp"
-#include "stream_answers.hpp"
+#include "protocol/line_reader.hpp"
+#include "protocol/stream_answers.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -26,8 +26,8 @@ class LimitedWarnings {
 };
 
 int stream(OutputStream& output) {
-  LineReader lines(STDIN_FILENO, max_scene_bytes);
-  answer_lines(lines, output, LimitedWarnings());
+  protocol::LineReader lines(STDIN_FILENO, max_scene_bytes);
+  protocol::answer_lines(lines, output, LimitedWarnings());
   return exit_done;
 }
 

@@ -176,8 +176,10 @@ int run_sweep(const SweepArguments& arguments, OutputStream& output) {
                  : "sweep: -o is missing: the file for the result (see --help)");
     return exit_bad;
   }
-  const sweep::Ranks ranks;
-  return told([&] { return run_on_rank(arguments, ranks, output); });
+  return told([&] {
+    const sweep::Ranks ranks;
+    return told([&] { return run_on_rank(arguments, ranks, output); });
+  });
 }
 
 int merge_shards(const SweepArguments& arguments, OutputStream& output) {

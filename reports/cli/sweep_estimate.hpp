@@ -2,7 +2,7 @@
 // What a sweep will take, from its plan and a few chunks that are computed for it.
 #pragma once
 
-#include "output_stream.hpp"
+#include "output.hpp"
 #include "sweep/plan.hpp"
 
 namespace tribo::cli {

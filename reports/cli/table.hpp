@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output_stream.hpp"
+#include "output.hpp"
 
 namespace tribo::cli {
 

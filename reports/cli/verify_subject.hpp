@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "output_stream.hpp"
+#include "output.hpp"
 
 namespace tribo::cli {
 

@@ -11,7 +11,7 @@ data = ARG4."/".prefix.".blocks.tsv"
 load scripts."canvas.gp"
 
 tiny = kind eq "svg" ? ",12" : ",9"
-bold = kind eq "svg" ? "DejaVu Sans:Bold,15" : "DejaVu Sans:Bold,11"
+bold = kind eq "svg" ? ",17" : ":Bold,11"  # an SVG of gnuplot has no bold font without enhanced text
 grey = 0x666666
 set border 3 linewidth 0.8
 set xtics nomirror out scale 1,0.5
@@ -21,7 +21,7 @@ set tmargin at screen 1 - 78.0/tall
 set key noenhanced
 
 # Ticks for a logarithmic axis from `low` to `high`: commands for eval. 1, 2 and 5 of each decade,
-# or powers of ten alone where those are many.
+# more where there is hardly one, and powers of ten alone where there are many.
 tick_text(value) = value > 0.9e-4 && value < 1.1e4 ? sprintf("%g", value) : \
   gprintf(value/10.0**floor(log10(value) + 1e-9) > 1.5 ? "%.0t×10^{%T}" : "10^{%T}", value*(1 + 1e-12))
 tick(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9) ? "" : \
@@ -31,8 +31,11 @@ minor(axis, value, low, high) = value < low*(1 - 1e-9) || value > high*(1 + 1e-9
 minors(axis, from, times, low, high) = times > 9 ? "" : \
   minor(axis, times*from, low, high).minors(axis, from, times + 1, low, high)
 is_short(low, high) = log10(high/low) < 3.6
+is_narrow(low, high) = log10(high/low) < 1.1
 decade(axis, value, low, high) = minors(axis, value, 2, low, high).tick(axis, value, low, high). \
-  (is_short(low, high) ? tick(axis, 2*value, low, high).tick(axis, 5*value, low, high) : "")
+  (is_short(low, high) ? tick(axis, 2*value, low, high).tick(axis, 5*value, low, high) : ""). \
+  (is_narrow(low, high) ? tick(axis, 3*value, low, high).tick(axis, 4*value, low, high). \
+    tick(axis, 7*value, low, high) : "")
 decades(axis, from, low, high) = from > high*(1 + 1e-9) ? "" : \
   decade(axis, from, low, high).decades(axis, 10*from, low, high)
 log_ticks(axis, low, high) = sprintf("set logscale %s 10; set %stics (); ", axis, axis). \

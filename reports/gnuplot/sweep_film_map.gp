@@ -41,7 +41,7 @@ set cbrange [least:most]
 eval log_ticks("x", low, high)
 if (int(is_log)) { eval log_ticks("y", bottom, top) }
 set xlabel "entrainment speed u (m/s)" offset 0, x_words
-set ylabel label offset y_words - 1 noenhanced
+set ylabel label offset y_words - 2 noenhanced
 set cblabel "film h* (nm)" offset 1
 set bmargin at screen 84.0/tall
 set colorbox user origin screen 0.86, screen 84.0/tall size screen 0.025, screen 1 - 162.0/tall

@@ -10,7 +10,7 @@ array criteria[512]
 array numbers[512]
 array missing[512]
 stats data index 1 using (i = int($0) + 1, base[i] = column(1), criteria[i] = strcol(3), \
-  colours[i] = column(4), numbers[i] = strcol(9), missing[i] = strcol(10), 0) nooutput name "lanes"
+  colours[i] = column(4), numbers[i] = strcol(9), missing[i] = strcol(10) eq "-" ? "" : strcol(10), 0) nooutput name "lanes"
 array heights[128]
 array ids[128]
 stats data index 2 using (i = int($0) + 1, ids[i] = strcol(1), heights[i] = column(2), 0) nooutput name "scenes"
@@ -38,7 +38,7 @@ set grid xtics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set xlabel "onset speed (m/s)" offset 0, x_words
 set label "median (95 %)" at screen 0.76, first heights[scenes_records] left font small textcolor rgb grey
 if (int(has_marks)) {
-  set key at screen 0.47, screen 4.0/tall center bottom horizontal samplen 2.5 font small
+  set key at screen 0.47, screen 4.0/tall center bottom horizontal Left reverse samplen 2.5 font small
 } else {
   unset key
 }

@@ -10,6 +10,7 @@
 #include "report/ledger_data.hpp"
 #include "report/ledger_tables.hpp"
 #include "report/number_text.hpp"
+#include "report/onset_uncertainty_section.hpp"
 #include "report/typeset.hpp"
 #include "reproduction/ledger_file.hpp"
 
@@ -244,8 +245,12 @@ std::vector<Section> ledger_sections(const ReportPlaces& places) {
     reproduction::LedgerOptions options;
     options.published = places.scenes.string();
     const Ledger ledger = reproduction::make_ledger(options);
-    return {claims_section(ledger, places), readings_section(ledger), requirements_section(ledger),
-            uncertainty_section(ledger), errata_section(ledger)};
+    return {claims_section(ledger, places),
+            readings_section(ledger),
+            requirements_section(ledger),
+            uncertainty_section(ledger),
+            onset_uncertainty_section(places, ledger),
+            errata_section(ledger)};
   } catch (const std::runtime_error& error) {
     return {excused({"claims", "The paper's claims, and what comes out"}, error.what(), how_to)};
   }

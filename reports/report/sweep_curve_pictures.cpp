@@ -81,7 +81,9 @@ std::optional<SweepPicture> curve_band(const sweep::SweepResult& result, std::st
       speeds.take(scene.speeds[i]);
       curves += exact(scene.speeds[i]);
       for (const double level : {0.025, 0.5, 0.975}) {
-        const double at = unit.factor * quantile(value, level).value;
+        // What the few that are left have in common is not what the scene does.
+        const bool is_of_few = value.undefined > value.count;
+        const double at = is_of_few ? std::nan("") : unit.factor * quantile(value, level).value;
         values.take(at);
         curves += '\t' + exact(at);
       }
@@ -95,14 +97,16 @@ std::optional<SweepPicture> curve_band(const sweep::SweepResult& result, std::st
   std::string stem = fmt::format("curve_band_{}", column);
   std::replace(stem.begin(), stem.end(), '.', '_');
   const std::string words = column_words(column);
-  return make(stem, "sweep_curve_band.gp", with_capital(words + " over speed"),
-              "Lines: medians of the cases; bands: 95 % of them at each speed.",
-              with_capital(words + " against speed: a line and a band for each scene."),
-              "lines: medians; bands: 95 % of the cases at each speed", 640,
-              fmt::format("# low\thigh\tbottom\ttop\tlog\tlabel\n{}\t{}\t{}\t{}\t{}\t{}\n\n\n"
-                          "# number\tscene\tcolour\n{}{}",
-                          speeds.least(), speeds.greatest(), range.low, range.high, is_log ? 1 : 0,
-                          axis_label(words, unit.name), scenes, curves));
+  return make(
+      stem, "sweep_curve_band.gp", with_capital(words + " over speed"),
+      "Lines: medians of the cases; bands: 95 % of them at each speed. Where most cases have "
+      "no value, as friction without a film, there is neither.",
+      with_capital(words + " against speed: a line and a band for each scene."),
+      "lines: medians; bands: 95 % of the cases at each speed", 640,
+      fmt::format("# low\thigh\tbottom\ttop\tlog\tlabel\n{}\t{}\t{}\t{}\t{}\t{}\n\n\n"
+                  "# number\tscene\tcolour\n{}{}",
+                  speeds.least(), speeds.greatest(), range.low, range.high, is_log ? 1 : 0,
+                  axis_label(words, unit.name), scenes, curves));
 }
 
 namespace {

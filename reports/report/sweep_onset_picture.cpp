@@ -99,7 +99,7 @@ std::string numbers(const ColumnResult::Value& value) {
 }
 
 std::string missing(const ColumnResult::Value& value) {
-  if (value.count == 0 || value.undefined == 0) return " ";
+  if (value.count == 0 || value.undefined == 0) return "-";  // gnuplot knows no empty cell
   const auto all = static_cast<double>(value.count + value.undefined);
   return fmt::format("none in {} % of the cases",
                      rounded(100 * static_cast<double>(value.undefined) / all, 2));

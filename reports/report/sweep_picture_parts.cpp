@@ -58,7 +58,8 @@ std::string cell(std::string_view text, std::size_t longest) {
     if (begins && ++signs > longest) return kept + "…";
     kept += code < 0x20 || code == 0x7F ? ' ' : byte == '"' ? '\'' : byte;
   }
-  return kept.empty() ? " " : kept;
+  // gnuplot takes an empty cell for that of the row before.
+  return kept.find_first_not_of(' ') == std::string::npos ? "–" : kept;
 }
 
 std::string plain_words(std::string_view text) {

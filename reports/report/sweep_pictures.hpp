@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of a sweep's result: which of them there are follows from what the sweep holds.
 //
-//   onset_distribution   histograms of the onset speed by each criterion, a row for each scene
-//   sensitivity          a tornado: total Sobol indices of each scalar column, greatest on top,
-//   with
-//                        their intervals and the first-order part
-//   film_map             film over speed × one varied field, where a sweep is a single grid (as of
-//                        roughness) with a range of speeds and keeps its points
-//   curve_band           median and 95 % band of each output over speed, where fields are drawn and
-//                        the scene has a range of speeds
+//   onset_distribution    histograms of the onset speed by each criterion, a lane each
+//   sensitivity_<column>  Sobol indices of a scalar column, the greatest on top
+//   film_map              the film over speed and one field, where a scene is a grid of that field
+//                         alone, has three speeds or more and keeps its points
+//   curve_band_<column>   median and 95 % band of an output over speed, where fields are drawn
 #pragma once
 
 #include <functional>

@@ -15,7 +15,7 @@ using sweep::SobolIndex;
 using sweep::SobolIndices;
 
 constexpr double shown_from = 0.005;
-constexpr double points_a_bar = 15, points_between = 12;
+constexpr double points_a_bar = 18, points_between = 14;
 
 struct Subject {
   const sweep::SceneResult* scene;
@@ -67,10 +67,11 @@ std::string index_cells(const SobolIndex& index) {
 }
 
 int height(double top, std::size_t subjects) {
-  constexpr double around = 78 + 92, key_row = 22;
+  constexpr double around = 78 + 92, key_row = 22, least = 480;
   const auto entries = static_cast<double>(subjects > 1 ? subjects + 2 : 2);
   const double key_rows = std::ceil(entries / 3);
-  return static_cast<int>(std::lround(around + key_row * key_rows + points_a_bar * top));
+  return static_cast<int>(
+      std::lround(std::max(around + key_row * key_rows + points_a_bar * top, least)));
 }
 
 }  // namespace

@@ -16,7 +16,9 @@ PUBLISHED = ROOT / "reference/published"
 SCENES = [surface + model for model in ("", "_gw") for surface in ("rough", "medium", "smooth")]
 # In the order of the page.
 PAPER_FIGURES = [f"figure_{number:02}" for number in (4, 7, 8, 9, 10, 11, 12)]
-FIGURES = ["onset_against_roughness", "share_against_roughness", "readings_by_score"] + PAPER_FIGURES
+SWEEP_FIGURES = ["onset_distribution", "sensitivity_onset_film_maximum_speed"]
+FIGURES = ["onset_against_roughness", "share_against_roughness", "readings_by_score"] + \
+    SWEEP_FIGURES + PAPER_FIGURES
 DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] +
               [f"data/figure_04_{name}.tsv"
                for name in ("flooded", "starved_inlet", "damiens", "guides", "marks")] +
@@ -28,11 +30,13 @@ WORK_DATA = sorted(f"data/work_precision/{name}.blocks.tsv"
 WORK_FIGURES = [f"work_{name}" for name in JOBS + [f"{job}_evaluations" for job in COUNTED] +
                 ["profile", "by_size", "by_threads"]]
 LEDGER_DATA = [f"data/ledger{name}" for name in (".csv", "_law.tsv", "_scores.tsv", "_surfaces.tsv")]
+SWEEP_DATA = [f"data/sweep/{figure}.blocks.tsv" for figure in SWEEP_FIGURES]
+RESULTS = ["sweep/onset_uncertainty.h5"]
 PICTURES = sorted(f"figures/{figure}.{kind}" for figure in FIGURES + WORK_FIGURES
                   for kind in ("svg", "png"))
 PAGES = ["index.html", "report.json", "report.md"]
-DATA = sorted(DATA + WORK_DATA + LEDGER_DATA)
-SECTIONS = ["environment", "claims", "readings", "requirements", "uncertainty", "misprints",
+DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA)
+SECTIONS = ["environment", "claims", "readings", "requirements", "uncertainty", "sweep", "misprints",
             "figures", "comparison", "verification", "planted-faults",
             "worst-inputs", "work-precision", "skipped-work", "gates", "sweep-speed", "inputs", "not-run"]
 

@@ -19,8 +19,9 @@ import unittest
 import xml.etree.ElementTree as xml
 
 from program import run
-from report_files import (DATA, FIGURES, JOBS, PAGES, PAPER_FIGURES, PICTURES, PUBLISHED, ROOT, SCENES, WORK_FIGURES,
-                          PageReader, WrittenReport, files_below, listed_files, report, table)
+from report_files import (DATA, FIGURES, JOBS, PAGES, PAPER_FIGURES, PICTURES, PUBLISHED, RESULTS,
+                          ROOT, SCENES, WORK_FIGURES, PageReader, WrittenReport, files_below,
+                          listed_files, report, table)
 
 
 def solved(folder, speeds, scene, **changes):
@@ -52,8 +53,8 @@ class EveryPromisedFile(WrittenReport):
         self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
 
     def test_files_are_those_promised_and_those_listed(self):
-        self.assertEqual(files_below(self.out), sorted(DATA + PICTURES + PAGES))
-        self.assertEqual(listed_files(self.done.stdout), sorted(DATA + PICTURES + PAGES))
+        self.assertEqual(files_below(self.out), sorted(DATA + RESULTS + PICTURES + PAGES))
+        self.assertEqual(listed_files(self.done.stdout), sorted(DATA + RESULTS + PICTURES + PAGES))
 
     def test_svg_is_xml_that_needs_nothing_else(self):
         for figure in FIGURES + WORK_FIGURES:
@@ -100,6 +101,8 @@ class EveryPromisedFile(WrittenReport):
             with self.subTest(name):
                 self.assertEqual(without_environment(name, (self.out / name).read_text()),
                                  without_environment(name, (again / name).read_text()))
+        for name in RESULTS:
+            self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes())
 
     def test_written_again_over_itself(self):
         before = files_below(self.out)
@@ -260,8 +263,8 @@ class Failures(unittest.TestCase):
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         self.assertIn("gnuplot was not found", done.stderr)
         self.assertIn("film_maximum", done.stdout)
-        self.assertEqual(files_below(out), sorted(DATA + PAGES))
-        self.assertEqual(listed_files(done.stdout), sorted(DATA + PAGES))
+        self.assertEqual(files_below(out), sorted(DATA + RESULTS + PAGES))
+        self.assertEqual(listed_files(done.stdout), sorted(DATA + RESULTS + PAGES))
         page = PageReader((out / "index.html").read_text())
         self.assertEqual((page.problems, page.pictures), ([], []))
         text = (out / "index.html").read_text()
@@ -280,7 +283,7 @@ class Failures(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertEqual(len(done.stderr.splitlines()), len(FIGURES + WORK_FIGURES))
         self.assertIn("no such terminal", done.stderr)
-        self.assertEqual(files_below(out), sorted(DATA + PAGES))
+        self.assertEqual(files_below(out), sorted(DATA + RESULTS + PAGES))
 
     def test_unwritable_folder_is_one_clear_line(self):
         file = self.path / "file"

@@ -11,21 +11,17 @@ import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run, start
-from sweeps import LONG, UNIFORM, SweepTest, mpi_environment, mpirun, sweep
+from sweeps import LONG, UNIFORM, SweepTest, sweep
 
 KILLS = int(os.environ.get("TRIBOCHECK_KILLS", 5))
 SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=5000)
 
 
 class Killed(SweepTest):
-    def started(self, *options, ranks=None, **more):
+    def started(self, *options, **more):
         path = self.folder.write("sweep.toml", LONG)
-        arguments = ["sweep", path, "-o", self.path("out.h5"), *options]
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, **more}
-        if ranks is None:
-            return start(*arguments, **quiet)
-        return subprocess.Popen([*mpirun(ranks), PROGRAM, *arguments], env=mpi_environment(),
-                                **quiet)
+        return start("sweep", path, "-o", self.path("out.h5"), *options, **quiet)
 
     def undisturbed(self):
         begin = time.monotonic()
@@ -65,29 +61,6 @@ class Killed(SweepTest):
     def kept_bytes(self):
         path = self.path("out.h5.journal-0")
         return os.path.getsize(path) if os.path.exists(path) else 0
-
-    @unittest.skipIf(mpirun(2) is None, "mpirun is not installed")
-    def test_a_killed_rank_ends_the_run_and_loses_nothing(self):
-        self.undisturbed()
-        whole = self.bytes_of("whole.h5")
-        process = self.started(ranks=2)
-        rank = self.wait_for_child(process)
-        time.sleep(0.2)
-        os.kill(rank, signal.SIGKILL)
-        self.assertNotEqual(process.wait(timeout=60), 0)
-        self.assert_resumes_to(whole)
-
-    def wait_for_child(self, process):
-        """The last rank that mpirun has started."""
-        end = time.monotonic() + 30
-        while time.monotonic() < end:
-            journals = [name for name in self.names() if name.endswith("journal-1")]
-            children = subprocess.run(["ps", "-o", "pid=", "--ppid", str(process.pid)],
-                                      capture_output=True, text=True).stdout.split()
-            if journals and children:
-                return int(children[-1])
-            time.sleep(0.01)
-        self.fail("no rank came up")
 
     def test_ctrl_c_keeps_what_is_computed_and_says_how_to_go_on(self):
         self.undisturbed()

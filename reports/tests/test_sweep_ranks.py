@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """tribocheck sweep under mpirun: 1, 2 and 4 ranks on one machine give the bytes of one process."""
 
+import os
+import signal
 import subprocess
 import time
 import unittest
@@ -9,7 +11,6 @@ from program import PROGRAM
 from sweeps import LONG, SweepTest, mpi_environment, mpirun
 
 
-@unittest.skipIf(mpirun(1) is None, "mpirun is not installed")
 class Ranks(SweepTest):
     def with_ranks(self, ranks, text, *options, out="out.h5"):
         path = self.folder.write("sweep.toml", text)
@@ -27,28 +28,46 @@ class Ranks(SweepTest):
                 self.assertEqual(done.stdout, alone.out)
         self.assertEqual(self.names(), ["1.h5", "2.h5", "4.h5", "alone.h5", "sweep.toml"])
 
-    def test_ranks_go_on_with_what_another_number_of_ranks_left(self):
-        self.swept(LONG, out="whole.h5")
+    def started(self, ranks):
         path = self.folder.write("sweep.toml", LONG)
-        process = subprocess.Popen([*mpirun(4), PROGRAM, "sweep", path, "-o", self.path("out.h5")],
-                                   env=mpi_environment(), stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
+        return subprocess.Popen([*mpirun(ranks), PROGRAM, "sweep", path, "-o", self.path("out.h5")],
+                                env=mpi_environment(), stdout=subprocess.DEVNULL,
+                                stderr=subprocess.DEVNULL)
+
+    def wait_for_journal_of(self, rank):
         end = time.monotonic() + 60
-        while not any(name.endswith("journal-3") for name in self.names()):
+        while not any(name.endswith(f"journal-{rank}") for name in self.names()):
             self.assertLess(time.monotonic(), end)
             time.sleep(0.01)
         time.sleep(0.1)
-        process.kill()  # mpirun itself: its ranks end with it
-        process.wait()
+
+    def assert_resumes_with(self, ranks):
+        self.swept(LONG, out="whole.h5")
         deadline = time.monotonic() + 30
-        while True:  # the last rank may hold its journal a moment longer
-            done = self.with_ranks(2, LONG, "--resume")
+        while True:  # a rank that is being ended may hold its journal a moment longer
+            done = self.with_ranks(ranks, LONG, "--resume")
             if done.returncode == 0 or time.monotonic() > deadline:
                 break
             time.sleep(0.5)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
         self.assertEqual(self.names(), ["out.h5", "sweep.toml", "whole.h5"])
+
+    def test_a_killed_rank_ends_the_run_and_loses_nothing(self):
+        process = self.started(2)
+        self.wait_for_journal_of(1)
+        ranks = subprocess.run(["ps", "-o", "pid=", "--ppid", str(process.pid)],
+                               capture_output=True, text=True).stdout.split()
+        os.kill(int(ranks[-1]), signal.SIGKILL)
+        self.assertNotEqual(process.wait(timeout=60), 0)
+        self.assert_resumes_with(1)
+
+    def test_ranks_go_on_with_what_another_number_of_ranks_left(self):
+        process = self.started(4)
+        self.wait_for_journal_of(3)
+        process.kill()  # mpirun itself: its ranks end with it
+        process.wait()
+        self.assert_resumes_with(2)
 
     def test_bad_input_is_told_once(self):
         done = self.with_ranks(3, "load = 3\n")

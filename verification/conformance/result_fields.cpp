@@ -6,14 +6,14 @@
 #include <cmath>
 #include <vector>
 
-#include "cli/answer_object.hpp"
-#include "cli/json_answers.hpp"
+#include "protocol/answer_object.hpp"
+#include "protocol/json_answers.hpp"
 
 namespace tribo::conformance {
 namespace {
 
-using cli::OutputValue;
-using cli::Text;
+using protocol::OutputValue;
+using protocol::Text;
 using Id = std::optional<std::string_view>;
 
 struct Field {
@@ -23,7 +23,7 @@ struct Field {
 using Fields = std::vector<Field>;
 
 std::optional<OutputValue> value_of(double number,
-                                    std::string_view undefined = cli::beyond_double) {
+                                    std::string_view undefined = protocol::beyond_double) {
   if (std::isnan(number)) return std::nullopt;
   if (std::isinf(number)) return OutputValue{.undefined = undefined, .word = {}};
   return OutputValue{.undefined = {}, .word = {}, .number = number};
@@ -34,14 +34,15 @@ std::optional<OutputValue> value_of(const WordResult<Word>& result) {
   using Kind = typename WordResult<Word>::Kind;
   if (result.kind == Kind::absent) return std::nullopt;
   if (result.kind == Kind::undefined)
-    return OutputValue{.undefined = cli::beyond_double, .word = {}};
+    return OutputValue{.undefined = protocol::beyond_double, .word = {}};
   return OutputValue{.undefined = {}, .word = name(result.word)};
 }
 
 std::optional<OutputValue> friction_of(const PointResult& point) {
   const bool has_collapsed =
       point.inlet.kind == WordResult<Inlet>::Kind::word && point.inlet.word == Inlet::collapsed;
-  return value_of(point.friction, has_collapsed ? cli::film_collapsed : cli::beyond_double);
+  return value_of(point.friction,
+                  has_collapsed ? protocol::film_collapsed : protocol::beyond_double);
 }
 
 std::optional<OutputValue> value_of(const PointResult& point, Output output) {
@@ -90,7 +91,7 @@ Fields fields_of(const PointResult& point, OutputSet asked) {
 }
 
 void append_fields(Text& to, Id id, const Fields& fields) {
-  cli::AnswerObject object(to, id);
+  protocol::AnswerObject object(to, id);
   for (const Field& field : fields)
     if (field.value) object.value(field.name, *field.value);
   object.close();
@@ -98,7 +99,7 @@ void append_fields(Text& to, Id id, const Fields& fields) {
 }
 
 void append_undefined(Text& to, Id id, const Fields& fields, std::string_view reason) {
-  cli::AnswerObject object(to, id);
+  protocol::AnswerObject object(to, id);
   for (const Field& field : fields) object.undefined(field.name, reason);
   object.close();
   to.push_back('\n');
@@ -123,7 +124,7 @@ void append_line(Text& to, Id id, const Answer<Result>& answer, OutputSet asked)
     case Status::undefined:
       return append_undefined(to, id, fields_of(answer.result, asked), answer.reason);
     case Status::failed:
-      return cli::append_error(to, id, "", answer.reason);
+      return protocol::append_error(to, id, "", answer.reason);
   }
 }
 
@@ -131,7 +132,7 @@ void append_line(Text& to, Id id, const Answer<Result>& answer, OutputSet asked)
 
 void append_answer_line(Text& to, Id id, const Answer<double>& answer, OutputSet asked) {
   if (answer.status == Status::done && std::isnan(answer.result))
-    return cli::append_error(to, id, "", "the solver gave NaN");
+    return protocol::append_error(to, id, "", "the solver gave NaN");
   append_line(to, id, answer, asked);
 }
 
@@ -144,7 +145,7 @@ void append_answer_line(Text& to, Id id, const Answer<PointResult>& answer, Outp
 }
 
 void append_skip_line(Text& to, Id id, std::string_view reason) {
-  cli::AnswerObject object(to, id);
+  protocol::AnswerObject object(to, id);
   object.word("skip", reason);
   object.close();
   to.push_back('\n');

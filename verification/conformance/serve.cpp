@@ -11,18 +11,18 @@
 #include <variant>
 #include <vector>
 
-#include "cli/json_answers.hpp"
-#include "cli/line_reader.hpp"
-#include "cli/output_stream.hpp"
-#include "cli/question.hpp"
 #include "conformance/result_fields.hpp"
+#include "protocol/json_answers.hpp"
+#include "protocol/line_reader.hpp"
+#include "protocol/output_stream.hpp"
+#include "protocol/question.hpp"
 
 namespace tribo::conformance {
 namespace {
 
-using cli::FunctionArguments;
-using cli::FunctionCall;
-using cli::Question;
+using protocol::FunctionArguments;
+using protocol::FunctionCall;
+using protocol::Question;
 
 template <class Enum>
 Enum enum_at(double place) {
@@ -59,7 +59,7 @@ OutputSet asked_outputs(const Question& question) {
 // What a question is about, by a name that messages use.
 std::string_view subject_of(const Question& question) {
   const auto* call = std::get_if<FunctionCall>(&question);
-  return call == nullptr ? "operating_point" : cli::name(call->function);
+  return call == nullptr ? "operating_point" : protocol::name(call->function);
 }
 
 // Questions of one kind in a row go to the solver together, once no complete line is waiting. What
@@ -68,15 +68,15 @@ class Server {
  public:
   Server(const Solver& solver, int descriptor) : solver_(solver), output_(descriptor) {}
 
-  void answer(cli::LineReader& lines) {
+  void answer(protocol::LineReader& lines) {
     for (std::size_t number = 1;; ++number) {
       if (!lines.line_waiting()) answer_all();
-      const cli::Line line = lines.next();
-      if (line.kind == cli::Line::Kind::end_of_input) return;
-      if (line.kind == cli::Line::Kind::too_long)
-        complain(std::nullopt, "", cli::line_too_long);
-      else if (!cli::is_blank(line.text))
-        take(cli::read_question(line.text, number));
+      const protocol::Line line = lines.next();
+      if (line.kind == protocol::Line::Kind::end_of_input) return;
+      if (line.kind == protocol::Line::Kind::too_long)
+        complain(std::nullopt, "", protocol::line_too_long);
+      else if (!protocol::is_blank(line.text))
+        take(protocol::read_question(line.text, number));
     }
   }
 
@@ -86,7 +86,7 @@ class Server {
   void complain(std::optional<std::string_view> id, std::string_view field,
                 std::string_view message) {
     answer_waiting();
-    cli::append_error(output_.text(), id, field, message);
+    protocol::append_error(output_.text(), id, field, message);
     output_.end_row();
   }
 
@@ -95,7 +95,7 @@ class Server {
       return complain(call->id, call->mistake->field, call->mistake->message);
     if (const auto* reading = std::get_if<SceneReading>(&question); reading && !reading->scene) {
       answer_waiting();
-      cli::append_first_error(output_.text(), *reading);
+      protocol::append_first_error(output_.text(), *reading);
       return output_.end_row();
     }
     const bool is_other = !waiting_.empty() && subject_of(waiting_[0]) != subject_of(question);
@@ -117,17 +117,17 @@ class Server {
     waiting_.clear();
   }
 
-  void answer_calls(cli::Function function) {
+  void answer_calls(protocol::Function function) {
     switch (function) {
-      case cli::Function::gaussian_moment:
+      case protocol::Function::gaussian_moment:
         return answer_by(solver_.gaussian_moment);
-      case cli::Function::hertz_point:
+      case protocol::Function::hertz_point:
         return answer_by(solver_.hertz_point);
-      case cli::Function::hamrock_dowson_central:
+      case protocol::Function::hamrock_dowson_central:
         return answer_by(solver_.hamrock_dowson_central);
-      case cli::Function::starvation_ratio:
+      case protocol::Function::starvation_ratio:
         return answer_by(solver_.starvation_ratio);
-      case cli::Function::load_sharing:
+      case protocol::Function::load_sharing:
         return answer_by(solver_.load_sharing);
     }
   }
@@ -160,7 +160,7 @@ class Server {
   }
 
   const Solver& solver_;
-  cli::OutputStream output_;
+  protocol::OutputStream output_;
   std::vector<Question> waiting_;
 };
 
@@ -169,10 +169,10 @@ class Server {
 int serve(const Solver& solver, int answers) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away shows as a failed write
   try {
-    cli::LineReader lines(STDIN_FILENO, max_scene_bytes);
+    protocol::LineReader lines(STDIN_FILENO, max_scene_bytes);
     Server(solver, answers).answer(lines);
     return 0;
-  } catch (const cli::OutputClosed&) {
+  } catch (const protocol::OutputClosed&) {
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tribocheck: %s\n", error.what());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stream's reader of ordinary lines against the reader of any JSON: on every field, on numbers
 // that are hard to round, and on lines spoilt at random.
-#include "cli/ordinary_scene.hpp"
+#include "protocol/ordinary_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,9 @@ namespace {
 
 using scene_test::SceneText;
 
-bool is_taken(const std::string& line) { return cli::read_ordinary_scene(line, "").has_value(); }
+bool is_taken(const std::string& line) {
+  return protocol::read_ordinary_scene(line, "").has_value();
+}
 
 std::string good_line() { return SceneText::good().json(); }
 

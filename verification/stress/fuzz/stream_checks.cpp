@@ -15,9 +15,9 @@
 #include <system_error>
 #include <vector>
 
-#include "cli/json_answers.hpp"
-#include "cli/output_values.hpp"
-#include "cli/stream_answers.hpp"
+#include "protocol/json_answers.hpp"
+#include "protocol/output_values.hpp"
+#include "protocol/stream_answers.hpp"
 #include "stress/fuzz/checks.hpp"
 
 namespace tribo::fuzz {
@@ -72,10 +72,10 @@ struct Streamed {
 Streamed stream_from(int input) {
   const Descriptor output(::memfd_create("answers", 0));
   Streamed streamed;
-  cli::LineReader lines(input, longest_line);
-  cli::OutputStream to(output.number());
-  cli::answer_lines(lines, to,
-                    [&](const InputProblem& problem) { streamed.warned.insert(problem.source); });
+  protocol::LineReader lines(input, longest_line);
+  protocol::OutputStream to(output.number());
+  protocol::answer_lines(
+      lines, to, [&](const InputProblem& problem) { streamed.warned.insert(problem.source); });
   to.flush();
   streamed.output = contents(output.number());
   return streamed;
@@ -224,7 +224,7 @@ void check_answer(std::string_view line, const std::string& text, bool plausible
   require(answer["id"] == question.value("id", Json()), "the id comes back", text);
   if (question.contains("function")) return check_function(question, answer, text);
   check_point(answer, text);
-  require(!plausible || text.find(cli::beyond_double) == std::string::npos,
+  require(!plausible || text.find(protocol::beyond_double) == std::string::npos,
           "plausible inputs never overflow", text);
 }
 
@@ -249,9 +249,9 @@ void check_stream(std::string_view text) {
       continue;
     }
     check_ordinary_scene(line);
-    cli::Text alone;
+    protocol::Text alone;
     std::vector<InputProblem> warnings;
-    cli::append_answer(alone, line, number, warnings);
+    protocol::append_answer(alone, line, number, warnings);
     require(std::string_view(alone.data(), alone.size()) == answer + '\n',
             "an answer does not depend on its place", answer);
   }

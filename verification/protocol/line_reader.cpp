@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "line_reader.hpp"
+#include "protocol/line_reader.hpp"
 
 #include <cerrno>
 #include <cstring>
 
-#include "descriptors.hpp"
+#include "protocol/descriptors.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 constexpr std::size_t block_bytes = std::size_t{1} << 16;
@@ -67,4 +67,4 @@ bool LineReader::read_more() {
   return count > 0;
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

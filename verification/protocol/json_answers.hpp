@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "function_call.hpp"
-#include "output_stream.hpp"
+#include "protocol/function_call.hpp"
+#include "protocol/output_stream.hpp"
 #include "tribo/scene_reader.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 // Appends the answer, always one whole line with its line end, whatever the input is. `number` is
 // the line's, for warnings, which are added to the list.
@@ -30,4 +30,4 @@ void append_point(Text& to, const Scene& scene, std::optional<std::string_view> 
 // The model's {"id": …, "value": …} to a call, or what is wrong with the call.
 void append_function_answer(Text& to, const FunctionCall& call);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -11,10 +11,10 @@
 #include <optional>
 #include <string_view>
 
-#include "output_stream.hpp"
-#include "output_values.hpp"
+#include "protocol/output_stream.hpp"
+#include "protocol/output_values.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 // A JSON text with its quotes; bytes that are not UTF-8 become U+FFFD.
 void append_json_text(Text& to, std::string_view text);
@@ -48,4 +48,4 @@ class AnswerObject {
   std::size_t undefined_count_ = 0;
 };
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <string>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 // As read(2) and write(2): −1 and errno at an error that is to be reported.
 ssize_t read_some(int descriptor, char* to, std::size_t most);
@@ -16,4 +16,4 @@ ssize_t write_some(int descriptor, const char* from, std::size_t count);
 // The text of errno, thread-safe.
 std::string system_message(int code);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

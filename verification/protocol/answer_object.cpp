@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "answer_object.hpp"
+#include "protocol/answer_object.hpp"
 
 #include <fmt/compile.h>
 
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 bool is_plain(std::string_view text) {
@@ -93,4 +93,4 @@ void AnswerObject::close() {
   append(to_, undefined_count_ > 0 ? "}}" : "}");
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -6,7 +6,7 @@
 
 #include "tribo/mixed_contact.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 inline constexpr std::string_view beyond_double = "outside the range of double precision";
 inline constexpr std::string_view film_collapsed = "the film has collapsed";
@@ -23,4 +23,4 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output);
 // What has to be computed so that value_of() can tell a word that rests on an overflow.
 OutputSet needed_for(OutputSet asked);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

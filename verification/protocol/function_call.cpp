@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // One table says which functions there are and what their arguments may be.
-#include "function_call.hpp"
+#include "protocol/function_call.hpp"
 
 #include <array>
 #include <cstddef>
 #include <span>
 
-#include "flat_json.hpp"
-#include "output_stream.hpp"
+#include "protocol/flat_json.hpp"
+#include "protocol/output_stream.hpp"
 #include "tribo/scene_reader.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 using Words = std::span<const std::string_view>;
@@ -241,4 +241,4 @@ std::optional<FunctionCall> read_function_call(std::string_view line) {
   return call;
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

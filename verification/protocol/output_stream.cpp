@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output_stream.hpp"
+#include "protocol/output_stream.hpp"
 
 #include <cerrno>
 
-#include "descriptors.hpp"
+#include "protocol/descriptors.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 void OutputStream::flush() {
   std::size_t done = 0;
@@ -20,4 +20,4 @@ void OutputStream::flush() {
   text_.clear();
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The model's answers to calls of its functions.
-#include "answer_object.hpp"
-#include "json_answers.hpp"
+#include "protocol/answer_object.hpp"
+#include "protocol/json_answers.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/gaussian_moment.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/load_sharing.hpp"
 #include "tribo/starvation.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 template <class Enum>
@@ -56,4 +56,4 @@ void append_function_answer(Text& to, const FunctionCall& call) {
   to.push_back('\n');
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

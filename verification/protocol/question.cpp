@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "question.hpp"
+#include "protocol/question.hpp"
 
 #include <iterator>
 #include <utility>
 
-#include "json_answers.hpp"
-#include "ordinary_scene.hpp"
+#include "protocol/json_answers.hpp"
+#include "protocol/ordinary_scene.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 Question read_question(std::string_view line, std::size_t number) {
   const std::string source = fmt::format("line {}", number);
@@ -31,4 +31,4 @@ void append_first_error(Text& to, const SceneReading& reading) {
   append_error(to, reading.id, problem.field, message);
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

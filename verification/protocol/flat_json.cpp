@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "flat_json.hpp"
+#include "protocol/flat_json.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 using Json = nlohmann::json;
@@ -128,4 +128,4 @@ std::optional<FlatObject> parse_flat_json(std::string_view text) {
   }
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output_values.hpp"
+#include "protocol/output_values.hpp"
 
 #include <cmath>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 OutputValue number(double value) {
@@ -53,4 +53,4 @@ OutputSet needed_for(OutputSet asked) {
   return asked;
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

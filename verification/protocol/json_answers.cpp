@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "json_answers.hpp"
+#include "protocol/json_answers.hpp"
 
 #include <utility>
 
-#include "answer_object.hpp"
-#include "output_values.hpp"
-#include "question.hpp"
+#include "protocol/answer_object.hpp"
+#include "protocol/output_values.hpp"
+#include "protocol/question.hpp"
 #include "tribo/operating_points.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 void append_scene_answer(Text& to, SceneReading reading, std::vector<InputProblem>& warnings) {
@@ -47,4 +47,4 @@ void append_answer(Text& to, std::string_view line, std::size_t number,
   append_scene_answer(to, std::get<SceneReading>(std::move(question)), warnings);
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stream_answers.hpp"
+#include "protocol/stream_answers.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "json_answers.hpp"
-#include "question.hpp"
+#include "protocol/json_answers.hpp"
+#include "protocol/question.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(const InputProblem&)>& warn) {
@@ -28,4 +28,4 @@ void answer_lines(LineReader& lines, OutputStream& output,
   }
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

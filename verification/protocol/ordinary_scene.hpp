@@ -7,11 +7,11 @@
 
 #include "tribo/scene_reader.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 // What parse_scene_json() gives for one speed, to the last bit and word, in a third of the time.
 // Nothing where the line is not sure to be read alike: it is no JSON, a name is unknown, a number
 // may leave its type, a list or table is where none belongs, there is far more than a scene.
 std::optional<SceneReading> read_ordinary_scene(std::string_view line, std::string_view source);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 struct FlatMember {
   enum class Kind : std::uint8_t { number, text, other };
@@ -28,4 +28,4 @@ struct FlatObject {
 // Nothing where the text is not JSON, or no object.
 std::optional<FlatObject> parse_flat_json(std::string_view text);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -4,15 +4,15 @@
 
 #include <functional>
 
-#include "line_reader.hpp"
-#include "output_stream.hpp"
+#include "protocol/line_reader.hpp"
+#include "protocol/output_stream.hpp"
 #include "tribo/scene_reader.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 // Answers every line but blank ones, in order, until the input ends. Who waits for an answer before
 // the next question gets it: the output is flushed whenever no complete line is waiting.
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(const InputProblem&)>& warn);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

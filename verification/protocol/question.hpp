@@ -6,11 +6,11 @@
 #include <string_view>
 #include <variant>
 
-#include "function_call.hpp"
-#include "output_stream.hpp"
+#include "protocol/function_call.hpp"
+#include "protocol/output_stream.hpp"
 #include "tribo/scene_reader.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 // Either may hold mistakes instead. What is no JSON is a scene with a mistake.
 using Question = std::variant<SceneReading, FunctionCall>;
@@ -28,4 +28,4 @@ bool is_blank(std::string_view line);
 // its place is told too.
 void append_first_error(Text& to, const SceneReading& reading);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

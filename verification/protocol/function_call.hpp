@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 enum class Function : std::uint8_t {
   gaussian_moment,         // order n, argument d
@@ -39,4 +39,4 @@ struct FunctionCall {
 // Nothing where the line is no JSON object with a member "function".
 std::optional<FunctionCall> read_function_call(std::string_view line);
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

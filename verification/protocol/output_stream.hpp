@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 using Text = fmt::memory_buffer;
 
@@ -48,4 +48,4 @@ class OutputStream {
   Text text_;
 };
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

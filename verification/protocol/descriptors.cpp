@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "descriptors.hpp"
+#include "protocol/descriptors.hpp"
 
 #include <poll.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 // After a failed call: is it worth trying again? Waits until it is.
@@ -39,4 +39,4 @@ ssize_t write_some(int descriptor, const char* from, std::size_t count) {
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // simdjson in the place of the model's JSON parser; entries and binder are the model's.
-#include "ordinary_scene.hpp"
+#include "protocol/ordinary_scene.hpp"
 
 #include <simdjson.h>
 
@@ -11,7 +11,7 @@
 #include "src/scene_entries.hpp"
 #include "src/scene_schema.hpp"
 
-namespace tribo::cli {
+namespace tribo::protocol {
 namespace {
 
 namespace dom = simdjson::dom;
@@ -132,4 +132,4 @@ std::optional<SceneReading> read_ordinary_scene(std::string_view line, std::stri
   return reading;
 }
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tribo::cli {
+namespace tribo::protocol {
 
 struct InputFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -44,4 +44,4 @@ class LineReader {
   std::size_t searched_ = 0;  // no line end in [begin_, searched_)
 };
 
-}  // namespace tribo::cli
+}  // namespace tribo::protocol

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands write to: the stream of the protocol's answers.
+#pragma once
+
+#include "protocol/output_stream.hpp"
+
+namespace tribo::cli {
+
+using protocol::append;
+using protocol::OutputClosed;
+using protocol::OutputFailed;
+using protocol::OutputStream;
+using protocol::Text;
+
+}  // namespace tribo::cli

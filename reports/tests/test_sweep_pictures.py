@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What tribocheck sweep shows: tables, CSV, JSON, and pictures, which need gnuplot."""
+
+import csv
+import io
+import math
+import os
+import pathlib
+import struct
+import unittest
+import xml.etree.ElementTree as xml
+
+from program import ENVIRONMENT, run
+from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
+
+SPEEDS = "{ from = 1e-4, to = 3, count = 40 }"
+LEVELS = (0.001, 0.01, 0.025, 0.05, 0.16, 0.25, 0.5, 0.75, 0.84, 0.95, 0.975, 0.99, 0.999)
+
+
+def uncertain(id='"smooth"', **settings):
+    return sweep({"id": id, "lubricant.viscosity": UNIFORM, "load": NORMAL.replace("0.0202", "50"),
+                  "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
+                 **{"onset": '["film_maximum", "film_departure"]', "draws": 300,
+                    "sensitivity": "true", **settings})
+
+
+class Summaries(SweepTest):
+    def setUp(self):
+        super().setUp()
+        self.swept(uncertain())
+        self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS}, draws=64),
+                   out="curves.h5", name="curves.toml")
+
+    def shown(self, out, form):
+        result = run("sweep", "show", self.path(out), "--format", form)
+        self.assertEqual((result.code, result.err), (0, ""))
+        return result
+
+    def rows(self, out):
+        return list(csv.DictReader(io.StringIO(self.shown(out, "csv").out)))
+
+    def assert_number(self, text, expected):
+        self.assertEqual(float(text) if text else math.nan, expected) if not math.isnan(expected) \
+            else self.assertEqual(text, "")
+
+    def test_csv_has_every_number_of_the_summaries(self):
+        for out in ("out.h5", "curves.h5"):
+            rows = self.rows(out)
+            with opened(self.path(out)) as file:
+                speeds = list(file["smooth/speed"]) if "speed" in file["smooth"] else []
+                width = 0
+                for row in rows:
+                    group = file["smooth/summary/" + row["column"].replace(".", "/")]
+                    i = int(row["speed_index"])
+                    self.assertEqual(row["unit"], group.attrs["unit"])
+                    width = max(width, i + 1)
+                    if row["speed"]:
+                        self.assertEqual(float(row["speed"]), speeds[i])
+                    for name in ("count", "undefined", "mean", "sd", "least", "greatest"):
+                        self.assert_number(row[name], group[name][i])
+                    for place, level in enumerate(LEVELS):
+                        for end in ("", "_low", "_high"):
+                            self.assert_number(row[f"quantile_{level}{end}"],
+                                               group["quantiles" + end][i][place])
+                self.assertEqual(width, max(1, len(speeds)))
+
+    def test_csv_and_json_have_the_sensitivities(self):
+        scene, = self.shown("out.h5", "json").json()["scenes"]
+        columns = {column["name"]: column for column in scene["columns"]}
+        with opened(self.path("out.h5")) as file:
+            group = file["smooth/sensitivity"]
+            variables = [v.decode() if isinstance(v, bytes) else v for v in group.attrs["variables"]]
+            for row in self.rows("out.h5"):
+                indices = group[row["column"].replace(".", "/")]
+                told = columns[row["column"]]["values"][0]["sensitivity"]
+                self.assertEqual(told["groups"], indices["groups"][0])
+                for kind in ("first_order", "total"):
+                    for place, variable in enumerate(variables):
+                        value = indices[kind][0][place]
+                        self.assert_number(row[f"{kind}:{variable}"], value)
+                        self.assertEqual(told["variables"][variable][kind]["value"],
+                                         None if math.isnan(value) else value)
+
+    def test_json_has_histograms_whose_counts_are_all_cases(self):
+        scene, = self.shown("curves.h5", "json").json()["scenes"]
+        self.assertEqual(scene["cases"], 64)
+        for column in scene["columns"]:
+            self.assertEqual(len(column["values"]), 40)
+            for value in column["values"]:
+                self.assertEqual(value["count"] + value["undefined"], 64)
+                if "histogram" in value:
+                    self.assertEqual(sum(value["histogram"]["counts"]), value["count"])
+
+    def test_words_are_counted_as_the_kept_points_have_them(self):
+        with opened(self.path("curves.h5")) as file:
+            kept = {name: file["smooth/outputs"][name][:] for name in ("regime", "inlet")}
+        names = {"regime": ("boundary", "mixed", "elastohydrodynamic"),
+                 "inlet": ("flooded", "starved", "collapsed")}
+        seen = set()
+        for row in self.rows("curves.h5"):
+            if row["column"] not in names:
+                continue
+            values = list(kept[row["column"]][:, int(row["speed_index"])])
+            for place, word in enumerate(names[row["column"]]):
+                self.assertEqual(int(row["count_" + word]), values.count(place), row)
+                seen.update([word] if place in values else [])
+        self.assertGreaterEqual(len(seen), 4)
+
+    def test_a_table_has_eleven_speeds_at_most(self):
+        lines = self.shown("curves.h5", "table").out.splitlines()
+        films = [line.split() for line in lines if line.startswith("film ")]
+        self.assertEqual(len(films), 11)
+        self.assertEqual([films[0][2], films[-1][2]], ["0.0001", "3"])
+        self.assertIn("11 of 40 speeds", lines[0])
+        self.assertEqual(films[0][1], "nm")
+        parts = [float(cell) for cell in lines[-1].split()[-3:]]
+        self.assertLessEqual(abs(sum(parts) - 100), 0.02)
+
+
+class Pictures(SweepTest):
+    def drawn(self, *texts):
+        """Names of the pictures, without endings."""
+        files = [self.folder.write(f"{i}.toml", text) for i, text in enumerate(texts)]
+        result = run("sweep", *files, "-o", self.path("out.h5"), "--pictures", self.path("drawn"))
+        self.assertEqual(result.code, 0, result.err)
+        self.assertTrue(all(line.startswith("tribocheck: drew ") for line in result.error_lines),
+                        result.err)
+        names = os.listdir(self.path("drawn"))
+        pictures = sorted({name.rsplit(".", 1)[0] for name in names if name.endswith(".svg")})
+        for name in pictures:
+            svg = xml.parse(self.path(f"drawn/{name}.svg")).getroot()
+            self.assertTrue(svg.tag.endswith("svg"))
+            png = pathlib.Path(self.path(f"drawn/{name}.png")).read_bytes()
+            self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(struct.unpack(">I", png[16:20])[0], 1920)
+            self.assertEqual(png[-8:-4], b"IEND")
+            self.assertIn(f"{name}.blocks.tsv", names)
+        return pictures
+
+    def blocks(self, name):
+        """Rows of each block, under the names in its commented line where there is one."""
+        text = pathlib.Path(self.path(f"drawn/{name}.blocks.tsv")).read_text()
+        blocks = []
+        for block in text.split("\n\n\n"):
+            lines = [line for line in block.splitlines() if line]
+            head = lines.pop(0)[2:].split("\t") if lines[0].startswith("# ") else None
+            rows = [line.split("\t") for line in lines]
+            blocks.append([dict(zip(head, row)) for row in rows] if head else rows)
+        return blocks
+
+    def svg_text(self, name):
+        return "".join(xml.parse(self.path(f"drawn/{name}.svg")).getroot().itertext())
+
+    def test_onsets_and_their_sensitivities(self):
+        pictures = self.drawn(uncertain(), uncertain('"other one"', seed=2))
+        self.assertIn("onset_distribution", pictures)
+        self.assertIn("sensitivity_onset_film_maximum_speed", pictures)
+        self.assertNotIn("film_map", pictures)
+        lanes = self.blocks("onset_distribution")[1]
+        self.assertEqual(len(lanes), 4)
+        with opened(self.path("out.h5")) as file:
+            for lane in lanes:
+                group = file[lane["scene"]]["summary/onset/" + lane["criterion"].replace(" ", "_")]
+                self.assertEqual(float(lane["median"]), group["speed/quantiles"][0][6])
+        text = self.svg_text("onset_distribution")
+        for word in ("smooth", "other one", "film maximum", "film departure", "(m/s)"):
+            self.assertIn(word, text)
+
+    def test_a_scene_has_one_colour_in_all_pictures(self):
+        changes = {"lubricant.viscosity": UNIFORM, "speed": SPEEDS,
+                   "outputs": '["film", "friction"]'}
+        settings = {"onset": '["film_maximum"]', "draws": 64, "sensitivity": "true"}
+        pictures = self.drawn(*(sweep({"id": f'"{id}"', **changes}, **settings)
+                                for id in ("a", "rough", "b", "c", "d", "e")))
+        self.assertIn("curve_band_film", pictures)
+        seen = {}
+        for name, block in (("onset_distribution", 2), ("curve_band_film", 1),
+                            ("curve_band_friction", 1), ("sensitivity_onset_film_maximum_speed", 3)):
+            for row in self.blocks(name)[block]:
+                self.assertEqual(seen.setdefault(row["scene"], row["colour"]), row["colour"])
+        self.assertEqual((len(seen), len(set(seen.values()))), (6, 6))
+        self.assertEqual(int(seen["rough"]), 0xD55E00)
+
+    def test_film_map_of_one_grid(self):
+        grid = "{ from = 1e-8, to = 1e-7, count = 12 }"
+        pictures = self.drawn(sweep({"surface.summit_height_sd": grid, "speed": SPEEDS}))
+        self.assertEqual(pictures, ["film_map"])
+        axes, film, ridge = self.blocks("film_map")
+        self.assertEqual(len(film), 12 * 40)
+        self.assertIn("summit height sd (nm)", self.svg_text("film_map"))
+        found = [row for row in ridge if list(row.values())[0] != "NaN"]
+        self.assertGreater(len(found), 5)
+        for row in found[::3]:
+            speed, field = map(float, row.values())
+            case = sweep({"surface.summit_height_sd": repr(field * 1e-9)}).replace("[sweep]\n", "")
+            onset = run("onset", self.folder.write("case.toml", case), "--format", "json").json()
+            told = next(one for one in onset if one["criterion"] == "film_maximum")
+            self.assertLess(abs(math.log(speed / told["speed"])), 0.05)  # a fifth of the grid
+
+    def test_names_with_any_signs(self):
+        id = "'''a_b{c}^2 @ \"q\" & <x> \\\\ ~ %s %d '''"
+        pictures = self.drawn(uncertain(id, draws=100))
+        self.assertIn("onset_distribution", pictures)
+        self.assertIn("a_b{c}^2 @", self.svg_text("onset_distribution"))
+
+    def test_onsets_that_never_are(self):
+        text = sweep({"lubricant.viscosity": UNIFORM, "supply.inlet_film_ratio": None},
+                     onset='["film_maximum"]', draws=20)
+        self.assertEqual(self.drawn_quietly(text), [])
+
+    def drawn_quietly(self, text):
+        result = self.sweep(text, "--pictures", self.path("drawn"))
+        self.assertEqual(result.code, 0, result.err)
+        folder = self.path("drawn")
+        return sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+
+    def test_without_gnuplot_one_line_says_so(self):
+        self.swept(uncertain(draws=64))
+        os.mkdir(self.path("empty"))
+        told = self.shown_with_path(self.path("empty"))
+        self.assertEqual((told.code, len(told.error_lines)), (0, 1), told.err)
+        self.assertIn("gnuplot was not found", told.err)
+
+    def test_a_gnuplot_that_fails_is_quoted_and_leaves_no_picture(self):
+        self.swept(uncertain(draws=64))
+        os.mkdir(self.path("bin"))
+        fake = self.folder.write("bin/gnuplot", "#!/bin/sh\necho no such terminal >&2\nexit 3\n")
+        os.chmod(fake, 0o755)
+        told = self.shown_with_path(self.path("bin") + ":" + os.environ.get("PATH", ""))
+        self.assertIn("no such terminal", told.err)
+        self.assertFalse([name for name in os.listdir(self.path("drawn")) if "svg" in name])
+
+    def shown_with_path(self, path):
+        before = ENVIRONMENT.get("PATH")
+        ENVIRONMENT["PATH"] = path
+        try:
+            return run("sweep", "show", self.path("out.h5"), "--pictures", self.path("drawn"))
+        finally:
+            ENVIRONMENT["PATH"] = before
+
+    def test_a_folder_that_cannot_be_made_is_told(self):
+        self.swept(uncertain(draws=64))
+        told = run("sweep", "show", self.path("out.h5"), "--pictures", "/proc/none")
+        self.assertEqual(len(told.error_lines), 1, told.err)
+        self.assertIn("/proc/none", told.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
