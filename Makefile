@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check pieces pieces-check report test test-slow ledger bench work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check pieces pieces-check report test test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 deps: ## install the packages of PURPOSE="build report test check"
@@ -62,15 +62,21 @@ ledger: build ## commit the verdicts on the paper's claims anew: reference/basel
 	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv
 	mv build/ledger.csv reference/baselines/ledger.csv
 
-test-slow: build ## stream ten million lines in flat memory, and print the rate; takes some half a minute
+test-slow: build ## ten million lines of stream, a thousand million points of sweep, in flat memory; some two minutes
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_LINES=10000000 \
-	  python3 -B -m unittest -v test_stream_slow
+	  TRIBOCHECK_POINTS=1000000000 python3 -B -m unittest -v test_stream_slow test_sweep_memory_slow
 
 bench: ## speed and true error of every contender; FILTER=RE chooses, PLUGIN=LIB adds one; some five minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck tribocheck_bench
 	build/release/tribocheck bench $(if $(FILTER),--filter '$(FILTER)') $(if $(PLUGIN),--plugin '$(PLUGIN)')
+
+bench-sweep: ## sweeps beside the kernels, threads, ranks, memory: reference/baselines/sweep.json; some six minutes
+	@.ci/deps build bench
+	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
+	cmake --build --preset release --target tribocheck tribocheck_bench_sweep tribocheck_bench_ranks
+	benchmarks/sweep/scaling.py build/release
 
 work-precision: ## true error against work, with diagrams: reports/out/work_precision; some two minutes
 	@.ci/deps build bench

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,15 +26,23 @@ class CaseSolver {
   bool is_contact_of(std::span<const double> values) const;
   void prepare(std::span<const double> values);
   void solve_curve(std::span<double> results);  // of the prepared case, all speeds in a row
+  // Of the one contact, at the cases' speeds.
+  void solve_speeds(std::span<const double> speeds, std::span<double> results);
+  void put_points(std::span<double> results, std::size_t point_stride,
+                  std::size_t output_stride) const;
   void solve_few_speeds(std::span<const double> variables, std::span<double> results);
   void find_onsets(std::span<double> results);
 
   const SceneSweep& sweep_;
   Scene scene_;
-  std::size_t speed_variable_ = 0;              // its place; past the last: it does not vary
+  std::size_t speed_variable_ = 0;  // its place; past the last: it does not vary
+  // Where the speed alone varies and no onset is asked.
+  std::optional<MixedContact<double>> only_contact_;
   std::vector<MixedContact<double>> contacts_;  // of the cases in hand
-  std::vector<double> prepared_;                // the last contact's variables
+  std::vector<std::size_t> contact_of_;         // its place, of each of these cases
+  std::span<const double> prepared_;            // the last contact's variables
   std::vector<double> speeds_;
+  std::vector<Output> asked_;
   std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow
   OperatingPoints points_;
   std::vector<double> stiffness_, offset_, flooded_, lambda_;

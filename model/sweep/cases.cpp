@@ -16,19 +16,24 @@ CaseGenerator::CaseGenerator(const SceneSweep& sweep)
 }
 
 void CaseGenerator::groups(std::uint64_t first, std::span<double> values) {
-  const std::size_t group_size = sweep_.cases_per_group() * sweep_.variables.size();
+  const std::size_t variables = sweep_.variables.size();
+  const std::size_t group_size = sweep_.cases_per_group() * variables;
   const std::size_t count = values.size() / group_size;
   const std::size_t dimensions = drawn_ * sweep_.cases_kept_per_group();
   unit_.resize(count * dimensions);
   draw(first, count);
-  for (std::size_t i = 0; i < count; ++i)
-    fill_group(first + i, std::span(unit_).subspan(i * dimensions, dimensions),
-               values.subspan(i * group_size, group_size));
+  for (std::size_t i = 0; grids_ > 0 && i < count; ++i)
+    take_from_grids(first + i, values.subspan(i * group_size, grids_));
+  for (std::size_t matrix = 0; drawn_ > 0 && matrix < sweep_.cases_kept_per_group(); ++matrix)
+    quantiles({&unit_[matrix * drawn_], dimensions},
+              {&values[matrix * variables + grids_], group_size}, count);
+  if (!sweep_.sensitivity) return;
+  for (std::size_t i = 0; i < count; ++i) mix(values.subspan(i * group_size, group_size));
 }
 
 // The same draws for each set of grid values: what changes with the grid is not hidden by chance.
 void CaseGenerator::draw(std::uint64_t group, std::size_t count) {
-  if (drawn_ == 0) return;
+  if (drawn_ == 0 || count == 0) return;
   const std::size_t dimensions = unit_.size() / count;
   for (std::size_t done = 0; done < count;) {
     const std::uint64_t draw = (group + done) % sweep_.draws;
@@ -39,39 +44,40 @@ void CaseGenerator::draw(std::uint64_t group, std::size_t count) {
   }
 }
 
-void CaseGenerator::fill_group(std::uint64_t group, std::span<const double> unit,
-                               std::span<double> values) {
-  const std::size_t variables = sweep_.variables.size();
+void CaseGenerator::take_from_grids(std::uint64_t group, std::span<double> values) const {
   std::uint64_t cell = group / sweep_.draws;
   for (std::size_t v = grids_; v-- > 0;) {
     const std::vector<double>& grid = sweep_.variables[v].grid;
     values[v] = grid[cell % grid.size()];
     cell /= grid.size();
   }
-  if (drawn_ == 0) return;
-  quantiles(unit.first(drawn_), values.subspan(grids_, drawn_));
-  if (!sweep_.sensitivity) return;
-  const auto a = values.first(variables);
-  const auto b = values.subspan(variables, variables);
-  quantiles(unit.subspan(drawn_), b);
-  for (std::size_t i = 0; i < drawn_; ++i) {
-    const auto mixed = values.subspan((2 + i) * variables, variables);
-    std::copy(a.begin(), a.end(), mixed.begin());
-    mixed[i] = b[i];
+}
+
+// Field by field: what a distribution is asked for, it is asked for many times.
+void CaseGenerator::quantiles(Rows<const double> unit, Rows<double> values, std::size_t count) {
+  const auto variables = std::span(sweep_.variables).subspan(grids_);
+  if (sweep_.correlation_root.empty()) {
+    for (std::size_t v = 0; v < drawn_; ++v)
+      variables[v].distribution.quantiles({unit.first + v, unit.stride},
+                                          {values.first + v, values.stride}, count);
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t v = 0; v < drawn_; ++v) normals_[v] = standard_normal(unit[i][v]);
+    correlate(sweep_.correlation_root, normals_);
+    for (std::size_t v = 0; v < drawn_; ++v)
+      values[i][v] = variables[v].distribution.quantile_of_normal(normals_[v]);
   }
 }
 
-void CaseGenerator::quantiles(std::span<const double> unit, std::span<double> values) {
-  const auto variables = std::span(sweep_.variables).subspan(grids_);
-  if (sweep_.correlation_root.empty()) {
-    for (std::size_t i = 0; i < drawn_; ++i)
-      values[i] = variables[i].distribution.quantile(unit[i]);
-    return;
+void CaseGenerator::mix(std::span<double> group) const {
+  const std::size_t variables = sweep_.variables.size();
+  const auto a = group.first(variables), b = group.subspan(variables, variables);
+  for (std::size_t i = 0; i < drawn_; ++i) {
+    const auto mixed = group.subspan((2 + i) * variables, variables);
+    std::copy(a.begin(), a.end(), mixed.begin());
+    mixed[i] = b[i];
   }
-  for (std::size_t i = 0; i < drawn_; ++i) normals_[i] = standard_normal(unit[i]);
-  correlate(sweep_.correlation_root, normals_);
-  for (std::size_t i = 0; i < drawn_; ++i)
-    values[i] = variables[i].distribution.quantile_of_normal(normals_[i]);
 }
 
 }  // namespace tribo::sweep

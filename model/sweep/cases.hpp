@@ -24,9 +24,10 @@ class CaseGenerator {
 
  private:
   void draw(std::uint64_t group, std::size_t count);
-  void fill_group(std::uint64_t group, std::span<const double> unit, std::span<double> values);
-  // The drawn variables of one case from their unit numbers.
-  void quantiles(std::span<const double> unit, std::span<double> values);
+  void take_from_grids(std::uint64_t group, std::span<double> values) const;
+  // Of a case of each group, the drawn variables from their unit numbers.
+  void quantiles(Rows<const double> unit, Rows<double> values, std::size_t count);
+  void mix(std::span<double> group) const;  // AB_i of a group whose A and B are there
 
   const SceneSweep& sweep_;
   std::size_t grids_, drawn_;

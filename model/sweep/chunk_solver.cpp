@@ -26,6 +26,31 @@ struct ChunkSolver::OfScene {
       if (!std::isfinite(value)) value = 0;
   }
 
+  // Puts those of the block's cases that are kept where they belong, from group `first` of the
+  // chunk.
+  void keep(std::uint64_t first) {
+    const std::size_t rows = sweep.cases_per_group(), kept_rows = sweep.cases_kept_per_group();
+    const std::size_t variables = sweep.variables.size(), width = sweep.width();
+    const std::size_t groups = values.size() / (rows * variables);
+    const auto for_each_case = [&](const auto& visit) {  // visit(its place, its row of the block)
+      for (std::size_t g = 0; g < groups; ++g)
+        for (std::size_t row = 0; row < kept_rows; ++row)
+          visit((first + g) * kept_rows + row, g * rows + row);
+    };
+    for (std::size_t v = 0; v < variables; ++v)
+      for_each_case([&, to = kept[v].data()](std::size_t place, std::size_t row) {
+        to[place] = values[row * variables + v];
+      });
+    std::size_t at = 0;
+    for (std::size_t c = 0; c < sweep.columns.size(); ++c) {
+      const std::size_t w = sweep.columns[c].width;
+      for_each_case([&, to = kept[variables + c].data()](std::size_t place, std::size_t row) {
+        std::copy_n(&results[row * width + at], w, to + place * w);
+      });
+      at += w;
+    }
+  }
+
   const SceneSweep& sweep;
   CaseGenerator generator;
   CaseSolver solver;
@@ -54,15 +79,21 @@ class ChunkInHand {
     }
   }
 
-  // The results of one group's cases, row by row.
-  void add(std::uint64_t group, std::span<const double> results, std::span<const double> nominal) {
+  // The results of some groups' cases, row by row.
+  void add(std::uint64_t first, std::span<const double> results, std::span<const double> nominal) {
     const std::size_t width = sweep_.width(), kept = sweep_.cases_kept_per_group();
+    const std::size_t group_size = sweep_.cases_per_group() * width;
     std::size_t at = 0;
     for (std::size_t c = 0; c < sweep_.columns.size(); ++c)
       for (std::size_t j = 0; j < sweep_.columns[c].width; ++j, ++at) {
-        for (std::size_t row = 0; row < kept; ++row)
-          chunk_.summaries[c][j].add(results[row * width + at]);
-        if (sweep_.sensitivity) add_sensitivity(group, c, j, at, results, nominal[at]);
+        ValueSummary& summary = chunk_.summaries[c][j];
+        for (std::size_t group = 0; group < results.size(); group += group_size)
+          for (std::size_t row = 0; row < kept; ++row)
+            summary.add(results[group + row * width + at]);
+        if (!sweep_.sensitivity) continue;
+        for (std::size_t g = 0; g < results.size() / group_size; ++g)
+          add_sensitivity(first + g, c, j, at, results.subspan(g * group_size, group_size),
+                          nominal[at]);
       }
   }
 
@@ -98,7 +129,7 @@ Chunk ChunkSolver::solve(std::uint64_t number) {
   chunk.number = number;
   ChunkInHand in_hand(sweep, chunk);
   const std::size_t variables = sweep.variables.size(), width = sweep.width();
-  const std::size_t rows = sweep.cases_per_group(), kept_rows = sweep.cases_kept_per_group();
+  const std::size_t rows = sweep.cases_per_group();
   if (sweep.keep_points) {
     of.kept.resize(variables + sweep.columns.size());
     for (std::size_t v = 0; v < variables; ++v) of.kept[v].assign(sweep.chunk_cases(), 0);
@@ -113,23 +144,8 @@ Chunk ChunkSolver::solve(std::uint64_t number) {
     of.results.resize(some * rows * width);
     of.generator.groups(place.first_group + first, of.values);
     of.solver.solve(of.values, of.results);
-    for (std::size_t g = 0; g < some; ++g) {
-      const auto results =
-          std::span<const double>(of.results).subspan(g * rows * width, rows * width);
-      in_hand.add(place.first_group + first + g, results, of.nominal);
-      if (!sweep.keep_points) continue;
-      for (std::size_t row = 0; row < kept_rows; ++row) {
-        const std::uint64_t to = (first + g) * kept_rows + row;
-        for (std::size_t v = 0; v < variables; ++v)
-          of.kept[v][to] = of.values[(g * rows + row) * variables + v];
-        const double* from = &results[row * width];
-        for (std::size_t c = 0; c < sweep.columns.size(); ++c) {
-          const std::size_t w = sweep.columns[c].width;
-          std::copy_n(from, w, &of.kept[variables + c][to * w]);
-          from += w;
-        }
-      }
-    }
+    in_hand.add(place.first_group + first, of.results, of.nominal);
+    if (sweep.keep_points) of.keep(first);
   }
   if (!sweep.keep_points) return chunk;
   for (std::size_t v = 0; v < variables; ++v)

@@ -86,19 +86,35 @@ double Distribution::truncated(double u, double one_minus_u) const {
   return above > 0 ? value_at(-standard_normal(above)) : to_;
 }
 
-double Distribution::quantile(double u) const {
+// Calls use(f) with the f of this distribution that is its quantile().
+template <class Use>
+auto Distribution::with_quantile(Use use) const {
   switch (kind_) {
     case DistributionKind::uniform:
-      return std::min(first_ + second_ * u, to_);
-    case DistributionKind::log_uniform: {
-      const double log_ratio = second_ * u;
-      const double rest = std::fma(second_, u, -log_ratio) + second_rest_ * u;
-      return std::clamp(first_ * (std::exp(log_ratio) * (1 + rest)), from_, to_);
-    }
+      return use([first = first_, width = second_, to = to_](double u) {
+        return std::min(first + width * u, to);
+      });
+    case DistributionKind::log_uniform:
+      return use([d = *this](double u) {
+        const double log_ratio = d.second_ * u;
+        const double rest = std::fma(d.second_, u, -log_ratio) + d.second_rest_ * u;
+        return std::clamp(d.first_ * (std::exp(log_ratio) * (1 + rest)), d.from_, d.to_);
+      });
     default:
-      if (below_from_ == 0 && above_to_ == 0) return value_at(standard_normal(u));
-      return truncated(u, 1 - u);
+      if (below_from_ == 0 && above_to_ == 0)
+        return use([d = *this](double u) { return d.value_at(standard_normal(u)); });
+      return use([d = *this](double u) { return d.truncated(u, 1 - u); });
   }
+}
+
+double Distribution::quantile(double u) const {
+  return with_quantile([u](const auto& quantile) { return quantile(u); });
+}
+
+void Distribution::quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const {
+  with_quantile([&](const auto& quantile) {
+    for (std::size_t i = 0; i < count; ++i) *values[i] = quantile(*u[i]);
+  });
 }
 
 double Distribution::quantile_of_normal(double z) const {

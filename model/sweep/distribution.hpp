@@ -18,6 +18,14 @@ constexpr std::string_view name(DistributionKind kind) {
                                                  : "log_normal";
 }
 
+// A column of a table: its first number, and how far on the next one is.
+template <class T>
+struct Rows {
+  T* first;
+  std::size_t stride;
+  T* operator[](std::size_t row) const { return first + row * stride; }
+};
+
 // from < to bound all four; for the two normal ones they truncate, and may be infinite. No value
 // that comes out is beyond them.
 class Distribution {
@@ -35,6 +43,8 @@ class Distribution {
   // design.hpp. Error: uniform 1.5 ulp of the greater bound, log_uniform 3 ulp, normal 4 ulp of the
   // greatest of |value|, |mean| and sd, log_normal 3 + 3|ln(value/median)| + 3·log_sd ulp.
   double quantile(double u) const;
+  // The same of many.
+  void quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const;
   // The same for the u that belongs to a standard normal z, P(Z < z) = u.
   double quantile_of_normal(double z) const;
 
@@ -50,6 +60,8 @@ class Distribution {
  private:
   Distribution(DistributionKind kind, double first, double second, double from, double to);
   void truncate(double from, double to);
+  template <class Use>
+  auto with_quantile(Use use) const;
   double value_at(double z) const;
   double truncated(double u, double one_minus_u) const;
 

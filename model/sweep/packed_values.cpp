@@ -47,8 +47,8 @@ enum class Method : std::uint8_t { stored, huffman, matches };
 // Would a Huffman code for its bytes save less than about 0.2 bits of 8? Judged by Σp² of a sample,
 // in integers, so that all machines come to the same; 256 n is what chance adds to n² for n bytes.
 bool is_spread_evenly(std::span<const std::byte> plane) {
-  constexpr std::size_t runs = 16, run = 256;
-  std::array<std::uint64_t, 256> counts{};
+  constexpr std::size_t runs = 16, run = 64;
+  std::array<std::uint32_t, 256> counts{};
   const auto count = [&counts](std::span<const std::byte> bytes) {
     for (const std::byte b : bytes) ++counts[std::to_integer<std::size_t>(b)];
   };
@@ -64,26 +64,31 @@ bool is_spread_evenly(std::span<const std::byte> plane) {
   return 256 * squares < sampled * sampled * 13 / 10 + 256 * sampled;
 }
 
-// Do many four bytes in a row come again soon? Judged by a stretch in the middle.
-bool has_matches(std::span<const std::byte> plane) {
-  constexpr std::size_t most = 2048, slots = 2048;
-  const std::size_t length = std::min(plane.size(), most);
-  const std::span<const std::byte> stretch = plane.subspan((plane.size() - length) / 2, length);
-  std::array<std::uint32_t, slots> last{};
+// Do many words of a row, `step` bytes apart, come again soon? Judged by a stretch in the middle.
+template <class Word>
+bool has_matches(std::span<const std::byte> bytes, std::size_t step) {
+  constexpr std::size_t most = 1024;
+  const std::size_t words = bytes.size() / step;
+  const std::size_t length = std::min(words, most);
+  const std::span<const std::byte> stretch = bytes.subspan((words - length) / 2 * step);
+  std::array<Word, most> last{};
   std::size_t matches = 0;
-  for (std::size_t i = 0; i + 4 <= length; ++i) {
-    std::uint32_t four;
-    std::memcpy(&four, &stretch[i], sizeof four);
-    std::uint32_t& before = last[(four * 2654435761U) >> 21];
-    if (before == four) ++matches;
-    before = four;
+  for (std::size_t i = 0; i + sizeof(Word) <= length * step; i += step) {
+    Word word;
+    std::memcpy(&word, &stretch[i], sizeof word);
+    Word& before = last[static_cast<std::uint64_t>(word) * 0x9E3779B97F4A7C15 >> 54];
+    if (before == word) ++matches;
+    before = word;
   }
   return matches * 4 > length;
 }
 
-Method method_for(std::span<const std::byte> plane) {
-  if (has_matches(plane)) return Method::matches;
-  return is_spread_evenly(plane) ? Method::stored : Method::huffman;
+// `may_repeat`: do whole values? Where they do not, bytes that are spread evenly hold no matches.
+Method method_for(std::span<const std::byte> plane, bool may_repeat) {
+  const bool is_even = is_spread_evenly(plane);
+  if (is_even && !may_repeat) return Method::stored;
+  if (has_matches<std::uint32_t>(plane, 1)) return Method::matches;
+  return is_even ? Method::stored : Method::huffman;
 }
 
 // What packing needs besides its input: kept by each thread, as zlib takes a while to set up.
@@ -104,11 +109,11 @@ class Packer {
 
   // A zlib stream (RFC 1950) of deflate blocks (RFC 1951). Each plane begins and ends at a whole
   // byte and looks back to nothing before it.
-  Bytes stream(std::span<const std::byte> bytes, std::size_t plane_size) {
+  Bytes stream(std::span<const std::byte> bytes, std::size_t plane_size, bool may_repeat) {
     used_ = 0;
     put({0x78, 0x01});
     for (std::size_t first = 0; first < bytes.size(); first += plane_size)
-      add_plane(bytes.subspan(first, plane_size));
+      add_plane(bytes.subspan(first, plane_size), may_repeat);
     put({0x03, 0x00});  // an empty last block
     const uLong sum = adler32_z(adler32_z(0, nullptr, 0),
                                 reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
@@ -128,8 +133,8 @@ class Packer {
     used_ += bytes.size();
   }
 
-  void add_plane(std::span<const std::byte> plane) {
-    const Method method = method_for(plane);
+  void add_plane(std::span<const std::byte> plane, bool may_repeat) {
+    const Method method = method_for(plane, may_repeat);
     if (method == Method::stored || !deflate_plane(plane, method)) store(plane);
   }
 
@@ -177,11 +182,12 @@ Packer& packer() {
 PackedValues pack(std::span<const double> values) {
   const std::span<std::byte> planes = packer().room_for_planes(values.size_bytes());
   shuffle(values, planes);
-  return {8, packer().stream(planes, values.size())};
+  const bool may_repeat = has_matches<std::uint64_t>(std::as_bytes(values), sizeof(double));
+  return {8, packer().stream(planes, values.size(), may_repeat)};
 }
 
 PackedValues pack(std::span<const std::uint8_t> words) {
-  return {1, packer().stream(std::as_bytes(words), words.size())};
+  return {1, packer().stream(std::as_bytes(words), words.size(), true)};
 }
 
 }  // namespace tribo::sweep

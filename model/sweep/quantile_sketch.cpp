@@ -16,10 +16,13 @@ constexpr std::int32_t subnormal_bins = 1023;  // those of exponent 0 but the fi
 std::int32_t page_of(std::int32_t bin) { return bin >> 8; }
 std::size_t place_in_page(std::int32_t bin) { return static_cast<std::size_t>(bin & 255); }
 
-// LEB128: seven bits a byte, the lowest first.
-void put_varint(Bytes& to, std::uint64_t value) {
-  for (; value > 127; value >>= 7) to.push_back(static_cast<std::byte>((value & 127) | 128));
-  to.push_back(static_cast<std::byte>(value));
+constexpr std::size_t longest_varint = 10;
+
+// LEB128: seven bits a byte, the lowest first. Returns where it ends.
+std::byte* put_varint(std::byte* to, std::uint64_t value) {
+  for (; value > 127; value >>= 7) *to++ = static_cast<std::byte>((value & 127) | 128);
+  *to++ = static_cast<std::byte>(value);
+  return to;
 }
 
 [[noreturn]] void refuse() { throw std::runtime_error("these bytes are no sketch of quantiles"); }
@@ -132,13 +135,16 @@ std::vector<QuantileSketch::Bin> QuantileSketch::bins() const {
 void QuantileSketch::write(Bytes& to) const {
   std::uint64_t size = 0;
   each_bin([&](std::int32_t, std::uint64_t) { ++size; });
-  put_varint(to, size);
+  const std::size_t start = to.size();
+  to.resize(start + longest_varint * (1 + 2 * size));
+  std::byte* end = put_varint(&to[start], size);
   std::int32_t previous = -greatest_bin - 1;
   each_bin([&](std::int32_t bin, std::uint64_t count) {
-    put_varint(to, static_cast<std::uint64_t>(bin - previous));
-    put_varint(to, count);
+    end = put_varint(end, static_cast<std::uint64_t>(bin - previous));
+    end = put_varint(end, count);
     previous = bin;
   });
+  to.resize(static_cast<std::size_t>(end - to.data()));
 }
 
 QuantileSketch QuantileSketch::read(ByteReader& from) {

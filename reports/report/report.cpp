@@ -15,6 +15,7 @@
 #include "report/paper_tables.hpp"
 #include "report/pending_file.hpp"
 #include "report/skipped_work.hpp"
+#include "report/sweep_speed_section.hpp"
 #include "report/verification_sections.hpp"
 #include "report/work_precision_section.hpp"
 
@@ -113,6 +114,7 @@ std::vector<Section> sections(const ReportPlaces& places, const ReportOptions& o
   progress("counting work");
   all.push_back(skipped_work_section(findings.solved));
   all.push_back(gates_section(places));
+  all.push_back(sweep_speed_section(places));
   all.push_back(inputs_section(findings));
   return all;
 }

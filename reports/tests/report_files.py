@@ -38,7 +38,7 @@ PAGES = ["index.html", "report.json", "report.md"]
 DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA)
 SECTIONS = ["environment", "claims", "readings", "requirements", "uncertainty", "sweep", "misprints",
             "figures", "comparison", "verification", "planted-faults",
-            "worst-inputs", "work-precision", "skipped-work", "gates", "inputs", "not-run"]
+            "worst-inputs", "work-precision", "skipped-work", "gates", "sweep-speed", "inputs", "not-run"]
 
 
 def report(*arguments, environment=None, cwd=ROOT):

@@ -14,7 +14,8 @@ class Baselines(unittest.TestCase):
     """A project of its own, whose reference/exact and reference/baselines are as a test leaves them."""
     FILES = {"accuracy.json": "verification", "stress.json": "worst-inputs",
              "planted_faults.json": "planted-faults", "work_precision.json": "work-precision",
-             "performance.json": "gates", "gates.json": "gates"}
+             "performance.json": "gates", "gates.json": "gates",
+             "sweep.json": "sweep-speed"}
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -76,7 +77,7 @@ class Baselines(unittest.TestCase):
         absent = [verdict["section"] for verdict in page["verdicts"]
                   if verdict["standing"] == "not run"]
         for section in ("verification", "planted-faults", "worst-inputs", "work-precision", "gates",
-                        "not-run"):
+                        "sweep-speed", "not-run"):
             self.assertIn(section, absent)
         self.assertEqual(self.reader.figures, FIGURES)
 
@@ -100,6 +101,16 @@ class Baselines(unittest.TestCase):
         page = self.page()
         self.assertEqual(page["verdicts"][0]["section"], "gates")
         self.assertIn("the machine is busy", self.missing[0][1])
+
+    def test_sweeps_that_are_slower_than_aimed_at_are_said_to_be(self):
+        path = self.project / "reference/baselines/sweep.json"
+        content = json.loads(path.read_text())
+        content["ratios"]["film_5_fields"]["summaries"] = 7 * content["ratios"]["film_5_fields"]["alone"]
+        path.write_text(json.dumps(content))
+        page = self.page()
+        said = next(verdict for verdict in page["verdicts"] if verdict["section"] == "sweep-speed")
+        self.assertIn("NOT REACHED", said["text"])
+        self.assertIn("7 times", said["text"])
 
     def test_texts_of_a_baseline_cannot_break_the_page(self):
         path = self.project / "reference/baselines/planted_faults.json"

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sweep cannot do without, as one would write it for these outputs and no others: scenes
+// prepared, roots in batches, films and onsets completed. Its inputs are there beforehand, and its
+// results are kept nowhere.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sweep/plan.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/operating_points.hpp"
+
+namespace tribo::benchmarks {
+
+class Alone {
+ public:
+  // The film at the scene's one speed or a drawn one, or the onset at the film maximum.
+  explicit Alone(const sweep::SceneSweep& sweep);
+
+  // inputs: case by case, as CaseGenerator makes them.
+  void solve(std::span<const double> inputs, std::span<double> results);
+
+  // --- Its steps, to be timed one by one.
+  void prepare(std::span<const double> inputs);  // a contact for each case, at most block_cases
+  void find_flooded_films();                     // λ₀ of each
+  void find_roots();
+  void complete(std::span<double> results);
+  void find_onsets(std::span<double> results);
+
+  static constexpr std::size_t block_cases = 256;
+
+ private:
+  void solve_speeds(std::span<const double> inputs, std::span<double> results);
+
+  const sweep::SceneSweep& sweep_;
+  Scene scene_;
+  OutputSet film_;
+  bool has_one_contact_;
+  MixedContact<double> contact_;
+  OperatingPoints points_;
+  std::vector<MixedContact<double>> contacts_;
+  std::vector<double> speeds_, stiffness_, offset_, flooded_, lambda_;
+};
+
+}  // namespace tribo::benchmarks

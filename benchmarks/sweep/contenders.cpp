@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contenders.hpp"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "alone.hpp"
+#include "sweep/cases.hpp"
+#include "sweep/chunk_solver.hpp"
+#include "sweep/compute.hpp"
+#include "sweep/journal.hpp"
+#include "sweep/packed_values.hpp"
+#include "sweep/run.hpp"
+#include "sweep/summary.hpp"
+#include "workloads.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
+constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins and ends with
+constexpr std::uint64_t chunks_in_turn = 8;        // that contenders of one thread go through
+constexpr std::uint64_t chunks_on_threads = 64;    // of an iteration
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "tribocheck-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+class NewJournal {
+ public:
+  explicit NewJournal(const sweep::SweepPlan& plan)
+      : journal_(sweep::Journal::create(folder_.file("journal"), sweep::header_of(plan))) {}
+  void keep(const sweep::Chunk& chunk) { journal_.append(chunk.number, chunk.bytes()); }
+
+ private:
+  TemporaryFolder folder_;
+  sweep::Journal journal_;
+};
+
+// A workload with what its contenders share.
+class Subject {
+ public:
+  explicit Subject(const Workload& workload)
+      : workload_(workload),
+        summaries_(plan_of(workload, draws, "summaries")),
+        points_(plan_of(workload, draws, "points")) {
+    sweep::CaseGenerator generator(scene());
+    inputs_.resize(chunks_in_turn);
+    for (std::uint64_t c = 0; c < chunks_in_turn; ++c) {
+      inputs_[c].resize(cases() * scene().variables.size());
+      generator.groups(c * scene().chunk_groups, inputs_[c]);
+    }
+    results_.resize(cases() * scene().width());
+    Alone(scene()).solve(inputs_[0], results_);
+  }
+
+  const Workload& workload() const { return workload_; }
+  const sweep::SweepPlan& summaries() const { return summaries_; }
+  const sweep::SweepPlan& points() const { return points_; }
+  const sweep::SceneSweep& scene() const { return summaries_.scenes.front(); }
+  std::size_t cases() const { return scene().chunk_groups; }
+  std::span<const double> inputs(std::uint64_t turn) const {
+    return inputs_[turn % chunks_in_turn];
+  }
+  std::span<const double> block() const {
+    return inputs(0).first(Alone::block_cases * scene().variables.size());
+  }
+  std::span<const double> results() const { return results_; }  // of the first chunk
+
+ private:
+  const Workload& workload_;
+  sweep::SweepPlan summaries_, points_;
+  std::vector<std::vector<double>> inputs_;
+  std::vector<double> results_;
+};
+
+using Shared = std::shared_ptr<const Subject>;
+using Contender = std::function<void(const Subject&, benchmark::State&)>;
+
+benchmark::internal::Benchmark* add(const Shared& subject, std::string_view name,
+                                    Contender contender) {
+  return benchmark::RegisterBenchmark(
+      fmt::format("{}/{}", subject->workload().name, name).c_str(),
+      [subject, contender = std::move(contender)](benchmark::State& state) {
+        try {
+          contender(*subject, state);
+        } catch (const std::exception& error) {
+          state.SkipWithError(error.what());
+        }
+      });
+}
+
+void set_points(benchmark::State& state, std::size_t points) {
+  state.counters["points"] = static_cast<double>(points);
+}
+
+// --- One thread: what is needed, and the sweep.
+
+void run_alone(const Subject& subject, benchmark::State& state) {
+  Alone solver(subject.scene());
+  std::vector<double> results(subject.cases() * subject.scene().width());
+  std::uint64_t turn = 0;
+  for (const auto _ : state) {
+    solver.solve(subject.inputs(turn++), results);
+    benchmark::DoNotOptimize(results.data());
+    benchmark::ClobberMemory();
+  }
+  set_points(state, subject.cases());
+}
+
+Contender sweep_of(const sweep::SweepPlan& (Subject::*plan)() const) {
+  return [plan](const Subject& subject, benchmark::State& state) {
+    sweep::ChunkSolver solver((subject.*plan)());
+    NewJournal journal((subject.*plan)());
+    std::uint64_t turn = 0;
+    for (const auto _ : state) journal.keep(solver.solve(turn++ % chunks_in_turn));
+    set_points(state, subject.cases());
+  };
+}
+
+// --- Stages.
+
+void draw(const Subject& subject, benchmark::State& state) {
+  sweep::CaseGenerator generator(subject.scene());
+  std::vector<double> values(subject.inputs(0).size());
+  std::uint64_t turn = 0;
+  for (const auto _ : state) {
+    generator.groups(turn++ % chunks_in_turn * subject.scene().chunk_groups, values);
+    benchmark::DoNotOptimize(values.data());
+    benchmark::ClobberMemory();
+  }
+  set_points(state, subject.cases());
+}
+
+// A step of Alone on one block, for which all steps have been taken.
+Contender stage(std::function<void(Alone&, const Subject&, std::span<double>)> step) {
+  return [step = std::move(step)](const Subject& subject, benchmark::State& state) {
+    Alone solver(subject.scene());
+    std::vector<double> results(Alone::block_cases * subject.scene().width());
+    solver.solve(subject.block(), results);
+    for (const auto _ : state) {
+      step(solver, subject, results);
+      benchmark::DoNotOptimize(results.data());
+      benchmark::ClobberMemory();
+    }
+    set_points(state, Alone::block_cases);
+  };
+}
+
+void sum_up(const Subject& subject, benchmark::State& state) {
+  const std::span<const double> results = subject.results();
+  const std::size_t width = subject.scene().width();
+  for (const auto _ : state) {
+    std::vector<sweep::ValueSummary> summaries(width);
+    for (std::size_t i = 0; i < results.size(); i += width)
+      for (std::size_t c = 0; c < width; ++c) summaries[c].add(results[i + c]);
+    benchmark::DoNotOptimize(summaries.data());
+  }
+  set_points(state, subject.cases());
+}
+
+void pack(const Subject& subject, benchmark::State& state) {
+  const std::size_t fields = subject.scene().variables.size(), width = subject.scene().width();
+  std::vector<std::vector<double>> columns(fields + width);
+  for (std::size_t i = 0; i < subject.cases(); ++i) {
+    for (std::size_t v = 0; v < fields; ++v)
+      columns[v].push_back(subject.inputs(0)[i * fields + v]);
+    for (std::size_t c = 0; c < width; ++c)
+      columns[fields + c].push_back(subject.results()[i * width + c]);
+  }
+  for (const auto _ : state)
+    for (const std::vector<double>& column : columns) {
+      const sweep::PackedValues packed = sweep::pack(std::span<const double>(column));
+      benchmark::DoNotOptimize(packed.bytes.data());
+    }
+  set_points(state, subject.cases());
+}
+
+void keep(const Subject& subject, benchmark::State& state) {
+  const sweep::Chunk chunk = sweep::ChunkSolver(subject.points()).solve(0);
+  NewJournal journal(subject.points());
+  for (const auto _ : state) journal.keep(chunk);
+  set_points(state, subject.cases());
+}
+
+// --- All threads.
+
+Contender on_threads(const sweep::SweepPlan& (Subject::*plan)() const, int threads) {
+  return [plan, threads](const Subject& subject, benchmark::State& state) {
+    NewJournal journal((subject.*plan)());
+    for (const auto _ : state) {
+      std::atomic<std::uint64_t> next = 0;
+      sweep::compute((subject.*plan)(), threads,
+                     [&]() -> std::optional<std::uint64_t> {
+                       const std::uint64_t chunk = next++;
+                       return chunk < chunks_on_threads ? std::optional(chunk) : std::nullopt;
+                     },
+                     [&](const sweep::Chunk& chunk) { journal.keep(chunk); });
+    }
+    set_points(state, chunks_on_threads * subject.cases());
+    state.counters[std::string(threads_counter)] = threads;
+  };
+}
+
+Contender whole_run(std::string_view kept, int threads) {
+  return [kept, threads](const Subject& subject, benchmark::State& state) {
+    const sweep::SweepPlan plan = plan_of(subject.workload(), draws_of_a_run, kept);
+    const TemporaryFolder folder;
+    const sweep::Ranks ranks;
+    sweep::RunSettings settings;
+    settings.result = folder.file("result.h5");
+    settings.threads = threads;
+    settings.force = true;
+    settings.tell = [](std::string_view) {};
+    for (const auto _ : state) sweep::run(plan, settings, ranks);
+    set_points(state, plan.points());
+    state.counters[std::string(threads_counter)] = threads;
+  };
+}
+
+void register_sweep(const Workload& workload) {
+  const auto subject = std::make_shared<const Subject>(workload);
+  add(subject, alone, run_alone);
+  add(subject, "summaries", sweep_of(&Subject::summaries));
+  add(subject, "points", sweep_of(&Subject::points));
+  add(subject, "stage: draw", draw);
+  if (workload.varied.size() > 1) {
+    add(subject, "stage: prepare", stage([](Alone& solver, const Subject& of, std::span<double>) {
+          solver.prepare(of.block());
+        }));
+    if (workload.settings.empty()) {
+      add(subject, "stage: flooded film",
+          stage([](Alone& solver, const Subject&, std::span<double>) {
+            solver.find_flooded_films();
+          }));
+      add(subject, "stage: root",
+          stage([](Alone& solver, const Subject&, std::span<double>) { solver.find_roots(); }));
+      add(subject, "stage: complete",
+          stage([](Alone& solver, const Subject&, std::span<double> to) { solver.complete(to); }));
+    } else {
+      add(subject, "stage: onset", stage([](Alone& solver, const Subject&, std::span<double> to) {
+            solver.find_onsets(to);
+          }));
+    }
+  }
+  add(subject, "stage: sum up", sum_up);
+  add(subject, "stage: pack points", pack);
+  add(subject, "stage: journal of points", keep);
+  for (const int threads : {1, 2}) {
+    const auto timed = [&](std::string_view name, Contender contender) {
+      add(subject, fmt::format("{}, threads: {}", name, threads), std::move(contender))
+          ->MeasureProcessCPUTime()
+          ->UseRealTime()
+          ->Iterations(1);
+    };
+    timed("chunks with summaries", on_threads(&Subject::summaries, threads));
+    timed("chunks with points", on_threads(&Subject::points, threads));
+    timed("run of summaries", whole_run("summaries", threads));
+    timed("run of points", whole_run("points", threads));
+  }
+}
+
+}  // namespace
+
+void register_sweeps() {
+  for (const Workload& workload : workloads()) register_sweep(workload);
+}
+
+}  // namespace tribo::benchmarks

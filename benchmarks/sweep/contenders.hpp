@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sweep, what it cannot do without, and its stages, as Google Benchmarks "sweep/contender". The
+// counter `points` says how many points an iteration has.
+#pragma once
+
+#include <string_view>
+
+namespace tribo::benchmarks {
+
+// Contenders by CPU time of one thread; `stages` are those of the profile.
+inline constexpr std::string_view alone = "alone";
+// By real time: the whole of it on so many threads.
+inline constexpr std::string_view threads_counter = "threads";
+
+void register_sweeps();
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,393 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""How fast sweeps are, how they scale on threads and ranks, and what that says of a thousand ranks.
+
+  ratios    time a point beside preparation and kernels alone, by tribocheck_bench_sweep
+  threads   1 and 2; ranks: strong scaling on 1, 2 and 4, weak on 1 and 2
+  messages  what rank 0 needs for a request, and the way there and back
+  files     bytes of journal and result a point, and what writing the result takes
+  chunks    into how many the sweeps of the model are cut
+  memory    greatest resident memory of each rank, at a hundred million points (--billion: a thousand)
+  model     the time on more ranks, from these constants: model.py
+
+All of it goes to reference/baselines/sweep.json and is printed. Times by the clock are taken in turn, and
+medians are of those repetitions in which other processes used the processors least; how much they did is
+kept beside.
+
+  benchmarks/sweep/scaling.py build/release
+  benchmarks/sweep/scaling.py build/release --only ratios,memory
+  benchmarks/sweep/scaling.py build/release --table reference/baselines/sweep.json
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import resource
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+import model
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks/gates"))
+import measure  # noqa: E402
+
+BASELINE = ROOT / "reference/baselines/sweep.json"
+PAGE = pathlib.Path(__file__).with_name("README.md")
+PARTS = ("ratios", "threads", "ranks", "messages", "files", "chunks", "memory")
+ROUNDS = 7       # of times by the clock
+KEPT = 3         # of these, those with the least done by others
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+
+SCENE = """id = "rough"
+outputs = ["film"]
+load = {load}
+speed = {speed}
+[surface]
+summit_density = {density}
+summit_radius = 1e-5
+summit_height_sd = {sd}
+summit_plane_offset = 1.146
+[bodies]
+effective_modulus = 107.9e9
+reduced_radius = 9.5e-3
+[lubricant]
+viscosity = {viscosity}
+pressure_viscosity = 2e-8
+[supply]
+inlet_film_ratio = 4
+[sweep]
+draws = {draws}
+keep = "{keep}"
+"""
+FIVE = {"load": '{ printed = "50" }', "speed": '{ distribution = "log_normal", median = 0.05, log_sd = 0.2 }',
+        "density": '{ printed = "5.0e10" }', "sd": '{ distribution = "log_normal", median = 1e-7, log_sd = 0.2 }',
+        "viscosity": '{ distribution = "normal", mean = 0.0202, sd = 5e-4 }'}
+OF_SPEED = {"load": "50", "speed": '{ distribution = "log_uniform", from = 1e-4, to = 3 }', "density": "5e10",
+            "sd": "1e-7", "viscosity": "0.0202"}
+
+
+def say(text=""):
+    print(text, flush=True)
+
+
+class Sweeps:
+    """Runs of the program in a folder of their own."""
+
+    def __init__(self, build, folder):
+        self.program = pathlib.Path(build).resolve() / "tribocheck"
+        self.ranks_program = self.program.with_name("tribocheck_bench_ranks")
+        self.bench_program = self.program.with_name("tribocheck_bench_sweep")
+        self.folder = pathlib.Path(folder)
+
+    def file(self, fields, draws, keep):
+        path = self.folder / f"{keep}_{draws}.toml"
+        path.write_text(SCENE.format(draws=draws, keep=keep, **fields))
+        return path
+
+    def command(self, sweep, *options, ranks=None):
+        out = self.folder / "out.h5"
+        start = [] if ranks is None else ["mpirun", "--oversubscribe", "-n", str(ranks)]
+        return [*start, self.program, "sweep", sweep, "-o", out, "--force", "--format", "json", *options]
+
+    def chunks(self, sweep):
+        said = self.run([self.program, "sweep", sweep, "--estimate", "--threads", "1"])
+        return int(re.search(r"^points .*, chunks (\d+)$", said, re.MULTILINE).group(1))
+
+    def run(self, command):
+        done = subprocess.run(list(map(str, command)), stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              env=ENVIRONMENT)
+        if done.returncode != 0:
+            raise SystemExit(f"{' '.join(map(str, command))}: exit code {done.returncode}: {done.stderr[-500:]}")
+        return done.stdout
+
+
+def busy_seconds():
+    """Of all processors and processes, since the machine was started."""
+    with open("/proc/stat") as file:
+        user, nice, system, _, _, irq, softirq, *_ = map(int, file.readline().split()[1:])
+    return (user + nice + system + irq + softirq) / os.sysconf("SC_CLK_TCK")
+
+
+def own_seconds():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def timed(work):
+    """(seconds, processors that others used meanwhile, CPU seconds of its own)"""
+    busy, own, start = busy_seconds(), own_seconds(), time.perf_counter()
+    work()
+    seconds = time.perf_counter() - start
+    own = own_seconds() - own
+    return seconds, max(0, busy_seconds() - busy - own) / seconds, own
+
+
+def interleaved(works):
+    """Name → what is kept of its times, the works taken in turn."""
+    runs = {name: [] for name in works}
+    for turn in range(ROUNDS):
+        for name in works if turn % 2 == 0 else reversed(works):
+            runs[name].append(timed(works[name]))
+    return {name: quietest(of) for name, of in runs.items()}
+
+
+def quietest(runs):
+    kept = sorted(runs, key=lambda run: run[1])[:KEPT]
+    return {"seconds": statistics.median(run[0] for run in kept),
+            "cpu_seconds": statistics.median(run[2] for run in kept),
+            "others": max(run[1] for run in kept)}
+
+
+# --- What is measured.
+
+def ratios(sweeps):
+    """Workload → contender → ns a point; by CPU time, those on threads by the clock."""
+    found = {}
+    for run in json.loads(sweeps.run([sweeps.bench_program, "--benchmark_format=json"]))["benchmarks"]:
+        if run["run_type"] != "iteration":
+            continue
+        name = run["name"].split("/real_time")[0].split("/process_time")[0]
+        workload, contender = name.split("/", 1)
+        nanoseconds = run["real_time" if "threads" in run else "cpu_time"] / run["points"]
+        found.setdefault(workload, {}).setdefault(contender, []).append(nanoseconds)
+    return {workload: {contender: statistics.median(times) for contender, times in sorted(contenders.items())}
+            for workload, contenders in found.items()}
+
+
+def threads(sweeps):
+    draws = 1 << 22
+    sweep = sweeps.file(FIVE, draws, "summaries")
+    small = sweeps.file(FIVE, 1, "summaries")
+    found = interleaved({
+        "start": lambda: sweeps.run(sweeps.command(small, "--threads", "1")),
+        "1": lambda: sweeps.run(sweeps.command(sweep, "--threads", "1")),
+        "2": lambda: sweeps.run(sweeps.command(sweep, "--threads", "2"))})
+    start = found["start"]["seconds"]
+    return {"points": draws, "start": found["start"], "of": {n: found[n] for n in ("1", "2")},
+            "speedup": (found["1"]["seconds"] - start) / (found["2"]["seconds"] - start)}
+
+
+def ranks(sweeps):
+    draws = 1 << 22
+    strong = sweeps.file(FIVE, draws, "summaries")
+    double = sweeps.file(FIVE, 2 * draws, "summaries")
+    small = sweeps.file(FIVE, 1, "summaries")
+    works = {}
+    for count in (1, 2, 4):
+        works[f"start {count}"] = lambda count=count: sweeps.run(sweeps.command(small, ranks=count))
+        works[f"strong {count}"] = lambda count=count: sweeps.run(sweeps.command(strong, ranks=count))
+    works["weak 2"] = lambda: sweeps.run(sweeps.command(double, ranks=2))
+    found = interleaved(works)
+
+    def net(name):
+        return found[name]["seconds"] - found[f"start {name.split()[1]}"]["seconds"]
+    return {"points": draws, "of": found,
+            "speedup": {count: net("strong 1") / net(f"strong {count}") for count in ("2", "4")},
+            "weak_efficiency": net("strong 1") / net("weak 2")}
+
+
+def messages(sweeps):
+    """Of the least busy of some runs, for both numbers of ranks."""
+    found = {}
+    for count in (2, 8):
+        answers, trips = [], []
+        for _ in range(5):
+            for line in sweeps.run(["mpirun", "--oversubscribe", "-n", count, sweeps.ranks_program]).splitlines():
+                kind, number, first, *rest = line.split("\t")
+                if kind == "answered":
+                    answers.append(float(rest[0]) / int(number))
+                else:
+                    trips.append(float(first))
+        found[str(count)] = {"cpu_seconds_an_answer": statistics.median(answers),
+                             "seconds_there_and_back": statistics.median(trips)}
+    return found
+
+
+def files(sweeps):
+    """A shard is a journal whose chunks are in order; merging writes the result from it, on one thread."""
+    found = {}
+    for keep, draws in (("points", 1 << 22), ("summaries", 1 << 25)):
+        sweep = sweeps.file(FIVE if keep == "points" else OF_SPEED, draws, keep)
+        shard, result = sweeps.folder / "one.shard", sweeps.folder / "merged.h5"
+        sweeps.run([sweeps.program, "sweep", sweep, "--shard", "1/1", "-o", shard, "--force"])
+        merge = interleaved({keep: lambda: sweeps.run(
+            [sweeps.program, "sweep", "merge", shard, "-o", result, "--force", "--format", "json"])})[keep]
+        found[keep] = {"points": draws, "chunks": sweeps.chunks(sweep), "journal_bytes": shard.stat().st_size,
+                       "result_bytes": result.stat().st_size, "write": merge}
+        shard.unlink()
+        result.unlink()
+    return found
+
+
+def chunks(sweeps):
+    """Into how many sweeps of many points are cut."""
+    return {keep: {str(points): sweeps.chunks(sweeps.file(FIVE, points, keep)) for points in sizes}
+            for keep, sizes in (("summaries", (10**8, 10**9, 10**10, 10**12)), ("points", (10**8, 10**9)))}
+
+
+def disk(sweeps):
+    """Bytes a second of writing that ends on the disk."""
+    block = os.urandom(1 << 20)
+
+    def write():
+        with open(sweeps.folder / "bytes", "wb") as file:
+            for _ in range(256):
+                file.write(block)
+            file.flush()
+            os.fsync(file.fileno())
+    speeds = []
+    for _ in range(KEPT):
+        seconds, _, _ = timed(write)
+        speeds.append(256 * len(block) / seconds)
+    os.unlink(sweeps.folder / "bytes")
+    return statistics.median(speeds)
+
+
+def memory(sweeps, billion):
+    """MB of each process, threads 2 and ranks 2; each rank is started by this script, which waits for it."""
+    found = {}
+    for draws in (10**8, *((10**9,) if billion else ())):
+        sweep = sweeps.file(OF_SPEED, draws, "summaries")
+        for name, count, options in (("threads 2", None, ["--threads", "2"]), ("ranks 2", 2, [])):
+            prefix = sweeps.folder / "rss"
+            command = sweeps.command(sweep, *options, ranks=count)
+            at = command.index(sweeps.program)
+            seconds, others, _ = timed(lambda: sweeps.run(
+                [*command[:at], sys.executable, __file__, "--rss-of", prefix, *command[at:]]))
+            sizes = {path.suffix[1:]: float(path.read_text()) for path in sweeps.folder.glob("rss.*")}
+            for path in sweeps.folder.glob("rss.*"):
+                path.unlink()
+            found[f"{draws} points, {name}"] = {"points": draws, "mb_of_rank": dict(sorted(sizes.items())),
+                                                "seconds": seconds, "others": others}
+    return found
+
+
+def run_and_note_memory(prefix, command):
+    process = subprocess.Popen(command)
+    _, status, usage = os.wait4(process.pid, 0)
+    rank = os.environ.get("OMPI_COMM_WORLD_RANK", "0")
+    pathlib.Path(f"{prefix}.{rank}").write_text(str(usage.ru_maxrss / 1024))
+    return os.waitstatus_to_exitcode(status)
+
+
+# --- What is told.
+
+def tables(found):
+    for workload, times in found.get("ratios", {}).items():
+        say(f"\n{workload:34}{'ns a point':>12}{'/ alone':>10}")
+        for contender, ns in times.items():
+            say(f"  {contender:32}{ns:12.1f}{ns / times['alone']:10.2f}")
+    if "threads" in found:
+        say(f"\ntwo threads: {found['threads']['speedup']:.2f} times one, by the clock of runs of "
+            f"{found['threads']['points']} points, without the start")
+    if "ranks" in found:
+        of = found["ranks"]
+        say(f"ranks, likewise: 2: {of['speedup']['2']:.2f} times one; 4: {of['speedup']['4']:.2f} times one, on "
+            f"{found['processors']} processors; weak, 2 ranks with twice the points: "
+            f"{100 * of['weak_efficiency']:.0f} %")
+    if "others" in found:
+        say(f"other processes used at most {found['others']:.2f} processors meanwhile")
+    for count, of in found.get("messages", {}).items():
+        say(f"{count} ranks: rank 0 takes {1e6 * of['cpu_seconds_an_answer']:.1f} µs of CPU a request, its "
+            f"sender waits {1e6 * of['seconds_there_and_back']:.0f} µs")
+    for keep, of in found.get("files", {}).items():
+        say(f"{keep}: {of['journal_bytes'] / of['points']:.3g} bytes of journal a point; the result written in "
+            f"{of['write']['seconds']:.2f} s, {1e9 * of['write']['seconds'] / of['points']:.2f} ns a point")
+    for name, of in found.get("memory", {}).items():
+        say(f"{name}: {max(of['mb_of_rank'].values()):.0f} MB, {of['seconds']:.1f} s")
+    if "model" in found:
+        say()
+        say(model.text(found["model"]))
+
+
+def greatest_use_by_others(found):
+    uses = []
+
+    def look(value):
+        if isinstance(value, dict):
+            uses.extend([value["others"]] if "others" in value and "seconds" in value else [])
+            for one in value.values():
+                look(one)
+    look({part: found[part] for part in ("threads", "ranks", "files") if part in found})
+    return max(uses, default=0.0)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", nargs="?", default=ROOT / "build/release")
+    parser.add_argument("--only", default=",".join(PARTS), help="parts, with commas; the others stay what they were")
+    parser.add_argument("--billion", action="store_true", help="memory at a thousand million points too: minutes")
+    parser.add_argument("--out", type=pathlib.Path, default=BASELINE)
+    parser.add_argument("--table", type=pathlib.Path, help="only print what such a file holds")
+    return parser.parse_args()
+
+
+def main():
+    if len(sys.argv) > 3 and sys.argv[1] == "--rss-of":
+        return run_and_note_memory(sys.argv[2], sys.argv[3:])
+    wanted = arguments()
+    if wanted.table:
+        tables(json.loads(wanted.table.read_text()))
+        return 0
+    only = wanted.only.split(",")
+    if unknown := set(only) - set(PARTS):
+        raise SystemExit(f"--only: {', '.join(sorted(unknown))}: not among {', '.join(PARTS)}")
+    if shutil.which("mpirun") is None:
+        raise SystemExit("mpirun is not here: openmpi-bin")
+    before = json.loads(wanted.out.read_text()) if wanted.out.exists() and set(only) != set(PARTS) else {}
+    start = time.perf_counter()
+    with tempfile.TemporaryDirectory() as folder:
+        sweeps = Sweeps(wanted.build, folder)
+        found = {"commit": measure.commit(), "date": measure.today(), "environment": environment(),
+                 "seconds": 0.0, "processors": os.cpu_count()}
+        parts = {"ratios": ratios, "threads": threads, "ranks": ranks, "messages": messages, "files": files, "chunks": chunks,
+                 "memory": lambda of: memory(of, wanted.billion)}
+        for part in PARTS:
+            if part in only:
+                print(f"{part} …", file=sys.stderr, flush=True)
+                found[part] = parts[part](sweeps)
+            elif part in before:
+                found[part] = before[part]
+        found["disk_bytes_a_second"] = disk(sweeps)
+    found["others"] = greatest_use_by_others(found)
+    found["seconds"] = round(time.perf_counter() - start, 1)
+    if set(PARTS) <= found.keys():
+        found["model"] = model.of(found)
+    found = rounded(found)
+    wanted.out.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
+    if wanted.out == BASELINE and "model" in found:
+        write_page(found)
+    tables(found)
+    return 0
+
+
+def write_page(found):
+    text = PAGE.read_text()
+    PAGE.write_text(text.replace(model.page_block(text), model.page_text(found)))
+
+
+def rounded(value):
+    if isinstance(value, float):
+        return float(f"{value:.5g}")
+    if isinstance(value, dict):
+        return {key: rounded(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [rounded(one) for one in value]
+    return value
+
+
+def environment():
+    with open("/proc/cpuinfo") as file:
+        cpu = next((line.split(":", 1)[1].strip() for line in file if line.startswith("model name")), "unknown")
+    return {"cpu": cpu, "compiler": measure.said_by(["g++", "--version"]).splitlines()[0],
+            "mpi": measure.said_by(["mpirun", "--version"]).splitlines()[0]}
+
+
+if __name__ == "__main__":
+    sys.exit(main())
