@@ -22,6 +22,7 @@ says how they would scale at most if nobody else were there.
 """
 import argparse
 import json
+import math
 import os
 import pathlib
 import re
@@ -42,6 +43,7 @@ import measure  # noqa: E402
 BASELINE = ROOT / "reference/baselines/sweep.json"
 PAGE = pathlib.Path(__file__).with_name("README.md")
 PARTS = ("ratios", "threads", "ranks", "messages", "files", "chunks", "memory")
+REPETITIONS = 21  # of a contender, interleaved with those of all others
 ROUNDS = 7       # of times by the clock
 KEPT = 3         # of these, those with the least done by others
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
@@ -149,27 +151,33 @@ def quietest(runs):
 # --- What is measured.
 
 def ratios(sweeps):
-    """Workload → contender → ns a point; by CPU time, those on threads by the clock."""
-    return bench(sweeps, ".")
+    """Workload → contender → ns a point; by CPU time, runs and those on threads by the clock."""
+    found = bench(sweeps, "/(alone|summaries|points|stage.*)$", REPETITIONS)
+    for workload, contenders in bench(sweeps, "/run of", 3).items():
+        found[workload] |= contenders
+    return found
 
 
-def bench(sweeps, chosen):
+def bench(sweeps, chosen, repetitions):
+    """Medians of the fastest third, whose contenders had the processor as quick as it gets: a neighbour slows
+    all that runs beside it, but not all repetitions alike."""
     found = {}
     for run in json.loads(sweeps.run([sweeps.bench_program, "--benchmark_format=json",
+                                      f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.02",
                                       f"--benchmark_filter={chosen}"]))["benchmarks"]:
         if run["run_type"] != "iteration":
             continue
-        name = run["name"].split("/iterations:")[0]
-        workload, contender = name.split("/", 1)
+        workload, contender = run["name"].split("/iterations:")[0].split("/", 1)
         nanoseconds = run["real_time" if "threads" in run else "cpu_time"] / run["points"]
         found.setdefault(workload, {}).setdefault(contender, []).append(nanoseconds)
-    return {workload: {contender: statistics.median(times) for contender, times in sorted(contenders.items())}
+    return {workload: {contender: statistics.median(sorted(times)[:math.ceil(repetitions / 3)])
+                       for contender, times in sorted(contenders.items())}
             for workload, contenders in found.items()}
 
 
 def threads(sweeps):
     """By the clock, without what others made the threads wait; and what a process takes to start."""
-    chunks = bench(sweeps, "film_5_fields/chunks")["film_5_fields"]
+    chunks = bench(sweeps, "film_5_fields/chunks", REPETITIONS)["film_5_fields"]
     small = sweeps.file(FIVE, 1, "summaries")
     found = interleaved({"start": lambda: sweeps.run(sweeps.command(small, "--threads", "1"))})
     return {"ns_a_point": chunks, "start": found["start"],

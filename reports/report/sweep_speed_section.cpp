@@ -27,7 +27,8 @@ TextTable ratio_table(const Json& ratios) {
                   {},
                   "Alone: scenes prepared, roots in batches, films and onsets completed, of inputs "
                   "that are there. Summaries and points: from a chunk's number to its record in "
-                  "the journal. CPU time of one thread, medians of interleaved repetitions."};
+                  "the journal. CPU time of one thread, medians of the fastest third of "
+                  "interleaved repetitions."};
   for (const auto& [sweep, times] : ratios.items()) {
     const double alone = number(times.at("alone"));
     const auto cells = [&](const char* kept) {
