@@ -5,12 +5,17 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -32,7 +37,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
 constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins and ends with
 constexpr std::uint64_t chunks_in_turn = 8;        // that contenders of one thread go through
-constexpr std::uint64_t chunks_on_threads = 64;    // of an iteration
+constexpr std::uint64_t chunks_on_threads = 256;   // of an iteration
 
 class TemporaryFolder {
  public:
@@ -209,17 +214,62 @@ void keep(const Subject& subject, benchmark::State& state) {
 
 // --- All threads.
 
+// By Linux' own account, of this thread since it began: the time it was ready while others had the
+// processors. 0 where the system keeps none.
+double seconds_kept_waiting() {
+  std::ifstream file("/proc/thread-self/schedstat");
+  double running = 0, waiting = 0;
+  file >> running >> waiting;
+  return 1e-9 * waiting;
+}
+
+// What threads that share work take by the clock, without what other processes made them wait.
+class UndisturbedTime {
+ public:
+  void begin() {
+    const std::lock_guard lock(mutex_);
+    started_.emplace(std::this_thread::get_id(), Moment{Clock::now(), seconds_kept_waiting()});
+  }
+  void end() {
+    const std::lock_guard lock(mutex_);
+    const Moment& start = started_.at(std::this_thread::get_id());
+    seconds_ += std::chrono::duration<double>(Clock::now() - start.time).count() -
+                (seconds_kept_waiting() - start.waited);
+  }
+  // As they end together, whoever was disturbed least does most.
+  double seconds(int threads) const { return seconds_ / threads; }
+  bool has_begun() {
+    const std::lock_guard lock(mutex_);
+    return started_.contains(std::this_thread::get_id());
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Moment {
+    Clock::time_point time;
+    double waited;
+  };
+  std::mutex mutex_;
+  std::map<std::thread::id, Moment> started_;
+  double seconds_ = 0;
+};
+
 Contender on_threads(const sweep::SweepPlan& (Subject::*plan)() const, int threads) {
   return [plan, threads](const Subject& subject, benchmark::State& state) {
     NewJournal journal((subject.*plan)());
     for (const auto _ : state) {
       std::atomic<std::uint64_t> next = 0;
+      UndisturbedTime time;
       sweep::compute((subject.*plan)(), threads,
                      [&]() -> std::optional<std::uint64_t> {
+                       if (!time.has_begun()) time.begin();
                        const std::uint64_t chunk = next++;
-                       return chunk < chunks_on_threads ? std::optional(chunk) : std::nullopt;
+                       if (chunk < chunks_on_threads) return chunk;
+                       time.end();
+                       return std::nullopt;
                      },
                      [&](const sweep::Chunk& chunk) { journal.keep(chunk); });
+      state.SetIterationTime(time.seconds(threads));
     }
     set_points(state, chunks_on_threads * subject.cases());
     state.counters[std::string(threads_counter)] = threads;
@@ -272,15 +322,13 @@ void register_sweep(const Workload& workload) {
   add(subject, "stage: journal of points", keep);
   for (const int threads : {1, 2}) {
     const auto timed = [&](std::string_view name, Contender contender) {
-      add(subject, fmt::format("{}, threads: {}", name, threads), std::move(contender))
-          ->MeasureProcessCPUTime()
-          ->UseRealTime()
+      return add(subject, fmt::format("{}, threads: {}", name, threads), std::move(contender))
           ->Iterations(1);
     };
-    timed("chunks with summaries", on_threads(&Subject::summaries, threads));
-    timed("chunks with points", on_threads(&Subject::points, threads));
-    timed("run of summaries", whole_run("summaries", threads));
-    timed("run of points", whole_run("points", threads));
+    timed("chunks with summaries", on_threads(&Subject::summaries, threads))->UseManualTime();
+    timed("chunks with points", on_threads(&Subject::points, threads))->UseManualTime();
+    timed("run of summaries", whole_run("summaries", threads))->UseRealTime();
+    timed("run of points", whole_run("points", threads))->UseRealTime();
   }
 }
 

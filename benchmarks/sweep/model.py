@@ -87,9 +87,15 @@ def page_text(found):
     of = known["of"]
     return f"""{BEGIN}
 Measured on {found['date']}, {found['environment']['cpu']}, {found['processors']} processors; five fields drawn, the film at
-one speed. Two threads: {found['threads']['speedup']:.2f} times one. Two ranks: {found['ranks']['speedup']['2']:.2f} times
-one, and with twice the points {100 * found['ranks']['weak_efficiency']:.0f} %; four, oversubscribed,
-{found['ranks']['speedup']['4']:.2f} times one. Others used up to {found['others']:.2f} processors meanwhile.
+one speed. Two threads: {found['threads']['speedup']['summaries']:.2f} times one with summaries,
+{found['threads']['speedup']['points']:.2f} with points. Others used up to {found['others']:.2f} processors meanwhile, so that ranks
+were slower by the clock than by their CPU time, which says what they would reach at most:
+
+| ranks | times one, by the clock | at most, by CPU time |
+|---|---|---|
+| 2 | {found['ranks']['speedup']['2']:.2f} | {found['ranks']['cpu_speedup']['2']:.2f} |
+| 4, oversubscribed: each has half a processor | {found['ranks']['speedup']['4']:.2f} | {found['ranks']['cpu_speedup']['4'] / 2:.2f} |
+| 2, with twice the points: efficiency | {100 * found['ranks']['weak_efficiency']:.0f} % | {100 * found['ranks']['weak_cpu_efficiency']:.0f} % |
 
 | constant | summaries | points |
 |---|---|---|

@@ -3,7 +3,8 @@
 """How fast sweeps are, how they scale on threads and ranks, and what that says of a thousand ranks.
 
   ratios    time a point beside preparation and kernels alone, by tribocheck_bench_sweep
-  threads   1 and 2; ranks: strong scaling on 1, 2 and 4, weak on 1 and 2
+  threads   1 and 2
+  ranks     strong scaling on 1, 2 and 4, weak on 1 and 2
   messages  what rank 0 needs for a request, and the way there and back
   files     bytes of journal and result a point, and what writing the result takes
   chunks    into how many the sweeps of the model are cut
@@ -12,7 +13,8 @@
 
 All of it goes to reference/baselines/sweep.json and is printed. Times by the clock are taken in turn, and
 medians are of those repetitions in which other processes used the processors least; how much they did is
-kept beside.
+kept beside. Threads are timed without what others made them wait; of ranks there is the CPU time too, which
+says how they would scale at most if nobody else were there.
 
   benchmarks/sweep/scaling.py build/release
   benchmarks/sweep/scaling.py build/release --only ratios,memory
@@ -20,6 +22,7 @@ kept beside.
 """
 import argparse
 import json
+import math
 import os
 import pathlib
 import re
@@ -40,6 +43,7 @@ import measure  # noqa: E402
 BASELINE = ROOT / "reference/baselines/sweep.json"
 PAGE = pathlib.Path(__file__).with_name("README.md")
 PARTS = ("ratios", "threads", "ranks", "messages", "files", "chunks", "memory")
+REPETITIONS = 21  # of a contender, interleaved with those of all others
 ROUNDS = 7       # of times by the clock
 KEPT = 3         # of these, those with the least done by others
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
@@ -147,30 +151,38 @@ def quietest(runs):
 # --- What is measured.
 
 def ratios(sweeps):
-    """Workload → contender → ns a point; by CPU time, those on threads by the clock."""
+    """Workload → contender → ns a point; by CPU time, runs and those on threads by the clock."""
+    found = bench(sweeps, "/(alone|summaries|points|stage.*)$", REPETITIONS)
+    for workload, contenders in bench(sweeps, "/run of", 3).items():
+        found[workload] |= contenders
+    return found
+
+
+def bench(sweeps, chosen, repetitions):
+    """Medians of the fastest third, whose contenders had the processor as quick as it gets: a neighbour slows
+    all that runs beside it, but not all repetitions alike."""
     found = {}
-    for run in json.loads(sweeps.run([sweeps.bench_program, "--benchmark_format=json"]))["benchmarks"]:
+    for run in json.loads(sweeps.run([sweeps.bench_program, "--benchmark_format=json",
+                                      f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.02",
+                                      f"--benchmark_filter={chosen}"]))["benchmarks"]:
         if run["run_type"] != "iteration":
             continue
-        name = run["name"].split("/real_time")[0].split("/process_time")[0]
-        workload, contender = name.split("/", 1)
+        workload, contender = run["name"].split("/iterations:")[0].split("/", 1)
         nanoseconds = run["real_time" if "threads" in run else "cpu_time"] / run["points"]
         found.setdefault(workload, {}).setdefault(contender, []).append(nanoseconds)
-    return {workload: {contender: statistics.median(times) for contender, times in sorted(contenders.items())}
+    return {workload: {contender: statistics.median(sorted(times)[:math.ceil(repetitions / 3)])
+                       for contender, times in sorted(contenders.items())}
             for workload, contenders in found.items()}
 
 
 def threads(sweeps):
-    draws = 1 << 22
-    sweep = sweeps.file(FIVE, draws, "summaries")
+    """By the clock, without what others made the threads wait; and what a process takes to start."""
+    chunks = bench(sweeps, "film_5_fields/chunks", REPETITIONS)["film_5_fields"]
     small = sweeps.file(FIVE, 1, "summaries")
-    found = interleaved({
-        "start": lambda: sweeps.run(sweeps.command(small, "--threads", "1")),
-        "1": lambda: sweeps.run(sweeps.command(sweep, "--threads", "1")),
-        "2": lambda: sweeps.run(sweeps.command(sweep, "--threads", "2"))})
-    start = found["start"]["seconds"]
-    return {"points": draws, "start": found["start"], "of": {n: found[n] for n in ("1", "2")},
-            "speedup": (found["1"]["seconds"] - start) / (found["2"]["seconds"] - start)}
+    found = interleaved({"start": lambda: sweeps.run(sweeps.command(small, "--threads", "1"))})
+    return {"ns_a_point": chunks, "start": found["start"],
+            "speedup": {kept: chunks[f"chunks with {kept}, threads: 1"] / chunks[f"chunks with {kept}, threads: 2"]
+                        for kept in ("summaries", "points")}}
 
 
 def ranks(sweeps):
@@ -187,7 +199,12 @@ def ranks(sweeps):
 
     def net(name):
         return found[name]["seconds"] - found[f"start {name.split()[1]}"]["seconds"]
+    def net_cpu(name):
+        return found[name]["cpu_seconds"] - found[f"start {name.split()[1]}"]["cpu_seconds"]
     return {"points": draws, "of": found,
+            "cpu_speedup": {count: int(count) * net_cpu("strong 1") / net_cpu(f"strong {count}")
+                            for count in ("2", "4")},
+            "weak_cpu_efficiency": 2 * net_cpu("strong 1") / net_cpu("weak 2"),
             "speedup": {count: net("strong 1") / net(f"strong {count}") for count in ("2", "4")},
             "weak_efficiency": net("strong 1") / net("weak 2")}
 
@@ -284,13 +301,16 @@ def tables(found):
         for contender, ns in times.items():
             say(f"  {contender:32}{ns:12.1f}{ns / times['alone']:10.2f}")
     if "threads" in found:
-        say(f"\ntwo threads: {found['threads']['speedup']:.2f} times one, by the clock of runs of "
-            f"{found['threads']['points']} points, without the start")
+        of = found["threads"]["speedup"]
+        say(f"\ntwo threads: {of['summaries']:.2f} times one with summaries, {of['points']:.2f} with points; by the "
+            "clock, without what others made them wait")
     if "ranks" in found:
         of = found["ranks"]
-        say(f"ranks, likewise: 2: {of['speedup']['2']:.2f} times one; 4: {of['speedup']['4']:.2f} times one, on "
-            f"{found['processors']} processors; weak, 2 ranks with twice the points: "
-            f"{100 * of['weak_efficiency']:.0f} %")
+        for count in ("2", "4"):
+            say(f"{count} ranks on {found['processors']} processors: {of['speedup'][count]:.2f} times one by the clock, "
+                f"at most {of['cpu_speedup'][count]:.2f} by their CPU time")
+        say(f"weak, 2 ranks with twice the points: {100 * of['weak_efficiency']:.0f} % by the clock, at most "
+            f"{100 * of['weak_cpu_efficiency']:.0f} % by CPU time")
     if "others" in found:
         say(f"other processes used at most {found['others']:.2f} processors meanwhile")
     for count, of in found.get("messages", {}).items():

@@ -27,7 +27,8 @@ TextTable ratio_table(const Json& ratios) {
                   {},
                   "Alone: scenes prepared, roots in batches, films and onsets completed, of inputs "
                   "that are there. Summaries and points: from a chunk's number to its record in "
-                  "the journal. CPU time of one thread, medians of interleaved repetitions."};
+                  "the journal. CPU time of one thread, medians of the fastest third of "
+                  "interleaved repetitions."};
   for (const auto& [sweep, times] : ratios.items()) {
     const double alone = number(times.at("alone"));
     const auto cells = [&](const char* kept) {
@@ -85,20 +86,23 @@ void fill(Section& section, const Json& baseline) {
   const Json& ratios = baseline.at("ratios");
   const Json& ranks = baseline.at("ranks");
   const Json& model = baseline.at("model");
-  const double speedup = number(baseline.at("threads").at("speedup"));
+  const double speedup = number(baseline.at("threads").at("speedup").at("summaries"));
   const double ratio = greatest_ratio(ratios), memory = greatest_memory(baseline.at("memory"));
   section.tables = {ratio_table(ratios), model_table(model)};
   section.paragraphs = {
       "Sweeps beside what they cannot do without, and on threads and ranks. " +
           provenance(baseline),
       fmt::format(
-          "Two threads are {} times as fast as one, two ranks {} times; with twice the points two "
-          "ranks keep {} %. Four ranks on {} processors, more than there are, come to {} times. "
-          "Other processes used up to {} processors meanwhile.",
+          "Two threads are {} times as fast as one, without what other processes made them wait. "
+          "Two "
+          "ranks are {} times as fast by the clock, and at most {} times by their CPU time; with "
+          "twice the points they keep {} % and at most {} %. The clock's numbers suffer from other "
+          "processes, which used up to {} of {} processors meanwhile.",
           rounded(speedup, 3), rounded(number(ranks.at("speedup").at("2")), 3),
+          rounded(number(ranks.at("cpu_speedup").at("2")), 3),
           rounded(100 * number(ranks.at("weak_efficiency")), 3),
-          baseline.at("processors").get<int>(), rounded(number(ranks.at("speedup").at("4")), 3),
-          rounded(number(baseline.at("others")), 2)),
+          rounded(100 * number(ranks.at("weak_cpu_efficiency")), 3),
+          rounded(number(baseline.at("others")), 2), baseline.at("processors").get<int>()),
       fmt::format(
           "Rank 0 is busy with requests from {} ranks on. Journals of points fill the disk from {} "
           "ranks on, and writing points takes as long as computing them on {} ranks: beyond these "
