@@ -110,7 +110,7 @@ class Baselines(unittest.TestCase):
         page = self.page()
         said = next(verdict for verdict in page["verdicts"] if verdict["section"] == "sweep-speed")
         self.assertIn("NOT REACHED", said["text"])
-        self.assertIn("7 times", said["text"])
+        self.assertIn("at most 7.00 times", said["text"])
 
     def test_texts_of_a_baseline_cannot_break_the_page(self):
         path = self.project / "reference/baselines/planted_faults.json"
