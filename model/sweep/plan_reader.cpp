@@ -233,14 +233,20 @@ class SweepBinder {
                     "not empty and not \".\"");
   }
 
-  // Each value that a grid has, and the ends of what is drawn, have to be legal by themselves.
+  // The ends of what a variable takes have to be legal by themselves: legal numbers have no gaps. Of
+  // whole numbers all have to.
   void check_extremes() {
     for (const VariedEntry& varied : varied_) {
       const Variable& variable = varied.variable;
-      std::vector<double> values = variable.grid;
-      if (variable.is_drawn())
-        values = {variable.distribution.least(), variable.distribution.greatest()};
       if (!variable.words.empty()) continue;
+      std::vector<double> values = variable.grid;
+      const FieldInfo& field = scene_fields()[scene_detail::field_at(variable.path)];
+      if (variable.is_drawn()) {
+        values = {variable.distribution.least(), variable.distribution.greatest()};
+      } else if (field.type != FieldType::integer) {
+        const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+        values = {*least, *greatest};
+      }
       for (const double value : values)
         if (!check_value(varied, value)) break;
     }

@@ -12,9 +12,10 @@ struct Ranks::State {};
 
 Ranks::Ranks() {
   if (ranks_by_mpirun() > 1)
-    throw std::invalid_argument("mpirun started " + std::to_string(ranks_by_mpirun()) +
-                             " ranks, but this tribocheck was built without MPI; use --shard, or "
-                             "build it where libopenmpi-dev is installed");
+    throw std::invalid_argument(
+        "mpirun started " + std::to_string(ranks_by_mpirun()) +
+        " ranks, but this tribocheck was built without MPI; use --shard, or "
+        "build it where libopenmpi-dev is installed");
 }
 Ranks::~Ranks() = default;
 

@@ -76,6 +76,9 @@ Command add_report(CLI::App& program) {
   app->footer(footer);
   const auto options = std::make_shared<report::ReportOptions>();
   app->add_option("--out", options->out, "folder to write to (default: reports/out)");
+  app->add_option("--section", options->sections,
+                  "only this section, by its id (claims, sweep, gates, …); may be repeated")
+      ->allow_extra_args(false);
   app->add_option("--scenes", options->scenes,
                   "folder of the scenes (default: reference/published)");
   app->add_option("--commit", options->commit, "what was built, for the page to tell");

@@ -4,13 +4,15 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tribo::report {
 
 struct ReportOptions {
-  std::filesystem::path out;     // empty: reports/out of the project
-  std::filesystem::path scenes;  // empty: reference/published of the project
-  std::string commit;            // for the page to tell; empty: not known
+  std::filesystem::path out;               // empty: reports/out of the project
+  std::filesystem::path scenes;            // empty: reference/published of the project
+  std::string commit;                      // for the page to tell; empty: not known
+  std::vector<std::string> sections = {};  // ids of those to make; empty: all
 };
 
 struct ReportPlaces {

@@ -2,7 +2,11 @@
 #include "report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <utility>
 
 #include "report/comparison.hpp"
@@ -14,6 +18,7 @@
 #include "report/paper_sections.hpp"
 #include "report/paper_tables.hpp"
 #include "report/pending_file.hpp"
+#include "report/report_error.hpp"
 #include "report/skipped_work.hpp"
 #include "report/sweep_speed_section.hpp"
 #include "report/verification_sections.hpp"
@@ -23,6 +28,13 @@ namespace tribo::report {
 namespace {
 
 using Progress = std::function<void(std::string_view)>;
+
+// In the order of the page, whose last section, what did not run, is always there.
+constexpr std::array<std::string_view, 17> section_ids{
+    "environment",    "claims",       "readings",       "requirements", "uncertainty",
+    "sweep",          "misprints",    "figures",        "comparison",   "verification",
+    "planted-faults", "worst-inputs", "work-precision", "skipped-work", "gates",
+    "sweep-speed",    "inputs"};
 
 class ReportWriter {
  public:
@@ -95,27 +107,57 @@ std::vector<std::string> introduction() {
       "misprints mended, and says how sure the numbers are."};
 }
 
+// Which sections are asked for: all, or some by their ids.
+class Asked {
+ public:
+  explicit Asked(const std::vector<std::string>& ids) : ids_(ids) {
+    for (const std::string& id : ids)
+      if (std::find(section_ids.begin(), section_ids.end(), id) == section_ids.end())
+        throw ReportError(
+            fmt::format("--section: {} is not one of {}", id, fmt::join(section_ids, ", ")));
+  }
+
+  bool has(std::string_view id) const {
+    return ids_.empty() || std::find(ids_.begin(), ids_.end(), id) != ids_.end();
+  }
+  bool has_any(std::initializer_list<std::string_view> ids) const {
+    return std::any_of(ids.begin(), ids.end(), [this](std::string_view id) { return has(id); });
+  }
+
+ private:
+  const std::vector<std::string>& ids_;
+};
+
 // The page's sections, in order. A part of the report is a function here that returns one.
 std::vector<Section> sections(const ReportPlaces& places, const ReportOptions& options,
                               const Findings& findings,
                               const std::vector<ComparisonTable>& comparisons,
                               const Progress& progress) {
+  const Asked asked(options.sections);
   std::vector<Section> all;
-  all.push_back(environment_section(places, options.commit));
-  progress("judging the paper's claims under every reading");
-  for (Section& section : ledger_sections(places)) all.push_back(std::move(section));
-  all.push_back(figures_section(findings, comparisons));
-  all.push_back(comparison_section(findings, comparisons));
-  progress("holding the model to the certified tables");
-  all.push_back(certified_section(places));
-  all.push_back(planted_faults_section(places));
-  all.push_back(worst_inputs_section(places));
-  all.push_back(work_precision_section(places));
-  progress("counting work");
-  all.push_back(skipped_work_section(findings.solved));
-  all.push_back(gates_section(places));
-  all.push_back(sweep_speed_section(places));
-  all.push_back(inputs_section(findings));
+  const auto add = [&](std::string_view id, std::string_view step, const auto& make) {
+    if (!asked.has(id)) return;
+    if (!step.empty()) progress(step);
+    all.push_back(make());
+  };
+  add("environment", "", [&] { return environment_section(places, options.commit); });
+  // One ledger serves them all.
+  if (asked.has_any({"claims", "readings", "requirements", "uncertainty", "sweep", "misprints"})) {
+    progress("judging the paper's claims under every reading");
+    for (Section& section : ledger_sections(places))
+      if (asked.has(section.id) || section.id == "claims") all.push_back(std::move(section));
+  }
+  add("figures", "", [&] { return figures_section(findings, comparisons); });
+  add("comparison", "", [&] { return comparison_section(findings, comparisons); });
+  add("verification", "holding the model to the certified tables",
+      [&] { return certified_section(places); });
+  add("planted-faults", "", [&] { return planted_faults_section(places); });
+  add("worst-inputs", "", [&] { return worst_inputs_section(places); });
+  add("work-precision", "", [&] { return work_precision_section(places); });
+  add("skipped-work", "counting work", [&] { return skipped_work_section(findings.solved); });
+  add("gates", "", [&] { return gates_section(places); });
+  add("sweep-speed", "", [&] { return sweep_speed_section(places); });
+  add("inputs", "", [&] { return inputs_section(findings); });
   return all;
 }
 

