@@ -73,7 +73,7 @@ def text(made):
              f"fill this disk ({1e-9 * made['constants']['disk_bytes_a_second']:.2g} GB/s) from "
              f"{made['ranks_whose_journals_fill_the_disk']:.0f} ranks on; writing points takes as long as "
              f"computing them on {made['ranks_that_compute_as_long_as_points_are_written']:.0f} ranks.", "",
-             "| keep | points | chunks | " + " | ".join(f"{ranks:,} ranks" for ranks in RANKS) + " |",
+             "| keep | points | chunks | " + " | ".join(f"P = {ranks:,}" for ranks in RANKS) + " |",
              "|---|---|---|" + "---|" * len(RANKS)]
     for row in made["rows"]:
         cells = [f"{duration(time['seconds'])}, {100 * time['efficiency']:.0f} %, {time['most']}"

@@ -36,9 +36,10 @@ class Model(unittest.TestCase):
         self.assertAlmostEqual(self.seconds("points", 10**10, 10**6, 10**4), 1 + 1e11 / 1e9 + 100)
 
     def test_rank_0_is_the_limit_where_requests_are_more_than_it_answers(self):
-        slow = self.seconds("summaries", 10**12, 10**9, 10**5, answer_seconds=1e-5)
-        fast = self.seconds("summaries", 10**12, 10**9, 10**5, answer_seconds=1e-6)
-        self.assertGreater(slow - fast, 0.9 * 3 * 10)  # four times the 10 s of computing
+        slow, fast = (model.time_of(KNOWN | {"answer_seconds": seconds}, "summaries", 10**12, 10**9, 10**5)
+                      for seconds in (1e-5, 1e-6))
+        self.assertAlmostEqual(fast["computing"], 10)
+        self.assertAlmostEqual(slow["computing"], 4 * 10)
 
     def test_the_page_has_the_numbers_of_the_baseline(self):
         page = (HERE / "README.md").read_text()
