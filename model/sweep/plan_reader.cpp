@@ -233,8 +233,8 @@ class SweepBinder {
                     "not empty and not \".\"");
   }
 
-  // The ends of what a variable takes have to be legal by themselves: legal numbers have no gaps. Of
-  // whole numbers all have to.
+  // The ends of what a variable takes have to be legal by themselves: legal numbers have no gaps.
+  // Of whole numbers all have to.
   void check_extremes() {
     for (const VariedEntry& varied : varied_) {
       const Variable& variable = varied.variable;

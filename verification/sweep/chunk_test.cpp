@@ -28,16 +28,27 @@ TEST(Chunk, IsReadAsItWasWritten) {
   EXPECT_EQ(read.bytes(), chunk.bytes());
 }
 
+bool is_refused(std::span<const std::byte> bytes) {
+  try {
+    Chunk::from(bytes);
+  } catch (const std::runtime_error&) {
+    return true;
+  }
+  return false;
+}
+
 TEST(Chunk, IsRefusedCutOffAnywhere) {
   const Bytes bytes = with_everything().bytes();
+  std::size_t refused = 0;
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_THROW(Chunk::from(std::span(bytes).first(size)), std::runtime_error) << size;
+    refused += is_refused(std::span(bytes).first(size)) ? 1 : 0;
+  EXPECT_EQ(refused, bytes.size());
 }
 
 TEST(Chunk, IsRefusedWithMoreBehindIt) {
   Bytes bytes = with_everything().bytes();
   bytes.push_back(std::byte{0});
-  EXPECT_THROW(Chunk::from(bytes), std::runtime_error);
+  EXPECT_EQ(is_refused(bytes), true);
 }
 
 // The checksums of journals are there to find damage; here it must only do no harm.
@@ -50,11 +61,7 @@ TEST(Chunk, OfDamagedBytesIsRefusedOrReadWithoutHarm) {
     const std::size_t first = random() % damaged.size();
     for (std::size_t k = first; k < std::min(first + random() % 9, damaged.size()); ++k)
       damaged[k] = static_cast<std::byte>(random());
-    try {
-      Chunk::from(damaged);
-    } catch (const std::runtime_error&) {
-      ++refused;
-    }
+    refused += is_refused(damaged) ? 1 : 0;
   }
   EXPECT_GT(refused, 100);
 }

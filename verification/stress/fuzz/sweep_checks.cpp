@@ -61,7 +61,8 @@ void check_sweep(std::string_view text) {
     }
   if (!reading.sweep) return;
   const SceneSweep& sweep = *reading.sweep;
-  require(!sweep.variables.empty() && !sweep.columns.empty(), "something varies, and is asked", text);
+  require(!sweep.variables.empty() && !sweep.columns.empty(), "something varies, and is asked",
+          text);
   require(sweep.chunks >= 1 && sweep.chunk_groups >= 1 && sweep.chunks <= sweep.groups,
           "a sweep has chunks, and they have cases", text);
   require((sweep.chunks - 1) * sweep.chunk_groups < sweep.groups, "no chunk is empty", text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// libFuzzer's entry to check_toml_scene and check_sweep; an exception that gets out counts as a crash.
+// libFuzzer's entry to check_toml_scene and check_sweep; an exception that gets out counts as a
+// crash.
 #include <cstddef>
 #include <cstdint>
 
