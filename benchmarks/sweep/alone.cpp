@@ -17,7 +17,9 @@ Alone::Alone(const sweep::SceneSweep& sweep)
     : sweep_(sweep),
       scene_(sweep.scene),
       has_one_contact_(std::all_of(sweep.variables.begin(), sweep.variables.end(), is_speed)),
-      contact_(sweep.scene) {
+      contact_(sweep.scene),
+      inlet_(inlet_onsets(contact_.closure(), contact_.damiens_exponent(), default_departure,
+                          OnsetCriterion::film_maximum)) {
   film_.insert(Output::film);
   contacts_.reserve(block_cases);
   for (auto* const numbers : {&speeds_, &stiffness_, &offset_, &flooded_, &lambda_})
@@ -86,8 +88,7 @@ void Alone::complete(std::span<double> results) {
 
 void Alone::find_onsets(std::span<double> results) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const Onset<double> found =
-        onset(contacts_[i], scene_, OnsetCriterion::film_maximum, default_departure);
+    const Onset<double> found = onset(contacts_[i], scene_, OnsetCriterion::film_maximum, inlet_);
     results[3 * i] = found.speed;
     results[3 * i + 1] = found.film;
     results[3 * i + 2] = found.film_parameter;

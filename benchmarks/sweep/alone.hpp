@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sweep/plan.hpp"
+#include "tribo/inlet_onsets.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/operating_points.hpp"
 
@@ -38,6 +39,7 @@ class Alone {
   OutputSet film_;
   bool has_one_contact_;
   MixedContact<double> contact_;
+  InletOnsets<double> inlet_;
   OperatingPoints points_;
   std::vector<MixedContact<double>> contacts_;
   std::vector<double> speeds_, stiffness_, offset_, flooded_, lambda_;

@@ -187,10 +187,25 @@ void CaseSolver::solve_few_speeds(std::span<const double> variables, std::span<d
   }
 }
 
+// Of the inlet's onsets, which rest on the closure alone, there are new ones only with another
+// closure.
+void CaseSolver::prepare_inlet(const MixedContact<double>& contact) {
+  const bool is_known = !inlet_onsets_.empty() && contact.closure() == inlet_closure_ &&
+                        contact.damiens_exponent() == inlet_exponent_;
+  if (is_known) return;
+  inlet_closure_ = contact.closure();
+  inlet_exponent_ = contact.damiens_exponent();
+  inlet_onsets_.clear();
+  for (const OnsetCriterion criterion : sweep_.criteria)
+    inlet_onsets_.push_back(
+        inlet_onsets(inlet_closure_, inlet_exponent_, sweep_.departure, criterion));
+}
+
 void CaseSolver::find_onsets(std::span<double> results) {
+  const MixedContact<double>& contact = contacts_.back();
+  prepare_inlet(contact);
   for (std::size_t c = 0; c < sweep_.criteria.size(); ++c) {
-    const Onset<double> found =
-        onset(contacts_.back(), scene_, sweep_.criteria[c], sweep_.departure);
+    const Onset<double> found = onset(contact, scene_, sweep_.criteria[c], inlet_onsets_[c]);
     results[3 * c] = found.exists ? found.speed : undefined;
     results[3 * c + 1] = found.exists ? found.film : undefined;
     results[3 * c + 2] = found.exists ? found.film_parameter : undefined;

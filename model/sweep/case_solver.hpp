@@ -9,6 +9,7 @@
 
 #include "sweep/plan.hpp"
 #include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
 #include "tribo/operating_points.hpp"
 
 namespace tribo::sweep {
@@ -31,6 +32,7 @@ class CaseSolver {
   void put_points(std::span<double> results, std::size_t point_stride,
                   std::size_t output_stride) const;
   void solve_few_speeds(std::span<const double> variables, std::span<double> results);
+  void prepare_inlet(const MixedContact<double>& contact);
   void find_onsets(std::span<double> results);
 
   const SceneSweep& sweep_;
@@ -38,9 +40,12 @@ class CaseSolver {
   std::size_t speed_variable_ = 0;  // its place; past the last: it does not vary
   // Where the speed alone varies and no onset is asked.
   std::optional<MixedContact<double>> only_contact_;
-  std::vector<MixedContact<double>> contacts_;  // of the cases in hand
-  std::vector<std::size_t> contact_of_;         // its place, of each of these cases
-  std::span<const double> prepared_;            // the last contact's variables
+  std::vector<MixedContact<double>> contacts_;     // of the cases in hand
+  std::vector<std::size_t> contact_of_;            // its place, of each of these cases
+  std::span<const double> prepared_;               // the last contact's variables
+  std::vector<InletOnsets<double>> inlet_onsets_;  // of each criterion, for this closure:
+  StarvationClosure inlet_closure_ = StarvationClosure::flooded_inlet;
+  double inlet_exponent_ = 0;
   std::vector<double> speeds_;
   std::vector<Output> asked_;
   std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tribo/onset_criterion.hpp"
+#include "tribo/inlet_onsets.hpp"
 #include "tribo/stribeck_walk.hpp"
 
 namespace tribo {
@@ -133,25 +133,25 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
 }
 
 template <class T>
-Onset<T> film_maximum(OnsetCriterion criterion, const MixedContact<T>& contact) {
+Onset<T> film_maximum(OnsetCriterion criterion, const MixedContact<T>& contact,
+                      const InletOnsets<T>& inlet) {
   if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
   if (contact.supply() == SupplyKind::inlet_flow)
     return film_maximum_at_constant_flow(criterion, contact);
-  const T r = film_maximum_flooded_over_inlet<T>(contact.closure());
+  const T r = inlet.film_maximum;
   if (r != r)
     return no_onset<T>(criterion,
                        "with this closure the film rises towards h_oil without a maximum");
-  return onset_at_ratio(criterion, contact, r,
-                        starvation_ratio(contact.closure(), r, contact.damiens_exponent()));
+  return onset_at_ratio(criterion, contact, r, inlet.film_ratio_at_maximum);
 }
 
 template <class T>
-Onset<T> film_departure(const MixedContact<T>& contact, const T& departure) {
+Onset<T> film_departure(const MixedContact<T>& contact, const InletOnsets<T>& inlet) {
   using std::log;
   constexpr OnsetCriterion criterion = OnsetCriterion::film_departure;
   if (contact.supply() == SupplyKind::flooded) return no_onset<T>(criterion, fully_flooded);
-  const T r =
-      departure_flooded_over_inlet(contact.closure(), departure, contact.damiens_exponent());
+  const T& r = inlet.film_departure;
+  const T& departure = inlet.departure;
   if (contact.supply() != SupplyKind::inlet_flow)
     return onset_at_ratio(criterion, contact, r, T(1 - departure));
   const StribeckWalk<T> walk(contact);
@@ -244,9 +244,9 @@ Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
 }
 
 template <class T>
-Onset<T> asperity_minimum(const MixedContact<T>& contact) {
+Onset<T> asperity_minimum(const MixedContact<T>& contact, const InletOnsets<T>& inlet) {
   constexpr OnsetCriterion criterion = OnsetCriterion::asperity_minimum;
-  const Onset<T> maximum = film_maximum(criterion, contact);
+  const Onset<T> maximum = film_maximum(criterion, contact, inlet);
   if (maximum.exists && contact.sharing().has_floor() &&
       maximum.film_parameter <= contact.sharing().floor())
     return no_onset<T>(criterion, "the asperities carry the whole load at every speed");
@@ -255,23 +255,33 @@ Onset<T> asperity_minimum(const MixedContact<T>& contact) {
 
 }  // namespace detail
 
+// By a criterion, with the onsets of the inlet that belong to the contact's closure: for who asks
+// many contacts. Error as below.
+template <class T>
+Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
+               const InletOnsets<T>& inlet) {
+  switch (criterion) {
+    case OnsetCriterion::film_maximum:
+      return detail::film_maximum(criterion, contact, inlet);
+    case OnsetCriterion::film_departure:
+      return detail::film_departure(contact, inlet);
+    case OnsetCriterion::friction_minimum:
+      return detail::friction_minimum(contact, scene);
+    case OnsetCriterion::asperity_minimum:
+      return detail::asperity_minimum(contact, inlet);
+  }
+  return detail::no_onset<T>(criterion, "unknown criterion");
+}
+
 // `departure` is the ε of film_departure, 0 < ε < 1. The speeds of film_maximum, film_departure and
 // asperity_minimum need no load-sharing root; error 1e-13 at well-conditioned points in double, for
 // friction_minimum about √ε.
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
                const T& departure) {
-  switch (criterion) {
-    case OnsetCriterion::film_maximum:
-      return detail::film_maximum(criterion, contact);
-    case OnsetCriterion::film_departure:
-      return detail::film_departure(contact, departure);
-    case OnsetCriterion::friction_minimum:
-      return detail::friction_minimum(contact, scene);
-    case OnsetCriterion::asperity_minimum:
-      return detail::asperity_minimum(contact);
-  }
-  return detail::no_onset<T>(criterion, "unknown criterion");
+  const InletOnsets<T> inlet =
+      inlet_onsets(contact.closure(), contact.damiens_exponent(), departure, criterion);
+  return onset(contact, scene, criterion, inlet);
 }
 
 }  // namespace tribo
