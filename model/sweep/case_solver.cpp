@@ -20,30 +20,15 @@ constexpr std::size_t cases_in_hand = 256;
 
 double value_of(const OperatingPoint<double>& point, Output output) {
   switch (output) {
-    case Output::film_flooded:
-      return point.film_flooded;
-    case Output::film:
-      return point.film;
-    case Output::separation:
-      return point.separation;
-    case Output::film_parameter:
-      return point.film_parameter;
-    case Output::asperity_load_share:
-      return point.asperity_load_share;
-    case Output::fluid_load_share:
-      return point.fluid_load_share;
-    case Output::real_area_ratio:
-      return point.real_area_ratio;
-    case Output::summit_count:
-      return point.summit_count;
     case Output::friction:
       return point.friction_undefined ? undefined : point.friction;
     case Output::regime:
       return static_cast<double>(point.regime);
     case Output::inlet:
       return static_cast<double>(point.inlet);
+    default:
+      return numbers_of(point)[static_cast<std::size_t>(output)];
   }
-  return undefined;
 }
 
 }  // namespace

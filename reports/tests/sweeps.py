@@ -33,7 +33,7 @@ def sweep(changes=None, **settings):
 # Some tenths of a second of work, in many chunks.
 LONG = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
               "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
-             onset='["film_maximum", "film_departure"]', draws=60000, sensitivity="true")
+             onset='["film_maximum", "film_departure"]', draws=150000, sensitivity="true")
 
 
 class SweepTest(unittest.TestCase):

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import PROGRAM, run
+from program import PROGRAM, run, start
 from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
 
 ROOT = os.environ["TRIBOCHECK_ROOT"]
@@ -268,6 +268,39 @@ class Estimates(SweepTest):
         self.swept(text)
         size = os.path.getsize(self.path("out.h5"))
         self.assertLess(abs(estimated - size), 0.1 * size, said.out)
+
+
+class Progress(SweepTest):
+    # Some seconds: the friction minimum is searched for.
+    TEXT = sweep({"load": '{ printed = "50" }', "speed": "{ from = 1e-3, to = 1 }"},
+                 onset='["friction_minimum"]', draws=25000)
+
+    def said_to(self, stderr):
+        path = self.folder.write("sweep.toml", self.TEXT)
+        process = start("sweep", path, "-o", self.path("out.h5"), "--force",
+                        stdout=subprocess.DEVNULL, stderr=stderr)
+        self.assertEqual(process.wait(timeout=120), 0)
+
+    def test_a_terminal_sees_rate_and_time_left_on_one_line(self):
+        reader, writer = os.openpty()
+        self.said_to(writer)
+        os.close(writer)
+        said = b""
+        try:
+            while part := os.read(reader, 4096):
+                said += part
+        except OSError:  # the other end is closed
+            pass
+        os.close(reader)
+        self.assertRegex(said, rb"\rcomputed [0-9.]+ %, .* points, .* a second, .* left")
+        self.assertNotIn(b"\n", said)
+        self.assertTrue(said.endswith(b"\r\x1b[K"))
+
+    def test_a_pipe_and_a_file_hear_nothing_of_a_short_run(self):
+        with open(self.path("log"), "wb") as log:
+            self.said_to(log)
+        self.assertEqual(self.bytes_of("log"), b"")
+        self.assertEqual(self.sweep(self.TEXT, "--force").err, "")
 
 
 class BadSweeps(SweepTest):

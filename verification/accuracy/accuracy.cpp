@@ -134,29 +134,6 @@ Scene scene_of(const ReferenceRow& row) {
   return scene;
 }
 
-double value_of(const OperatingPoint<double>& point, Output output) {
-  switch (output) {
-    case Output::film_flooded:
-      return point.film_flooded;
-    case Output::film:
-      return point.film;
-    case Output::separation:
-      return point.separation;
-    case Output::film_parameter:
-      return point.film_parameter;
-    case Output::asperity_load_share:
-      return point.asperity_load_share;
-    case Output::fluid_load_share:
-      return point.fluid_load_share;
-    case Output::real_area_ratio:
-      return point.real_area_ratio;
-    case Output::summit_count:
-      return point.summit_count;
-    default:
-      return point.friction;
-  }
-}
-
 std::vector<QuantityResult> operating_points(const std::string& folder) {
   std::vector<Judge> judges;
   for (std::size_t k = 0; k <= static_cast<std::size_t>(Output::friction); ++k)
@@ -173,7 +150,8 @@ std::vector<QuantityResult> operating_points(const std::string& folder) {
             fmt::format("row {} is undefined, the model gives a number", row.text("id")));
       continue;
     }
-    judges[static_cast<std::size_t>(*output)].add(row, value_of(point, *output));
+    const auto place = static_cast<std::size_t>(*output);
+    judges[place].add(row, numbers_of(point)[place]);
   }
   std::vector<QuantityResult> results;
   for (const Judge& judge : judges) results.push_back(judge.result());

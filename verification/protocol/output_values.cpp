@@ -20,22 +20,6 @@ OutputValue word(std::string_view text, bool rests_on_finite_numbers) {
 
 OutputValue value_of(const OperatingPoint<double>& point, Output output) {
   switch (output) {
-    case Output::film_flooded:
-      return number(point.film_flooded);
-    case Output::film:
-      return number(point.film);
-    case Output::separation:
-      return number(point.separation);
-    case Output::film_parameter:
-      return number(point.film_parameter);
-    case Output::asperity_load_share:
-      return number(point.asperity_load_share);
-    case Output::fluid_load_share:
-      return number(point.fluid_load_share);
-    case Output::real_area_ratio:
-      return number(point.real_area_ratio);
-    case Output::summit_count:
-      return number(point.summit_count);
     case Output::friction:
       if (point.friction_undefined) return {.undefined = film_collapsed, .word = {}};
       return number(point.friction);
@@ -44,8 +28,9 @@ OutputValue value_of(const OperatingPoint<double>& point, Output output) {
                   std::isfinite(point.asperity_load_share + point.fluid_load_share));
     case Output::inlet:
       return word(name(point.inlet), std::isfinite(point.film));
+    default:
+      return number(numbers_of(point)[static_cast<std::size_t>(output)]);
   }
-  return {.undefined = "unknown output", .word = {}};
 }
 
 OutputSet needed_for(OutputSet asked) {

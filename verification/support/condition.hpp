@@ -120,21 +120,7 @@ class LogGradient {
   std::array<long double, count> parts_{};
 };
 
-// The numbers of an operating point, in the order of Output.
-inline constexpr std::size_t number_count = 9;
-template <class T>
-std::array<T, number_count> numbers_of(const OperatingPoint<T>& point) {
-  return {point.film_flooded,
-          point.film,
-          point.separation,
-          point.film_parameter,
-          point.asperity_load_share,
-          point.fluid_load_share,
-          point.real_area_ratio,
-          point.summit_count,
-          point.friction};
-}
-
+// Of each number of an operating point.
 using Conditions = std::array<double, number_count>;
 
 inline Conditions operating_point_conditions(const Scene& scene,

@@ -54,16 +54,6 @@ std::vector<std::uint64_t> first_numbers(std::uint64_t count) {
   return numbers;
 }
 
-template <class Throw>
-std::string error_of(Throw&& throws) {
-  try {
-    throws();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "none";
-}
-
 TEST(Journal, GivesBackHeaderAndChunks) {
   const TemporaryFolder folder;
   const JournalReader reader(small_journal(folder, 9));

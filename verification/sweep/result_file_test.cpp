@@ -27,16 +27,6 @@ std::string small_result(const TemporaryFolder& folder, const std::string& name)
   return folder.file(name);
 }
 
-template <class Throw>
-std::string error_of(Throw&& throws) {
-  try {
-    throws();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "none";
-}
-
 std::vector<std::uint64_t> bits_of(const std::vector<double>& values) {
   std::vector<std::uint64_t> bits;
   for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));

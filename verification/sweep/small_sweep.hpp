@@ -47,6 +47,17 @@ inline void write_content(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary) << content;
 }
 
+// What it throws; "none" if nothing.
+template <class Throw>
+std::string error_of(Throw&& throws) {
+  try {
+    throws();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
 inline Column column(std::string name, std::string unit, std::vector<std::string> words,
                      std::size_t width) {
   Column made;

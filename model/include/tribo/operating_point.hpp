@@ -2,6 +2,8 @@
 // One operating point of a scene: its numbers and its words.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -54,5 +56,20 @@ struct OperatingPoint {
   Inlet inlet = Inlet::flooded;
   bool friction_undefined = false;  // the film has collapsed and no floor keeps the faces apart
 };
+
+// Its numbers, in the order of Output, which has the words last.
+inline constexpr std::size_t number_count = 9;
+template <class T>
+std::array<T, number_count> numbers_of(const OperatingPoint<T>& point) {
+  return {point.film_flooded,
+          point.film,
+          point.separation,
+          point.film_parameter,
+          point.asperity_load_share,
+          point.fluid_load_share,
+          point.real_area_ratio,
+          point.summit_count,
+          point.friction};
+}
 
 }  // namespace tribo
