@@ -88,10 +88,10 @@ def page_text(found):
     return f"""{BEGIN}
 Measured on {found['date']}, {found['environment']['cpu']}, {found['processors']} processors; five fields drawn, the film at
 one speed. Two threads: {found['threads']['speedup']['summaries']:.2f} times one with summaries,
-{found['threads']['speedup']['points']:.2f} with points. Others used up to {found['others']:.2f} processors meanwhile, so that ranks
-were slower by the clock than by their CPU time, which says what they would reach at most:
+{found['threads']['speedup']['points']:.2f} with points. Others used up to {found['others']:.2f} processors meanwhile; by their CPU
+time ranks would reach without any:
 
-| ranks | times one, by the clock | at most, by CPU time |
+| ranks | times one, by the clock | by CPU time |
 |---|---|---|
 | 2 | {found['ranks']['speedup']['2']:.2f} | {found['ranks']['cpu_speedup']['2']:.2f} |
 | 4, oversubscribed: each has half a processor | {found['ranks']['speedup']['4']:.2f} | {found['ranks']['cpu_speedup']['4'] / 2:.2f} |
