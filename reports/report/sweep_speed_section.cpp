@@ -29,7 +29,8 @@ TextTable ratio_table(const Json& ratios) {
                   "that are there. Summaries and points: from a chunk's number to its record in "
                   "the journal. CPU time of one thread, medians of the fastest third of "
                   "interleaved repetitions."};
-  for (const auto& [sweep, times] : ratios.items()) {
+  for (const auto& entry : ratios.items()) {
+    const Json& times = entry.value();
     const double alone = number(times.at("alone"));
     const auto cells = [&](const char* kept) {
       const double ns = number(times.at(kept));
@@ -37,8 +38,9 @@ TextTable ratio_table(const Json& ratios) {
     };
     const auto [summaries, times_summaries] = cells("summaries");
     const auto [points, times_points] = cells("points");
-    table.rows.push_back({fmt::format("`{}`", sweep), rounded(alone, 3), summaries, times_summaries,
-                          points, times_points, rounded(number(times.at("stage: draw")), 3)});
+    table.rows.push_back({fmt::format("`{}`", entry.key()), rounded(alone, 3), summaries,
+                          times_summaries, points, times_points,
+                          rounded(number(times.at("stage: draw")), 3)});
   }
   return table;
 }
