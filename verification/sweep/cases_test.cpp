@@ -209,6 +209,22 @@ to = 1
   }
 }
 
+// Neighbours in a group share all fields but one or two.
+TEST(CaseSolver, OfAGroupWithSensitivityGivesTheBitsOfEachByItself) {
+  const SceneSweep sweep = drawn("sensitivity = true\ndraws = 100\n");
+  const std::vector<double> values = all_values(sweep);
+  const std::size_t width = sweep.width(), cases = values.size() / 2;
+  std::vector<double> together(cases * width), alone(width);
+  CaseSolver(sweep).solve(values, together);
+  for (std::size_t i = 0; i < cases; ++i) {
+    CaseSolver(sweep).solve(std::span(values).subspan(2 * i, 2), alone);
+    for (std::size_t c = 0; c < width; ++c) {
+      if (std::isnan(alone[c])) continue;
+      EXPECT_EQ(together[i * width + c], alone[c]) << i << ' ' << c;
+    }
+  }
+}
+
 TEST(ChunkSolver, ComesToTheSameBytesInAnyOrder) {
   std::vector<SceneSweep> scenes;
   scenes.push_back(drawn("draws = 2500\nonset = [\"film_maximum\"]\nsensitivity = true\n"));
