@@ -62,7 +62,7 @@ ledger: build ## commit the verdicts on the paper's claims anew: reference/basel
 	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv
 	mv build/ledger.csv reference/baselines/ledger.csv
 
-test-slow: build ## ten million lines and a billion points in flat memory, fifty kills; takes some ten minutes
+test-slow: build ## ten million lines and a billion points in flat memory, fifty kills; takes some two minutes
 	@.ci/deps test
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_ROOT=$(CURDIR) \
 	  TRIBOCHECK_LINES=10000000 TRIBOCHECK_POINTS=1000000000 TRIBOCHECK_KILLS=50 \
