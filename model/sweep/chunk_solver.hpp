@@ -18,9 +18,9 @@ class ChunkSolver {
   ChunkSolver(ChunkSolver&&) noexcept;
   ~ChunkSolver();
 
-  // chunk: below plan.chunks(). The same bits wherever, whenever and beside whatever it is
+  // number: below plan.chunks(). The same bits wherever, whenever and beside whatever it is
   // computed, on one instruction set.
-  Chunk solve(std::uint64_t chunk);
+  Chunk solve(std::uint64_t number);
 
  private:
   struct OfScene;

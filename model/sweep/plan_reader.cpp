@@ -57,6 +57,7 @@ constexpr std::array<SweepField, 9> fields{{
 
 std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
+  names.reserve(fields.size());
   for (const SweepField& field : fields) names.push_back(field.name);
   return names;
 }
@@ -159,15 +160,15 @@ class SweepBinder {
           speed_is_drawn_ || entry.path == "speed.distribution" || entry.path == "speed.printed";
     if (!speed_is_drawn_) return;
     std::vector<Entry> parts;
-    for (Entry& entry : entries_)
-      if (is_part(entry)) {
-        parts.push_back(std::move(entry));
-        parts.back().path.erase(0, 6);
-        entry.path = "speed.";
-      }
+    for (const Entry& entry : entries_) {
+      if (!is_part(entry)) continue;
+      parts.push_back(entry);
+      parts.back().path.erase(0, 6);
+    }
     std::erase_if(entries_, is_part);
-    for (Entry& entry : entries_)
-      if (entry.path == "speed") entry.inner = std::move(parts);
+    const auto speed = std::find_if(entries_.begin(), entries_.end(),
+                                    [](const Entry& entry) { return entry.path == "speed"; });
+    if (speed != entries_.end()) speed->inner = std::move(parts);
   }
 
   // --- The table [sweep].

@@ -22,6 +22,7 @@ constexpr std::string_view journal_ending = ".journal-";
 
 std::vector<JournalReader> readers_of(const std::vector<std::string>& paths) {
   std::vector<JournalReader> readers;
+  readers.reserve(paths.size());
   for (const std::string& path : paths) readers.emplace_back(path);
   return readers;
 }
@@ -101,8 +102,7 @@ class Starter {
 
   std::string of_shard(const std::string& path) const {
     const JournalReader reader = read(path);
-    const std::string why = different(reader);
-    if (!why.empty()) return why;
+    if (std::string why = different(reader); !why.empty()) return why;
     for (const JournalReader::Record& record : reader.records())
       if (!settings_.shard->has(record.chunk)) return "is another shard";
     return {};
@@ -127,7 +127,7 @@ class Starter {
     for (const std::string& path : journals) {
       const JournalReader reader = read(path);
       if (const std::string why = different(reader); !why.empty())
-        throw RunRefused(path + ' ' + why);
+        throw RunRefused(std::string(path).append(" ").append(why));
       if (reader.lost_bytes() > 0)
         settings_.tell(path + ": " + std::to_string(reader.lost_bytes()) +
                        " bytes are no whole record, and are computed anew");
