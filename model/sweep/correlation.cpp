@@ -58,8 +58,9 @@ CorrelationRoot correlation_root(const std::vector<std::vector<double>>& matrix)
 }
 
 // Wichura's PPND16, Algorithm AS 241 (Appl. Stat. 37 (1988) 477): seven in eight u need no
-// logarithm. Of his ratios of polynomials 2.75, 1.125 r and 1.375 r are taken out, so that the
-// polynomials' rounding counts little.
+// logarithm. Not Boost.Math's erfc_inv, with which drawing took twice as long and most of what a
+// sweep adds to its scenes. Of his ratios of polynomials 2.75, 1.125 r and 1.375 r are taken out,
+// so that the polynomials' rounding counts little.
 double standard_normal(double u) {
   constexpr std::array near_above{0.637132872796366608,   16.780008462381871507,
                                   81.826679703392194875,  -1102.3452934086044212,

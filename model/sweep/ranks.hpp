@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -44,11 +43,9 @@ class Ranks {
              const std::function<bool()>& stopped) const;
 
  private:
-  struct State;
-
   int rank_ = 0;
   int count_ = 1;
-  std::unique_ptr<State> state_;
+  bool joined_ = false;  // MPI is to be ended
 };
 
 }  // namespace tribo::sweep

@@ -8,8 +8,6 @@
 
 namespace tribo::sweep {
 
-struct Ranks::State {};
-
 Ranks::Ranks() {
   if (ranks_by_mpirun() > 1)
     throw std::invalid_argument(

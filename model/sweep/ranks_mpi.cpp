@@ -138,8 +138,6 @@ class Dispatcher {
 
 }  // namespace
 
-struct Ranks::State {};
-
 Ranks::Ranks() {
   if (!started_by_mpi()) return;
   int given = 0;
@@ -148,11 +146,11 @@ Ranks::Ranks() {
     throw std::runtime_error("this MPI does not allow its use by several threads in turn");
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &count_);
-  state_ = std::make_unique<State>();
+  joined_ = true;
 }
 
 Ranks::~Ranks() {
-  if (!state_) return;
+  if (!joined_) return;
   everywhere(true);
   MPI_Finalize();
 }

@@ -144,8 +144,10 @@ std::vector<Section> sections(const ReportPlaces& places, const ReportOptions& o
   // One ledger serves them all.
   if (asked.has_any({"claims", "readings", "requirements", "uncertainty", "sweep", "misprints"})) {
     progress("judging the paper's claims under every reading");
-    for (Section& section : ledger_sections(places))
-      if (asked.has(section.id) || section.id == "claims") all.push_back(std::move(section));
+    std::vector<Section> of_ledger = ledger_sections(places);
+    const bool is_excused = of_ledger.size() == 1;  // it stands for all of them
+    for (Section& section : of_ledger)
+      if (is_excused || asked.has(section.id)) all.push_back(std::move(section));
   }
   add("figures", "", [&] { return figures_section(findings, comparisons); });
   add("comparison", "", [&] { return comparison_section(findings, comparisons); });

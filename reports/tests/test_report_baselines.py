@@ -62,6 +62,15 @@ class Baselines(unittest.TestCase):
                 self.assert_missing(name, "is not there")
                 (self.project / name).rename(self.project / "reference/baselines" / name)
 
+    def test_only_the_sections_that_are_asked_for_are_made(self):
+        for sections in (["sweep"], ["gates", "environment"], ["uncertainty", "inputs"]):
+            page = self.page(sections)
+            self.assertEqual({section["id"] for section in page["sections"]},
+                             {*sections, "not-run"})
+        done = report("--section", "sweeps", cwd=self.project)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("sweeps is not one of environment, claims", done.stderr)
+
     def test_one_that_is_not_json(self):
         path = self.project / "reference/baselines/stress.json"
         path.write_text(path.read_text()[:1000])
