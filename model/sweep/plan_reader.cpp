@@ -81,8 +81,8 @@ class SweepBinder {
   void bind() {
     take_sweep_table();
     take_variables();
-    if (!ok()) return;
     take_settings();
+    if (!ok()) return;
     take_scene();
     if (!ok()) return;
     check_extremes();

@@ -375,6 +375,10 @@ class BadSweeps(SweepTest):
         self.assert_refused(run("sweep", "show", path), "sweep.toml")
         self.assert_refused(run("sweep", "merge", path, "-o", self.path("x")), "sweep.toml")
 
+    def test_mistakes_in_fields_and_in_settings_are_told_together(self):
+        result = self.sweep(sweep({"load": '{ printed = "fifty" }'}, seed=-1, sede=2))
+        self.assertEqual((result.code, len(result.error_lines)), (2, 3), result.err)
+
     def test_json_is_refused(self):
         self.assert_refused(self.sweep('{"load": 3}'), "JSON")
 
