@@ -6,81 +6,115 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check pieces pieces-check report test test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
-deps: ## install the packages of PURPOSE="build report test check"
-	@.ci/deps $(PURPOSE)
-
-# TRIBOCHECK_BUILD_TESTS is left as the last `make test` set it.
-build: ## build/release/tribocheck
-	@.ci/deps build
-	cmake --preset release
-	cmake --build --preset release --target tribocheck
-
-references: ## make the tables of reference/exact anew, in ball arithmetic; takes a minute or two
-	@.ci/deps build references
-	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_references
-	build/release/reference/generators/generate_references reference/exact
-
-pieces: ## make the polynomials of the moment kernels anew, with their proven error; takes a minute
-	@.ci/deps build references
-	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_moment_pieces
-	build/release/reference/generators/generate_moment_pieces model/src
-
-pieces-check: ## make them again beside, and compare bytes
-	@.ci/deps build references
-	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_moment_pieces
-	mkdir -p build/pieces
-	build/release/reference/generators/generate_moment_pieces build/pieces
-	cmp build/pieces/gaussian_moment_pieces.inc model/src/gaussian_moment_pieces.inc
-	cmp build/pieces/gaussian_moment_rows.inc model/src/gaussian_moment_rows.inc
-
-references-check: ## make SAMPLE rows of each table again, 8 unless told, and compare bytes
-	@.ci/deps build references
-	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_references
-	build/release/reference/generators/generate_references reference/exact --sample $(SAMPLE) --seed 1
-
-report: ## solve the paper's scenes and draw its figures: reports/out/index.html
+##@ Start here
+report: ## solve the paper's scenes, draw its figures: reports/out/index.html; the first time REPORT_TIME
 	@.ci/deps build report
 	@$(MAKE) --no-print-directory build
 	build/release/tribocheck report \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*' 2>/dev/null)"
 
-test: ## build and run all tests, and hold what ran against verification/gates/manifest.tsv
+test: ## build, run all tests, hold what ran to the manifest of checks; the first time TEST_TIME
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release
 	ctest --preset release --output-junit ctest.xml --test-output-size-passed 1000000
 	python3 verification/gates/inventory.py build/release/ctest.xml
 
-ledger: build ## commit the verdicts on the paper's claims anew: reference/baselines/ledger.csv
-	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv
-	mv build/ledger.csv reference/baselines/ledger.csv
+##@ The program
+deps: ## install the packages of PURPOSE="build report test check bench references"
+	@.ci/deps $(PURPOSE)
 
-test-slow: build ## ten million lines and a billion points in flat memory, fifty kills; takes some two minutes
+# TRIBOCHECK_BUILD_TESTS is left as the last `make test` set it.
+build: ## build the program: build/release/tribocheck
+	@.ci/deps build
+	cmake --preset release
+	cmake --build --preset release --target tribocheck
+
+install: build ## install under PREFIX (default /usr/local)
+	cmake --install build/release $(if $(PREFIX),--prefix "$(PREFIX)")
+
+clean: ## remove build/ and the last report
+	rm -rf build reports/out
+
+help: ## print this list
+	@awk -F ':.*## ' '/^##@ / { printf "\n%s\n", substr($$0, 5) } \
+	  /^[a-z-]+:.*## / { printf "  %-17s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+##@ What is right
+test-elsewhere: ## run the tests as on machines without AVX-512, and without AVX2 and FMA on one core; some 8 minutes
+	.ci/test-elsewhere
+
+test-slow: build ## run ten million lines, a billion points in flat memory, fifty kills; some two minutes
 	@.ci/deps test
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_ROOT=$(CURDIR) \
 	  TRIBOCHECK_LINES=10000000 TRIBOCHECK_POINTS=1000000000 TRIBOCHECK_KILLS=50 \
 	  /usr/bin/python3 -B -m unittest -v test_stream_slow test_sweep_memory_slow test_sweep_faults.Killed
 
-bench: ## speed and true error of every contender; FILTER=RE chooses, PLUGIN=LIB adds one; some five minutes
+verify-full: ## run all verification, the slow parts too, and say what each took; some 25 minutes
+	.ci/verify-full
+
+stress: ## hold ten million random points to long double: writes reference/baselines/stress.json; some four minutes
+	@.ci/deps build test
+	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
+	cmake --build --preset release --target model_stress
+	build/release/verification/model_stress --points 10000000 --seed 2 --threads $$(nproc) \
+	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" \
+	  --out reference/baselines/stress.json
+
+ledger: build ## write today's verdicts on the paper's claims to reference/baselines/ledger.csv, for you to commit
+	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv
+	mv build/ledger.csv reference/baselines/ledger.csv
+
+baseline: build ## write the accuracy that the ratchet holds: reference/baselines/accuracy.json
+	@mkdir -p reference/baselines
+	build/release/tribocheck verify --format json > build/accuracy.json
+	printf '{"commit": "%s",\n"date": "%s",\n"environment": {"compiler": "%s", "cpu": "%s"},\n"quantities": %s}\n' \
+	  "$$(git describe --always --dirty --abbrev=40 --exclude '*')" "$$(date -u +%F)" \
+	  "$$(g++ --version | head -1)" "$$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
+	  "$$(cat build/accuracy.json)" > reference/baselines/accuracy.json
+
+manifest: ## write verification/gates/manifest.tsv anew, from what the last `make test` ran
+	python3 verification/gates/inventory.py build/release/ctest.xml --write
+
+faults: ## plant every fault of verification/gates/faults, see it caught; some 23 minutes of CPU time on two cores
+	@.ci/deps build test
+	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
+
+fuzz-short: ## run each fuzz target on a fixed number of inputs; some 20 s a target, the build a minute
+	@.ci/deps build check
+	cmake --preset fuzz
+	cmake --build --preset fuzz
+	verification/stress/fuzz/run build/fuzz
+
+fuzz: ## run each fuzz target for FUZZ_SECONDS (default 600): half an hour
+	@.ci/deps build check
+	cmake --preset fuzz
+	cmake --build --preset fuzz
+	verification/stress/fuzz/run build/fuzz $(FUZZ_SECONDS)
+
+debug: ## build with g++ and its sanitizers, and run the quick tests (.ci/run does so with clang)
+	@.ci/deps build test
+	cmake --preset debug
+	cmake --build --preset debug
+	ctest --preset debug
+
+##@ What is fast
+bench: ## measure speed and true error of every contender; FILTER=RE chooses, PLUGIN=LIB adds one; some five minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck tribocheck_bench
 	build/release/tribocheck bench $(if $(FILTER),--filter '$(FILTER)') $(if $(PLUGIN),--plugin '$(PLUGIN)')
 
-bench-sweep: ## sweeps beside the kernels, threads, ranks, memory: reference/baselines/sweep.json; some six minutes
+bench-sweep: ## measure sweeps beside the kernels, threads, ranks, memory; writes reference/baselines/sweep.json; some six minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck tribocheck_bench_sweep tribocheck_bench_ranks
 	benchmarks/sweep/scaling.py build/release
 
-work-precision: ## true error against work, with diagrams: reports/out/work_precision; some two minutes
+work-precision: ## measure true error against work, draw it: reports/out/work_precision; some two minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck_work_precision
@@ -96,82 +130,58 @@ gate-program:
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck_gate_kernels
 
-gate: gate-program ## work, instructions and CPU time against the baseline, or BASE=PROGRAM; some 20 s
+gate: gate-program ## hold work, instructions and CPU time to the baseline, or to BASE=PROGRAM; some 20 s
 	benchmarks/gates/gate.py $(GATE_PROGRAM) $(if $(GATES),--gates $(GATES)) $(if $(BASE),--base $(BASE))
 
-gate-baseline: gate-program ## what the gates hold: reference/baselines/performance.json; some 10 s
+gate-baseline: gate-program ## write what the gates hold: reference/baselines/performance.json; some 10 s
 	benchmarks/gates/gate.py $(GATE_PROGRAM) --update
 
-gate-proof: gate-program ## plant more work and see each gate red: reference/baselines/gates.json; a minute or two
+gate-proof: gate-program ## plant more work, see each gate fail: writes reference/baselines/gates.json; a minute or two
 	benchmarks/gates/prove.py $(GATE_PROGRAM) --out reference/baselines/gates.json
 
-profile: gate-program ## callgrind on the inner loop: build/profile/callgrind.out, and how to look at it
+profile: gate-program ## run callgrind on the inner loop: build/profile/callgrind.out, and how to look at it
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
-manifest: ## the manifest of checks made anew from what the last `make test` ran
-	python3 verification/gates/inventory.py build/release/ctest.xml --write
+##@ Numbers made anew
+references: ## make the tables of reference/exact anew, in ball arithmetic; a minute or two
+	@.ci/deps build references
+	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
+	cmake --build --preset release --target generate_references
+	build/release/reference/generators/generate_references reference/exact
 
-faults: ## plant every fault of verification/gates/faults and see it caught; takes 23 minutes of CPU time on two cores
-	@.ci/deps build test
-	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
+references-check: ## make SAMPLE rows of each table again (default 8), and compare bytes
+	@.ci/deps build references
+	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
+	cmake --build --preset release --target generate_references
+	build/release/reference/generators/generate_references reference/exact --sample $(SAMPLE) --seed 1
 
-verify-full: ## all verification, the slow parts too, and what each took; takes some 25 minutes
-	.ci/verify-full
+pieces: ## make the polynomials of the moment kernels anew, with their proven error; a minute
+	@.ci/deps build references
+	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
+	cmake --build --preset release --target generate_moment_pieces
+	build/release/reference/generators/generate_moment_pieces model/src
 
-debug: ## build with g++ and its sanitizers, and run the quick tests; .ci/run does so with clang
-	@.ci/deps build test
-	cmake --preset debug
-	cmake --build --preset debug
-	ctest --preset debug
+pieces-check: ## make them again in another folder, and compare bytes
+	@.ci/deps build references
+	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
+	cmake --build --preset release --target generate_moment_pieces
+	mkdir -p build/pieces
+	build/release/reference/generators/generate_moment_pieces build/pieces
+	cmp build/pieces/gaussian_moment_pieces.inc model/src/gaussian_moment_pieces.inc
+	cmp build/pieces/gaussian_moment_rows.inc model/src/gaussian_moment_rows.inc
 
-fuzz-short: ## each fuzz target on a fixed number of inputs; some 20 s a target, the build a minute
-	@.ci/deps build check
-	cmake --preset fuzz
-	cmake --build --preset fuzz
-	verification/stress/fuzz/run build/fuzz
-
-fuzz: ## each fuzz target for FUZZ_SECONDS, 600 unless told: half an hour
-	@.ci/deps build check
-	cmake --preset fuzz
-	cmake --build --preset fuzz
-	verification/stress/fuzz/run build/fuzz $(FUZZ_SECONDS)
-
-stress: ## ten million random points against long double: reference/baselines/stress.json; some four minutes
-	@.ci/deps build test
-	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
-	cmake --build --preset release --target model_stress
-	build/release/verification/model_stress --points 10000000 --seed 2 --threads $$(nproc) \
-	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" \
-	  --out reference/baselines/stress.json
-
-baseline: build ## what accuracy the ratchet holds: reference/baselines/accuracy.json
-	@mkdir -p reference/baselines
-	build/release/tribocheck verify --format json > build/accuracy.json
-	printf '{"commit": "%s",\n"date": "%s",\n"environment": {"compiler": "%s", "cpu": "%s"},\n"quantities": %s}\n' \
-	  "$$(git describe --always --dirty --abbrev=40 --exclude '*')" "$$(date -u +%F)" \
-	  "$$(g++ --version | head -1)" "$$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" \
-	  "$$(cat build/accuracy.json)" > reference/baselines/accuracy.json
-
-install: build ## install under PREFIX, or /usr/local
-	cmake --install build/release $(if $(PREFIX),--prefix "$(PREFIX)")
-
+##@ The text
 format: ## lay out every C++ file with clang-format
 	@.ci/deps check
 	$(clang_format) -i
 
-format-check:
+format-check: ## say which files clang-format would change
 	$(clang_format) --dry-run -Werror
 
-tidy: ## clang-tidy on the model and each of its headers
+tidy: ## run clang-tidy on the model and each of its headers
 	@.ci/deps build check
 	cmake --preset tidy
 	cmake --build --preset tidy -- -k 0
 
-tidy-program: tidy ## the same on the program; takes minutes
+tidy-program: tidy ## run clang-tidy on the program too; minutes
 	cmake --build --preset tidy --target tribocheck -- -k 0
-
-clean: ## remove build/ and the last report
-	rm -rf build reports/out
-
-help: ## this list
-	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 16

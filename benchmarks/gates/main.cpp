@@ -28,9 +28,6 @@ struct Chosen {
   std::string set;
 };
 
-// Scalar kernels have a text with fused multiply-add and one without.
-std::string scalar_set() { return __builtin_cpu_supports("fma") ? "FMA" : "no FMA"; }
-
 // Each workload, on each instruction set where it has several, or on one; `only`: of this name.
 std::vector<Chosen> chosen(const std::string& only, const std::string& set, bool emulated) {
   std::vector<Chosen> all;
@@ -38,7 +35,7 @@ std::vector<Chosen> chosen(const std::string& only, const std::string& set, bool
     if (!only.empty() && workload.name != only) continue;
     if (emulated && workload.needs_long_double) continue;
     if (!workload.is_vector) {
-      all.push_back({&workload, scalar_set()});
+      all.push_back({&workload, std::string(scalar_instruction_set())});
       continue;
     }
     for (const std::string_view name : instruction_sets())
@@ -119,7 +116,7 @@ void print_environment() {
   fmt::print("compiler\tg++ {}\n", __VERSION__);
 #endif
   fmt::print("libc\tglibc {}\n", ::gnu_get_libc_version());
-  fmt::print("scalar\t{}\n", scalar_set());
+  fmt::print("scalar\t{}\n", scalar_instruction_set());
   for (const std::string_view set : instruction_sets()) fmt::print("vector\t{}\n", set);
 }
 

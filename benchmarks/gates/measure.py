@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What tribocheck_gate_kernels has to say, and valgrind of it."""
 import datetime
+import os
 import pathlib
 import platform
 import re
@@ -12,6 +13,8 @@ import rules
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VALGRIND_SET = "AVX2"  # valgrind 3.19 has no AVX-512
+# What the C library is told to leave alone, and with it the model.
+WITHOUT_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA"}
 PASS = "tribocheck_gate_pass"
 ROUNDS = (4, 16)       # of each program in a run of times, in turn: the least, and the most
 REPETITIONS = 5        # in a round
@@ -21,9 +24,10 @@ class Unmeasured(Exception):
     """The program did not run, or said something else than it should."""
 
 
-def said_by(command):
+def said_by(command, environment=None):
     try:
-        done = subprocess.run(list(map(str, command)), stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        done = subprocess.run(list(map(str, command)), stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              env=os.environ | (environment or {}))
     except OSError as error:
         raise Unmeasured(f"{command[0]}: {error.strerror}") from None
     if done.returncode != 0:
@@ -31,8 +35,8 @@ def said_by(command):
     return done.stdout
 
 
-def rows(command):
-    return [line.split("\t") for line in said_by(command).splitlines()]
+def rows(command, environment=None):
+    return [line.split("\t") for line in said_by(command, environment).splitlines()]
 
 
 def environment(program):
@@ -60,10 +64,11 @@ def today():
 
 
 def counters(program):
-    """Key → counter → count."""
+    """Key → counter → count; of functions of one value with FMA, where the machine has it, and without."""
     found = {}
-    for workload, instruction_set, name, count in rows([program, "--counters"]):
-        found.setdefault(f"{workload} {instruction_set}", {})[name] = int(count)
+    for environment in ({}, WITHOUT_FMA):
+        for workload, instruction_set, name, count in rows([program, "--counters"], environment):
+            found.setdefault(f"{workload} {instruction_set}", {})[name] = int(count)
     return found
 
 

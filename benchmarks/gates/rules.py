@@ -23,11 +23,10 @@ def comparable(base, now):
     base_workloads, workloads = set(map(workload_of, base)), set(map(workload_of, now))
     red = [f"{name}: no baseline" for name in sorted(workloads - base_workloads)]
     red += [f"{name}: in the baseline, but not measured" for name in sorted(base_workloads - workloads)]
-    said = {workload_of(key) for key in now.keys() & base.keys()}
-    notes = [f"{key}: not measured here" for key in base
-             if key not in now and workload_of(key) in said]
+    both = base_workloads & workloads
+    notes = [f"{key}: not measured here" for key in base if key not in now and workload_of(key) in both]
     notes += [f"{key}: no baseline for this instruction set" for key in now
-              if key not in base and workload_of(key) in said]
+              if key not in base and workload_of(key) in both]
     return [key for key in now if key in base], red, notes
 
 

@@ -41,6 +41,12 @@ class Counters(unittest.TestCase):
         held = self.held(dict(self.BASE), self.BASE | more)
         self.assertEqual((held.name, held.compared), ("passed", 1))
 
+    def test_a_workload_without_a_common_instruction_set_is_told(self):
+        base = self.BASE | {"curve FMA": {"root_steps": 3}}
+        _, red, notes = rules.comparable(base, self.BASE | {"curve no FMA": {"root_steps": 3}})
+        self.assertEqual(red, [])
+        self.assertEqual(notes, ["curve FMA: not measured here", "curve no FMA: no baseline for this instruction set"])
+
     def test_nothing_in_common_is_red(self):
         self.assertEqual(self.held({"root AVX3": {"root_steps": 100}}).red, ["nothing to compare"])
 

@@ -13,6 +13,7 @@
 #include <hwy/highway.h>
 
 #include "load_sharing_batch-inl.hpp"
+#include "processor.hpp"
 #include "sharing_method.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -99,6 +100,12 @@ HWY_EXPORT(many_surfaces);
 HWY_EXPORT(one_surface);
 HWY_EXPORT(target_name);
 
+// Before main, and so before any kernel is chosen.
+[[maybe_unused]] const bool has_left_out = [] {
+  detail::leave_out_what_is_switched_off();
+  return true;
+}();
+
 struct Names {
   std::array<std::string_view, 16> names{};
   std::array<std::int64_t, 16> targets{};
@@ -180,6 +187,8 @@ SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const d
 }
 
 std::string_view instruction_set() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
+
+std::string_view scalar_instruction_set() { return detail::has_fma() ? "FMA" : "no FMA"; }
 
 std::span<const std::string_view> instruction_sets() {
   return std::span(names().names).first(names().count);

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "gaussian_moment_scalar.hpp"
+#include "processor.hpp"
 
 namespace tribo {
 namespace {
@@ -99,7 +100,7 @@ double moment_unfused(Order n, double d) { return moment<Unfused>(n, d); }
 constinit auto chosen_scaled_moment = &scaled_moment_unfused;
 constinit auto chosen_moment = &moment_unfused;
 [[maybe_unused]] const bool has_chosen = [] {
-  if (__builtin_cpu_supports("fma")) {
+  if (detail::has_fma()) {
     chosen_scaled_moment = &scaled_moment_fused;
     chosen_moment = &moment_fused;
   }

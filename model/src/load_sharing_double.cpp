@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "gaussian_moment_scalar.hpp"
+#include "processor.hpp"
 #include "sharing_method.hpp"
 #include "tribo/load_sharing.hpp"
 #include "tribo/sharing_root.hpp"
@@ -165,7 +166,7 @@ SharingRoot root_unfused(const SharingSurface& surface, double flooded) {
 
 constinit auto chosen_root = &root_unfused;
 [[maybe_unused]] const bool has_chosen = [] {
-  if (__builtin_cpu_supports("fma")) chosen_root = &root_fused;
+  if (detail::has_fma()) chosen_root = &root_fused;
   return true;
 }();
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gaussian_moment_scalar.hpp"
+#include "processor.hpp"
 
 namespace tribo {
 namespace {
@@ -155,7 +156,7 @@ bool ProxyPieces::values(std::span<const double> x, std::span<double> result) co
     std::fill(result.begin(), result.end(), std::numeric_limits<double>::quiet_NaN());
     return x.empty();
   }
-  if (__builtin_cpu_supports("fma")) return fill_fused(x, result);
+  if (detail::has_fma()) return fill_fused(x, result);
   return fill<scalar::Unfused>(x, result);
 }
 

@@ -43,8 +43,10 @@ int tell(const report::Report& done, OutputStream& output) {
   for (const std::string& line : done.warnings) complain("warning: " + line);
   for (const std::string& line : done.undrawn) complain(line);
   append(output.text(), done.tables);
-  append(output.text(), fmt::format("Written to {}:\n", done.folder));
-  for (const std::string& file : done.written) append(output.text(), fmt::format("  {}\n", file));
+  append(output.text(), done.verdict);
+  append(output.text(),
+         fmt::format("The page: {}/index.html ({} files in all, data and pictures among them)\n",
+                     done.folder, done.written.size()));
   output.flush();
   return done.undrawn.empty() ? exit_done : exit_failed;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "report/markup.hpp"
+
 namespace tribo::report {
 
 std::vector<PlacedVerdict> verdicts(const Page& page) {
@@ -17,6 +19,16 @@ std::vector<PlacedVerdict> verdicts(const Page& page) {
   });
   return all;
 }
+
+namespace {
+
+std::size_t count_of(const std::vector<PlacedVerdict>& all, Standing wanted) {
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [wanted](const auto& one) {
+    return one.verdict.standing == wanted;
+  }));
+}
+
+}  // namespace
 
 std::string_view standing_word(Standing standing) {
   switch (standing) {
@@ -45,15 +57,29 @@ std::string standing_summary(const Page& page) {
   const std::vector<PlacedVerdict> all = verdicts(page);
   std::string text = fmt::format("Of {} findings", all.size());
   for (const auto& [standing, words] : kinds) {
-    const auto count = std::count_if(all.begin(), all.end(), [wanted = standing](const auto& one) {
-      return one.verdict.standing == wanted;
-    });
-    text += fmt::format("{} {} {}", standing == Standing::holds ? "" : ",", count, words);
+    text += fmt::format("{} {} {}", standing == Standing::holds ? "" : ",", count_of(all, standing),
+                        words);
   }
   return text +
          ". What holds agrees within the bound that is declared for it, or to the last digit that "
          "the "
          "paper prints.";
+}
+
+std::string verdict_in_short(const Page& page) {
+  const std::vector<PlacedVerdict> all = verdicts(page);
+  std::string text;
+  const auto of_claims =
+      std::find_if(all.begin(), all.end(), [](const auto& one) { return one.section == "claims"; });
+  if (of_claims != all.end()) text += "The paper: " + to_plain(of_claims->verdict.text) + '\n';
+  text += fmt::format("This software: {} checks hold, {} fail, {} did not run.\n",
+                      count_of(all, Standing::holds), count_of(all, Standing::fails),
+                      count_of(all, Standing::absent));
+  for (const auto& [verdict, section] : all)
+    if (verdict.standing == Standing::fails || verdict.standing == Standing::absent)
+      text += fmt::format("  {}: {}: {}\n", standing_word(verdict.standing),
+                          to_plain(verdict.subject), to_plain(verdict.text));
+  return text;
 }
 
 Section not_run_section(const std::vector<Section>& sections) {

@@ -30,6 +30,10 @@ std::vector<PlacedVerdict> verdicts(const Page& page);
 // “Of 11 findings 7 hold, …”: markup, above the verdicts.
 std::string standing_summary(const Page& page);
 
+// A few lines of plain text: the paper's claims, how many findings on this software hold, and each
+// one that fails or did not run.
+std::string verdict_in_short(const Page& page);
+
 // "holds", "differs", "FAILS", "measured", "not run".
 std::string_view standing_word(Standing standing);
 

@@ -190,6 +190,7 @@ Report write_report(const ReportOptions& options,
   writer.write("report.md", markdown_page(page));
   writer.write("index.html", html_page(page));
   writer.report.tables = tables_text(comparisons);
+  writer.report.verdict = verdict_in_short(page);
   writer.report.warnings = std::move(read.warnings);
   return std::move(writer.report);
 }

@@ -13,6 +13,7 @@ namespace tribo::report {
 
 struct Report {
   std::string tables;                 // what is computed beside what is reported, aligned
+  std::string verdict;                // a few lines: the paper's claims, and this software
   std::string folder;                 // where it lies, and
   std::vector<std::string> written;   // every file written, below that folder
   std::vector<std::string> warnings;  // about the scenes

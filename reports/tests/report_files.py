@@ -51,9 +51,10 @@ def files_below(folder):
     return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
 
 
-def listed_files(output):
-    """The files that the program says it has written."""
-    return sorted(re.findall(r"^  (\S+)$", output.split("Written to ")[1], re.MULTILINE))
+def told_page(output):
+    """The page's path and the number of files, in the last line that the program prints."""
+    path, files = re.fullmatch(r"The page: (.+) \((\d+) files in all, .*\)", output.splitlines()[-1]).groups()
+    return pathlib.Path(path), int(files)
 
 
 def table(path):

@@ -44,10 +44,13 @@ SharingWork film_parameter(const LoadSharing<double>& sharing,
 
 // The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SSSE3, …
 std::string_view instruction_set();
-// Those that this machine has, the best first.
+// Those that this machine has, the best first. GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA
+// in the environment switches sets off, for this library as for the C library.
 std::span<const std::string_view> instruction_sets();
 // Makes batches use one of them from now on, for tests and benchmarks; false if the machine lacks
 // it. Not to be called beside a batch.
 bool use_instruction_set(std::string_view name);
+// What the functions of one value use: "FMA" or "no FMA".
+std::string_view scalar_instruction_set();
 
 }  // namespace tribo
