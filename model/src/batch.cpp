@@ -100,12 +100,6 @@ HWY_EXPORT(many_surfaces);
 HWY_EXPORT(one_surface);
 HWY_EXPORT(target_name);
 
-// Before main, and so before any kernel is chosen.
-[[maybe_unused]] const bool has_left_out = [] {
-  detail::leave_out_what_is_switched_off();
-  return true;
-}();
-
 struct Names {
   std::array<std::string_view, 16> names{};
   std::array<std::int64_t, 16> targets{};
@@ -114,8 +108,15 @@ struct Names {
 
 // In Highway's masks the better target has the lower bit.
 Names find_names() {
+  const std::int64_t found = hwy::SupportedTargets();
+  const std::int64_t supported = found & ~detail::switched_off_targets();
+  if (supported != found) {
+    // DisableTargets() of Highway 1.0.3 lasts until SupportedTargets() is called; this lasts.
+    hwy::SetSupportedTargetsForTest(supported);
+    hwy::GetChosenTarget().Update(supported);
+  }
   Names all;
-  for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
+  for (std::int64_t left = supported & HWY_TARGETS; left != 0; left &= left - 1) {
     all.targets[all.count] = left & -left;
     all.names[all.count++] = hwy::TargetName(left & -left);
   }
@@ -126,6 +127,9 @@ const Names& names() {
   static const Names all = find_names();
   return all;
 }
+
+// Before main, and so before any kernel is chosen.
+[[maybe_unused]] const Names& found_before_main = names();
 
 // kernel(first, count, roots), which returns its steps, for each block: the result may stand where
 // an argument stood. What it leaves is NaN, and falls to Newton's method, newton(index).

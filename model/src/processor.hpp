@@ -5,13 +5,14 @@
 // another one would.
 #pragma once
 
+#include <cstdint>
+
 namespace tribo::detail {
 
 // Fused multiply-add.
 bool has_fma();
 
-// Tells Highway to leave out what is switched off. To be called before the first choice of a vector
-// kernel.
-void leave_out_what_is_switched_off();
+// Highway's targets that need an instruction set which is switched off or not there.
+std::int64_t switched_off_targets();
 
 }  // namespace tribo::detail
