@@ -9,9 +9,15 @@
 
 namespace tribo::conformance {
 
+struct BaselineChange {
+  std::string quantity;  // or "protocol"
+  std::string text;      // "hertz_point.radius: was held, is FAILED"
+};
+
 struct BaselineChanges {
-  std::vector<std::string> worse;   // new failures, lost coverage, accuracy beyond the ratchet
-  std::vector<std::string> better;  // worth writing down
+  std::vector<BaselineChange> worse;   // new failures, lost coverage, accuracy beyond the ratchet
+  std::vector<BaselineChange> better;  // worth writing down
+  std::vector<std::string> failed_already;  // quantities that failed then, and fail no worse now
 };
 
 // The verdicts as a baseline. With `before` not null only what improved on it is taken over.
