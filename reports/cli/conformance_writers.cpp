@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -48,6 +49,15 @@ std::string overall(const SubjectVerdict& verdict) {
   return verdict.changes ? "no worse" : std::string(name(verdict.result.overall));
 }
 
+std::string headword(const SubjectVerdict& verdict) {
+  if (verdict.changes && !verdict.changes->worse.empty())
+    return "FAILED, worse than " + verdict.baseline;
+  if (!verdict.missing.empty()) return "FAILED";
+  if (verdict.changes) return "PASSED, no worse than " + verdict.baseline;
+  constexpr std::array<const char*, 4> words{"COMPLETE", "PARTIAL", "FAILED", "NOTHING"};
+  return words[static_cast<std::size_t>(verdict.result.overall)];
+}
+
 std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -80,17 +90,18 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::vector<std::string> texts(const std::vector<BaselineChange>& changes) {
+std::vector<std::string> texts(const std::vector<Finding>& changes) {
   std::vector<std::string> all;
-  for (const BaselineChange& one : changes) all.push_back(one.text);
+  all.reserve(changes.size());
+  for (const Finding& one : changes) all.push_back(one.text);
   return all;
 }
 
 }  // namespace
 
-std::vector<BaselineChange> failures(const SubjectVerdict& verdict) {
+std::vector<Finding> failures(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
-  std::vector<BaselineChange> all;
+  std::vector<Finding> all;
   if (verdict.changes) {
     all = verdict.changes->worse;
   } else {
@@ -102,20 +113,16 @@ std::vector<BaselineChange> failures(const SubjectVerdict& verdict) {
     if (result.overall == Overall::nothing)
       all.push_back({"anything", "no quantity is offered, so that nothing is tested"});
   }
-  for (const BaselineChange& missing : verdict.missing)
+  for (const Finding& missing : verdict.missing)
     if (std::none_of(all.begin(), all.end(),
-                     [&](const BaselineChange& one) { return one.quantity == missing.quantity; }))
+                     [&](const Finding& one) { return one.quantity == missing.quantity; }))
       all.push_back(missing);
   return all;
 }
 
 std::string summary(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
-  std::string text = overall(verdict);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return static_cast<char>(c >= 'a' && c <= 'z' ? c - 32 : c); });
-  if (text == "NO WORSE") text = "PASSED, no worse than " + verdict.baseline;
-  if (text == "WORSE") text = "FAILED, worse than " + verdict.baseline;
+  std::string text = headword(verdict);
   text += fmt::format(": {} of {} quantities held", count(result, Status::held),
                       result.quantities.size());
   const auto add = [&](std::size_t n, const std::string& what) {
@@ -128,7 +135,7 @@ std::string summary(const SubjectVerdict& verdict) {
   add(then.size(), fmt::format("failed as before ({})", joined(then)));
   add(count(result, Status::not_offered), "not offered");
   std::vector<std::string> missing;
-  for (const BaselineChange& one : verdict.missing) missing.push_back(one.quantity);
+  for (const Finding& one : verdict.missing) missing.push_back(one.quantity);
   if (!missing.empty()) text += "; required, but not held: " + joined(missing);
   return text + fmt::format(" (tolerance: {}).", result.tolerance);
 }
@@ -158,7 +165,7 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
     append(to, fmt::format("\nDiagnosis: {}\n", one.text));
   for (const std::string& line : remarks(verdict.result)) append(to, line + "\n");
   if (verdict.changes)
-    for (const BaselineChange& one : verdict.changes->worse)
+    for (const Finding& one : verdict.changes->worse)
       append(to, "Worse than the baseline: " + one_line(one.text) + "\n");
   append(to, "\n" + summary(verdict) + "\n");
 }
@@ -225,9 +232,9 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     append(to, fmt::format("- **Diagnosis.** {}\n", cell(one.text)));
   for (const std::string& line : remarks(verdict.result)) append(to, "- " + cell(line) + "\n");
   if (!verdict.changes) return;
-  for (const BaselineChange& one : verdict.changes->worse)
+  for (const Finding& one : verdict.changes->worse)
     append(to, "- **Worse than the baseline.** " + cell(one.text) + "\n");
-  for (const BaselineChange& one : verdict.changes->better)
+  for (const Finding& one : verdict.changes->better)
     append(to, "- Better than the baseline: " + cell(one.text) + "\n");
 }
 
@@ -239,7 +246,7 @@ std::string subject_junit(const SubjectVerdict& verdict) {
     return safe;
   };
   const ConformanceResult& result = verdict.result;
-  const std::vector<BaselineChange> failed = failures(verdict);
+  const std::vector<Finding> failed = failures(verdict);
   std::string xml;
   std::size_t tests = 0, skipped = 0;
   const auto add = [&](const std::string& quantity, const char* kind, const std::string& message) {
@@ -249,7 +256,7 @@ std::string subject_junit(const SubjectVerdict& verdict) {
                          : fmt::format("><{} message=\"{}\"/></testcase>\n", kind, text(message));
   };
   for (const QuantityVerdict& one : result.quantities) {
-    const auto why = std::find_if(failed.begin(), failed.end(), [&](const BaselineChange& failure) {
+    const auto why = std::find_if(failed.begin(), failed.end(), [&](const Finding& failure) {
       return failure.quantity == one.quantity;
     });
     const bool before = failed_already(verdict, one);
@@ -265,7 +272,7 @@ std::string subject_junit(const SubjectVerdict& verdict) {
     else
       add(one.quantity, "", "");
   }
-  for (const BaselineChange& one : failed)  // of no quantity
+  for (const Finding& one : failed)  // of no quantity
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
       add(one.quantity, "failure", one.text);

@@ -16,12 +16,12 @@ struct SubjectVerdict {
   std::vector<conformance::Diagnosis> diagnoses;
   std::string baseline;                                 // the file of --baseline
   std::optional<conformance::BaselineChanges> changes;  // against what it says
-  std::vector<conformance::BaselineChange> missing;     // of --require, and not held
+  std::vector<conformance::Finding> missing;            // of --require, and not held
 };
 
 // What makes the exit code 1: with a baseline what is worse than it, otherwise what failed, or that
 // nothing is offered; and what is missing. All formats say the same of it.
-std::vector<conformance::BaselineChange> failures(const SubjectVerdict& verdict);
+std::vector<conformance::Finding> failures(const SubjectVerdict& verdict);
 
 void append_subject_table(Text& to, const SubjectVerdict& verdict);
 void append_subject_json(Text& to, const SubjectVerdict& verdict);

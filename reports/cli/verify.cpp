@@ -148,7 +148,8 @@ With --subject or --plugin somebody else's solver is put to the tests: the same 
 cases and operating points, and the paper's scenes. A subject is a program that reads a line of JSON and
 writes one (README.md of verification/conformance says how; `tribocheck init subject` writes a start); a
 plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
-it skips. Exit code 0: all that it offers holds; 1: something failed, or it offers nothing.
+it skips. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than that file says; 1:
+something failed, or it offers nothing; 2: it cannot be started.
 
 Example:
   tribocheck verify --junit verify.xml

@@ -71,9 +71,9 @@ void check_required(const SubjectArguments& arguments, const ConformanceResult& 
 }
 
 // The quantities that were asked for by name and are not held.
-std::vector<BaselineChange> missing_of(const SubjectArguments& arguments,
-                                       const ConformanceResult& result) {
-  std::vector<BaselineChange> missing;
+std::vector<Finding> missing_of(const SubjectArguments& arguments,
+                                const ConformanceResult& result) {
+  std::vector<Finding> missing;
   for (const QuantityVerdict& one : result.quantities) {
     const bool wanted = std::find(arguments.required.begin(), arguments.required.end(),
                                   one.quantity) != arguments.required.end();
@@ -116,9 +116,8 @@ void use_baseline(const SubjectArguments& arguments, SubjectVerdict& verdict) {
   report::write_file(arguments.baseline, after.dump(1) + "\n");
   if (before.is_null()) complain("baseline written: " + arguments.baseline);
   if (!verdict.changes) return;
-  for (const BaselineChange& one : verdict.changes->better)
-    complain("baseline improved: " + one.text);
-  for (const BaselineChange& one : verdict.changes->worse)
+  for (const Finding& one : verdict.changes->better) complain("baseline improved: " + one.text);
+  for (const Finding& one : verdict.changes->worse)
     complain((arguments.force ? "baseline lowered: " : "baseline kept: ") + one.text);
   if (arguments.force) verdict.changes = compare(verdict.result, after);
 }
@@ -151,7 +150,7 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
   write(output.text(), verdict, arguments.format);
   output.flush();
   if (!arguments.junit.empty()) report::write_file(arguments.junit, subject_junit(verdict));
-  for (const BaselineChange& one : verdict.missing) complain(one.text);
+  for (const Finding& one : verdict.missing) complain(one.text);
   return failures(verdict).empty() ? exit_done : exit_failed;
 }
 

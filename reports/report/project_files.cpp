@@ -64,8 +64,9 @@ ReportPlaces usual_places() {
 fs::path reference_tables(const fs::path& given) {
   const fs::path folder = given.empty() ? usual_places().reference / "exact" : given;
   if (is_folder(folder)) return folder;
-  const std::string what = given.empty() ? "" : "--reference: " + given.string() + ": ";
-  throw ReportError(what + "reference tables not found; pass --reference, or run in the project");
+  throw ReportError(given.empty()
+                        ? "reference tables not found; pass --reference, or run in the project"
+                        : "--reference: " + given.string() + " is not a folder");
 }
 
 std::string ReportPlaces::shown(const fs::path& file) const {

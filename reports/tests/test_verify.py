@@ -130,7 +130,9 @@ class Verify(unittest.TestCase):
             done = self.with_changed("gaussian_moment", change)
             self.assertEqual(done.code, 2)
             self.assertEqual(len(done.error_lines), 1, done.err)
-        self.assertEqual(run("verify", "--reference", "/nowhere").code, 2)
+        nowhere = run("verify", "--reference", "/nowhere")
+        self.assertEqual((nowhere.code, nowhere.out, nowhere.err),
+                         (2, "", "tribocheck: --reference: /nowhere is not a folder\n"))
 
 
 if __name__ == "__main__":

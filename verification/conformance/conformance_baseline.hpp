@@ -9,14 +9,15 @@
 
 namespace tribo::conformance {
 
-struct BaselineChange {
+// What is said of one quantity.
+struct Finding {
   std::string quantity;  // or "protocol"
   std::string text;      // "hertz_point.radius: was held, is FAILED"
 };
 
 struct BaselineChanges {
-  std::vector<BaselineChange> worse;   // new failures, lost coverage, accuracy beyond the ratchet
-  std::vector<BaselineChange> better;  // worth writing down
+  std::vector<Finding> worse;   // new failures, lost coverage, accuracy beyond the ratchet
+  std::vector<Finding> better;  // worth writing down
   std::vector<std::string> failed_already;  // quantities that failed then, and fail no worse now
 };
 
