@@ -190,7 +190,12 @@ class Readme(unittest.TestCase):
             self.assertRegex(said, rf" {test} \.+ +Passed")
         worse = NEWCOMER.read_text().replace("1.5 * mean", "1.4 * mean")
         (self.folder / "my_solver.py").write_text(worse)
-        said = self.sh(script.splitlines()[-1], 8)
+        with open(self.folder / "CMakeLists.txt", "a") as file:  # and by itself, without the baseline
+            file.write("find_package(tribocheck 0.1 CONFIG REQUIRED)\n"
+                       "tribocheck_add_subject(alone COMMAND python3 ${CMAKE_SOURCE_DIR}/my_solver.py SAMPLE 50)\n")
+        said = self.sh(script, 8)
+        self.assertRegex(said, r" alone \.+\*+Failed")
+        self.assertIn("R/2 in place of R", said)
         self.assertRegex(said, r" my_solver \.+\*+Failed")
         self.assertIn("Worse than the baseline: hertz_point.peak_pressure: was held, is FAILED", said)
         self.assertRegex(said, r" my_library_holds \.+ +Passed")
