@@ -62,7 +62,7 @@ ReportPlaces usual_places() {
 }
 
 fs::path reference_tables(const fs::path& given) {
-  const fs::path folder = given.empty() ? usual_places().reference / "exact" : given;
+  fs::path folder = given.empty() ? usual_places().reference / "exact" : given;
   if (is_folder(folder)) return folder;
   throw ReportError(given.empty()
                         ? "reference tables not found; pass --reference, or run in the project"
