@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -28,6 +29,37 @@ std::size_t count(const ConformanceResult& result, Status status) {
   return static_cast<std::size_t>(
       std::count_if(result.quantities.begin(), result.quantities.end(),
                     [&](const QuantityVerdict& one) { return one.status == status; }));
+}
+
+// Does it fail, and did so when the baseline was written?
+bool failed_already(const SubjectVerdict& verdict, const QuantityVerdict& one) {
+  if (!verdict.changes) return false;
+  const std::vector<std::string>& known = verdict.changes->failed_already;
+  return std::find(known.begin(), known.end(), one.quantity) != known.end();
+}
+
+std::string status_text(const SubjectVerdict& verdict, const QuantityVerdict& one) {
+  return failed_already(verdict, one) ? "failed as before" : std::string(name(one.status));
+}
+
+// "complete", "partial", "failed", "nothing"; with a baseline "no worse", "worse".
+std::string overall(const SubjectVerdict& verdict) {
+  if (verdict.changes && !verdict.changes->worse.empty()) return "worse";
+  if (!verdict.missing.empty()) return "failed";
+  return verdict.changes ? "no worse" : std::string(name(verdict.result.overall));
+}
+
+std::string headword(const SubjectVerdict& verdict) {
+  if (verdict.changes && !verdict.changes->worse.empty())
+    return "FAILED, worse than " + verdict.baseline;
+  if (!verdict.missing.empty()) return "FAILED";
+  if (verdict.changes) return "PASSED, no worse than " + verdict.baseline;
+  constexpr std::array<const char*, 4> words{"COMPLETE", "PARTIAL", "FAILED", "NOTHING"};
+  return words[static_cast<std::size_t>(verdict.result.overall)];
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 // What broke the protocol, and what a user should know of the run.
@@ -58,28 +90,60 @@ std::string one_line(std::string text) {
   return text;
 }
 
+std::vector<std::string> texts(const std::vector<Finding>& changes) {
+  std::vector<std::string> all;
+  all.reserve(changes.size());
+  for (const Finding& one : changes) all.push_back(one.text);
+  return all;
+}
+
 }  // namespace
 
-std::string summary(const ConformanceResult& result) {
-  const char* const word = result.overall == Overall::complete  ? "COMPLETE"
-                           : result.overall == Overall::partial ? "PARTIAL"
-                           : result.overall == Overall::failed  ? "FAILED"
-                                                                : "NOTHING";
-  std::string text = fmt::format("{}: {} of {} quantities held", word, count(result, Status::held),
-                                 result.quantities.size());
-  const auto add = [&](Status status, const char* what) {
-    if (const std::size_t n = count(result, status); n > 0) text += fmt::format(", {} {}", n, what);
+std::vector<Finding> failures(const SubjectVerdict& verdict) {
+  const ConformanceResult& result = verdict.result;
+  std::vector<Finding> all;
+  if (verdict.changes) {
+    all = verdict.changes->worse;
+  } else {
+    for (const QuantityVerdict& one : result.quantities)
+      if (one.status == Status::failed)
+        all.push_back(
+            {one.quantity, fmt::format("{} of {}: {}", one.failed, one.asked, one.first_reason)});
+    if (result.violation_count > 0) all.push_back({"protocol", result.violations.front()});
+    if (result.overall == Overall::nothing)
+      all.push_back({"anything", "no quantity is offered, so that nothing is tested"});
+  }
+  for (const Finding& missing : verdict.missing)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Finding& one) { return one.quantity == missing.quantity; }))
+      all.push_back(missing);
+  return all;
+}
+
+std::string summary(const SubjectVerdict& verdict) {
+  const ConformanceResult& result = verdict.result;
+  std::string text = headword(verdict);
+  text += fmt::format(": {} of {} quantities held", count(result, Status::held),
+                      result.quantities.size());
+  const auto add = [&](std::size_t n, const std::string& what) {
+    if (n > 0) text += fmt::format(", {} {}", n, what);
   };
-  add(Status::partly_held, "held in part");
-  add(Status::failed, "failed");
-  add(Status::not_offered, "not offered");
+  const std::vector<std::string> then =
+      verdict.changes ? verdict.changes->failed_already : std::vector<std::string>{};
+  add(count(result, Status::partly_held), "held in part");
+  add(count(result, Status::failed) - then.size(), "failed");
+  add(then.size(), fmt::format("failed as before ({})", joined(then)));
+  add(count(result, Status::not_offered), "not offered");
+  std::vector<std::string> missing;
+  for (const Finding& one : verdict.missing) missing.push_back(one.quantity);
+  if (!missing.empty()) text += "; required, but not held: " + joined(missing);
   return text + fmt::format(" (tolerance: {}).", result.tolerance);
 }
 
 void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   const std::vector<ColumnHead> heads{
       {"quantity", "", 36}, {"asked", "", 6},        {"held", "", 6},     {"failed", "", 6},
-      {"skipped", "", 7},   {"worst_error", "", 11}, {"of_bound", "", 9}, {"verdict", "", 12}};
+      {"skipped", "", 7},   {"worst_error", "", 11}, {"of_bound", "", 9}, {"verdict", "", 16}};
   append_heads(to, heads);
   for (const QuantityVerdict& one : verdict.result.quantities) {
     const std::string cells[] = {one.quantity,
@@ -89,21 +153,21 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
                                  std::to_string(one.skipped),
                                  has_numbers(one) ? error(one.worst_relative) : "",
                                  has_numbers(one) ? margin(one.worst_part_of_bound) : "",
-                                 std::string(name(one.status))};
+                                 status_text(verdict, one)};
     for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
     append(to, "\n");
   }
   for (const QuantityVerdict& one : verdict.result.quantities)
     if (one.status == Status::failed)
-      append(to, one_line(fmt::format("\n{}: {}", one.quantity, one.first_reason)));
+      append(to, "\n" + one_line(fmt::format("{}: {}", one.quantity, one.first_reason)));
   append(to, "\n");
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("\nDiagnosis: {}\n", one.text));
   for (const std::string& line : remarks(verdict.result)) append(to, line + "\n");
   if (verdict.changes)
-    for (const std::string& line : verdict.changes->worse)
-      append(to, "Worse than the baseline: " + line + "\n");
-  append(to, "\n" + summary(verdict.result) + "\n");
+    for (const Finding& one : verdict.changes->worse)
+      append(to, "Worse than the baseline: " + one_line(one.text) + "\n");
+  append(to, "\n" + summary(verdict) + "\n");
 }
 
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
@@ -112,8 +176,8 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
   Json all{{"subject", result.subject},
            {"tolerance", result.tolerance},
-           {"overall", name(result.overall)},
-           {"summary", summary(result)},
+           {"overall", overall(verdict)},
+           {"summary", summary(verdict)},
            {"quantities", Json::array()},
            {"diagnoses", Json::array()},
            {"violation_count", result.violation_count},
@@ -139,7 +203,10 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                 {"wrong", one.wrong},
                                 {"text", one.text}});
   if (verdict.changes)
-    all["baseline"] = {{"worse", verdict.changes->worse}, {"better", verdict.changes->better}};
+    all["baseline"] = {{"file", verdict.baseline},
+                       {"worse", texts(verdict.changes->worse)},
+                       {"better", texts(verdict.changes->better)},
+                       {"failed_already", verdict.changes->failed_already}};
   append(to, all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -148,26 +215,27 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     std::string safe = report::to_markdown(one_line(text));
     return safe;
   };
-  append(to, fmt::format("### tribocheck: {}\n\n", cell(summary(verdict.result))));
+  append(to, fmt::format("### tribocheck: {}\n\n", cell(summary(verdict))));
   append(to,
          "| quantity | verdict | held | failed | skipped | worst error | of its bound |\n"
          "|---|---|---:|---:|---:|---:|---:|\n");
   for (const QuantityVerdict& one : verdict.result.quantities)
-    append(to,
-           fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", one.quantity,
-                       one.status == Status::failed ? "**FAILED**" : std::string(name(one.status)),
-                       one.held, one.failed, one.skipped,
-                       has_numbers(one) ? error(one.worst_relative) : "",
-                       has_numbers(one) ? margin(one.worst_part_of_bound) : ""));
+    append(to, fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", one.quantity,
+                           one.status == Status::failed && !failed_already(verdict, one)
+                               ? "**FAILED**"
+                               : status_text(verdict, one),
+                           one.held, one.failed, one.skipped,
+                           has_numbers(one) ? error(one.worst_relative) : "",
+                           has_numbers(one) ? margin(one.worst_part_of_bound) : ""));
   append(to, "\n");
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("- **Diagnosis.** {}\n", cell(one.text)));
   for (const std::string& line : remarks(verdict.result)) append(to, "- " + cell(line) + "\n");
   if (!verdict.changes) return;
-  for (const std::string& line : verdict.changes->worse)
-    append(to, "- **Worse than the baseline.** " + cell(line) + "\n");
-  for (const std::string& line : verdict.changes->better)
-    append(to, "- Better than the baseline: " + cell(line) + "\n");
+  for (const Finding& one : verdict.changes->worse)
+    append(to, "- **Worse than the baseline.** " + cell(one.text) + "\n");
+  for (const Finding& one : verdict.changes->better)
+    append(to, "- Better than the baseline: " + cell(one.text) + "\n");
 }
 
 std::string subject_junit(const SubjectVerdict& verdict) {
@@ -178,27 +246,42 @@ std::string subject_junit(const SubjectVerdict& verdict) {
     return safe;
   };
   const ConformanceResult& result = verdict.result;
-  std::string xml = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n",
-      result.quantities.size() + 1,
-      count(result, Status::failed) + (result.violation_count > 0 ? 1 : 0),
-      count(result, Status::not_offered));
+  const std::vector<Finding> failed = failures(verdict);
+  std::string xml;
+  std::size_t tests = 0, skipped = 0;
+  const auto add = [&](const std::string& quantity, const char* kind, const std::string& message) {
+    ++tests;
+    xml += fmt::format("  <testcase classname=\"conformance\" name=\"{}\"", text(quantity));
+    xml += *kind == '\0' ? "/>\n"
+                         : fmt::format("><{} message=\"{}\"/></testcase>\n", kind, text(message));
+  };
   for (const QuantityVerdict& one : result.quantities) {
-    xml += fmt::format("  <testcase classname=\"conformance\" name=\"{}\"", text(one.quantity));
-    if (one.status == Status::failed)
-      xml += fmt::format("><failure message=\"{} of {}: {}\"/></testcase>\n", one.failed, one.asked,
-                         text(one.first_reason));
+    const auto why = std::find_if(failed.begin(), failed.end(), [&](const Finding& failure) {
+      return failure.quantity == one.quantity;
+    });
+    const bool before = failed_already(verdict, one);
+    skipped += why == failed.end() && (before || one.status == Status::not_offered) ? 1 : 0;
+    if (why != failed.end())
+      add(one.quantity, "failure", why->text);
+    else if (before)
+      add(one.quantity, "skipped",
+          fmt::format("failed as before ({}): {} of {}: {}", verdict.baseline, one.failed,
+                      one.asked, one.first_reason));
     else if (one.status == Status::not_offered)
-      xml += fmt::format("><skipped message=\"{}\"/></testcase>\n", text(one.first_reason));
+      add(one.quantity, "skipped", one.first_reason);
     else
-      xml += "/>\n";
+      add(one.quantity, "", "");
   }
-  xml += "  <testcase classname=\"conformance\" name=\"protocol\"";
-  xml += result.violation_count == 0 ? "/>\n"
-                                     : fmt::format("><failure message=\"{}\"/></testcase>\n",
-                                                   text(result.violations.front()));
-  return xml + "</testsuite>\n";
+  for (const Finding& one : failed)  // of no quantity
+    if (std::none_of(result.quantities.begin(), result.quantities.end(),
+                     [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
+      add(one.quantity, "failure", one.text);
+  if (result.violation_count == 0) add("protocol", "", "");
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n"
+      "{}</testsuite>\n",
+      tests, failed.size(), skipped, xml);
 }
 
 }  // namespace tribo::cli

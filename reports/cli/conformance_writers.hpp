@@ -14,15 +14,21 @@ namespace tribo::cli {
 struct SubjectVerdict {
   conformance::ConformanceResult result;
   std::vector<conformance::Diagnosis> diagnoses;
-  std::optional<conformance::BaselineChanges> changes;  // with --baseline
+  std::string baseline;                                 // the file of --baseline
+  std::optional<conformance::BaselineChanges> changes;  // against what it says
+  std::vector<conformance::Finding> missing;            // of --require, and not held
 };
+
+// What makes the exit code 1: with a baseline what is worse than it, otherwise what failed, or that
+// nothing is offered; and what is missing. All formats say the same of it.
+std::vector<conformance::Finding> failures(const SubjectVerdict& verdict);
 
 void append_subject_table(Text& to, const SubjectVerdict& verdict);
 void append_subject_json(Text& to, const SubjectVerdict& verdict);
 void append_subject_markdown(Text& to, const SubjectVerdict& verdict);
 std::string subject_junit(const SubjectVerdict& verdict);
 
-// "PARTIAL: 9 of 14 quantities held, 5 not offered; none failed."
-std::string summary(const conformance::ConformanceResult& result);
+// "PARTIAL: 9 of 14 quantities held, 5 not offered (tolerance: engineering)."
+std::string summary(const SubjectVerdict& verdict);
 
 }  // namespace tribo::cli

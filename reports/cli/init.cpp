@@ -13,6 +13,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command.hpp"
@@ -20,6 +21,7 @@
 #include "messages.hpp"
 #include "report/project_files.hpp"
 #include "report/report_error.hpp"
+#include "shell.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -35,8 +37,12 @@ struct InitArguments {
 
 struct Language {
   std::string name;
-  std::string file;  // name of the template
-  std::string next;  // what to do with it, with {file} for where it was written
+  std::string file;     // name of the template
+  std::string program;  // the interpreter or compiler
+  std::string package;  // of Debian, that has it
+  // Makes {library} of {file}, with the folder {include} of tribocheck_plugin.h; without {library}
+  // it is the subject's command itself.
+  std::string command;
 };
 
 std::vector<Language> read_languages(const fs::path& templates) {
@@ -49,7 +55,9 @@ std::vector<Language> read_languages(const fs::path& templates) {
     Language row;
     std::getline(cells, row.name, '\t');
     std::getline(cells, row.file, '\t');
-    std::getline(cells, row.next, '\t');
+    std::getline(cells, row.program, '\t');
+    std::getline(cells, row.package, '\t');
+    std::getline(cells, row.command, '\t');
     std::error_code ignored;
     if (fs::is_regular_file(templates / row.file, ignored)) languages.push_back(row);
   }
@@ -85,15 +93,40 @@ int write_new_file(const std::string& path, const std::string& text, bool force)
   return why_not;
 }
 
-std::string with_file(std::string text, const std::string& file) {
-  const std::string mark = "{file}";
+std::string with(std::string text, std::string_view mark, const std::string& word) {
   const std::size_t place = text.find(mark);
-  return place == std::string::npos ? text : text.replace(place, mark.size(), file);
+  return place == std::string::npos ? text : text.replace(place, mark.size(), shell_word(word));
+}
+
+// This program as a user's shell finds it.
+std::string own_name() {
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  std::error_code ignored;
+  return fs::equivalent(found_by_shell("tribocheck"), self, ignored) ? "tribocheck" : self.string();
+}
+
+// What to type next: it builds a library, and puts the solver to the tests.
+std::string next_line(const Language& language, const fs::path& include, const std::string& out) {
+  const std::string file = out.starts_with('-') ? "./" + out : out;  // is no option
+  const std::string verify = shell_word(own_name()) + " verify ";
+  const std::string command = with(language.command, "{file}", file);
+  if (command.find("{library}") == std::string::npos)
+    return verify + "--subject " + shell_word(command);
+  const fs::path path(file);
+  const std::string library =
+      (path.parent_path() / ("lib" + path.stem().string() + ".so")).string();
+  return with(with(command, "{include}", include.string()), "{library}", library) + " && " +
+         verify + "--plugin " + shell_word(library);
 }
 
 int init(const InitArguments& arguments, OutputStream& output) {
-  const fs::path templates = report::find_places({}).templates;
+  const report::ReportPlaces places = report::usual_places();
+  const fs::path& templates = places.templates;
   const std::vector<Language> languages = read_languages(templates);
+  if (languages.empty()) {
+    complain("templates not found; run in the project, or install tribocheck: make install");
+    return exit_bad;
+  }
   const Language* language = find_language(languages, arguments.language);
   if (language == nullptr) {
     complain(fmt::format("--language: no template for {}; allowed: {}", arguments.language,
@@ -116,7 +149,12 @@ int init(const InitArguments& arguments, OutputStream& output) {
     return exit_failed;
   }
   append(output.text(),
-         fmt::format("{}: written\nnext: {}\n", out, with_file(language->next, out)));
+         fmt::format("{}: written\nnext:\n  {}\n", out, next_line(*language, places.include, out)));
+  output.flush();
+  if (found_by_shell(language->program).empty())
+    complain(fmt::format(
+        "no program {} is on PATH, and the line above needs it; on Debian: apt-get install {}",
+        language->program, language->package));
   return exit_done;
 }
 
@@ -130,9 +168,10 @@ int init_or_complain(const InitArguments& arguments, OutputStream& output) {
 }
 
 constexpr const char* footer =
-    R"(The file answers every question of `tribocheck verify` with a skip until you fill in what you have; its
-comments say what each function is and in which units. A language without a template is answered with
-a list of those that have one.
+    R"(The file answers every question of `tribocheck verify` with a skip until you fill in what you have;
+until then the verdict is NOTHING, and the exit code 1. Its comments say what each function is and in
+which units. The line that is printed builds it, where it has to be built, and puts it to the tests. A
+language without a template is answered with a list of those that have one.
 
 Example:
   tribocheck init subject --language python --out my_solver.py

@@ -39,6 +39,22 @@ std::string allowed(const QuantityResult& result) {
   return fmt::format("{} or {} × cond.", result.allowed_ulp, result.allowed_ulp_per_condition);
 }
 
+// "COMPLETE: 24 of 24 quantities held, in 5230 cases."
+std::string summary(const std::vector<QuantityResult>& results) {
+  std::size_t held = 0, cases = 0;
+  std::string failed;
+  for (const QuantityResult& one : results) {
+    cases += one.cases;
+    if (one.passed())
+      ++held;
+    else
+      failed += (failed.empty() ? "" : ", ") + one.quantity;
+  }
+  return fmt::format("{}: {} of {} quantities held, in {} cases{}.",
+                     failed.empty() ? "COMPLETE" : "FAILED", held, results.size(), cases,
+                     failed.empty() ? "" : "; failed: " + failed);
+}
+
 void append_table(Text& to, const std::vector<QuantityResult>& results) {
   const std::vector<ColumnHead> heads{
       {"quantity", "", 36},       {"cases", "", 6},
@@ -58,6 +74,7 @@ void append_table(Text& to, const std::vector<QuantityResult>& results) {
     for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
     append(to, "\n");
   }
+  append(to, "\n" + summary(results) + "\n");
 }
 
 void append_json(Text& to, const std::vector<QuantityResult>& results) {
@@ -108,10 +125,8 @@ int verify(const VerifyArguments& arguments, OutputStream& output) {
     return exit_bad;
   }
   return answered_or_complained([&] {
-    const std::string folder = arguments.reference.empty()
-                                   ? (report::find_places({}).reference / "exact").string()
-                                   : arguments.reference;
-    const std::vector<QuantityResult> results = verification::check_accuracy(folder);
+    const std::vector<QuantityResult> results =
+        verification::check_accuracy(report::reference_tables(arguments.reference).string());
     if (arguments.format == "json")
       append_json(output.text(), results);
     else
@@ -133,7 +148,8 @@ With --subject or --plugin somebody else's solver is put to the tests: the same 
 cases and operating points, and the paper's scenes. A subject is a program that reads a line of JSON and
 writes one (README.md of verification/conformance says how; `tribocheck init subject` writes a start); a
 plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
-it skips. Exit code 0: all that it offers holds; 1: something failed, or it offers nothing.
+it skips. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than that file says; 1:
+something failed, or it offers nothing; 2: it cannot be started.
 
 Example:
   tribocheck verify --junit verify.xml

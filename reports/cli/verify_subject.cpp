@@ -14,29 +14,47 @@
 #include "progress.hpp"
 #include "report/pending_file.hpp"
 #include "report/project_files.hpp"
+#include "shell.hpp"
 
 namespace tribo::cli {
 namespace {
 
 using namespace conformance;
 
-// A word of a shell's command line.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) {
-    if (c == '\'')
-      text += "'\\''";
-    else
-      text += c;
-  }
-  return text + "'";
-}
-
 // A plug-in is asked through a process of its own, so that it cannot take the run with it.
 std::string command_of(const SubjectArguments& arguments) {
   if (arguments.plugin.empty()) return arguments.command;
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  return "exec " + quoted(self) + " plugin-host " + quoted(arguments.plugin);
+  return "exec " + shell_word(self) + " plugin-host " + shell_word(arguments.plugin);
+}
+
+// Before it is started: a program that is not there is no solver that fails.
+void check_startable(const SubjectArguments& arguments) {
+  if (!arguments.plugin.empty()) return;
+  if (const std::optional<std::string> why_not = why_not_startable(arguments.command))
+    throw std::invalid_argument("--subject: " + *why_not);
+}
+
+// After it: what only the shell can tell (126 and 127), or the process that loads the plug-in (2).
+void check_started(const SubjectArguments& arguments, const Conversation& conversation) {
+  const int code = conversation.exit_code_without_answer;
+  const bool of_plugin = !arguments.plugin.empty() && code == exit_bad;
+  if (code != 126 && code != 127 && !of_plugin) return;
+  std::string why = conversation.last_errors;
+  while (why.ends_with('\n')) why.pop_back();
+  why.erase(0, why.rfind('\n') + 1);
+  const std::string own_prefix = "tribocheck: ";
+  if (of_plugin && why.starts_with(own_prefix)) why.erase(0, own_prefix.size());
+  throw std::invalid_argument(
+      fmt::format("{}: {}", of_plugin ? "--plugin" : "--subject: it cannot be started", why));
+}
+
+// --reference DIR of a copy of reference/ has the paper's scenes beside it.
+CaseSources sources_of(const SubjectArguments& arguments) {
+  const report::ReportPlaces places = report::usual_places();
+  const std::filesystem::path exact = report::reference_tables(arguments.exact);
+  if (std::filesystem::is_directory(places.scenes)) return {exact.string(), places.scenes.string()};
+  return {exact.string(), (exact / "../published").lexically_normal().string()};
 }
 
 Tolerance tolerance_of(const std::string& text, const std::vector<Case>& cases) {
@@ -52,17 +70,18 @@ void check_required(const SubjectArguments& arguments, const ConformanceResult& 
       throw std::invalid_argument(fmt::format("--require: {} is no quantity of the table", wanted));
 }
 
-// Is every quantity that was asked for by name held?
-bool all_required(const SubjectArguments& arguments, const ConformanceResult& result) {
-  bool all = true;
+// The quantities that were asked for by name and are not held.
+std::vector<Finding> missing_of(const SubjectArguments& arguments,
+                                const ConformanceResult& result) {
+  std::vector<Finding> missing;
   for (const QuantityVerdict& one : result.quantities) {
     const bool wanted = std::find(arguments.required.begin(), arguments.required.end(),
                                   one.quantity) != arguments.required.end();
     if (!wanted || one.status == Status::held) continue;
-    complain(fmt::format("required, but {}: {}", name(one.status), one.quantity));
-    all = false;
+    missing.push_back(
+        {one.quantity, fmt::format("required, but {}: {}", name(one.status), one.quantity)});
   }
-  return all;
+  return missing;
 }
 
 void write(Text& to, const SubjectVerdict& verdict, const std::string& format) {
@@ -92,28 +111,20 @@ void use_baseline(const SubjectArguments& arguments, SubjectVerdict& verdict) {
     throw std::runtime_error(fmt::format(
         "{}: there is no such baseline; --update-baseline writes it", arguments.baseline));
   if (!arguments.update_baseline) return;
-  const nlohmann::json kept = arguments.force ? nlohmann::json(nullptr) : before;
-  report::write_file(arguments.baseline, baseline_of(verdict.result, kept).dump(1) + "\n");
+  const nlohmann::json after =
+      baseline_of(verdict.result, arguments.force ? nlohmann::json(nullptr) : before);
+  report::write_file(arguments.baseline, after.dump(1) + "\n");
   if (before.is_null()) complain("baseline written: " + arguments.baseline);
   if (!verdict.changes) return;
-  for (const std::string& line : verdict.changes->better) complain("baseline improved: " + line);
-  for (const std::string& line : verdict.changes->worse)
-    complain((arguments.force ? "baseline lowered: " : "baseline kept: ") + line);
-  if (arguments.force) verdict.changes->worse.clear();
-}
-
-int exit_code(const SubjectVerdict& verdict) {
-  // With a baseline what failed then may fail now.
-  if (verdict.changes) return verdict.changes->worse.empty() ? exit_done : exit_failed;
-  const Overall overall = verdict.result.overall;
-  return overall == Overall::failed || overall == Overall::nothing ? exit_failed : exit_done;
+  for (const Finding& one : verdict.changes->better) complain("baseline improved: " + one.text);
+  for (const Finding& one : verdict.changes->worse)
+    complain((arguments.force ? "baseline lowered: " : "baseline kept: ") + one.text);
+  if (arguments.force) verdict.changes = compare(verdict.result, after);
 }
 
 int verify(const SubjectArguments& arguments, OutputStream& output) {
-  const report::ReportPlaces places = report::find_places({});
-  std::vector<Case> cases =
-      read_cases({arguments.exact.empty() ? (places.reference / "exact").string() : arguments.exact,
-                  places.scenes.string()});
+  check_startable(arguments);
+  std::vector<Case> cases = read_cases(sources_of(arguments));
   const Tolerance tolerance = tolerance_of(arguments.tolerance, cases);
   cases = cases_for(std::move(cases), tolerance);
   if (arguments.sample > 0) cases = sampled(std::move(cases), arguments.sample);
@@ -127,17 +138,20 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
     Progress progress(cases.size(), {"cases", 1, true});
     const Conversation conversation =
         ask(command_of(arguments), cases, limits, [&](std::size_t) { progress.step(); });
+    check_started(arguments, conversation);
     verdict.result = judge(arguments.plugin.empty() ? arguments.command : arguments.plugin, cases,
                            conversation, tolerance);
     verdict.diagnoses = diagnose(cases, conversation, tolerance);
   }
   check_required(arguments, verdict.result);
+  verdict.missing = missing_of(arguments, verdict.result);
+  verdict.baseline = arguments.baseline;
   use_baseline(arguments, verdict);
   write(output.text(), verdict, arguments.format);
   output.flush();
   if (!arguments.junit.empty()) report::write_file(arguments.junit, subject_junit(verdict));
-  const bool required = all_required(arguments, verdict.result);
-  return required ? exit_code(verdict) : exit_failed;
+  for (const Finding& one : verdict.missing) complain(one.text);
+  return failures(verdict).empty() ? exit_done : exit_failed;
 }
 
 }  // namespace

@@ -41,20 +41,33 @@ fs::path current_folder() {
   return folder;
 }
 
-ReportPlaces default_places() {
+}  // namespace
+
+ReportPlaces usual_places() {
   const fs::path current = current_folder();
   fs::path root = project_above(current);
   if (root.empty()) root = project_above(folder_of_program());
   if (!root.empty())
-    return {root / "reports/out",     root / "reference/published",
-            root / "reports/gnuplot", root,
-            root / "reference",       root / "verification/conformance/templates"};
-  const fs::path shared = folder_of_program().parent_path() / "share/tribocheck";
+    return {root / "reports/out",
+            root / "reference/published",
+            root / "reports/gnuplot",
+            root,
+            root / "reference",
+            root / "verification/conformance/templates",
+            root / "verification/conformance"};
+  const fs::path prefix = folder_of_program().parent_path();
+  const fs::path shared = prefix / "share/tribocheck";
   return {current / "reports/out", shared / "published", shared / "gnuplot", {}, shared,
-          shared / "templates"};
+          shared / "templates",    prefix / "include"};
 }
 
-}  // namespace
+fs::path reference_tables(const fs::path& given) {
+  fs::path folder = given.empty() ? usual_places().reference / "exact" : given;
+  if (is_folder(folder)) return folder;
+  throw ReportError(given.empty()
+                        ? "reference tables not found; pass --reference, or run in the project"
+                        : "--reference: " + given.string() + " is not a folder");
+}
 
 std::string ReportPlaces::shown(const fs::path& file) const {
   if (root.empty()) return file.string();
@@ -63,7 +76,7 @@ std::string ReportPlaces::shown(const fs::path& file) const {
 }
 
 ReportPlaces find_places(const ReportOptions& options) {
-  ReportPlaces places = default_places();
+  ReportPlaces places = usual_places();
   if (!options.out.empty()) places.out = fs::absolute(options.out).lexically_normal();
   if (!options.scenes.empty()) places.scenes = fs::absolute(options.scenes).lexically_normal();
   if (!is_folder(places.gnuplot))

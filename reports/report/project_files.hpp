@@ -22,6 +22,7 @@ struct ReportPlaces {
   std::filesystem::path root;       // of the project, or empty
   std::filesystem::path reference;  // absolute: the folder of exact/ and baselines/
   std::filesystem::path templates;  // absolute: the folder of the solvers that `init` writes
+  std::filesystem::path include;    // absolute: the folder of tribocheck_plugin.h
 
   // A file as provenance names it: from the project's root if it lies below it.
   std::string shown(const std::filesystem::path& file) const;
@@ -29,7 +30,14 @@ struct ReportPlaces {
 
 // The project is the nearest folder with reports/gnuplot and reference/published above the current
 // folder, or else above the program; an installed program has both in share/tribocheck beside it.
-// Throws ReportError.
+// Throws ReportError where there is no current folder.
+ReportPlaces usual_places();
+
+// The same with what `options` names; scenes and scripts are there. Throws ReportError.
 ReportPlaces find_places(const ReportOptions& options);
+
+// The folder of the certified tables: the one given, or reference/exact of the project where that
+// is empty. Throws ReportError where it is not there.
+std::filesystem::path reference_tables(const std::filesystem::path& given);
 
 }  // namespace tribo::report

@@ -7,7 +7,7 @@ import pathlib
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from conformance import BUILT, listed, subject, verify
+from conformance import BUILT, PYTHON, listed, subject, verify
 from program import PROGRAM, Folder, run
 
 # A fake's mistake, and what the diagnosis may call it. The numbers do not tell some apart.
@@ -102,6 +102,9 @@ class RightSolvers(unittest.TestCase):
         required = verify("--plugin", str(BUILT / "c_plugin.so"), "--require", "operating_point.film")
         self.assertEqual(required.code, 1)
         self.assertIn("required, but not offered: operating_point.film", required.err)
+        self.assertEqual(required.json()["overall"], "failed")
+        self.assertRegex(required.json()["summary"],
+                         "^FAILED: .*; required, but not held: operating_point.film [(]")
 
     def test_a_sample_is_a_part_of_the_cases(self):
         quantities = verify("--subject", f"{PROGRAM} stream", "--sample", "7").json()["quantities"]
@@ -150,11 +153,20 @@ class Outputs(unittest.TestCase):
         self.assertEqual(result.code, 1)
         self.assertIn("| `hamrock_dowson_central` | **FAILED** |", result.out)
         self.assertIn("**Diagnosis.**", result.out)
+        self.assertTrue(result.out.startswith("### tribocheck: FAILED: 4 of 19 quantities held"), result.out)
         suite = ElementTree.parse(path).getroot()
         failed = [case.get("name") for case in suite if case.find("failure") is not None]
         self.assertEqual(failed, ["hamrock_dowson_central"])
         self.assertEqual(int(suite.get("failures")), 1)
         self.assertGreater(int(suite.get("skipped")), 5)
+
+    def test_where_nothing_is_offered_junit_is_red_as_the_exit_code_is(self):
+        path = self.folder.path("junit.xml")
+        run("init", "subject", "--language", "python", "--out", self.folder.path("mine.py"))
+        result = verify("--subject", f"{PYTHON} {self.folder.path('mine.py')}", "--junit", path)
+        self.assertEqual((result.code, result.json()["overall"]), (1, "nothing"))
+        suite = ElementTree.parse(path).getroot()
+        self.assertEqual([case.get("name") for case in suite if case.find("failure") is not None], ["anything"])
 
     def test_tolerance_of_ones_own(self):
         good = self.folder.write("tolerance.txt", "default 1e-3  # wide\nhamrock_dowson_central 0.5\n")
@@ -204,6 +216,46 @@ class Baselines(unittest.TestCase):
         better = self.gate(("python_stdlib/subject.py",))
         self.assertEqual(better.code, 0)
         self.assertTrue(better.json()["baseline"]["better"])
+
+    def told(self, script):
+        """What each format says of a gate: exit code, last line, head, JSON, JUnit."""
+        junit = self.folder.path("junit.xml")
+        told = [run("verify", "--subject", subject(*script), "--sample", "60", "--baseline", self.path,
+                    "--format", format, "--junit", junit) for format in ("table", "markdown", "json")]
+        code, = {one.code for one in told}
+        return (code, told[0].out.splitlines()[-1], told[1].out.splitlines()[0], told[2].json(),
+                ElementTree.parse(junit).getroot())
+
+    def test_a_gate_that_passes_is_headed_so_in_every_format_and_names_what_failed_before(self):
+        small = ("small_python/my_solver.py",)
+        self.gate(small, "--update-baseline")
+        code, table, markdown, told, junit = self.told(small)
+        self.assertEqual(code, 0)
+        self.assertTrue(table.startswith(f"PASSED, no worse than {self.path}: 4 of 19 quantities held"), table)
+        self.assertIn("1 failed as before (hamrock_dowson_central)", table)
+        self.assertTrue(markdown.startswith("### tribocheck: PASSED, no worse than "), markdown)
+        self.assertEqual((told["overall"], told["summary"]), ("no worse", table))
+        self.assertEqual(told["baseline"], {"file": self.path, "worse": [], "better": [],
+                                            "failed_already": ["hamrock_dowson_central"]})
+        self.assertEqual((junit.get("failures"), junit.findall(".//failure")), ("0", []))
+        self.assertEqual(int(junit.get("skipped")), len(junit.findall(".//skipped")))
+        self.assertEqual(int(junit.get("tests")), len(junit))
+        skipped = junit.find(".//testcase[@name='hamrock_dowson_central']/skipped").get("message")
+        self.assertIn("failed as before", skipped)
+
+    def test_a_gate_that_fails_is_red_in_every_format_for_what_is_worse_alone(self):
+        self.gate(("fakes/fake.py", "--mistake", "film_minimum"), "--update-baseline")
+        code, table, markdown, told, junit = self.told(("small_python/my_solver.py",))
+        self.assertEqual(code, 1)
+        self.assertTrue(table.startswith(f"FAILED, worse than {self.path}: 4 of 19"), table)
+        self.assertIn("1 failed as before (hamrock_dowson_central)", table)
+        self.assertTrue(markdown.startswith("### tribocheck: FAILED, worse than "), markdown)
+        self.assertEqual((told["overall"], told["summary"]), ("worse", table))
+        red = [case.get("name") for case in junit if case.find("failure") is not None]
+        self.assertEqual(red, [line.split(":")[0] for line in told["baseline"]["worse"]])
+        self.assertEqual(int(junit.get("failures")), len(red))
+        self.assertIn("load_sharing", red)  # held then, not offered now
+        self.assertNotIn("hamrock_dowson_central", red)
 
     def test_update_takes_what_is_better_and_force_what_is_worse(self):
         right, wrong = ("python_stdlib/subject.py",), ("fakes/fake.py", "--mistake", "film_minimum")

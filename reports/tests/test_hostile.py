@@ -7,7 +7,7 @@ import re
 import time
 import unittest
 
-from conformance import BUILT, SUBJECTS, listed, subject, verify
+from conformance import BUILT, PYTHON, SUBJECTS, listed, subject, verify
 
 
 class Hostile(unittest.TestCase):
@@ -34,13 +34,31 @@ class Hostile(unittest.TestCase):
                     self.assertIn(verdict["overall"], ("complete", "partial"), behaviour)
                     self.assertTrue(re.search("stderr|slow|SIGTERM|sigterm", behaviour), behaviour)
 
-    def test_one_that_no_one_may_run_or_that_is_not_there(self):
-        for command, words in ((str(SUBJECTS / "hostile/not_executable"), "ermission denied"),
-                               ("/no/such/program", "not found")):
-            result = verify("--subject", command)
-            self.assertEqual(result.code, 1)
-            self.assertEqual(result.json()["overall"], "failed")
-            self.assertIn(words, result.json()["last_errors"])
+    def test_one_that_cannot_be_started_is_one_line_and_exit_code_2(self):
+        hostile = SUBJECTS / "hostile"
+        for way, command, words in (
+                ("--subject", f"{hostile}/not_executable", "not_executable may not be executed"),
+                ("--subject", f"'{hostile}'", "is a folder"),
+                ("--subject", "/no/such/program", "there is no file /no/such/program"),
+                ("--subject", "no-such-program x.py", "no program no-such-program is on PATH; install it"),
+                ("--subject", "A='1 2' exec 'no-such-program' x", "no program no-such-program is on PATH"),
+                ("--subject", "cd / && no-such-program", "cannot be started: /bin/sh: 1: no-such-program"),
+                ("--subject", "env no-such-program", "cannot be started: env: "),
+                ("--plugin", "/no/such.so", "/no/such.so: cannot be loaded")):
+            with self.subTest(command):
+                result = verify(way, command)
+                self.assertEqual((result.code, result.out), (2, ""))
+                line, = result.error_lines
+                self.assertIn(f"tribocheck: {way}: ", line)
+                self.assertIn(words, line)
+
+    def test_what_the_shell_alone_can_read_is_left_to_it(self):
+        for command in (f"P={PYTHON}; $P -B {SUBJECTS}/small_python/my_solver.py",
+                        f"if true; then {PYTHON} -B {SUBJECTS}/small_python/my_solver.py; fi",
+                        f"(\"{PYTHON}\" -B {SUBJECTS}/small_python/my_solver.py)"):
+            result = verify("--subject", command, "--sample", "5")
+            self.assertEqual((result.code, result.err), (1, ""), command)
+            self.assertIn("R/2 in place of R", result.out)
 
     def test_a_plugin_that_crashes_does_not_take_the_run_with_it(self):
         crashing = sorted(BUILT.glob("*crash*.so"))

@@ -3,17 +3,24 @@
 
 import os
 import pathlib
+import subprocess
 import unittest
 
-from program import Folder, run
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, Folder, Result, run
 from subjects import all_lines, answers_of, python
 
 TEMPLATES = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "verification/conformance/templates"
-LANGUAGES = [line.split("\t")[:2] for line in (TEMPLATES / "languages.tsv").read_text().splitlines()[1:]]
+LANGUAGES = [line.split("\t") for line in (TEMPLATES / "languages.tsv").read_text().splitlines()[1:]]
 
 
 def init(language, *arguments, **options):
     return run("init", "subject", "--language", language, *arguments, **options)
+
+
+def run_on_path(path, *arguments, **options):
+    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=TIMEOUT,
+                          env={**ENVIRONMENT, "PATH": path}, **options)
+    return Result(done.returncode, done.stdout, done.stderr)
 
 
 class Init(unittest.TestCase):
@@ -28,24 +35,41 @@ class Init(unittest.TestCase):
             self.assertIn(word, line)
 
     def test_every_language_gives_its_template(self):
-        there = [row for row in LANGUAGES if (TEMPLATES / row[1]).is_file()]
-        self.assertGreaterEqual({language for language, _ in there}, {"python", "octave"})
-        for language, name in there:
+        self.assertGreaterEqual({row[0] for row in LANGUAGES}, {"python", "octave", "c", "fortran", "cpp"})
+        for language, name, *_ in LANGUAGES:
             with self.subTest(language=language):
                 result = init(language, cwd=self.folder.name)
-                self.assertEqual((result.code, result.err), (0, ""))
-                self.assertIn(name, result.out)
+                self.assertEqual(result.code, 0)
+                self.assertEqual(result.out.splitlines()[:2], [f"{name}: written", "next:"])
                 written = pathlib.Path(self.folder.path(name)).read_bytes()
                 self.assertEqual(written, (TEMPLATES / name).read_bytes())
 
     def test_every_template_is_listed(self):
         files = {path.name for path in TEMPLATES.iterdir()} - {"languages.tsv"}
-        self.assertLessEqual(files, {name for _, name in LANGUAGES})
+        self.assertEqual(files, {row[1] for row in LANGUAGES})
+
+    def test_what_its_line_needs_and_is_not_on_path_is_told_and_the_file_is_written(self):
+        for language, name, program, package, _ in LANGUAGES:
+            with self.subTest(language=language):
+                result = run_on_path(self.folder.name, "init", "subject", "--language", language,
+                                     cwd=self.folder.name)
+                self.assertEqual(result.code, 0)
+                self.assertEqual(result.error_lines, [
+                    f"tribocheck: no program {program} is on PATH, and the line above needs it; "
+                    f"on Debian: apt-get install {package}"])
+                self.assertTrue(os.path.isfile(self.folder.path(name)))
+
+    def test_the_printed_line_calls_this_very_program(self):
+        os.symlink(PROGRAM, self.folder.path("tribocheck"))
+        for path, called in ((self.folder.name, "tribocheck"), ("/nowhere", os.path.realpath(PROGRAM))):
+            result = run_on_path(path, "init", "subject", "--language", "python", "--force",
+                                 cwd=self.folder.name)
+            self.assertEqual(result.out.splitlines()[2], f"  {called} verify --subject 'python3 solver.py'")
 
     def test_the_python_solver_skips_everything(self):
         path = self.folder.path("mine.py")
         result = init("python", "--out", path)
-        self.assertIn(f'tribocheck verify --subject "python3 {path}"', result.out)
+        self.assertIn(f" verify --subject 'python3 {path}'", result.out)
         lines = all_lines()
         for line, answer in zip(lines, answers_of(python(path), lines), strict=True):
             self.assertEqual(answer, {"id": line["id"],

@@ -4,12 +4,13 @@ import hashlib
 import os
 import pathlib
 import shutil
+import subprocess
 import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 from fractions import Fraction
 
-from program import run
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 EXACT = ROOT / "reference/exact"
@@ -75,14 +76,18 @@ class Verify(unittest.TestCase):
             self.assertEqual(suite.get("failures"), "0")
             for case in suite:
                 self.assertIn(case.get("name"), done.out)
+            cases = run("verify", "--format", "json", cwd=ROOT).json()
+            self.assertEqual(done.out.splitlines()[-1],
+                             f"COMPLETE: {len(suite)} of {len(suite)} quantities held, "
+                             f"in {sum(one['cases'] for one in cases)} cases.")
 
-    def with_changed(self, table, change):
+    def with_changed(self, table, change, *more):
         with tempfile.TemporaryDirectory() as folder:
             copy = pathlib.Path(folder) / "exact"
             shutil.copytree(EXACT, copy)
             path = copy / f"{table}.csv"
             path.write_text(change(path.read_text()))
-            return run("verify", "--reference", str(copy), "--format", "json")
+            return run("verify", "--reference", str(copy), *(more or ("--format", "json")))
 
     def test_a_value_off_by_more_than_the_contract_is_found(self):
         for table in TABLES:
@@ -97,13 +102,37 @@ class Verify(unittest.TestCase):
             failed = [r for r in done.json() if not r["passed"]]
             self.assertEqual([r["worst_row"] for r in failed], [cells[0]])
 
+    def test_the_last_line_of_the_table_names_what_failed(self):
+        done = self.with_changed("onset_constant", lambda text: text.replace("0x1.", "0x1.8"), "--format",
+                                 "table")
+        self.assertEqual(done.code, 1)
+        self.assertRegex(done.out.splitlines()[-1],
+                         r"^FAILED: \d+ of \d+ quantities held, in \d+ cases; failed: .*onset_constant")
+
+    def test_a_program_without_its_tables_says_what_to_do(self):
+        with tempfile.TemporaryDirectory() as folder:
+            alone = pathlib.Path(folder) / "bin/tribocheck"
+            alone.parent.mkdir()
+            shutil.copy(PROGRAM, alone)
+            for more in ([], ["--subject", "true"]):
+                done = subprocess.run([alone, "verify", *more], cwd=folder, capture_output=True, text=True,
+                                      timeout=TIMEOUT, env=ENVIRONMENT)
+                self.assertEqual((done.returncode, done.stdout, done.stderr), (
+                    2, "", "tribocheck: reference tables not found; pass --reference, or run in the project\n"))
+            answered = subprocess.run([alone, "verify", "--subject", f"{PROGRAM} stream", "--sample", "5",
+                                       "--reference", EXACT], cwd=folder, capture_output=True, text=True,
+                                      timeout=TIMEOUT, env=ENVIRONMENT)
+            self.assertEqual(answered.returncode, 0, answered.stderr)
+
     def test_broken_tables_are_one_line_and_exit_code_2(self):
         for change in (lambda text: "", lambda text: text.replace("high", "hi"),
                        lambda text: text + "m9999,1\n", lambda text: text.replace("0x1", "zz")):
             done = self.with_changed("gaussian_moment", change)
             self.assertEqual(done.code, 2)
             self.assertEqual(len(done.error_lines), 1, done.err)
-        self.assertEqual(run("verify", "--reference", "/nowhere").code, 2)
+        nowhere = run("verify", "--reference", "/nowhere")
+        self.assertEqual((nowhere.code, nowhere.out, nowhere.err),
+                         (2, "", "tribocheck: --reference: /nowhere is not a folder\n"))
 
 
 if __name__ == "__main__":

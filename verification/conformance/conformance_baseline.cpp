@@ -103,22 +103,25 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
   for (const QuantityVerdict& one : result.quantities) {
     if (!rows.contains(one.quantity)) {
       if (one.status == Status::failed)
-        changes.worse.push_back(fmt::format("{}: is new, and fails", one.quantity));
+        changes.worse.push_back({one.quantity, fmt::format("{}: is new, and fails", one.quantity)});
       else
-        changes.better.push_back(fmt::format("{}: is new, {}", one.quantity, name(one.status)));
+        changes.better.push_back(
+            {one.quantity, fmt::format("{}: is new, {}", one.quantity, name(one.status))});
       continue;
     }
-    Compared compared = compare_one(one, rows.at(one.quantity));
-    if (compared.change == Change::worse) changes.worse.push_back(std::move(compared.line));
-    if (compared.change == Change::better) changes.better.push_back(std::move(compared.line));
+    const Compared compared = compare_one(one, rows.at(one.quantity));
+    if (compared.change == Change::worse) changes.worse.push_back({one.quantity, compared.line});
+    if (compared.change == Change::better) changes.better.push_back({one.quantity, compared.line});
+    if (one.status == Status::failed && compared.change != Change::worse)
+      changes.failed_already.push_back(one.quantity);
   }
   for (const auto& row : rows.items())
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& one) { return one.quantity == row.key(); }))
-      changes.worse.push_back(fmt::format("{}: is no longer asked", row.key()));
+      changes.worse.push_back({row.key(), fmt::format("{}: is no longer asked", row.key())});
   if (result.violation_count > 0)
     changes.worse.push_back(
-        fmt::format("the protocol was broken {} times", result.violation_count));
+        {"protocol", fmt::format("the protocol was broken {} times", result.violation_count)});
   return changes;
 }
 

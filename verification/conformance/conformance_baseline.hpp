@@ -9,9 +9,16 @@
 
 namespace tribo::conformance {
 
+// What is said of one quantity.
+struct Finding {
+  std::string quantity;  // or "protocol"
+  std::string text;      // "hertz_point.radius: was held, is FAILED"
+};
+
 struct BaselineChanges {
-  std::vector<std::string> worse;   // new failures, lost coverage, accuracy beyond the ratchet
-  std::vector<std::string> better;  // worth writing down
+  std::vector<Finding> worse;   // new failures, lost coverage, accuracy beyond the ratchet
+  std::vector<Finding> better;  // worth writing down
+  std::vector<std::string> failed_already;  // quantities that failed then, and fail no worse now
 };
 
 // The verdicts as a baseline. With `before` not null only what improved on it is taken over.

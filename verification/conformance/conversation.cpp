@@ -133,6 +133,7 @@ class Asker {
   void take(json answer) {
     failures_ = 0;
     any_answer_ = true;
+    result.exit_code_without_answer = -1;
     const auto reason = [](const json& what) {
       return what.is_string() ? what.get<std::string>()
                               : what.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -191,6 +192,7 @@ class Asker {
       if (!process_->has_ended()) ::usleep(5000);
     }
     const std::string end = process_->has_ended() ? process_->end_text() : "closed its output";
+    if (!any_answer_) result.exit_code_without_answer = process_->exit_code();
     if (asked_.empty() && to_ask_.empty()) return;
     fail(Outcome::died, fmt::format("it {}", end), end);
   }

@@ -41,6 +41,7 @@ struct Conversation {
   int starts = 0;                        // of the subject
   std::string last_errors;               // what it wrote to stderr last
   bool answers_at_end_of_input = false;  // it does not flush its answers
+  int exit_code_without_answer = -1;     // of a subject that ended and never answered
 };
 
 // `progress` hears how many cases are settled.

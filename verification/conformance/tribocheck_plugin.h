@@ -3,11 +3,12 @@
  * A solver of yours as a shared library that tribocheck checks and times, in C99, C++, Fortran
  * (bind(C)) or whatever else makes functions of C:
  *
- *   cc -shared -fPIC -O2 solver.c -o libsolver.so -lm
+ *   cc -O2 -shared -fPIC -I PREFIX/include solver.c -o libsolver.so -lm
  *   tribocheck verify --plugin ./libsolver.so
  *   tribocheck bench --plugin ./libsolver.so
  *
- * The library exports tribocheck_plugin_version() and any of the functions below; what it leaves
+ * PREFIX is where tribocheck is installed; `tribocheck init subject --language c` prints the line for
+ * where it is. The library exports tribocheck_plugin_version() and any of the functions below; what it leaves
  * out is skipped. Arrays belong to the caller, hold `count` numbers each, count >= 1, do not
  * overlap, and are not to be kept. Functions are called from one thread, may be called in any order
  * with any count, and write for each case one status and, where it is TRIBOCHECK_DONE, its results.

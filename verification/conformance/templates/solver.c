@@ -1,7 +1,9 @@
 /* A solver for tribocheck in C. It skips everything: put your own in the place of skip_all(), or
- * take out the functions that you do not have. Arguments, units, ranges: tribocheck_plugin.h.
+ * take out the functions that you do not have. Arguments, units, ranges: tribocheck_plugin.h, which
+ * is in the folder include of an installed tribocheck, and in verification/conformance of its
+ * sources.
  *
- *   cc -std=c99 -O2 -shared -fPIC solver.c -o libsolver.so -lm
+ *   cc -O2 -shared -fPIC -I PREFIX/include solver.c -o libsolver.so -lm
  *   tribocheck verify --plugin libsolver.so
  *
  * A function that answers:

@@ -1,7 +1,8 @@
 ! A solver for tribocheck in Fortran. It skips everything: fill in values and set their status to done,
 ! or take out the procedures that you do not have. Arguments, units and ranges: tribocheck_plugin.h.
 !
-!   gfortran -O2 -shared -fPIC solver.f90 -o libsolver.so && tribocheck verify --plugin libsolver.so
+!   gfortran -O2 -shared -fPIC solver.f90 -o libsolver.so
+!   tribocheck verify --plugin libsolver.so
 module solver
   use, intrinsic :: iso_c_binding, only: c_double, c_int, c_size_t
   implicit none

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shell.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace tribo::cli {
+namespace {
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         std::string_view("_-./+,:@%=").find(c) != std::string_view::npos;
+}
+
+// Takes one word off the front of a command line. Nothing where the shell would put something else
+// in its place.
+std::optional<std::string> take_word(std::string_view& line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t\n"), line.size()));
+  std::string word;
+  while (!line.empty()) {
+    const char c = line.front();
+    if (c == '\'' || c == '"') {
+      const std::size_t end = line.find(c, 1);
+      if (end == std::string_view::npos) return std::nullopt;
+      const std::string_view inside = line.substr(1, end - 1);
+      if (c == '"' && inside.find_first_of("$`\\") != std::string_view::npos) return std::nullopt;
+      word += inside;
+      line.remove_prefix(end + 1);
+    } else if (is_plain(c)) {
+      word += c;
+      line.remove_prefix(1);
+    } else if (std::string_view(" \t\n;&|<>").find(c) != std::string_view::npos) {
+      break;
+    } else {
+      return std::nullopt;
+    }
+  }
+  return word;
+}
+
+std::optional<std::string> program_of(std::string_view line) {
+  std::optional<std::string> word = take_word(line);
+  while (word && (*word == "exec" || word->find('=') != std::string::npos)) word = take_word(line);
+  return word;
+}
+
+}  // namespace
+
+std::string shell_word(const std::string& text) {
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  std::string word = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      word += "'\\''";
+    else
+      word += c;
+  }
+  return word + "'";
+}
+
+std::string found_by_shell(const std::string& program) {
+  const std::string line = "command -v -- " + shell_word(program) + " 2>/dev/null";
+  std::FILE* const answer = ::popen(line.c_str(), "re");
+  if (answer == nullptr) return program;  // the shell itself will say why
+  std::string path;
+  for (int c = std::fgetc(answer); c != EOF && c != '\n'; c = std::fgetc(answer))
+    path += static_cast<char>(c);
+  ::pclose(answer);
+  return path;
+}
+
+std::optional<std::string> why_not_startable(const std::string& command) {
+  const std::optional<std::string> program = program_of(command);
+  if (!program || program->empty()) return std::nullopt;
+  if (program->find('/') == std::string::npos) {
+    if (!found_by_shell(*program).empty()) return std::nullopt;
+    return fmt::format("no program {} is on PATH; install it, or give its path", *program);
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(*program, error))
+    return fmt::format("there is no file {}; correct the path, or build it first", *program);
+  if (std::filesystem::is_directory(*program, error))
+    return fmt::format("{} is a folder; give a program", *program);
+  if (::access(program->c_str(), X_OK) != 0)
+    return fmt::format(
+        "{} may not be executed; chmod +x it, or put the program that runs it in front", *program);
+  return std::nullopt;
+}
+
+}  // namespace tribo::cli

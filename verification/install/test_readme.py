@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the READMEs show is taken out of them and run as it stands, on an installed copy.
+
+Only `make`, `git` and `apt-get` are stood in for: the first installs this build under the PREFIX that it is
+given, in place of building the project once more; all three write down what they were asked.
+"""
+
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+BUILD = pathlib.Path(os.environ["TRIBOCHECK_BUILD"])
+NEWCOMER = ROOT / "verification/conformance/subjects/small_python/my_solver.py"
+MAKE = f"""#!/bin/sh
+echo "make $*" >> "$HOME/asked"
+for word; do case $word in PREFIX=*) prefix=${{word#PREFIX=}};; esac; done
+case $prefix in /usr/local) prefix=$HOME/usr-local;; esac
+exec {os.environ["CMAKE"]} --install {shlex.quote(str(BUILD))} --prefix "$prefix" > /dev/null
+"""
+OTHERS = """#!/bin/sh
+echo "$(basename "$0") $*" >> "$HOME/asked"
+"""
+
+
+def blocks_of(path):
+    """(heading, language, text) of each fenced block."""
+    found, heading, language, lines = [], "", None, []
+    for line in (ROOT / path).read_text().splitlines():
+        if line.startswith("```"):
+            if language is not None:
+                found.append((heading, language, "\n".join(lines) + "\n"))
+            language, lines = (line[3:] if language is None else None), []
+        elif language is not None:
+            lines.append(line)
+        elif line.startswith("## "):
+            heading = line[3:]
+    return found
+
+
+CONFORMANCE = blocks_of("verification/conformance/README.md")
+PROJECT = blocks_of("README.md")
+
+
+def blocks(page, heading, language=""):
+    return [text for of, kind, text in page if (of, kind) == (heading, language)]
+
+
+def words(text):
+    return " ".join(text.split())
+
+
+def commands(job):
+    """Of a CI job in YAML: its list items in order, each with the lines that it goes on over."""
+    items = []
+    for line in job.splitlines():
+        item = re.match(r" *- (?:run: )?(.*)", line)
+        if item:
+            items.append(item[1])
+        elif items and not re.match(r" *\w+:", line):
+            items[-1] += " " + line.strip()
+    return [one for one in items if not one.startswith("uses: ")]
+
+
+class Readme(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory(prefix="tribocheck ")  # as people have them
+        cls.addClassCleanup(folder.cleanup)
+        cls.home = pathlib.Path(folder.name)
+        stands_in = cls.home / "stands in"
+        stands_in.mkdir()
+        for name, text in {"make": MAKE, "git": OTHERS, "apt-get": OTHERS}.items():
+            (stands_in / name).write_text(text)
+            (stands_in / name).chmod(0o755)
+        path = [str(stands_in), str(cls.home / "usr-local/bin"), "/usr/bin", "/bin"]
+        cls.environment = {
+            **{name: os.environ[name] for name in ("CXX", "CMAKE_GENERATOR") if name in os.environ},
+            "HOME": str(cls.home), "PATH": ":".join(path), "LANG": "C.UTF-8",
+            "TRIBOCHECK_REPOSITORY": "https://example.org/tribocheck.git",
+            "GITHUB_STEP_SUMMARY": str(cls.home / "summary.md")}
+        five_minutes, = blocks(CONFORMANCE, "In five minutes", "sh")
+        cls.set_up = "\n".join(five_minutes.splitlines()[:2]) + "\n"  # make install, export PATH
+        cls.five_minutes = five_minutes
+        done = subprocess.run(["sh", "-ec", cls.set_up], env=cls.environment, capture_output=True, text=True)
+        assert (cls.home / "tribocheck/bin/tribocheck").is_file(), done.stderr
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(dir=self.home))
+
+    def sh(self, text, code=0):
+        """stdout of a script; stderr stands in front of it."""
+        done = subprocess.run(["sh", "-c", text], cwd=self.folder, env=self.environment, capture_output=True,
+                              text=True, timeout=100)
+        self.assertEqual(done.returncode, code, f"{text}\n{done.stdout}\n{done.stderr}")
+        return done.stderr + done.stdout
+
+    def installed(self, text, code=0):
+        return self.sh(self.set_up.splitlines()[1] + "\n" + text, code)
+
+    def asked(self):
+        """What the stand-ins were asked since the last time."""
+        path = self.home / "asked"
+        lines = path.read_text().splitlines() if path.exists() else []
+        path.unlink(missing_ok=True)
+        return lines
+
+    def test_in_five_minutes(self):
+        self.asked()
+        first, newcomer = blocks(CONFORMANCE, "In five minutes")
+        out = self.sh(self.five_minutes, 1)
+        self.assertEqual(out.splitlines()[-1] + "\n", first)
+        self.assertEqual(self.asked(), [f"make install PREFIX={self.home}/tribocheck"])
+        shutil.copy(NEWCOMER, self.folder / "my_solver.py")
+        out = self.installed(self.five_minutes.splitlines()[-1], 1)
+        self.assertIn(words(newcomer), words(out))
+
+    def test_the_projects_page_shows_the_same(self):
+        shown, = [text for text in blocks(PROJECT, "Commands") if "hertz_point.radius" in text]
+        shutil.copy(NEWCOMER, self.folder / "my_solver.py")
+        out = words(self.installed("tribocheck verify --subject 'python3 my_solver.py'", 1))
+        for part in shown.split("…\n"):
+            self.assertIn(words(part), out)
+
+    def test_each_language_by_the_line_that_init_prints(self):
+        rows = (self.home / "tribocheck/share/tribocheck/templates/languages.tsv").read_text().splitlines()[1:]
+        self.assertEqual([row.split("\t")[0] for row in rows], ["python", "octave", "c", "fortran", "cpp"])
+        verdict = blocks(CONFORMANCE, "In five minutes")[0].strip()
+        built = f"{shlex.quote(str(BUILD))}/"  # not on PATH: the line has to name it
+        for row in rows:
+            language, template = row.split("\t")[:2]
+            for out, sh, found in ((f"my {language}", self.installed, ""), (template, self.sh, built)):
+                with self.subTest(language=language, out=out):
+                    said = sh(f"{found}tribocheck init subject --language {language} --out '{out}'")
+                    self.assertEqual(said.splitlines()[:2], [f"{out}: written", "next:"])
+                    line, = said.splitlines()[2:]
+                    self.assertEqual(sh(line, 1).splitlines()[-1], verdict)
+
+    def test_what_it_speaks(self):
+        exchange, = blocks(CONFORMANCE, "What it speaks")
+        question, answer = re.match(r"(\{.*?\}) +→ (\{.*?)…", exchange).groups()
+        self.assertIn(answer, self.installed(f"echo '{question}' | tribocheck stream"))
+
+    def test_a_tolerance_of_ones_own(self):
+        file, = blocks(CONFORMANCE, "Tolerances")
+        (self.folder / "tolerance").write_text(file)
+        said = self.installed("tribocheck verify --subject 'tribocheck stream' --sample 5 --tolerance tolerance")
+        self.assertIn("COMPLETE: 19 of 19 quantities held (tolerance: tolerance).", said)
+
+    def make_baseline(self):
+        shutil.copy(NEWCOMER, self.folder / "my_solver.py")
+        script, = blocks(CONFORMANCE, "As a gate in your CI", "sh")[:1]
+        self.installed(script)
+        self.assertEqual(self.asked()[-1:], ["git add tribocheck.json"])
+
+    def test_the_jobs_for_ci_pass_and_say_so(self):
+        passed = words(blocks(CONFORMANCE, "As a gate in your CI")[0])
+        jobs = blocks(CONFORMANCE, "As a gate in your CI", "yaml")
+        self.assertEqual(len(jobs), 2)
+        for job in jobs:
+            self.make_baseline()
+            lines = commands(job)
+            self.assertEqual(len(lines), 3, lines)
+            said = "".join(self.sh(line) for line in lines)
+            install, clone, make = self.asked()[-3:]
+            self.assertTrue(install.startswith("apt-get install -y "), install)
+            self.assertEqual(clone, "git clone https://example.org/tribocheck.git /opt/tribocheck")
+            self.assertEqual(make, "make -C /opt/tribocheck install PREFIX=/usr/local")
+            suite = ElementTree.parse(self.folder / "tribocheck.xml").getroot()
+            self.assertEqual((suite.get("failures"), suite.findall(".//failure")), ("0", []))
+            if "GITHUB_STEP_SUMMARY" in job:
+                said = (self.home / "summary.md").read_text().replace("\\", "")
+                self.assertTrue(said.startswith("### tribocheck: PASSED"), said)
+            self.assertIn(passed, words(said))
+
+    def test_ctest_holds_a_program_and_a_plugin(self):
+        self.make_baseline()
+        text, = blocks(CONFORMANCE, "As a gate in your CI", "cmake")
+        (self.folder / "CMakeLists.txt").write_text(text)
+        shutil.copy(ROOT / "verification/install/my_library.c", self.folder)
+        script = blocks(CONFORMANCE, "As a gate in your CI", "sh")[1]
+        said = self.sh(script)
+        for test in ("my_solver", "my_library_holds"):
+            self.assertRegex(said, rf" {test} \.+ +Passed")
+        worse = NEWCOMER.read_text().replace("1.5 * mean", "1.4 * mean")
+        (self.folder / "my_solver.py").write_text(worse)
+        with open(self.folder / "CMakeLists.txt", "a") as file:  # and by itself, without the baseline
+            file.write("find_package(tribocheck 0.1 CONFIG REQUIRED)\n"
+                       "tribocheck_add_subject(alone COMMAND python3 ${CMAKE_SOURCE_DIR}/my_solver.py SAMPLE 50)\n")
+        said = self.sh(script, 8)
+        self.assertRegex(said, r" alone \.+\*+Failed")
+        self.assertIn("R/2 in place of R", said)
+        self.assertRegex(said, r" my_solver \.+\*+Failed")
+        self.assertIn("Worse than the baseline: hertz_point.peak_pressure: was held, is FAILED", said)
+        self.assertRegex(said, r" my_library_holds \.+ +Passed")
+
+    def test_as_a_library(self):
+        for name, (text,) in {"CMakeLists.txt": blocks(PROJECT, "As a library", "cmake"),
+                              "app.cpp": blocks(PROJECT, "As a library", "cpp"),
+                              "scene.toml": blocks(PROJECT, "A scene", "toml")}.items():
+            (self.folder / name).write_text(text)
+        script, = blocks(PROJECT, "As a library", "sh")
+        self.sh(script)
+        said = self.sh("build/app")
+        self.assertRegex(said, r"^\d\.\d{4}e-08 m at 0.1 m/s\n$")
+        expected = re.search(r"// (\S+)\n}", (self.folder / "app.cpp").read_text())[1]
+        self.assertEqual(said.split()[0], expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
