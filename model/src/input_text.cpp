@@ -43,7 +43,31 @@ std::string refusal_of(const std::string& path) {
   if (::stat(path.c_str(), &status) != 0) return "cannot be read: " + system_message(errno);
   if (S_ISDIR(status.st_mode)) return "is a directory; allowed: a regular file";
   if (!S_ISREG(status.st_mode)) return "is not a regular file; allowed: a regular file";
-  return scene_detail::too_large_text(static_cast<std::size_t>(status.st_size));
+  return {};
+}
+
+// What the first bytes say it is, where that is no text in UTF-8; empty if they do not. `what`
+// should have come.
+std::string other_kind(std::string_view text, std::string_view what) {
+  constexpr std::string_view hdf5 = "\x89HDF\r\n\x1a\n";
+  constexpr std::string_view journal = "\x93TBSJ1\r\n";  // model/sweep/journal_record.hpp
+  if (text.starts_with(hdf5))
+    return "this is an HDF5 file; allowed: " + std::string(what) +
+           " (the result of a sweep is read by `tribocheck sweep show`)";
+  if (text.starts_with(journal))
+    return "this is a shard or journal of a sweep; allowed: " + std::string(what) +
+           " (shards are put together by `tribocheck sweep merge`, a journal is completed by "
+           "`tribocheck sweep --resume`)";
+  const auto nul_at = [&](std::size_t place) { return text[place] == '\0'; };
+  if (text.size() < 4) return {};
+  if (text.starts_with(std::string_view("\xFF\xFE\0\0", 4)) ||
+      text.starts_with(std::string_view("\0\0\xFE\xFF", 4)))
+    return "the file is UTF-32; save it as UTF-8";
+  // Without a byte order mark, every other byte of ASCII signs is 0.
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+      (nul_at(0) == nul_at(2) && nul_at(1) == nul_at(3) && nul_at(0) != nul_at(1)))
+    return "the file is UTF-16; save it as UTF-8";
+  return {};
 }
 
 // Reads to the end, or one byte past the limit, which is enough to know that it is too large.
@@ -67,8 +91,9 @@ std::string read_input_text(const std::string& path, std::string_view what, std:
     if (std::string refusal = refusal_of(path); !refusal.empty()) return refusal;
   const InputFile file(path);
   if (file.descriptor() < 0) return "cannot be read: " + system_message(errno);
-  if (std::string refusal = read_up_to_limit(file.descriptor(), text); !refusal.empty())
-    return refusal;
+  std::string refusal = read_up_to_limit(file.descriptor(), text);
+  if (std::string kind = other_kind(text, what); !kind.empty()) return kind;
+  if (!refusal.empty()) return refusal;
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     return "is empty; allowed: " + std::string(what);
   return {};

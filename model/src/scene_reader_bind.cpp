@@ -3,7 +3,6 @@
 // of the schema takes its value, then come the rules that look at several fields.
 #include <array>
 #include <bitset>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -341,9 +340,9 @@ class SceneBinder {
     const double roughness =
         surface.summit_density * surface.summit_radius * surface.summit_height_sd;
     if (!(roughness >= 1e-3 && roughness <= 1))
-      problems_.warning(
-          "surface", "summit_density · summit_radius · summit_height_sd = " + rounded(roughness) +
-                         " is legal but implausible: usual are 0.03 to 0.05");
+      problems_.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
+                                       rounded_text(roughness) +
+                                       " is legal but implausible: usual are 0.03 to 0.05");
     const Bodies& bodies = scene_.bodies;
     const double radius =
         std::cbrt(0.75 * scene_.load / bodies.effective_modulus * bodies.reduced_radius);
@@ -351,15 +350,8 @@ class SceneBinder {
       problems_.warning("bodies.reduced_radius",
                         number_text(bodies.reduced_radius) +
                             " m is legal but implausible: Hertz's contact radius is " +
-                            rounded(radius) + " m, and his formulas hold where it is far smaller");
-  }
-
-  static std::string rounded(double number) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 3)
-            .ptr;
-    return {text.data(), end};
+                            rounded_text(radius) +
+                            " m, and his formulas hold where it is far smaller");
   }
 
   SceneUse use_;

@@ -132,6 +132,15 @@ std::string redefined_field(const std::string& description, std::size_t row,
   return std::string(header->name) + '.' + name;
 }
 
+// A table that says how a field varies, or how a sweep is made, is not of a scene.
+bool is_of_sweep(const Entry& entry) {
+  if (entry.value.kind != ValueKind::table) return false;
+  return entry.path == "sweep" ||
+         std::any_of(entry.inner.begin(), entry.inner.end(), [](const Entry& inner) {
+           return inner.path == "distribution" || inner.path == "printed";
+         });
+}
+
 void report(const toml::parse_error& error, const TomlScreen& screen, Problems& problems) {
   const toml::source_position where = error.source().begin;
   std::string description(error.description());
@@ -169,7 +178,11 @@ std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& 
 SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use) {
   SceneReading reading;
   scene_detail::Problems problems(reading, source);
-  if (const auto entries = scene_detail::toml_entries(text, problems))
+  const auto entries = scene_detail::toml_entries(text, problems);
+  if (!entries) return reading;
+  if (std::any_of(entries->begin(), entries->end(), scene_detail::is_of_sweep))
+    problems.error("", "this is a sweep: use `tribocheck sweep`");
+  else
     scene_detail::bind_scene(*entries, use, problems, reading);
   return reading;
 }

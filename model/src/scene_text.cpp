@@ -82,6 +82,14 @@ std::string number_text(double number) {
   return text;
 }
 
+std::string rounded_text(double number) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 3)
+          .ptr;
+  return {text.data(), end};
+}
+
 std::size_t edit_distance(std::string_view left, std::string_view right) {
   constexpr std::size_t longest = 64;
   if (left.size() > longest || right.size() > longest) return std::max(left.size(), right.size());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -260,12 +261,31 @@ class SweepBinder {
     const SceneReading scene = bound(entries_);
     entry.value = before;
     if (scene.errors.empty()) return true;
-    const std::string what =
-        varied.variable.is_drawn()
-            ? "what can be drawn from \"" + varied.variable.text + "\" reaches to "
-            : "a value of its grid: ";
-    error(varied.variable.path, what + scene.errors.front().message);
+    const std::string& fault = scene.errors.front().message;
+    error(varied.variable.path, varied.variable.is_drawn()
+                                    ? reach_text(varied.variable, value, fault)
+                                    : "a value of its grid: " + fault);
     return false;
+  }
+
+  // "this normal distribution reaches −0.062; viscosity must be a number above 0, in Pa·s: truncate
+  // it with `from`". What must be is behind the last "; allowed: " of the scene reader's message.
+  static std::string reach_text(const Variable& variable, double value, const std::string& fault) {
+    constexpr std::string_view link = "; allowed: ";
+    const std::size_t allowed = fault.rfind(link);
+    const std::string field = variable.path.substr(variable.path.rfind('.') + 1);
+    const bool is_printed = variable.text.starts_with("printed");
+    std::string text =
+        is_printed ? "this printed number"
+                   : "this " + std::string(name(variable.distribution.kind())) + " distribution";
+    text += " reaches " + std::string(value < 0 ? "−" : "") +
+            scene_detail::rounded_text(std::abs(value)) + "; ";
+    if (allowed == std::string::npos) return text + fault;
+    text += field + " must be " + fault.substr(allowed + link.size());
+    const bool is_low = value == variable.distribution.least();
+    if (variable.text.find("normal") != std::string::npos)
+      text += std::string(": truncate it with `") + (is_low ? "from`" : "to`");
+    return text;
   }
 
   // --- Correlation.

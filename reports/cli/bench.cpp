@@ -2,6 +2,7 @@
 // tribocheck bench: every contender of a job in one run, times beside true errors. The contenders
 // live in a program of their own, tribocheck_bench, which links GSL.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -91,6 +93,27 @@ std::string failure_text(const report::ChildEnd& end, const BenchArguments& argu
   return fmt::format("{} with the plug-in {} loaded", text, arguments.plugin);
 }
 
+// "; the jobs are moment_5_2, …; the families are GSL, …", as the contenders' names have them.
+std::string contenders_text(const fs::path& program) {
+  const report::ChildEnd end =
+      report::run_child({program.string(), "--benchmark_list_tests=true"}, report::Heard::output);
+  std::vector<std::string> jobs, families;
+  const auto add = [](std::vector<std::string>& names, std::string name) {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(std::move(name));
+  };
+  std::istringstream lines(end.text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find('/'), second = line.find('/', first + 1);
+    if (second == std::string::npos) continue;
+    add(jobs, line.substr(0, first));
+    add(families, line.substr(first + 1, second - first - 1));
+  }
+  if (jobs.empty()) return {};
+  return fmt::format("; the jobs are {}; the families are {}", fmt::join(jobs, ", "),
+                     fmt::join(families, ", "));
+}
+
 // Runs the contenders; an exit code where that failed, which has been said.
 std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   const fs::path program = bench_program();
@@ -102,8 +125,8 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
     return fail(exit_failed, program.string() + " cannot be started: " +
                                  std::generic_category().message(end.start_error));
   if (end.exited_with(2))
-    return fail(exit_bad,
-                "--filter: no contender's job/family/name matches \"" + arguments.filter + "\"");
+    return fail(exit_bad, "--filter: no contender's job/family/name matches \"" + arguments.filter +
+                              "\"" + contenders_text(program));
   if (!arguments.plugin.empty() && end.exited_with(3)) return exit_bad;  // it has said why
   if (!end.succeeded()) return fail(exit_failed, failure_text(end, arguments));
   return read_bench_results(end.text);

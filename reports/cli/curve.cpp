@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "example_scenes.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "point_writers.hpp"
@@ -76,14 +77,14 @@ within a quarter of a step, in the logarithm of speed. Columns and formats are t
 `tribocheck solve`.
 
 Example:
-  tribocheck curve rough.toml --format csv > rough.csv)";
+  tribocheck curve reference/published/rough.toml --format csv > curve.csv)";
 
 }  // namespace
 
 Command add_curve(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("curve", "the Stribeck curve over a scene's range of speeds");
-  app->footer(footer);
+  app->footer(footer_with_scenes(footer));
   const auto arguments = std::make_shared<SceneArguments>();
   add_scene_arguments(*app, *arguments);
   return {app, [arguments](OutputStream& output) { return curve(*arguments, output); }};

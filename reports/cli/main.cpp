@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck: the model from the command line. Results go to stdout, all else to stderr.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <exception>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "command.hpp"
+#include "example_scenes.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "protocol/line_reader.hpp"
+#include "src/scene_schema.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::cli {
@@ -29,8 +35,26 @@ constexpr const char* program_footer =
 not be written; 2: bad usage or input.
 
 Example:
-  tribocheck solve rough.toml --format csv > rough.csv
+  tribocheck solve reference/published/rough.toml
+The paper's scenes are in reference/published, its sweeps in reference/published/sweeps.
 See also: tribocheck solve --help)";
+
+// What is wrong with the first argument, which names the command; empty if nothing is.
+std::string command_fault(const CLI::App& program, int count, char** arguments) {
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  const std::string known = fmt::format("the commands are {} (see --help)", fmt::join(names, ", "));
+  if (count < 2) return "no command is given; " + known;
+  const std::string word = arguments[1];
+  if (word.starts_with('-') && word.size() > 1) {
+    if (program.get_option_no_throw(word) != nullptr) return {};
+    return fmt::format("unknown option \"{}\" in front of the command; {}", printable(word), known);
+  }
+  if (std::find(names.begin(), names.end(), word) != names.end()) return {};
+  const std::string_view nearest = scene_detail::nearest_choice(word, names);
+  return fmt::format("unknown command \"{}\"; {}", printable(word),
+                     nearest.empty() ? known : fmt::format("did you mean {}?", nearest));
+}
 
 // CLI11 throws for --help and --version too.
 int answer_parse_error(const CLI::App& program, const CLI::ParseError& error,
@@ -62,7 +86,7 @@ int run(int count, char** arguments, OutputStream& output) {
   CLI::App program(
       "Starved, rough point contacts: film, load shares, friction, onset of starvation");
   program.name("tribocheck");
-  program.footer(program_footer);
+  program.footer(footer_with_scenes(program_footer));
   program.set_version_flag("--version", version_line);
   program.get_formatter()->column_width(34);
   program.require_subcommand(1);
@@ -70,6 +94,10 @@ int run(int count, char** arguments, OutputStream& output) {
   for (std::size_t i = 0; i < commands.size(); ++i) {
     added[i] = commands[i](program);
     added[i].app->set_version_flag("--version", version_line);
+  }
+  if (const std::string fault = command_fault(program, count, arguments); !fault.empty()) {
+    complain(fault);
+    return exit_bad;
   }
   try {
     program.parse(guarded(count, arguments));

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "example_scenes.hpp"
 #include "exit_code.hpp"
 #include "onset_writers.hpp"
 #include "protocol/output_values.hpp"
@@ -83,13 +84,14 @@ Speed in m/s, film in m, film_parameter = film/summit_height_sd. Where a criteri
 answer says why. `speed` may be absent from the scene; friction_minimum alone needs it.
 
 Example:
-  tribocheck onset rough.toml --criterion film_maximum --criterion film_departure --departure 0.1)";
+  tribocheck onset reference/published/rough.toml
+  tribocheck onset reference/published/rough.toml --criterion film_departure --departure 0.1)";
 
 }  // namespace
 
 Command add_onset(CLI::App& program) {
   CLI::App* app = program.add_subcommand("onset", "speed and film at the onset of starvation");
-  app->footer(footer);
+  app->footer(footer_with_scenes(footer));
   const auto arguments = std::make_shared<OnsetArguments>();
   add_scene_arguments(*app, arguments->scenes);
   app->add_option("--criterion", arguments->criteria,

@@ -2,6 +2,8 @@
 // tribocheck reproduce: which of the paper's numbers come out, under which reading.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -9,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "accuracy/reference_table.hpp"
 #include "bad_input.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
@@ -41,6 +44,14 @@ constexpr const char* section_names[] = {"claims",      "statements",   "ranking
 struct Asked {
   std::vector<std::string> names;
   std::vector<Reading> readings;
+
+  bool everything() const { return names.empty() && readings.empty(); }
+  bool has(const NamedReading& one) const {
+    const std::string_view name =
+        one.name.starts_with("best ") ? "best" : std::string_view(one.name);
+    return std::find(names.begin(), names.end(), name) != names.end() ||
+           std::find(readings.begin(), readings.end(), one.reading) != readings.end();
+  }
 };
 Asked asked_readings(const std::vector<std::string>& arguments) {
   Asked asked;
@@ -57,31 +68,27 @@ Asked asked_readings(const std::vector<std::string>& arguments) {
       from = comma + 1;
     }
     asked.readings.push_back(reading);
-    asked.names.push_back(departures(reading));
   }
   return asked;
 }
 
-// The columns to show, in the ledger's order; all of them when none were asked for.
+// The readings to show, each once, in the ledger's order; all of them when none were asked for.
 std::vector<NamedReading> columns(const Ledger& ledger, const Asked& asked) {
-  if (asked.names.empty()) return ledger.readings;
+  if (asked.everything()) return ledger.readings;
   std::vector<NamedReading> chosen;
-  for (const NamedReading& reading : ledger.readings) {
-    const bool wanted = std::any_of(asked.names.begin(), asked.names.end(), [&](const auto& name) {
-      return reading.name == name || (name == "best" && reading.name.starts_with("best "));
-    });
-    const bool is_there = std::any_of(chosen.begin(), chosen.end(),
-                                      [&](const auto& one) { return one.name == reading.name; });
-    if (wanted && !is_there) chosen.push_back(reading);
-  }
+  for (const NamedReading& reading : ledger.readings)
+    if (asked.has(reading)) chosen.push_back(reading);
   return chosen;
 }
 
-void check_claims(const Ledger& ledger, const std::vector<std::string>& claims) {
-  for (const std::string& claim : claims)
-    if (std::find(ledger.claims.begin(), ledger.claims.end(), claim) == ledger.claims.end())
+// Before anything is computed.
+void check_claims(const std::string& published, const std::vector<std::string>& asked) {
+  if (asked.empty()) return;
+  const std::vector<std::string> known = claim_names(read_claims(published + "/claims.tsv"));
+  for (const std::string& claim : asked)
+    if (std::find(known.begin(), known.end(), claim) == known.end())
       throw std::invalid_argument(
-          fmt::format("--claim: {} is not one of {}", claim, fmt::join(ledger.claims, ", ")));
+          fmt::format("--claim: {} is not one of {}", claim, fmt::join(known, ", ")));
 }
 
 class Sections {
@@ -97,12 +104,12 @@ class Sections {
     };
     const std::vector<std::string>& claims = arguments_.claims;
     if (wants("claims")) {
-      add({report::verdict_table(ledger_, claims)});
+      add({report::verdict_table(ledger_, readings_, claims),
+           report::readings_table(ledger_, readings_)});
       // Unless readings were asked for, the corrected one in detail is enough.
       const std::size_t detailed = arguments_.readings.empty() ? 1 : readings_.size();
       for (std::size_t i = 0; i < detailed; ++i)
-        add({report::reading_table(ledger_, readings_[i], claims,
-                                   arguments_.format == "markdown")});
+        add({report::reading_table(ledger_, readings_[i], claims)});
     }
     if (wants("statements")) add({report::statement_table(ledger_, claims)});
     if (wants("ranking")) add({report::ranking_table(ledger_)});
@@ -113,7 +120,9 @@ class Sections {
     }
     if (wants("requirements")) {
       add(report::requirement_tables(ledger_, claims));
-      add({report::departure_table(ledger_)});
+      // Of the claim that it is about.
+      if (claims.empty() || std::find(claims.begin(), claims.end(), "C1") != claims.end())
+        add({report::departure_table(ledger_)});
     }
     if (wants("uncertainty")) add({report::uncertainty_table(ledger_)});
     if (wants("errata")) add({report::errata_table(ledger_)});
@@ -139,20 +148,12 @@ class Sections {
   const ReproduceArguments& arguments_;
 };
 
-// A note, in lines of at most 100 signs.
-void append_note(Text& to, const std::string& markup) {
-  const std::string note = report::to_plain(markup);
-  std::size_t column = 0;
-  for (std::size_t from = 0; from < note.size();) {
-    const std::size_t end = std::min(note.find(' ', from), note.size());
-    const std::string word = note.substr(from, end - from);
-    const std::size_t width = width_of(word);
-    if (column > 0) append(to, column + 1 + width > 100 ? "\n" : " ");
-    column = column == 0 || column + 1 + width > 100 ? width : column + 1 + width;
-    append(to, word);
-    from = end + 1;
-  }
-  append(to, "\n");
+// Of a terminal its own width, from 80 to 100 signs; else 100.
+std::size_t line_width() {
+  constexpr std::size_t least = 80, most = 100;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return most;
+  return std::clamp<std::size_t>(size.ws_col, least, most);
 }
 
 void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
@@ -161,22 +162,25 @@ void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
   if (arguments.format == "json")
     return append(to, report::ledger_json(ledger, readings, arguments.claims).dump(1) + "\n");
   if (arguments.format == "csv") return append(to, ledger_csv(ledger, readings, arguments.claims));
-  bool first = true;
+  const NamedReading& corrected = ledger.readings.front();
+  append(to, report::verdict_sentence(ledger, corrected) + " (misprints mended).\n");
+  const std::size_t width = line_width();
   for (const TextTable& table : Sections(ledger, readings, arguments).tables()) {
-    if (!first) append(to, "\n");
-    first = false;
+    append(to, "\n");
     if (arguments.format == "markdown") {
       append(to, report::markdown_table(table));
       continue;
     }
-    append(to, report::plain_table(table));
-    if (!table.note.empty()) append_note(to, table.note);
+    append(to, report::plain_table(table, width));
+    if (table.note.empty()) continue;
+    for (const std::string& line : report::wrapped(report::to_plain(table.note), width))
+      append(to, line + "\n");
   }
 }
 
 int compare(const Ledger& ledger, const std::vector<NamedReading>& readings,
             const ReproduceArguments& arguments, const std::string& path) {
-  if (arguments.ledger == "none") return exit_done;
+  if (path == "none") return exit_done;
   const LedgerChanges changes = changes_since(path, ledger, readings, arguments.claims);
   for (const std::string& line : changes.numbers) complain("number moved: " + line);
   for (const std::string& line : changes.verdicts) complain("verdict changed: " + line);
@@ -190,15 +194,16 @@ int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
     options.published = arguments.published.empty() ? places.scenes.string() : arguments.published;
     const Asked asked = asked_readings(arguments.readings);
     options.asked = asked.readings;
+    check_claims(options.published, arguments.claims);
+    const std::string committed = arguments.ledger.empty()
+                                      ? (places.reference / "baselines" / "ledger.csv").string()
+                                      : arguments.ledger;
+    if (committed != "none") verification::read_reference_table(committed);
     const Ledger ledger = make_ledger(options);
-    check_claims(ledger, arguments.claims);
     const std::vector<NamedReading> readings = columns(ledger, asked);
     write(ledger, readings, arguments, output);
     output.flush();
-    return compare(ledger, readings, arguments,
-                   arguments.ledger.empty()
-                       ? (places.reference / "baselines" / "ledger.csv").string()
-                       : arguments.ledger);
+    return compare(ledger, readings, arguments, committed);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "example_scenes.hpp"
 #include "exit_code.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
@@ -59,13 +60,14 @@ undefined is - in a table, empty in CSV, and null in JSON, which says why under 
 A bad scene is reported, the others are still solved, and the exit code is 2.
 
 Example:
-  tribocheck solve rough.toml smooth.toml --format csv > films.csv)";
+  tribocheck solve reference/published/rough.toml --format csv > rough.csv
+  tribocheck solve reference/published/rough.toml reference/published/smooth.toml)";
 
 }  // namespace
 
 Command add_solve(CLI::App& program) {
   CLI::App* app = program.add_subcommand("solve", "the outputs of scenes at their speeds");
-  app->footer(footer);
+  app->footer(footer_with_scenes(footer));
   const auto arguments = std::make_shared<SolveArguments>();
   add_scene_arguments(*app, *arguments);
   app->add_option("--threads", arguments->threads,

@@ -2,19 +2,25 @@
 // tribocheck sweep: many cases of a scene, on many threads and machines.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <charconv>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
+#include "example_scenes.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "report/sweep_pictures.hpp"
 #include "report/sweep_tables.hpp"
+#include "src/scene_schema.hpp"
+#include "sweep/journal.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
@@ -94,6 +100,27 @@ void write_result(const sweep::SweepResult& result, const std::string& format, T
   }
 }
 
+// What a shard or journal says of itself; empty for other files.
+std::string shard_text(const std::string& path) {
+  try {
+    const sweep::JournalReader reader(path);
+    std::vector<std::uint64_t> chunks;
+    for (const auto& record : reader.records()) chunks.push_back(record.chunk);
+    std::sort(chunks.begin(), chunks.end());
+    // Shard I of N has the chunks I − 1, I − 1 + N, …
+    const std::uint64_t parts = chunks.size() < 2 ? 1 : chunks[1] - chunks[0];
+    if (parts > 1)
+      return fmt::format(
+          "this is shard {} of {} of a sweep; put all of them together first: `tribocheck sweep "
+          "merge`",
+          chunks[0] + 1, parts);
+    return "this is a shard or journal of a sweep; make a result of it first: of all shards by "
+           "`tribocheck sweep merge`, of a journal by `tribocheck sweep --resume`";
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
 void show_result(const SweepArguments& arguments, const std::string& path, OutputStream& output) {
   const sweep::SweepResult result = sweep::read_result(path);
   write_result(result, arguments.format, output.text());
@@ -169,7 +196,20 @@ int told(Step&& step) {
   }
 }
 
+// "sweep show" for `sweep shwo`: no file, and nearly the name of a subcommand; else empty.
+std::string subcommand_meant(const SweepArguments& arguments) {
+  if (arguments.files.empty() || std::filesystem::exists(arguments.files.front())) return {};
+  constexpr std::array<std::string_view, 2> names{"merge", "show"};
+  const std::string_view meant = scene_detail::nearest_choice(arguments.files.front(), names);
+  return meant.empty() ? "" : "sweep " + std::string(meant);
+}
+
 int run_sweep(const SweepArguments& arguments, OutputStream& output) {
+  if (const std::string meant = subcommand_meant(arguments); !meant.empty()) {
+    complain("unknown command \"sweep " + printable(arguments.files.front()) +
+             "\", and there is no such file; did you mean " + meant + "?");
+    return exit_bad;
+  }
   if (arguments.files.empty() || (arguments.out.empty() && !arguments.estimate)) {
     complain(arguments.files.empty()
                  ? "sweep: no SWEEP.toml is given (see --help)"
@@ -195,12 +235,14 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
 
 int show_results(const SweepArguments& arguments, OutputStream& output) {
   return told([&] {
+    const std::string& path = arguments.files.front();
     try {
-      show_result(arguments, arguments.files.front(), output);
+      show_result(arguments, path, output);
     } catch (const OutputFailed&) {
       throw;
     } catch (const std::runtime_error& unreadable) {
-      throw std::invalid_argument(unreadable.what());
+      const std::string shard = shard_text(path);
+      throw std::invalid_argument(shard.empty() ? unreadable.what() : path + ": " + shard);
     }
     return exit_done;
   });
@@ -221,14 +263,25 @@ and, if anything is not as it should be, a table [sweep] with
 constexpr const char* footer_end =
     R"(Completed chunks go to OUT.journal-0 (of other ranks -1, …) at once: after a crash or Ctrl-C --resume
 goes on there, and ends in the same file to the bit. The same for any number of threads and ranks:
-  mpirun -n 4 tribocheck sweep sweep.toml -o sweep.h5
-and, without MPI, for shards that are merged:
-  tribocheck sweep sweep.toml --shard 1/2 -o first.shard      (2/2 -o second.shard elsewhere)
-  tribocheck sweep merge first.shard second.shard -o sweep.h5
+  mpirun -n 4 tribocheck sweep SWEEP.toml -o SWEEP.h5
+and, without MPI, for shards, which any machine may compute, and which are then merged.
 Exit code 0: done; 1: failed, what is computed is kept; 2: bad usage or input; 130: stopped by Ctrl-C.
 
 Example:
-  tribocheck sweep smooth.toml -o smooth.h5 --pictures smooth_pictures)";
+  tribocheck sweep reference/published/sweeps/onset_smooth.toml -o smooth.h5 --pictures pictures
+  tribocheck sweep reference/published/sweeps/film_map.toml --estimate
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 1/2 -o first.shard
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 2/2 -o second.shard
+  tribocheck sweep merge first.shard second.shard -o film_map.h5)";
+
+constexpr const char* merge_footer = R"(Example:
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 1/2 -o first.shard
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 2/2 -o second.shard
+  tribocheck sweep merge first.shard second.shard -o film_map.h5)";
+
+constexpr const char* show_footer = R"(Example:
+  tribocheck sweep reference/published/sweeps/film_map.toml -o film_map.h5
+  tribocheck sweep show film_map.h5 --format csv)";
 
 std::string footer() {
   std::string text = footer_start;
@@ -250,7 +303,7 @@ void add_output_options(CLI::App& app, SweepArguments& arguments) {
 Command add_sweep(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "sweep", "many cases of scenes: grids, uncertain inputs, sensitivities");
-  app->footer(footer());
+  app->footer(footer_with_scenes(footer()));
   const auto arguments = std::make_shared<SweepArguments>();
   app->add_option("SWEEP", arguments->files, "sweep files in TOML; - is stdin");
   app->add_option("-o,--out", arguments->out, "the result, an HDF5 file (with --shard a shard)");
@@ -278,11 +331,13 @@ Command add_sweep(CLI::App& program) {
   merge->add_flag("--any-instruction-set", merged->any_instruction_set,
                   "also shards from machines whose last digits differ");
   add_output_options(*merge, *merged);
+  merge->footer(footer_with_scenes(merge_footer));
 
   const auto shown = std::make_shared<SweepArguments>();
   CLI::App* show = app->add_subcommand("show", "tell what a result holds, and draw it");
   show->add_option("RESULT", shown->files, "a result, an HDF5 file")->required()->expected(1);
   add_output_options(*show, *shown);
+  show->footer(footer_with_scenes(show_footer));
 
   return {app, [=](OutputStream& output) {
             if (merge->parsed()) return merge_shards(*merged, output);

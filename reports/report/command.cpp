@@ -68,7 +68,8 @@ the project that the current folder, or else the program, is part of.
 Exit code 1: figures are missing, because gnuplot is or because it failed.
 
 Example:
-  tribocheck report --out /tmp/report)";
+  tribocheck report --out my_report
+  tribocheck report --out my_claims --section claims)";
 
 }  // namespace
 

@@ -44,18 +44,21 @@ std::string percent(double part) {
   return fmt::format("{} %", part == 1 ? "100" : fmt::format("{:.1f}", 100 * part));
 }
 
+std::string with_unit(const std::string& number, const std::string& unit) {
+  return unit == no_entry || number == no_entry ? number : fmt::format("{} {}", number, unit);
+}
+
 // What the item asks for: the number, or the comparison.
 std::string asked(const Item& item) {
   switch (item.rule) {
     case Rule::number:
-      return item.unit == no_entry ? unrounded(item.reported)
-                                   : fmt::format("{} {}", unrounded(item.reported), item.unit);
+      return with_unit(unrounded(item.reported), item.unit);
     case Rule::order:
-      return "> 1";
+      return "above 1";
     case Rule::equal:
-      return fmt::format("1, to {} %", unrounded(100 * item.tolerance));
+      return fmt::format("1 ± {} %", unrounded(100 * item.tolerance));
     case Rule::at_least:
-      return fmt::format("≥ {}", unrounded(item.tolerance));
+      return fmt::format("from {}", unrounded(item.tolerance));
   }
   return {};
 }
@@ -63,18 +66,21 @@ std::string asked(const Item& item) {
 std::string computed(const Item& item, const ItemResult& result) {
   if (!result.observed.value) return no_entry;
   if (is_over_speeds(item))
-    return fmt::format("{} … {}",
+    return fmt::format("{} to {}",
                        number(std::min(*result.observed.value, result.observed.other_end), 3),
                        number(std::max(*result.observed.value, result.observed.other_end), 3));
-  return number(*result.observed.value);
+  return with_unit(number(*result.observed.value), item.unit);
 }
 
-// Of a number the factor; of a comparison the part of the speeds where it holds.
-std::string factor(const Item& item, const ItemResult& result) {
+std::string against_the_paper(const Item& item, const ItemResult& result) {
   if (!result.observed.value) return no_entry;
-  if (item.rule == Rule::number) return number(*result.observed.value / item.reported, 3);
-  return is_over_speeds(item) ? fmt::format("at {} of speeds", percent(result.observed.part))
-                              : no_entry;
+  if (item.rule == Rule::number)
+    return fmt::format("{} times", number(*result.observed.value / item.reported, 3));
+  if (!is_over_speeds(item)) return no_entry;
+  const double part = result.observed.part;
+  return part == 0   ? "at no speed"
+         : part == 1 ? "at all speeds"
+                     : fmt::format("at {} of speeds", percent(part));
 }
 
 std::string verdict(const ItemResult& result) {

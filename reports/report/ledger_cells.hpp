@@ -15,12 +15,15 @@ inline constexpr const char* no_entry = "–";
 // Rounded, or no_entry.
 std::string number(const std::optional<double>& value, int digits = 4);
 std::string percent(double part);
+// "0.5 m/s"; without a unit or a number as it is.
+std::string with_unit(const std::string& number, const std::string& unit);
 // What the item asks for: the number, or the comparison.
 std::string asked(const reproduction::Item& item);
 // What came out: a number, or least … greatest over speeds.
 std::string computed(const reproduction::Item& item, const reproduction::ItemResult& result);
-// Of a number the factor, of a comparison the part of the speeds where it holds.
-std::string factor(const reproduction::Item& item, const reproduction::ItemResult& result);
+// "4.19 times" what the paper has; of a comparison "at 72.5 % of speeds", where it holds.
+std::string against_the_paper(const reproduction::Item& item,
+                              const reproduction::ItemResult& result);
 std::string verdict(const reproduction::ItemResult& result);
 std::string list(const std::vector<std::string>& names);
 // All claims are wanted where none is named.

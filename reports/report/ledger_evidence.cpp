@@ -15,6 +15,16 @@ namespace tribo::report {
 using namespace reproduction;
 using namespace ledger_cells;
 
+namespace {
+
+// d ln(result)/d ln(input) as what 1 % of the input does.
+std::string per_cent(const std::optional<double>& sensitivity) {
+  if (!sensitivity) return no_entry;
+  return fmt::format("{}{} %", *sensitivity < 0 ? "" : "+", number(sensitivity, 2));
+}
+
+}  // namespace
+
 TextTable identification_table(const Ledger& ledger) {
   TextTable table{
       "What each item tells apart",
@@ -79,26 +89,31 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
     std::stable_sort(found.begin(), found.end(), [](const Requirement* a, const Requirement* b) {
       return std::abs(std::log(*a->factor)) < std::abs(std::log(*b->factor));
     });
-    TextTable table{fmt::format("{}: {}", item.id, typeset(item.statement)),
-                    {"input", "sensitivity", "factor by it", "factor", "value", "plausible range",
-                     "plausible", "mends", "breaks"},
-                    {false, true, true, true, true, false, false, false, false},
+    TextTable table{fmt::format("What would make {} hold: {}", item.id, typeset(item.statement)),
+                    {"input", "effect of +1 %", "value of the paper", "value needed",
+                     "times the paper's", "plausible?", "claims mended", "claims broken"},
+                    {false, true, true, true, true, false, false, false},
                     {},
-                    fmt::format("Computed {}, asked {}.",
+                    fmt::format("Computed: {}; the paper has: {}.",
                                 computed(item, ledger.readings.front().results[i]), asked(item))};
     for (const Requirement* one : found)
-      table.rows.push_back({fmt::format("`{}`", name(one->field)), number(one->sensitivity, 2),
-                            number(one->by_sensitivity, 3), number(one->factor, 4),
-                            number(one->value, 3),
-                            fmt::format("{} to {}", unrounded(one->low), unrounded(one->high)),
-                            one->plausible ? "yes" : "no", list(one->mended), list(one->broken)});
+      table.rows.push_back({with_unit(fmt::format("`{}`", name(one->field)),
+                                      one->unit == no_entry ? no_entry : "(" + one->unit + ")"),
+                            per_cent(one->sensitivity), unrounded(one->paper_value),
+                            number(one->value, 3), number(one->factor, 4),
+                            fmt::format("{}: {} to {}", one->plausible ? "yes" : "no",
+                                        unrounded(one->low), unrounded(one->high)),
+                            list(one->mended), list(one->broken)});
+    if (!found.empty())
+      table.note += fmt::format(
+          " Values are those of the {} surface; the same factor goes on the input of all surfaces.",
+          found.front()->surface);
+    const bool has_speed = std::any_of(found.begin(), found.end(), [](const Requirement* one) {
+      return one->field == Field::speed;
+    });
+    if (has_speed) table.note += " `speed` is a factor on the speed in the film formula.";
     if (!none.empty())
       table.note += fmt::format(" No factor from 1/30 to 30 on {} makes it hold.", list(none));
-    if (!table.rows.empty())
-      table.note +=
-          " The factor goes on an input of all surfaces; values and ranges of those that differ "
-          "are "
-          "the rough one's.";
     tables.push_back(std::move(table));
   }
   return tables;

@@ -66,6 +66,9 @@ Json requirement_json(const Ledger& ledger, const Requirement& one) {
           {"sensitivity", number(one.sensitivity)},
           {"factor_by_sensitivity", number(one.by_sensitivity)},
           {"factor", number(one.factor)},
+          {"surface", one.surface},
+          {"unit", one.unit},
+          {"paper_value", one.paper_value},
           {"value", one.factor ? Json(one.value) : Json(nullptr)},
           {"plausible", one.plausible},
           {"mends", one.mended},
@@ -134,7 +137,9 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
                                   {"switches", switches(reading.reading)}});
   for (std::size_t k = 0; k < ledger.claims.size(); ++k) {
     if (!is_wanted(ledger.claims[k])) continue;
-    Json claim{{"claim", ledger.claims[k]}, {"met_by", ledger.claim_parts[k]}};
+    Json claim{{"claim", ledger.claims[k]},
+               {"statement", ledger.statements[k]},
+               {"met_by", ledger.claim_parts[k]}};
     for (const NamedReading& reading : readings)
       claim["verdicts"][reading.name] = name(reading.verdicts[k]);
     object["claims"].push_back(claim);

@@ -62,7 +62,8 @@ std::string share_factor(const Ledger& ledger, std::size_t surface) {
   for (std::size_t i = 0; i < ledger.items.size(); ++i)
     if (ledger.items[i].quantity == Quantity::slow_asperity_share &&
         static_cast<std::size_t>(ledger.items[i].surface) == surface)
-      return ledger_cells::factor(ledger.items[i], ledger.readings.front().results[i]);
+      if (const auto& value = ledger.readings.front().results[i].observed.value)
+        return rounded(*value / ledger.items[i].reported, 3);
   return ledger_cells::no_entry;
 }
 
@@ -135,18 +136,20 @@ Section claims_section(const Ledger& ledger, const ReportPlaces& places) {
       {Standing::differs, "Onset speeds under all readings",
        fmt::format(
            "The onset speeds (C1) come out {} to {} times as high as reported, by the greatest "
-           "film; of {} readings {} have all three.",
-           rounded(least, 3), rounded(greatest, 3), reproduction::reading_count(),
-           ledger.claim_parts.front() == 0 ? "none"
-                                           : ledger_cells::percent(ledger.claim_parts.front()))});
+           "film; {}",
+           rounded(least, 3), rounded(greatest, 3),
+           ledger.claim_parts.front() == 0
+               ? no_reading_sentence
+               : fmt::format("{} of all combinations of interpretations give all three.",
+                             ledger_cells::percent(ledger.claim_parts.front())))});
   compare_with_committed(section, ledger, places);
   section.paragraphs = {
       "C1 to C17 are what the paper says of its results. Each is computed and judged by a rule "
       "that stands in `reference/published/claims.tsv`; nothing is tuned. A verdict that is not "
       "“reproduced” is a "
       "result."};
-  section.tables = {verdict_table(ledger), reading_table(ledger, corrected),
-                    statement_table(ledger)};
+  section.tables = {verdict_table(ledger, ledger.readings), readings_table(ledger, ledger.readings),
+                    reading_table(ledger, corrected), statement_table(ledger)};
   section.figures = claim_figures(ledger);
   section.data = {ledger_surfaces_data(ledger),
                   ledger_law_data(ledger),
@@ -194,8 +197,8 @@ Section readings_section(const Ledger& ledger) {
   section.verdicts.push_back(
       {Standing::measured, "Readings",
        fmt::format(
-           "Of {} readings the best reproduce {} claims, one at random {}. Numbers of the paper "
-           "that one candidate alone meets: {}.",
+           "Of {} readings the best reproduce {} claims, one at random {}. These printed numbers "
+           "fit only one interpretation: {}.",
            reproduction::reading_count(), ledger.ranking.best.front().score,
            rounded(ledger.ranking.mean_score, 2), identified(ledger))});
   return section;
@@ -206,9 +209,7 @@ Section requirements_section(const Ledger& ledger) {
   section.paragraphs = {
       "For each item that fails: the change of a single input that would make it hold, whether "
       "that is "
-      "plausible, and which other claims it mends or breaks. The factor by sensitivity is what the "
-      "slope at "
-      "the paper's inputs predicts; the factor is the exact one, nearest to 1."};
+      "plausible, and which claims it mends or breaks."};
   for (TextTable& table : requirement_tables(ledger)) {
     if (table.rows.empty())
       section.paragraphs.push_back(fmt::format("{}. {}", table.caption, table.note));

@@ -10,16 +10,26 @@
 
 namespace tribo::report {
 
-// One reading, item by item; `claims` names those to show, all if empty.
+// One reading, part by part; `claims` names those to show, all if empty.
 TextTable reading_table(const reproduction::Ledger& ledger,
                         const reproduction::NamedReading& reading,
-                        const std::vector<std::string>& claims = {}, bool with_statements = true);
-// What each item says, where, and how it is computed.
+                        const std::vector<std::string>& claims = {});
+// What each part of a claim says, where, and how it is computed.
 TextTable statement_table(const reproduction::Ledger& ledger,
                           const std::vector<std::string>& claims = {});
-// Verdict of each claim under each reading, and how many of all readings meet it.
+// "10 of the paper's 17 claims are reproduced, 2 partly, 5 not"
+std::string verdict_sentence(const reproduction::Ledger& ledger,
+                             const reproduction::NamedReading& reading);
+inline constexpr const char* no_reading_sentence =
+    "no combination of interpretations gives all three speeds.";
+// Each claim in a sentence with its verdict under each reading, and how many of all readings
+// reproduce it.
 TextTable verdict_table(const reproduction::Ledger& ledger,
+                        const std::vector<reproduction::NamedReading>& readings,
                         const std::vector<std::string>& claims = {});
+// What the readings are.
+TextTable readings_table(const reproduction::Ledger& ledger,
+                         const std::vector<reproduction::NamedReading>& readings);
 
 TextTable ranking_table(const reproduction::Ledger& ledger);
 TextTable switch_table();

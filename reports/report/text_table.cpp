@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "report/markup.hpp"
 
@@ -22,12 +23,99 @@ std::string padded(const std::string& text, std::size_t to, bool right) {
   return right ? blanks + text : text + blanks;
 }
 
+// Words, with what belongs together: "5 × 10⁻⁶", "± 2 %".
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  bool joins = false;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, end - from);
+    from = end + 1;
+    if (!words.empty() && (joins || word == "×" || word == "%"))
+      words.back() += ' ' + word;
+    else
+      words.push_back(word);
+    joins = word == "×" || word == "±" || word == "≥" || word == "<";
+  }
+  return words;
+}
+
+std::size_t longest_word(const std::string& text) {
+  std::size_t longest = 0;
+  for (const std::string& word : words_of(text)) longest = std::max(longest, width(word));
+  return longest;
+}
+
+// The rows of a table without markup, its headings first.
+std::vector<std::vector<std::string>> plain_cells(const TextTable& table) {
+  std::vector<std::vector<std::string>> cells{table.headings};
+  cells.insert(cells.end(), table.rows.begin(), table.rows.end());
+  for (auto& row : cells)
+    for (std::string& cell : row) cell = to_plain(cell);
+  return cells;
+}
+
+constexpr std::size_t gap = 2;
+
+std::size_t total_of(const std::vector<std::size_t>& widths) {
+  return std::accumulate(widths.begin(), widths.end(), gap * (widths.size() - 1));
+}
+
+// Each column is as wide as its cells, or, where that is more than `most` together, narrower: first
+// headings are wrapped at words, then the widest texts; numbers never are.
+std::vector<std::size_t> column_widths(const TextTable& table,
+                                       const std::vector<std::vector<std::string>>& cells,
+                                       std::size_t most) {
+  const std::size_t columns = table.headings.size();
+  std::vector<std::size_t> widths(columns), with_whole_cells(columns), least(columns);
+  for (std::size_t r = 0; r < cells.size(); ++r)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t whole = width(cells[r][i]), word = longest_word(cells[r][i]);
+      widths[i] = std::max(widths[i], whole);
+      with_whole_cells[i] = std::max(with_whole_cells[i], r == 0 ? word : whole);
+      least[i] = std::max(least[i], r == 0 || !table.is_number[i] ? word : whole);
+    }
+  for (const auto& floor : {with_whole_cells, least})
+    while (total_of(widths) > most) {
+      std::size_t widest = columns;
+      for (std::size_t i = 0; i < columns; ++i)
+        if (widths[i] > floor[i] && (widest == columns || widths[i] > widths[widest])) widest = i;
+      if (widest == columns) break;
+      --widths[widest];
+    }
+  return widths;
+}
+
 std::string plain_row(const std::vector<std::string>& cells, const TextTable& table,
                       const std::vector<std::size_t>& widths) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    line += (i == 0 ? "" : "  ") + padded(to_plain(cells[i]), widths[i], table.is_number[i]);
-  return line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  std::vector<std::vector<std::string>> lines;  // of each cell
+  std::size_t height = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    lines.push_back(wrapped(cells[i], widths[i]));
+    height = std::max(height, lines.back().size());
+  }
+  std::string text;
+  for (std::size_t at = 0; at < height; ++at) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      line += std::string(i == 0 ? 0 : gap, ' ') +
+              padded(at < lines[i].size() ? lines[i][at] : "", widths[i], table.is_number[i]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+// A row whose cells do not fit beside each other: below each other, each behind its heading.
+std::string stacked_row(const std::vector<std::string>& headings,
+                        const std::vector<std::string>& cells, std::size_t most) {
+  const TextTable line{{}, {}, {false, false}, {}, {}};
+  std::size_t widest = 0;
+  for (const std::string& heading : headings) widest = std::max(widest, width(heading));
+  std::string text = cells[0] + '\n';
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    text += plain_row({"  " + headings[i], cells[i]}, line,
+                      {gap + widest, most - std::min(most, widest + 2 * gap)});
+  return text;
 }
 
 // Numbers are set to the right; texts get a column that is wide enough to read.
@@ -64,14 +152,26 @@ std::string markdown_row(const std::vector<std::string>& cells) {
 
 }  // namespace
 
-std::string plain_table(const TextTable& table) {
-  std::vector<std::size_t> widths;
-  for (const std::string& heading : table.headings) widths.push_back(width(to_plain(heading)));
-  for (const auto& row : table.rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], width(to_plain(row[i])));
-  std::string text = to_plain(table.caption) + '\n' + plain_row(table.headings, table, widths);
-  for (const auto& row : table.rows) text += plain_row(row, table, widths);
+std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
+  if (width(text) <= most) return {text};
+  std::vector<std::string> lines;
+  for (const std::string& word : words_of(text))
+    if (lines.empty() || width(lines.back()) + 1 + width(word) > most)
+      lines.push_back(word);
+    else
+      lines.back() += ' ' + word;
+  return lines;
+}
+
+std::string plain_table(const TextTable& table, std::size_t most) {
+  std::string text;
+  for (const std::string& line : wrapped(to_plain(table.caption), most)) text += line + '\n';
+  if (table.rows.empty()) return text;
+  const auto cells = plain_cells(table);
+  const std::vector<std::size_t> widths = column_widths(table, cells, most);
+  const bool fits = total_of(widths) <= most;
+  for (std::size_t r = fits ? 0 : 1; r < cells.size(); ++r)
+    text += fits ? plain_row(cells[r], table, widths) : stacked_row(cells[0], cells[r], most);
   return text;
 }
 

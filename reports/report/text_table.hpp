@@ -2,6 +2,7 @@
 // A table of texts, and its three renderings.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,12 @@ struct TextTable {
   std::string data = {};  // the same unrounded, a .tsv file below the report's folder; empty: none
 };
 
-std::string plain_table(const TextTable& table);
+inline constexpr std::size_t any_width = 1'000'000;
+// In lines of at most so many signs, as far as its words let: texts and headings are wrapped, or
+// the cells of a row set below each other. Without the note.
+std::string plain_table(const TextTable& table, std::size_t most = any_width);
+// A text in lines of at most so many signs.
+std::vector<std::string> wrapped(const std::string& text, std::size_t most);
 std::string html_table(const TextTable& table);
 std::string markdown_table(const TextTable& table);
 

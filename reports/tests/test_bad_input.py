@@ -202,6 +202,52 @@ class Files(BadInputTest):
     def test_stdin_is_empty(self):
         self.assert_refused(run("solve", "-"), "-")
 
+    def test_other_encodings_are_named(self):
+        for text, name in [(toml(scene()), "case.toml"), (json_value(scene()), "case.json")]:
+            for encoding in ["utf-16", "utf-16-le", "utf-16-be", "utf-32"]:
+                with self.subTest(name=name, encoding=encoding):
+                    path = self.folder.write(name, text.encode(encoding))
+                    said = f"{path}: the file is UTF-{encoding[4:6]}; save it as UTF-8"
+                    self.assert_refused(run("solve", path), said)
+                    self.assert_refused(run("sweep", path, "-o", "x.h5"), said)
+        path = self.folder.write("case.toml", b"\xef\xbb\xbf" + toml(scene()).encode())
+        self.assertEqual(run("solve", path).code, 0)
+
+    def test_a_sweep_is_told_from_a_scene(self):
+        normal = Literal('{ distribution = "normal", mean = 0.02, sd = 0.001 }')
+        for tree in [scene(sweep={"draws": 64}), with_field(scene(), "lubricant.viscosity", normal),
+                     scene(load=Literal('{ printed = "50" }'))]:
+            path = self.folder.write("case.toml", tree)
+            for command in ["solve", "curve", "onset"]:
+                with self.subTest(tree=tree, command=command):
+                    result = run(command, path)
+                    self.assert_refused(result)
+                    self.assertEqual(
+                        result.err, f"tribocheck: {path}: this is a sweep: use `tribocheck sweep`\n")
+        with open(path, encoding="utf-8") as file:
+            self.assert_refused(run("solve", "-", stdin=file.read()), "this is a sweep")
+
+    def test_the_other_scenes_beside_a_sweep_are_still_solved(self):
+        sweep = self.folder.write("sweep.toml", scene(sweep={"draws": 64}))
+        good = self.folder.write("good.toml", scene())
+        result = run("solve", sweep, good, "--format", "csv")
+        self.assertEqual((result.code, len(result.error_lines)), (2, 1))
+        self.assertEqual(result.out, run("solve", good, "--format", "csv").out)
+
+    def test_results_and_shards_of_sweeps_are_no_scenes(self):
+        sweep = self.folder.write("sweep.toml", scene(load={"printed": "50"}, sweep={"draws": 64}))
+        result, shard = self.folder.path("result.h5"), self.folder.path("part.shard")
+        self.assertEqual(run("sweep", sweep, "-o", result).code, 0)
+        self.assertEqual(run("sweep", sweep, "--shard", "1/2", "-o", shard).code, 0)
+        for command in [["solve"], ["curve"], ["onset"], ["sweep", "-o", self.folder.path("x.h5")]]:
+            self.assert_refused(run(*command, result), f"{result}: this is an HDF5 file",
+                                "`tribocheck sweep show`")
+            self.assert_refused(run(*command, shard), f"{shard}: this is a shard or journal of a sweep",
+                                "`tribocheck sweep merge`", "--resume")
+        with open(result, "ab") as file:
+            file.write(bytes(1 << 20))  # what it is comes before its size
+        self.assert_refused(run("solve", result), "this is an HDF5 file")
+
     def test_broken_toml(self):
         good = toml(scene()).encode()
         cases = [b"load = \n", b"load 50\n", b"[surface\n", b"load = '50\n", b"= 5\n", b"load = 5 5\n",

@@ -140,7 +140,8 @@ class Refusals(unittest.TestCase):
         self.one_line(bench("--filter", "("), "--filter", "regular expression")
 
     def test_a_filter_that_matches_nothing(self):
-        self.one_line(bench("--filter", "no such contender"), "no such contender")
+        self.one_line(bench("--filter", "no such contender"), "no such contender",
+                      "the jobs are moment_5_2, ", "points_1e6; the families are GSL, ", "tribocheck")
 
     def test_an_unknown_format(self):
         self.one_line(bench("--format", "xml"), "--format")

@@ -2,17 +2,27 @@
 """reproduce: the ledger of the paper's claims, its formats, and what a changed verdict does."""
 
 import csv
+import fcntl
+import functools
 import io
 import os
 import pathlib
 import shutil
+import struct
+import termios
 import unittest
 
-from program import Folder, run
+from program import Folder, run, start
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 LEDGER = ROOT / "reference/baselines/ledger.csv"
 CLAIMS = [f"C{i}" for i in range(1, 18)]
+
+
+@functools.cache
+def reproduced(*arguments):
+    """What it says, computed once for all tests; it takes a second or two."""
+    return run("reproduce", *arguments)
 
 
 class ReproduceTest(unittest.TestCase):
@@ -21,7 +31,7 @@ class ReproduceTest(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def rows(self, *arguments):
-        result = run("reproduce", "--format", "csv", *arguments)
+        result = reproduced("--format", "csv", *arguments)
         self.assertEqual((result.code, result.err), (0, ""))
         return list(csv.DictReader(io.StringIO(result.out)))
 
@@ -35,14 +45,138 @@ class ReproduceTest(unittest.TestCase):
         writer.writerows(rows)
         return self.folder.write("ledger.csv", text.getvalue())
 
+    def table(self, caption, *arguments):
+        """The lines below a caption, up to the next empty one."""
+        result = reproduced(*arguments)
+        self.assertEqual((result.code, result.err), (0, ""))
+        found = [block for block in result.out.split("\n\n") if block.startswith(caption)]
+        self.assertEqual(len(found), 1, result.out)
+        return found[0].splitlines()[1:]
+
     def test_no_verdict_changed_against_the_committed_ledger(self):
-        result = run("reproduce")
+        result = reproduced()
         self.assertEqual((result.code, result.err), (0, ""))
         for claim in CLAIMS:
             self.assertIn(f"\n{claim} ", result.out)
 
+    def test_it_starts_with_the_sum_of_the_verdicts(self):
+        with LEDGER.open() as file:
+            verdicts = {row["claim"]: row["claim_verdict"] for row in csv.DictReader(file)
+                        if row["reading"] == "corrected"}
+        count = [sum(one == "reproduced" for one in verdicts.values()), 0,
+                 sum(one == "not reproduced" for one in verdicts.values())]
+        count[1] = len(verdicts) - count[0] - count[2]
+        self.assertTrue(reproduced().out.startswith(
+            "{} of the paper's 17 claims are reproduced, {} partly, {} not".format(*count)))
+
+    def test_each_claim_is_said_in_words_beside_its_verdicts(self):
+        said, claim = {}, None
+        for line in self.table("What the paper claims")[2:]:  # below two lines of headings
+            if line.startswith("GT: "):
+                break
+            claim = line[:5].strip() or claim
+            said[claim] = said.get(claim, "") + " " + line[7:47].strip()
+            if line[:5].strip() in CLAIMS:
+                self.assertRegex(line[47:], r"^ *((yes|partly|no) +){5}(none|[0-9.]+ %)$")
+        with (ROOT / "reference/published/statements.tsv").open() as file:
+            lines = csv.DictReader((one for one in file if not one.startswith("#")), delimiter="\t")
+            statements = {line["claim"]: line["statement"] for line in lines}
+        self.assertEqual(list(statements), CLAIMS)
+        for name, statement in statements.items():
+            self.assertEqual(" ".join(said[name].split()), statement)
+
+    def test_a_statement_is_data(self):
+        folder = self.published("statements.tsv", "C14\tfriction is higher", "C14\trubbing is harder")
+        self.assertIn("rubbing is harder with GT", run("reproduce", "--published", folder).out)
+
+    def published(self, name, old, new):
+        """A copy of the data with one text changed."""
+        folder = pathlib.Path(self.folder.path("published"))
+        shutil.copytree(ROOT / "reference/published", folder)
+        text = (folder / name).read_text()
+        self.assertIn(old, text)
+        (folder / name).write_text(text.replace(old, new, 1))
+        return str(folder)
+
+    def test_each_reading_is_told_once(self):
+        result = reproduced()
+        told = self.table("The readings")
+        names = [line.split("  ")[0] for line in told if not line.startswith((" ", "reading", "What"))]
+        self.assertEqual(names, ["corrected", "literal", "best 1", "best 2", "best 3"])
+        for switches in ["asperity_prefactor=8 nominal_area=a2 offset_planes=2 inlet=as_printed",
+                         "asperity_prefactor=8 offset_planes=2 speed_modulus=E* speed=sum;"]:
+            self.assertEqual(" ".join(result.out.split()).count(" " + switches), 1, result.out)
+
+    def test_a_reading_that_is_there_already_is_not_shown_again(self):
+        best = self.rows("--reading", "best", "--claim", "C3")[0]
+        again = best["departures"].replace(" ", ",")
+        for arguments in [["corrected", "speed=mean"], ["speed=sum", "speed=sum"], ["best", again]]:
+            with self.subTest(arguments=arguments):
+                options = [word for one in arguments for word in ("--reading", one)]
+                rows = self.rows(*options, "--claim", "C3")
+                self.assertEqual(len({row["departures"] for row in rows}), len(rows))
+                self.assertEqual(rows, self.rows(*options[:2], "--claim", "C3"))
+
+    def test_a_claim_on_the_smooth_surface_has_the_smooth_surfaces_values_and_units(self):
+        ledger = reproduced("--format", "json").json()
+        inputs = [line for line in (ROOT / "reference/published/inputs.tsv").read_text().splitlines()
+                  if not line.startswith("#")]
+        values = {(row["field"], row["surface"]): row
+                  for row in csv.DictReader(inputs, delimiter="\t")}
+        surfaces = {item["item"]: item["surface"] for item in ledger["items"]}
+        seen = set()
+        for one in ledger["requirements"]:
+            surface = surfaces[one["item"]] if surfaces[one["item"]] != "–" else "rough"
+            row = values.get((one["input"], surface)) or values[one["input"], "all"]
+            self.assertEqual((one["surface"], one["unit"]), (surface, row["unit"]))
+            self.assertEqual(one["paper_value"], float(row["value"]))
+            if one["factor"] is not None:
+                self.assertAlmostEqual(one["value"] / one["paper_value"] / one["factor"], 1, delta=1e-12)
+            seen.add((one["item"], surface))
+        self.assertTrue({("C1.rough", "rough"), ("C1.medium", "medium"), ("C1.smooth", "smooth"),
+                         ("C4.smooth", "smooth")} <= seen)
+        lines = self.table("What would make C1.smooth hold", "--claim", "C1")
+        sd, = [line for line in lines if line.startswith("summit_height_sd")]
+        self.assertIn("2.5 × 10⁻⁸", sd)
+        self.assertIn("(m)", " ".join(lines))
+        self.assertIn("smooth surface", " ".join(lines))
+
+    def test_numbers_have_their_units(self):
+        speed, = [line for line in self.table("The numbers and comparisons")
+                  if line.startswith("C1.rough")]
+        self.assertRegex(speed, r"onset speed, rough +0.5 m/s +2\.097 m/s +4\.19 times +not reproduced$")
+
+    def test_where_a_comparison_holds_is_said_in_words(self):
+        text = reproduced("--reading", "best").out
+        self.assertIn("at all speeds", text)
+        self.assertIn("at no speed", text)
+        self.assertNotIn("none of", reproduced().out)
+
+    def test_every_line_fits(self):
+        for arguments in [[], ["--section", "all"], ["--claim", "C1"]]:
+            for line in reproduced(*arguments).out.splitlines():
+                self.assertLessEqual(len(line), 100)
+
+    def test_on_a_terminal_of_80_columns_every_line_fits(self):
+        reader, writer = os.openpty()
+        fcntl.ioctl(writer, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+        process = start("reproduce", stdout=writer)
+        os.close(writer)
+        said = b""
+        try:
+            while part := os.read(reader, 4096):
+                said += part
+        except OSError:  # the other end is closed
+            pass
+        os.close(reader)
+        self.assertEqual(process.wait(timeout=120), 0)
+        lines = said.decode().splitlines()
+        self.assertGreater(len(lines), 60)
+        for line in lines:
+            self.assertLessEqual(len(line), 80)
+
     def test_json_holds_all_of_it(self):
-        ledger = run("reproduce", "--format", "json").json()
+        ledger = reproduced("--format", "json").json()
         self.assertEqual([claim["claim"] for claim in ledger["claims"]], CLAIMS)
         self.assertEqual([one["erratum"] for one in ledger["errata"]],
                          [f"E{i}" for i in range(1, 26)])
@@ -65,11 +199,13 @@ class ReproduceTest(unittest.TestCase):
             self.assertEqual(float(found[f"C1.{surface}"]["factor"]), factor)
 
     def test_a_claim_is_shown_with_what_would_have_to_be_true(self):
-        result = run("reproduce", "--claim", "C1")
+        result = reproduced("--claim", "C1")
         self.assertEqual(result.code, 0)
         self.assertIn("abstract; conclusion", result.out)
         self.assertIn("viscosity", result.out)
-        self.assertNotIn("C17", result.out.replace("C17\n", "").split("\n\n")[0])
+        claims = result.out.split("\n\n")[1]
+        self.assertIn("\nC1 ", claims)
+        self.assertNotIn("\nC17", claims)
         self.assertEqual({row["claim"] for row in self.rows("--claim", "C1", "--claim", "C4")},
                          {"C1", "C4"})
 
@@ -119,7 +255,7 @@ class ReproduceTest(unittest.TestCase):
     def test_markdown_has_every_section_when_asked(self):
         result = run("reproduce", "--section", "all", "--format", "markdown")
         self.assertEqual(result.code, 0)
-        for text in ["The claims under", "The switches", "What each item tells apart", "How sure",
+        for text in ["What the paper claims", "The readings", "The switches", "What each item tells apart", "How sure",
                      "The misprints", "beside another library", "C1 as a departure"]:
             self.assertIn(text, result.out)
 
@@ -140,12 +276,29 @@ class ReproduceTest(unittest.TestCase):
             for word in words:
                 self.assertIn(word, result.err)
 
+    def test_what_is_asked_for_is_refused_before_anything_is_computed(self):
+        # Without scenes nothing can be computed.
+        folder = pathlib.Path(self.folder.path("claims_alone"))
+        folder.mkdir()
+        shutil.copy(ROOT / "reference/published/claims.tsv", folder)
+        missing = self.folder.path("none")
+        for arguments, word in [(["--claim", "C99"], "--claim: C99"), (["--ledger", missing], missing),
+                                (["--reading", "inlet=floods"], "inlet"),
+                                (["--section", "claim"], "--section"), ([], "rough.toml")]:
+            with self.subTest(arguments=arguments):
+                result = run("reproduce", "--published", str(folder), *arguments)
+                self.assertEqual((result.code, result.out), (2, ""))
+                self.assertEqual(len(result.error_lines), 1, result.err)
+                self.assertIn(word, result.err)
+
     def test_a_broken_data_file_is_named(self):
         folder = pathlib.Path(self.folder.path("published"))
         shutil.copytree(ROOT / "reference/published", folder)
         for name, old, new, words in [
                 ("claims.tsv", "\tnumber\t", "\tnumbers\t", ["C1.rough", "numbers is no rule"]),
                 ("errata.tsv", "E25\t", "E26\t", ["E26", "nothing computes this erratum"]),
+                ("statements.tsv", "C17\t", "C18\t", ["C18 is no claim"]),
+                ("statements.tsv", "\nC17\t", "\n#C17\t", ["C17 has no statement"]),
                 ("inputs.tsv", "viscosity\tall", "viscous\tall", ["viscous is no input"]),
                 ("independent.tsv", "801694948.59", "much", ["much is no number"])]:
             path = folder / name

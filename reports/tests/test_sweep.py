@@ -186,6 +186,18 @@ class Files(SweepTest):
                      self.path("x.h5"))
         self.assert_refused(result, "2.shard", "another sweep")
 
+    def test_show_says_which_shard_it_was_given(self):
+        for part in (1, 2, 3):
+            self.swept(self.TEXT, "--shard", f"{part}/3", out=f"{part}.shard")
+            result = run("sweep", "show", self.path(f"{part}.shard"))
+            self.assert_refused(result, f"{part}.shard: this is shard {part} of 3 of a sweep",
+                                "`tribocheck sweep merge`")
+
+    def test_show_says_that_it_was_given_a_journal(self):
+        self.swept(self.TEXT, "--shard", "1/1", out="whole.shard")
+        self.assert_refused(run("sweep", "show", self.path("whole.shard")),
+                            "this is a shard or journal of a sweep", "--resume")
+
     def test_several_scenes_share_one_file(self):
         names = [self.folder.write(f"{s}.toml", self.TEXT.replace('"smooth"', f'"{s}"'))
                  for s in ("a", "b")]
@@ -320,13 +332,24 @@ class BadSweeps(SweepTest):
         ({"load": '{ distribution = "normal", mean = 50 }'}, {}, ["load.sd", "missing"]),
         ({"load": '{ distribution = "normal", mean = 50, sd = -1 }'}, {}, ["load.sd", "-1"]),
         ({"load": '{ distribution = "normal", mean = 50, sd = 20 }'}, {},
-         ["load", "can be drawn", "allowed: a number above 0"]),
+         ["load: this normal distribution reaches −11", "; load must be a number above 0, in N: "
+          "truncate it with `from`"]),
+        ({"lubricant.viscosity": '{ distribution = "normal", mean = 0.0202, sd = 0.01 }'}, {},
+         ["lubricant.viscosity: this normal distribution reaches −0.06",
+          "; viscosity must be a number above 0, in Pa·s: truncate it with `from`"]),
+        ({"load": '{ distribution = "uniform", from = -3, to = 5 }'}, {},
+         ["load: this uniform distribution reaches −3; load must be a number above 0, in N"]),
+        ({"friction.viscosity": '"roelands"', "lubricant.viscosity":
+          '{ distribution = "normal", mean = 1e-3, sd = 1e-3, from = 1e-5 }'}, {},
+         ["this normal distribution reaches 1e-05", "must be a number above 6.315e-5, in Pa·s"]),
         ({"load": '{ distribution = "normal", mean = 50, sd = 20, median = 3 }'}, {},
          ["load.median", "not a field of this kind"]),
         ({"load": '{ distribution = "uniform", from = 50, to = inf }'}, {}, ["load.to", "finite"]),
         ({"load": '{ printed = 50 }'}, {}, ["load.printed", "as a text"]),
         ({"load": '{ printed = "fifty" }'}, {}, ["load.printed", "is no number"]),
         ({"load": '{ printed = "0" }'}, {}, ["load", "not allowed"]),
+        ({"friction.viscosity": '"roelands"', "lubricant.viscosity": '{ printed = "0.0001" }'}, {},
+         ["this printed number reaches 5e-05; viscosity must be a number above 6.315e-5"]),
         ({"load": '{ value = 3 }'}, {}, ["load.value", "unknown field"]),
         ({"load": '{}'}, {}, ["load", "does not say how"]),
         ({"surface.offset_planes": '{ distribution = "uniform", from = 0, to = 2 }'}, {},

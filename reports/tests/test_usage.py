@@ -52,6 +52,41 @@ class BadUsage(unittest.TestCase):
         self.assert_refused("solv")
         self.assert_refused("--bogus")
 
+    def test_a_misspelt_command_is_told_with_the_one_that_is_meant(self):
+        for word, meant in [("slove", "solve"), ("Onset", "onset"), ("reproduc", "reproduce"),
+                            ("reprot", "report"), ("sweeps", "sweep")]:
+            for more in [[], [self.file], ["--help"]]:
+                with self.subTest(word=word, more=more):
+                    result = run(word, *more)
+                    self.assertEqual((result.code, result.out), (2, ""))
+                    self.assertEqual(result.err, f'tribocheck: unknown command "{word}"; '
+                                                 f"did you mean {meant}?\n")
+
+    def test_another_word_and_no_word_are_told_with_all_commands(self):
+        for arguments, what in [([], "no command is given"), (["foo"], 'unknown command "foo"'),
+                                (["--bogus", "solve"], 'unknown option "--bogus"')]:
+            self.assert_refused(*arguments)
+            result = run(*arguments)
+            self.assertIn(what, result.err)
+            for command in COMMANDS:
+                self.assertIn(f" {command}", result.err)
+
+    def test_a_misspelt_subcommand_of_sweep(self):
+        for word, meant in [("shwo", "show"), ("mrege", "merge"), ("merg", "merge")]:
+            for more in [[], ["a.h5"], ["a", "b", "-o", "c"]]:
+                self.assert_refused("sweep", word, *more)
+                self.assertIn(f'unknown command "sweep {word}", and there is no such file; '
+                              f"did you mean sweep {meant}?", run("sweep", word, *more).err)
+        result = run("sweep", "no_such.toml", "-o", self.folder.path("x.h5"))
+        self.assertEqual((result.code, result.err.count("\n")), (2, 1))
+        self.assertIn("no_such.toml: cannot be read", result.err)
+
+    def test_a_sweep_may_be_called_nearly_like_a_subcommand(self):
+        self.folder.write("shwo", scene())
+        result = run("sweep", "shwo", "-o", "x.h5", cwd=self.folder.name)
+        self.assertEqual(result.code, 2)
+        self.assertIn("shwo: nothing varies", result.err)
+
     def test_scenes_are_needed(self):
         for command in ["solve", "curve", "onset"]:
             self.assert_refused(command)

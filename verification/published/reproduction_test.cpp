@@ -237,6 +237,9 @@ TEST(Requirements, MakeTheirItemHold) {
   for (const Requirement& one : ledger().requirements) {
     if (!one.factor) continue;
     ++found;
+    if (items()[one.item].has_surface)
+      EXPECT_EQ(one.surface, name(items()[one.item].surface)) << items()[one.item].id;
+    EXPECT_TRUE(is_close(one.value, one.paper_value * *one.factor, 1e-12, {}));
     PaperScenes changed = scenes();
     scale_all(changed, one.field, *one.factor);
     const Item& wanted = items()[one.item];
@@ -410,7 +413,7 @@ TEST(PublishedFiles, AreRefusedByNameWhereTheyAreWrong) {
   refused("\tonset_speed\t", "\tonset_speeds\t", "onset_speeds is no quantity");
   refused("\tnumber\t", "\tnumbers\t", "numbers is no rule");
   refused("\t0.5\t0.1\t", "\thalf\t0.1\t", "half is no number");
-  refused("\trough\tboth\t", "\trough\t", "a row of 13 cells under 14 columns");
+  refused("\trough\tboth\t", "\trough\t", "a row of 14 cells under 15 columns");
   refused("quantity\tsurface", "quantities\tsurface", "no column quantity");
   std::filesystem::remove(path);
   EXPECT_THROW(read_claims(path), std::runtime_error);

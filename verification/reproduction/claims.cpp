@@ -61,6 +61,7 @@ Item item_of(const ReferenceRow& row) {
           row.text("claim"),
           by_name<Quantity>(row, "quantity", quantity_names),
           has_surface ? by_name<PaperSurface>(row, "surface", surface_names) : PaperSurface::smooth,
+          has_surface,
           row.text("surface"),
           row.text("model"),
           rule,
@@ -71,7 +72,8 @@ Item item_of(const ReferenceRow& row) {
           row.text("unit"),
           row.text("place"),
           row.text("statement"),
-          row.text("computed_as")};
+          row.text("computed_as"),
+          row.text("label")};
 }
 
 Verdict judge_number(const Item& item, double value) {
@@ -87,6 +89,10 @@ Verdict judge_number(const Item& item, double value) {
 
 std::string_view name(Quantity quantity) {
   return quantity_names[static_cast<std::size_t>(quantity)];
+}
+
+std::string_view name(PaperSurface surface) {
+  return surface_names[static_cast<std::size_t>(surface)];
 }
 
 std::string_view name(Verdict verdict) {
@@ -140,6 +146,23 @@ std::vector<Item> read_claims(const std::string& path) {
       items.push_back(item_of(row));
     if (items.size() > 32) throw std::runtime_error("more than 32 items");
     return items;
+  });
+}
+
+std::vector<std::string> read_statements(const std::string& path,
+                                         const std::vector<std::string>& claims) {
+  return in_file(path, [&] {
+    std::vector<std::string> statements(claims.size());
+    for (const ReferenceRow& row : verification::read_reference_table(path, '\t')) {
+      const auto found = std::find(claims.begin(), claims.end(), row.text("claim"));
+      if (found == claims.end())
+        throw std::runtime_error(fmt::format("{} is no claim of claims.tsv", row.text("claim")));
+      statements[static_cast<std::size_t>(found - claims.begin())] = row.text("statement");
+    }
+    for (std::size_t k = 0; k < claims.size(); ++k)
+      if (statements[k].empty())
+        throw std::runtime_error(fmt::format("{} has no statement", claims[k]));
+    return statements;
   });
 }
 

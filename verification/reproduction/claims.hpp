@@ -13,6 +13,7 @@ namespace tribo::reproduction {
 
 enum class PaperSurface : std::uint8_t { rough, medium, smooth };
 inline constexpr std::size_t surface_count = 3;
+std::string_view name(PaperSurface surface);
 
 // What an item's number is; observation.hpp computes it. claims.tsv says in words what each is.
 enum class Quantity : std::uint8_t {
@@ -46,6 +47,7 @@ struct Item {
   std::string claim;  // "C1"
   Quantity quantity;
   PaperSurface surface;  // of those that have one
+  bool has_surface;
   std::string surface_text, model;
   Rule rule;
   std::string printed;  // as the paper has it
@@ -53,6 +55,7 @@ struct Item {
   double last_digit;    // likewise: the unit of the last printed digit
   double tolerance;     // of equal and at_least
   std::string unit, place, statement, computed_as;
+  std::string label;  // what is computed, in few words
 };
 
 // What a reading gives for an item.
@@ -80,6 +83,11 @@ std::optional<double> margin(const Item& item, const Observed& observed);
 
 // Throws std::runtime_error with one line.
 std::vector<Item> read_claims(const std::string& path);
+
+// What each of the claims says in a sentence, in their order, from statements.tsv. Throws
+// std::runtime_error with one line.
+std::vector<std::string> read_statements(const std::string& path,
+                                         const std::vector<std::string>& claims);
 
 // The claims of the items, each once, in their order: "C1", "C2", …
 std::vector<std::string> claim_names(const std::vector<Item>& items);

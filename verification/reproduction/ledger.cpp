@@ -34,6 +34,7 @@ Ledger make_ledger(const LedgerOptions& options) {
   ledger.scenes = read_paper_scenes(options.published);
   ledger.items = read_claims(options.published + "/claims.tsv");
   ledger.claims = claim_names(ledger.items);
+  ledger.statements = read_statements(options.published + "/statements.tsv", ledger.claims);
   const std::vector<Input> inputs = read_inputs(options.published + "/inputs.tsv");
   ledger.errata = read_errata(options.published + "/errata.tsv", ledger.scenes);
   ledger.independent = independent_numbers(options.published + "/independent.tsv");
@@ -52,7 +53,12 @@ Ledger make_ledger(const LedgerOptions& options) {
   add("literal", literal_reading());
   for (std::size_t i = 0; i < ledger.ranking.best.size(); ++i)
     add(fmt::format("best {}", i + 1), ledger.ranking.best[i].representative);
-  for (const Reading& reading : options.asked) add(departures(reading), reading);
+  for (const Reading& reading : options.asked) {
+    const bool is_there =
+        std::any_of(ledger.readings.begin(), ledger.readings.end(),
+                    [&](const NamedReading& one) { return one.reading == reading; });
+    if (!is_there) add(departures(reading), reading);
+  }
 
   ledger.arguments = arguments(ledger.scenes, ledger.items);
   const NamedReading& corrected = ledger.readings.front();

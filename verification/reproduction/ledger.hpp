@@ -27,7 +27,8 @@ struct Ledger {
   PaperScenes scenes;
   std::vector<Item> items;
   std::vector<std::string> claims;
-  std::vector<NamedReading> readings;  // corrected, literal, the best few, those asked for
+  std::vector<std::string> statements;  // in the order of the claims
+  std::vector<NamedReading> readings;   // corrected, literal, the best few, those asked for
   Ranking ranking;
   std::vector<ItemStatistics> item_statistics;
   std::vector<double> claim_parts;

@@ -90,10 +90,23 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
   std::vector<Requirement> found;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (results[i].verdict == Verdict::reproduced) continue;
+    const std::string surface(name(items[i].has_surface ? items[i].surface : PaperSurface::rough));
     for (const Input& input : inputs)
-      if (input.surface == "all" || input.surface == "rough")
-        found.push_back(
-            {i, input.field, {}, {}, {}, input.value, input.low, input.high, false, {}, {}});
+      if (input.surface == "all" || input.surface == surface)
+        found.push_back({i,
+                         input.field,
+                         {},
+                         {},
+                         {},
+                         surface,
+                         input.unit,
+                         input.value,
+                         input.value,
+                         input.low,
+                         input.high,
+                         false,
+                         {},
+                         {}});
   }
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
     Requirement& one = found[k];

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The examples at the end of every help text, each run as it is printed."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+from plugins import plugin
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, Folder, run
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+
+
+def subcommands(*command):
+    listed = run(*command, "--help").out.partition("\nSubcommands:\n")[2].partition("\n\n")[0]
+    return [[*command, name] for name in re.findall(r"(?m)^  ([a-z-]+) ", listed)]
+
+
+def commands():
+    """Every command and subcommand of the program."""
+    return [command for first in subcommands() for command in [first, *subcommands(*first)]]
+
+
+def examples(*command, **options):
+    """The lines under "Example:"; what goes on in the next line belongs to the one before it."""
+    _, _, text = run(*command, "--help", **options).out.partition("\nExample:\n")
+    block = re.match(r"(?:  .*\n)*", text)[0]
+    return re.findall(r"(?m)^  (\S.*(?:\n    .*)*)", block)
+
+
+class Examples(unittest.TestCase):
+    def setUp(self):
+        """A folder like the project's, with the program called `tribocheck`."""
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+        os.symlink(ROOT / "reference", self.folder.path("reference"))
+        os.mkdir(self.folder.path("bin"))
+        # A link would not do for `bench`, which looks for its helper beside the program.
+        path = self.folder.write("bin/tribocheck", f"#!/bin/sh\nexec '{PROGRAM}' \"$@\"\n")
+        os.chmod(path, 0o755)
+
+    def run_line(self, line):
+        environment = {**ENVIRONMENT, "PATH": f"{self.folder.path('bin')}:{ENVIRONMENT['PATH']}"}
+        return subprocess.run(["bash", "-o", "pipefail", "-c", line], cwd=self.folder.name,
+                              env=environment, capture_output=True, text=True, timeout=TIMEOUT)
+
+    def run_examples(self, *command, codes=(0,)):
+        lines = examples(*command)
+        self.assertTrue(lines, command)
+        for line in lines:
+            with self.subTest(line=line):
+                done = self.run_line(line)
+                self.assertIn(done.returncode, codes, done.stderr)
+
+    def test_every_command_has_examples_of_itself(self):
+        found = commands()
+        self.assertIn(["sweep", "merge"], found)
+        for command in found:
+            if command == ["plugin-host"]:  # `verify` starts it
+                continue
+            with self.subTest(command=command):
+                words = "\n".join(" ".join(line.split()) for line in examples(*command))
+                self.assertIn("tribocheck " + " ".join(command), words)
+
+    def test_of_the_program_itself(self):
+        self.run_examples()
+
+    def test_of_solve_curve_onset_and_stream(self):
+        for command in ["solve", "curve", "onset", "stream"]:
+            self.run_examples(command)
+        with open(self.folder.path("rough.csv"), encoding="utf-8") as file:
+            self.assertEqual(len(file.readlines()), 201)
+
+    def test_of_sweep(self):
+        self.run_examples("sweep")
+        for picture in ["smooth.h5", "film_map.h5", "pictures"]:
+            self.assertTrue(os.path.exists(self.folder.path(picture)), picture)
+
+    def test_of_sweep_merge_and_show(self):
+        self.run_examples("sweep", "merge")
+        os.remove(self.folder.path("film_map.h5"))
+        self.run_examples("sweep", "show")
+
+    def test_of_reproduce(self):
+        self.run_examples("reproduce")
+
+    def test_of_report(self):
+        self.run_examples("report")
+
+    # What these two start is the reader's own: the solver that `init` writes, and a plug-in. The
+    # fresh solver offers nothing yet, and the plug-in may fall short of the strict tolerance.
+    def test_of_init_and_verify(self):
+        self.run_examples("init", codes=(0, 1))
+        self.assertTrue(os.path.exists(self.folder.path("my_solver.py")))
+        shutil.copy(plugin("c_plugin"), self.folder.path("libmine.so"))
+        with open(self.folder.path("mine.json"), "w", encoding="utf-8") as file:
+            file.write(self.run_line("tribocheck verify --plugin ./libmine.so --tolerance strict "
+                                     "--format json --baseline new.json --update-baseline "
+                                     ">/dev/null; cat new.json").stdout)
+        self.run_examples("verify", codes=(0, 1))
+
+    def test_of_bench(self):
+        shutil.copy(plugin("c_plugin"), self.folder.path("libsolver.so"))
+        for line in examples("bench"):
+            quick = line if "--quick" in line else line + " --quick"  # else a minute
+            with self.subTest(line=line):
+                done = self.run_line(quick)
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class Elsewhere(unittest.TestCase):
+    """Outside of the project the examples name the scenes by their full path."""
+
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def scenes_in_help(self, program, *command):
+        done = subprocess.run([program, *command, "--help"], cwd=self.folder.name,
+                              env=ENVIRONMENT, capture_output=True, text=True, timeout=TIMEOUT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return re.findall(r"(?m)[^ ]+\.toml", done.stdout.partition("\nExample:\n")[2])
+
+    def test_the_scenes_of_an_installed_program_are_those_that_came_with_it(self):
+        installed = self.folder.path("installed")
+        shared = os.path.join(installed, "share/tribocheck")
+        shutil.copytree(ROOT / "reference/published", os.path.join(shared, "published"))
+        shutil.copytree(ROOT / "reports/gnuplot", os.path.join(shared, "gnuplot"))
+        os.mkdir(os.path.join(installed, "bin"))
+        program = shutil.copy(PROGRAM, os.path.join(installed, "bin"))
+        for command in [[], ["solve"], ["curve"], ["onset"], ["sweep"], ["sweep", "merge"]]:
+            with self.subTest(command=command):
+                files = self.scenes_in_help(program, *command)
+                self.assertTrue(files)
+                for file in files:
+                    self.assertTrue(os.path.isfile(file), file)
+                    self.assertTrue(file.startswith(shared), file)
+
+    def test_those_of_the_built_program_are_the_projects(self):
+        for file in self.scenes_in_help(PROGRAM, "solve"):
+            self.assertTrue(os.path.isfile(file), file)
+
+
+if __name__ == "__main__":
+    unittest.main()
