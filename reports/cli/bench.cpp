@@ -190,7 +190,7 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
   }
 }
 
-constexpr const char* footer =
+constexpr const char* bench_footer =
     R"(Jobs: moment_5_2, moment_2, root_wide, root_one_surface, curve_200, points_1e6. Every contender of a
 job is written as its users write it and runs in the same process, repetitions interleaved. Columns:
 ns, CPU time a point, the median; ratio, to the fastest of tribocheck's in the same job; max ulp, the
@@ -211,7 +211,7 @@ Example:
 Command add_bench(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("bench", "speed and true error of this model, beside what people use");
-  app->footer(footer);
+  app->footer(bench_footer);
   const auto arguments = std::make_shared<BenchArguments>();
   app->add_flag("--quick", arguments->quick, "fewer and shorter repetitions");
   app->add_option("--filter", arguments->filter,

@@ -70,7 +70,7 @@ int curve(const SceneArguments& arguments, OutputStream& output) {
   return loaded.all_good ? exit_done : exit_bad;
 }
 
-constexpr const char* footer =
+constexpr const char* curve_footer =
     R"(The curve spans the scene's range of speeds with as many points as it has, but at speeds of its
 own: each film is chosen and its speed computed, which needs no root. The points are spaced evenly,
 within a quarter of a step, in the logarithm of speed. Columns and formats are those of
@@ -84,7 +84,7 @@ Example:
 Command add_curve(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("curve", "the Stribeck curve over a scene's range of speeds");
-  app->footer(footer_with_scenes(footer));
+  app->footer(footer_with_scenes(curve_footer));
   const auto arguments = std::make_shared<SceneArguments>();
   add_scene_arguments(*app, *arguments);
   return {app, [arguments](OutputStream& output) { return curve(*arguments, output); }};

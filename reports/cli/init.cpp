@@ -167,7 +167,7 @@ int init_or_complain(const InitArguments& arguments, OutputStream& output) {
   return exit_bad;
 }
 
-constexpr const char* footer =
+constexpr const char* init_footer =
     R"(The file answers every question of `tribocheck verify` with a skip until you fill in what you have;
 until then the verdict is NOTHING, and the exit code 1. Its comments say what each function is and in
 which units. The line that is printed builds it, where it has to be built, and puts it to the tests. A
@@ -181,7 +181,7 @@ Example:
 
 Command add_init(CLI::App& program) {
   CLI::App* app = program.add_subcommand("init", "a solver of your own to start from");
-  app->footer(footer);
+  app->footer(init_footer);
   const auto arguments = std::make_shared<InitArguments>();
   app->add_option("what", arguments->what, "subject: a solver for `verify --subject`")
       ->required()

@@ -75,7 +75,7 @@ std::vector<std::string> criterion_names() {
   return names;
 }
 
-constexpr const char* footer = R"(Criteria:
+constexpr const char* onset_footer = R"(Criteria:
   film_maximum      the film no longer grows with speed
   film_departure    the film is a part ε below the flooded one
   friction_minimum  the lowest friction within the scene's speeds
@@ -91,7 +91,7 @@ Example:
 
 Command add_onset(CLI::App& program) {
   CLI::App* app = program.add_subcommand("onset", "speed and film at the onset of starvation");
-  app->footer(footer_with_scenes(footer));
+  app->footer(footer_with_scenes(onset_footer));
   const auto arguments = std::make_shared<OnsetArguments>();
   add_scene_arguments(*app, arguments->scenes);
   app->add_option("--criterion", arguments->criteria,

@@ -22,7 +22,7 @@ int host(const std::string& path) {
   }
 }
 
-constexpr const char* footer =
+constexpr const char* plugin_host_footer =
     R"(The library is one made for tribocheck_plugin.h. Lines and answers are those of `tribocheck stream`;
 what the library does not offer is answered with "skip". What it prints to stdout comes out on stderr.
 `tribocheck verify --plugin` starts this. Exit code 2: the library cannot be used.
@@ -36,7 +36,7 @@ Example:
 Command add_plugin_host(CLI::App& program) {
   CLI::App* app = program.add_subcommand("plugin-host",
                                          "answer JSON lines from stdin on stdout with a plug-in");
-  app->footer(footer);
+  app->footer(plugin_host_footer);
   const auto path = std::make_shared<std::string>();
   app->add_option("LIBRARY", *path, "the shared library")->required();
   return {app, [path](OutputStream&) { return host(*path); }};

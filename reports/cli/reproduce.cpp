@@ -207,7 +207,7 @@ int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
   });
 }
 
-constexpr const char* footer =
+constexpr const char* reproduce_footer =
     R"(Every claim of the paper, computed and judged, under the corrected reading, the literal one, the few of
 all combinations that reproduce most claims, or one of your own. The verdicts are held against
 reference/baselines/ledger.csv. Exit code 1: a verdict changed; stderr names it.
@@ -223,7 +223,7 @@ Example:
 Command add_reproduce(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "reproduce", "the paper's claims, each computed under each reading, with verdicts");
-  app->footer(footer);
+  app->footer(reproduce_footer);
   const auto arguments = std::make_shared<ReproduceArguments>();
   app->add_option("--claim", arguments->claims, "only this claim, C1 to C17; may be repeated");
   app->add_option("--reading", arguments->readings,

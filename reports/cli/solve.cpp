@@ -53,7 +53,7 @@ int solve(const SolveArguments& arguments, OutputStream& output) {
   return loaded.all_good ? exit_done : exit_bad;
 }
 
-constexpr const char* footer =
+constexpr const char* solve_footer =
     R"(Columns, as the scene's `outputs` ask: speed in m/s; film_flooded, film and separation in m; all
 other numbers are dimensionless. CSV and JSON numbers read back to the same double. What is
 undefined is - in a table, empty in CSV, and null in JSON, which says why under "undefined".
@@ -67,7 +67,7 @@ Example:
 
 Command add_solve(CLI::App& program) {
   CLI::App* app = program.add_subcommand("solve", "the outputs of scenes at their speeds");
-  app->footer(footer_with_scenes(footer));
+  app->footer(footer_with_scenes(solve_footer));
   const auto arguments = std::make_shared<SolveArguments>();
   add_scene_arguments(*app, *arguments);
   app->add_option("--threads", arguments->threads,

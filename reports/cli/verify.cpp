@@ -139,7 +139,7 @@ int verify(const VerifyArguments& arguments, OutputStream& output) {
   });
 }
 
-constexpr const char* footer =
+constexpr const char* verify_footer =
     R"(Each row of reference/exact holds a value that ball arithmetic encloses. An error may be as large as
 the function's contract allows: so many units in the last place, or so many times the condition number.
 Exit code 1: a contract was broken.
@@ -161,7 +161,7 @@ Example:
 Command add_verify(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "verify", "this model, or your own, against certified reference values");
-  app->footer(footer);
+  app->footer(verify_footer);
   const auto arguments = std::make_shared<VerifyArguments>();
   app->add_option("--reference", arguments->reference,
                   "folder of the tables (default: reference/exact)");

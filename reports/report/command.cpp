@@ -60,7 +60,7 @@ int write_report(const report::ReportOptions& options, OutputStream& output) {
   }
 }
 
-constexpr const char* footer =
+constexpr const char* report_footer =
     R"(Reads rough.toml, medium.toml, smooth.toml, their _gw.toml twins and claims.tsv, and writes
 index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg and *.png. Shows what
 reference/exact and reference/baselines have, and says what is missing. The folders' defaults lie in
@@ -76,7 +76,7 @@ Example:
 Command add_report(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "report", "the paper's figures and onsets recomputed: a page, pictures, data");
-  app->footer(footer);
+  app->footer(report_footer);
   const auto options = std::make_shared<report::ReportOptions>();
   app->add_option("--out", options->out, "folder to write to (default: reports/out)");
   app->add_option("--section", options->sections,
