@@ -191,6 +191,8 @@ TEST(Verdicts, FollowTheirRules) {
   EXPECT_EQ(judge(item("C17"), {1.8996, 0}), Verdict::within_ten_percent);
   EXPECT_EQ(judge(item("C1.rough"), {}), Verdict::not_reproduced);
   EXPECT_EQ(judge(item("C14"), {1.01, 2, 1}), Verdict::reproduced);
+  EXPECT_EQ(judge(item("C14"), {1.01, 2, 0.9}), Verdict::in_part);
+  EXPECT_EQ(judge(item("C14"), {0.99, 2, 0.9}), Verdict::in_part);
   EXPECT_EQ(judge(item("C14"), {0.99, 2, 0.5}), Verdict::in_part);
   EXPECT_EQ(judge(item("C14"), {0.99, 2, 0.49}), Verdict::not_reproduced);
   EXPECT_EQ(judge(item("C13"), {1 / 1.0999, 1, 1}), Verdict::reproduced);
@@ -198,6 +200,13 @@ TEST(Verdicts, FollowTheirRules) {
   EXPECT_EQ(judge(item("C8"), {1.05, 1.05, 0}), Verdict::within_ten_percent);
   EXPECT_EQ(judge(item("C6"), {0.01, 1, 1}), Verdict::reproduced);
   EXPECT_EQ(judge(item("C6"), {0.009, 1, 2 / 3.0}), Verdict::in_part);
+}
+
+TEST(Verdicts, ANumberIsAsPrintedToHalfAUnitOfItsLastDigit) {
+  for (const double value : {1.35, 1.36, 1.4, 1.449, 1.45})
+    EXPECT_TRUE(is_as_printed(value, 1.4, 0.1)) << value;
+  for (const double value : {1.3, 1.349, 1.451, 1.5, -1.4, std::nan("")})
+    EXPECT_FALSE(is_as_printed(value, 1.4, 0.1)) << value;
 }
 
 TEST(Verdicts, AClaimHasTheWorstOfItsItems) {
