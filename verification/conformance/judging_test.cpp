@@ -234,7 +234,13 @@ TEST(Baseline, IsOfOneToleranceAlone) {
   ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
   const json baseline = baseline_of(result, nullptr);
   result.tolerance = "strict";
-  EXPECT_THROW(compare(result, baseline), std::runtime_error);
+  bool is_refused = false;
+  try {
+    compare(result, baseline);
+  } catch (const std::runtime_error&) {
+    is_refused = true;
+  }
+  EXPECT_EQ(is_refused, true);
 }
 
 TEST(Baseline, MadeAnewKeepsWhatWasBetter) {
