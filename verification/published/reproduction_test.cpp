@@ -221,6 +221,7 @@ TEST(Verdicts, FollowTheirRules) {
   EXPECT_EQ(judge(item("C14"), {0.99, 2, 0.49}), Verdict::not_reproduced);
   EXPECT_EQ(judge(item("C13"), {1 / 1.0999, 1, 1}), Verdict::reproduced);
   EXPECT_EQ(judge(item("C13"), {1.12, 1, 0.7}), Verdict::in_part);
+  EXPECT_EQ(judge(item("C13"), {1 / 1.12, 1, 0.7}), Verdict::in_part);
   EXPECT_EQ(judge(item("C8"), {1.05, 1.05, 0}), Verdict::within_ten_percent);
   EXPECT_EQ(judge(item("C6"), {0.01, 1, 1}), Verdict::reproduced);
   EXPECT_EQ(judge(item("C6"), {0.009, 1, 2 / 3.0}), Verdict::in_part);
@@ -253,9 +254,11 @@ TEST(Verdicts, AClaimHasTheWorstOfItsItems) {
   for (std::size_t k = 0; k < claims.size(); ++k) {
     Verdict least = Verdict::reproduced;
     for (std::size_t i = 0; i < items().size(); ++i)
-      if (items()[i].claim == claims[k]) least = worst(least, corrected.results[i].verdict);
+      if (items()[i].claim == claims[k]) least = std::max(least, corrected.results[i].verdict);
     EXPECT_EQ(corrected.verdicts[k], least) << claims[k];
   }
+  EXPECT_EQ(worst(Verdict::reproduced, Verdict::in_part), Verdict::in_part);
+  EXPECT_EQ(worst(Verdict::not_reproduced, Verdict::in_part), Verdict::not_reproduced);
 }
 
 TEST(Ranking, CountsEveryReading) {
