@@ -228,6 +228,9 @@ class Baselines(unittest.TestCase):
         self.page()
         text = (self.project / "reports/out/index.html").read_text()
         self.assertNotIn("<script", text)
+        rows = [line for line in (self.project / "reports/out/report.md").read_text().splitlines()
+                if "alert(1)" in line]
+        self.assertEqual([len(re.findall(r"(?<!\\)\|", row)) for row in rows], [7])  # six cells
 
 
 if __name__ == "__main__":
