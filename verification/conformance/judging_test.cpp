@@ -3,8 +3,11 @@
 // makes of a quantity, what counts as worse than a baseline, and when a known mistake is named.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/diagnosis.hpp"
