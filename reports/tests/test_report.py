@@ -210,11 +210,16 @@ class Numbers(WrittenReport):
     def test_factors_are_computed_over_reported(self):
         lines = (PUBLISHED / "claims.tsv").read_text().splitlines()
         claims = csv.DictReader((line for line in lines if not line.startswith("#")), delimiter="\t")
-        reported = {(row["quantity"], row["surface"]): (row["value"], row["last_digit"]) for row in claims}
+        claims = {(row["quantity"], row["surface"]): row for row in claims}
+        reported = {key: (row["value"], row["last_digit"]) for key, row in claims.items()}
         rows = table(self.out / "data/comparison.tsv")
         with_factor = [row for row in rows if row["computed/reported"] != "NaN"]
         self.assertEqual(len(rows), 24 + 24 + 6)
         self.assertGreater(len(with_factor), 40)
+        for row in rows:
+            claim = claims.get((row["quantity"], row["surface"]))
+            is_reported = claim is not None and claim["model"] in (row["model"], "both")
+            self.assertEqual(row["reported"] != "NaN", is_reported, row)
         for row in with_factor:
             value, last_digit = map(float, reported[row["quantity"], row["surface"]])
             self.assertEqual(float(row["reported"]), value)
