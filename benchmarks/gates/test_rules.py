@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """When a gate is red and when it is not: rules.py, and gate.py on them without measuring."""
+import contextlib
+import io
+import sys
+import tempfile
 import unittest
+from unittest import mock
 
 import gate
 import rules
@@ -154,6 +159,28 @@ class Comparable(unittest.TestCase):
                 gate.times_of(["p"])
         finally:
             gate.measure.times = real
+
+
+class Main(unittest.TestCase):
+    """The exit code, without measuring."""
+
+    def main(self, *red, baseline="{}"):
+        held = verdict("counters")
+        held.red += red
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            file.write(baseline)
+            file.flush()
+            with mock.patch.object(gate, "hold", lambda *_: {"counters": held}), \
+                    mock.patch.object(sys, "argv", ["gate.py", "program", "--baseline", file.name]), \
+                    contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+                return gate.main()
+
+    def test_it_says_whether_a_gate_is_red(self):
+        self.assertEqual(self.main(), 0)
+        self.assertEqual(self.main("root AVX2: root_steps 101, not 100"), 1)
+
+    def test_without_a_baseline_that_can_be_read_it_is_2(self):
+        self.assertEqual(self.main(baseline="{"), 2)
 
 
 if __name__ == "__main__":

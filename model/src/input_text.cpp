@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <system_error>
@@ -70,12 +69,11 @@ std::string other_kind(std::string_view text, std::string_view what) {
   return {};
 }
 
-// Reads to the end, or one byte past the limit, which is enough to know that it is too large.
+// Reads to the end, or until it is too large.
 std::string read_up_to_limit(int descriptor, std::string& text) {
   std::array<char, 65536> block;
   while (text.size() <= max_scene_bytes) {
-    const std::size_t room = std::min(block.size(), max_scene_bytes + 1 - text.size());
-    const ssize_t count = ::read(descriptor, block.data(), room);
+    const ssize_t count = ::read(descriptor, block.data(), block.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return "cannot be read: " + system_message(errno);
     if (count == 0) break;

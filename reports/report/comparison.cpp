@@ -3,22 +3,22 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "report/number_text.hpp"
+#include "reproduction/claims.hpp"
 
 namespace tribo::report {
 namespace {
 
-bool within_last_digit(double computed, const Reported& reported) {
-  return std::abs(computed - reported.value) <= reported.last_digit / 2;
+bool is_reproduced(double computed, const Reported& reported) {
+  return reproduction::is_as_printed(computed, reported.value, reported.last_digit);
 }
 
 // Facts only: the distance from the reported number, in its own last digit or as a factor.
 std::string words_for(double computed, const std::optional<Reported>& reported) {
   if (!reported) return "the paper gives no number";
-  if (within_last_digit(computed, *reported)) return "inside half a unit of the last printed digit";
+  if (is_reproduced(computed, *reported)) return "inside half a unit of the last printed digit";
   return rounded(computed / reported->value, 2) + " × the reported";
 }
 
@@ -78,7 +78,7 @@ std::optional<double> ComparisonRow::factor() const {
 }
 
 bool ComparisonRow::agrees() const {
-  return computed && reported && within_last_digit(*computed, *reported);
+  return computed && reported && is_reproduced(*computed, *reported);
 }
 
 std::vector<ComparisonTable> compare(const std::vector<SolvedCase>& solved,

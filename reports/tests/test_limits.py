@@ -2,6 +2,7 @@
 """Endless input, huge output, readers that go away, disks that are full: bounded memory, no hang."""
 
 import contextlib
+import resource
 import subprocess
 import threading
 import unittest
@@ -124,6 +125,20 @@ class Output(Limits):
                 self.assertEqual(process.returncode, 1)
                 self.assertEqual(len(err.splitlines()), 1)
                 self.assertTrue(err.startswith(b"tribocheck: "))
+
+    def test_a_disk_that_is_full_in_the_middle_of_the_results(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
+        path = self.folder.write("rough.toml", scene())
+        for style in ["table", "csv", "json"]:
+            with self.subTest(style), open(self.folder.path("out"), "wb") as out:
+                process = start("solve", path, "--format", style, stdout=out, stderr=subprocess.PIPE,
+                                preexec_fn=limit, restore_signals=False)  # SIGXFSZ stays ignored
+                _, err = process.communicate()
+                whole = len(run("solve", path, "--format", style).out.encode())
+                self.assertEqual((process.returncode, len(err.splitlines())),
+                                 (1, 1) if whole > 5000 else (0, 0))
+        self.assertGreater(whole, 5000)
 
     def test_a_stderr_that_is_full(self):
         with open("/dev/full", "w") as full:

@@ -64,6 +64,17 @@ class OnsetTest(unittest.TestCase):
                 for value in VALUES:
                     self.assertTrue(onset["undefined"][value])
 
+    def test_an_onset_beyond_the_range_of_double_is_none(self):
+        tree = scene()
+        tree["lubricant"]["viscosity"] = 1e-320
+        path = self.folder.write("thin.toml", tree)
+        found = run("onset", path, "--criterion", "film_maximum", "--format", "json").json()[0]
+        self.assertEqual([found[value] for value in VALUES], [None] * 3)
+        row = next(csv.DictReader(io.StringIO(
+            run("onset", path, "--criterion", "film_maximum", "--format", "csv").out)))
+        self.assertEqual([row[value] for value in VALUES], [""] * 3)
+        self.assertEqual(row["reason"], found["undefined"]["speed"])
+
     def test_speed_may_be_absent(self):
         found = self.found(scene(speed=None))
         self.assertIsNone(found["friction_minimum"]["speed"])

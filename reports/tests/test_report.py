@@ -217,15 +217,49 @@ class Numbers(WrittenReport):
     def test_factors_are_computed_over_reported(self):
         lines = (PUBLISHED / "claims.tsv").read_text().splitlines()
         claims = csv.DictReader((line for line in lines if not line.startswith("#")), delimiter="\t")
-        reported = {(row["quantity"], row["surface"]): row["value"] for row in claims}
+        claims = {(row["quantity"], row["surface"]): row for row in claims}
+        reported = {key: (row["value"], row["last_digit"]) for key, row in claims.items()}
         rows = table(self.out / "data/comparison.tsv")
         with_factor = [row for row in rows if row["computed/reported"] != "NaN"]
         self.assertEqual(len(rows), 24 + 24 + 6)
         self.assertGreater(len(with_factor), 40)
+        for row in rows:
+            claim = claims.get((row["quantity"], row["surface"]))
+            is_reported = claim is not None and claim["model"] in (row["model"], "both")
+            self.assertEqual(row["reported"] != "NaN", is_reported, row)
         for row in with_factor:
-            value = reported[row["quantity"], row["surface"]]
-            self.assertEqual(float(row["reported"]), float(value))
-            self.assert_close(row["computed/reported"], float(row["computed"]) / float(value))
+            value, last_digit = map(float, reported[row["quantity"], row["surface"]])
+            self.assertEqual(float(row["reported"]), value)
+            self.assert_close(row["computed/reported"], float(row["computed"]) / value)
+            is_inside = abs(float(row["computed"]) - value) <= last_digit / 2
+            words = row["in words"]
+            self.assertEqual(words == "inside half a unit of the last printed digit", is_inside, row)
+            self.assertEqual(words.endswith(" × the reported"), not is_inside, row)
+
+    def test_verdicts_count_what_agrees(self):
+        rows = table(self.out / "data/comparison.tsv")
+        page = json.loads((self.out / "report.json").read_text())
+        verdicts = [one["text"] for one in page["verdicts"] if one["section"] == "comparison"]
+        for quantity, text in zip(("onset_speed", "onset_film_parameter", "slow_asperity_share"), verdicts,
+                                  strict=True):
+            told = [row for row in rows if row["quantity"] == quantity and row["reported"] != "NaN"
+                    and row["criterion"] in ("-", "film_maximum")]
+            inside = sum(row["in words"].startswith("inside") for row in told)
+            self.assertIn(f"{inside} of {len(told)} computed values agree", text)
+
+    def test_claims_are_told_by_their_verdicts(self):
+        verdicts = {}
+        for row in csv.DictReader(io.StringIO((self.out / "data/ledger.csv").read_text())):
+            if row["reading"] == "corrected":
+                verdicts[row["claim"]] = row["claim_verdict"]
+        told = {"reproduced": [], "in between": [], "not reproduced": []}
+        for claim, verdict in verdicts.items():
+            told[verdict if verdict in told else "in between"].append(claim)
+        lists = [", ".join(claims) or "–" for claims in told.values()]
+        page = json.loads((self.out / "report.json").read_text())
+        text = next(one["text"] for one in page["verdicts"] if one["section"] == "claims")
+        self.assertIn(f"reproduces {len(told['reproduced'])} of its 17 claims ({lists[0]})", text)
+        self.assertIn(f"order of magnitude: {lists[1]}; not: {lists[2]}.", text)
 
     def test_marks_lie_on_the_curves(self):
         for row in table(self.out / "data/marks.tsv"):

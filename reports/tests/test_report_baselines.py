@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `tribocheck report` makes of reference/baselines and reference/exact, and of what is missing."""
 
+import csv
+import io
 import json
 import pathlib
+import re
 import shutil
 import tempfile
 import unittest
@@ -104,6 +107,60 @@ class Baselines(unittest.TestCase):
         self.assertIn(content["faults"][7]["id"],
                       self.sections["planted-faults"]["tables"][0]["rows"][0][0])
 
+    def standing_of(self, section):
+        """What the page promises of a section, and its words."""
+        page = self.page([section, "environment"])
+        return next((one["standing"], one["text"]) for one in page["verdicts"] if one["section"] == section)
+
+    def changed(self, name, change):
+        path = self.project / "reference/baselines" / name
+        content = json.loads(path.read_text())
+        before = json.dumps(content)
+        change(content)
+        path.write_text(json.dumps(content))
+        self.addCleanup(path.write_text, before)
+
+    def test_one_thing_that_is_not_held_breaks_the_promise_of_its_section(self):
+        def not_proved(content):
+            content["planted"][-1]["gates"][0]["proved"] = False
+
+        def not_held(content):
+            content["outputs"][2]["held"] = False
+        for section, name, change in (("gates", "gates.json", not_proved),
+                                      ("worst-inputs", "stress.json", not_held)):
+            with self.subTest(section):
+                self.assertEqual(self.standing_of(section)[0], "holds")
+                self.changed(name, change)
+                self.assertEqual(self.standing_of(section)[0], "FAILS")
+
+    def test_one_certified_value_that_is_not_kept_breaks_the_promise(self):
+        standing, before = self.standing_of("verification")
+        self.assertEqual(standing, "holds")
+        path = self.project / "reference/exact/hertz_point.csv"
+        row = path.read_text().splitlines()[-1]
+        high = row.split(",")[-4]
+        moved = (float.fromhex(high) * (1 + 2**-40)).hex()
+        path.write_text(path.read_text().replace(row, row.replace(high, moved)))
+        standing, text = self.standing_of("verification")
+        self.assertEqual(standing, "FAILS")
+        worst = [float(re.search(r"takes ([\d.]+)", words)[1]) for words in (before, text)]
+        self.assertLessEqual(worst[0], 100)
+        self.assertGreater(worst[1], 1000)
+        table = self.sections["verification"]["tables"][0]
+        self.assertEqual([row[0] for row in table["rows"] if row[-1] == "FAILED"], ["hertz_point"])
+
+    def test_the_worst_of_all_quantities_is_told(self):
+        text = self.standing_of("verification")[1]
+        parts = [float(row[6].split()[0]) for row in self.sections["verification"]["tables"][0]["rows"]]
+        self.assertEqual(float(re.search(r"takes ([\d.]+)", text)[1]), max(parts))
+
+    def test_faults_of_the_catalogue_that_were_not_planted_are_said_to_be(self):
+        def more(content):
+            content["catalogue"] = len(content["faults"]) + 5
+        self.changed("planted_faults.json", more)
+        self.page()
+        self.assertEqual([row[0] for row in self.missing], ["planted faults"])
+
     def test_a_gate_that_was_not_held_did_not_run(self):
         path = self.project / "reference/baselines/gates.json"
         content = json.loads(path.read_text())
@@ -124,6 +181,45 @@ class Baselines(unittest.TestCase):
         self.assertIn("NOT REACHED", said["text"])
         self.assertIn("7.00 times", said["text"])
 
+    def test_each_of_the_aims_of_sweeps_has_to_be_reached(self):
+        def slower(content):
+            one = next(iter(content["ratios"].values()))
+            one["summaries"] = 1.6 * one["alone"]
+
+        def no_gain(content):
+            content["threads"]["speedup"]["summaries"] = 1.7
+
+        def larger(content):
+            of = next(iter(content["memory"].values()))["mb_of_rank"]
+            of[next(iter(of))] = 301
+
+        def all_reached(content):
+            for times in content["ratios"].values():
+                times["summaries"] = times["alone"]
+            content["threads"]["speedup"]["summaries"] = 1.9
+            for of in content["memory"].values():
+                of["mb_of_rank"] = {rank: 100 for rank in of["mb_of_rank"]}
+        self.changed("sweep.json", all_reached)
+        self.assertIn("is reached", self.standing_of("sweep-speed")[1])
+        for change in (slower, no_gain, larger):
+            with self.subTest(change.__name__):
+                self.changed("sweep.json", all_reached)
+                self.changed("sweep.json", change)
+                self.assertIn("NOT REACHED", self.standing_of("sweep-speed")[1])
+
+    def test_a_changed_verdict_breaks_the_ledgers_promise_and_a_moved_number_does_not(self):
+        path = self.project / "reference/baselines/ledger.csv"
+        whole = path.read_text()
+        rows = list(csv.reader(io.StringIO(whole)))
+        for column, value, standing in (("computed", "2.2", "holds"), ("verdict", "in part", "FAILS")):
+            with self.subTest(column):
+                path.write_text(whole.replace(",".join(rows[1]), ",".join(
+                    value if name == column else cell for name, cell in zip(rows[0], rows[1]))))
+                page = self.page(["claims"])
+                self.assertEqual([one["standing"] for one in page["verdicts"]
+                                  if one["text"].endswith("against the committed ledger.")
+                                  or "changed against the committed ledger:" in one["text"]], [standing])
+
     def test_texts_of_a_baseline_cannot_break_the_page(self):
         path = self.project / "reference/baselines/planted_faults.json"
         content = json.loads(path.read_text())
@@ -132,6 +228,9 @@ class Baselines(unittest.TestCase):
         self.page()
         text = (self.project / "reports/out/index.html").read_text()
         self.assertNotIn("<script", text)
+        rows = [line for line in (self.project / "reports/out/report.md").read_text().splitlines()
+                if "alert(1)" in line]
+        self.assertEqual([len(re.findall(r"(?<!\\)\|", row)) for row in rows], [7])  # six cells
 
 
 if __name__ == "__main__":

@@ -86,6 +86,14 @@ class Numbers(SolveTest):
         for word in ["nan", "inf"]:
             self.assertNotRegex(table, rf"\b{word}\b")
 
+    def test_a_film_beyond_double_has_no_inlet_state(self):
+        tree = scene(speed=1e300, supply=None, outputs=["inlet"])
+        tree["lubricant"]["viscosity"] = 1e300
+        path = self.folder.write("thick.toml", tree)
+        point = run("solve", path, "--format", "json").json()[0]
+        self.assertIsNone(point["inlet"])
+        self.assertEqual(point["undefined"]["inlet"], "outside the range of double precision")
+
 
 class Formats(SolveTest):
     def assert_csv_agrees(self, points, row_list):
@@ -153,6 +161,10 @@ class Formats(SolveTest):
             self.assertEqual(line[12:14], "  ")
         self.assertEqual(lines[25:], ["  - friction: the film has collapsed"])
 
+    def test_a_title_is_underlined_as_long_as_it_looks(self):
+        lines = run("solve", "-", stdin=json_value(scene(id="ü ρ", speed=1))).out.splitlines()
+        self.assertEqual(lines[:2], ["ü ρ: 1 speed", "-" * len("ü ρ: 1 speed")])
+
     def test_ids_of_any_text(self):
         for name in ["ü ρ", "a\\b", 'quo"te', "tab\there", "new\nline", "'"]:
             with self.subTest(name=name):
@@ -216,6 +228,22 @@ class SeveralScenes(SolveTest):
                 self.assertEqual(len(mixed.error_lines), 2)
                 self.assertIn("bad.toml: load: ", mixed.error_lines[0])
                 self.assertIn("missing.toml: ", mixed.error_lines[1])
+
+    def test_one_speed_beside_a_curve_is_reported_and_the_curve_is_drawn(self):
+        good = self.folder.write("good.toml", scene())
+        one = self.folder.write("one.toml", scene("smooth", speed=1))
+        alone = run("curve", good, "--format", "json")
+        for order in ([good, one], [one, good]):
+            mixed = run("curve", *order, "--format", "json")
+            self.assertEqual((mixed.code, mixed.out, len(mixed.error_lines)), (2, alone.out, 1))
+
+    def test_reasons_stand_under_their_own_table(self):
+        collapsed = self.folder.write("smooth.toml", scene("smooth", speed=[3, 2]))
+        whole = self.folder.write("rough.toml", scene(speed=1e-3))
+        for order, place in (([collapsed, whole], 0), ([whole, collapsed], 1)):
+            tables = run("solve", *order).out.split("\n\n")
+            self.assertEqual([table.count("  - friction: ") for table in tables],
+                             [int(i == place) for i in (0, 1)])
 
     def test_only_bad_ones_leave_stdout_empty(self):
         bad = self.folder.write("bad.toml", scene(load=0))

@@ -10,7 +10,8 @@
 #include <functional>
 
 #include "support/judge.hpp"
-#include "tribo/hertz.hpp"
+#include "support/scenes.hpp"
+#include "tribo/mixed_contact.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -101,6 +102,34 @@ TEST(GreenwoodTripp, IsHertzContactsOfPairsOfParaboloidsAtRandomOffsets) {
     EXPECT_TRUE(
         is_close(summit_count(contact, separation), count, 1e-8, {{"separation", separation}}));
   }
+}
+
+// Near a high floor the model takes the moments from the load share, not from the separation; in
+// long double the separation is good enough.
+TEST(AsperityContact, NearAHighFloorAreaAndCountAreTheMomentsAtTheSeparation) {
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const double planes_apart : {0.0, 2.0, 8.0})
+      for (const double stiffer : {10.0, 1e3, 1e6}) {
+        Scene scene = paper_scene(PaperSurface::rough, model);
+        scene.surface.summit_plane_offset = planes_apart;
+        scene.surface.summit_density *= stiffer;
+        scene.supply = {};
+        const MixedContact<double> contact(scene);
+        const MixedContact<long double> wide(scene);
+        const double floor = contact.sharing().floor();
+        if (!(floor > 3)) continue;
+        for (const double part : {0.1, 0.5, 0.7, 0.8, 0.9, 1.1}) {
+          const double speed = contact.speed_at(part * floor);
+          const OperatingPoint<double> got = contact.solve(speed);
+          const long double separation = wide.flooded(speed).shares.film_parameter;
+          const auto close = [&](double value, long double expected) {
+            EXPECT_TRUE(
+                is_close(value, Reference(expected), 1e-13, {{"floor", floor}, {"part", part}}));
+          };
+          close(got.real_area_ratio, real_area_ratio(wide.asperities(), separation));
+          close(got.summit_count, summit_count(wide.asperities(), separation));
+        }
+      }
 }
 
 TEST(AsperityContact, PrefactorsAgreeWithFiftyDigits) {

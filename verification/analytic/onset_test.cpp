@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
 
@@ -18,21 +22,40 @@ Onset<double> onset_of(const Scene& scene, OnsetCriterion criterion, double depa
   return onset(MixedContact<double>(scene), scene, criterion, departure);
 }
 
-// The greatest film among solved points with a smaller film, beyond rounding, on both sides.
-OperatingPoint<double> swept_film_maximum(const Scene& scene, double from, double to) {
+// The solved points whose film is greater, beyond rounding, than those on both sides.
+std::vector<OperatingPoint<double>> swept_film_maxima(const Scene& scene, double from, double to) {
   const MixedContact<double> contact(scene);
-  OperatingPoint<double> best;
+  std::vector<OperatingPoint<double>> maxima;
   double before = std::numeric_limits<double>::infinity();
   OperatingPoint<double> here = contact.solve(from);
   for (double u = from; u < to; u *= 1.0005) {
     const OperatingPoint<double> next = contact.solve(u);
     const double margin = 1 - 1e-12;
-    if (before < here.film * margin && next.film < here.film * margin && here.film > best.film)
-      best = here;
+    if (before < here.film * margin && next.film < here.film * margin) maxima.push_back(here);
     before = here.film;
     here = next;
   }
-  return best;
+  return maxima;
+}
+OperatingPoint<double> greatest_film(const std::vector<OperatingPoint<double>>& points) {
+  return *std::max_element(points.begin(), points.end(),
+                           [](const auto& a, const auto& b) { return a.film < b.film; });
+}
+
+// The solved points whose friction is less than on both sides.
+std::vector<OperatingPoint<double>> swept_friction_minima(const Scene& scene) {
+  const MixedContact<double> contact(scene);
+  std::vector<OperatingPoint<double>> minima;
+  double before = 0;
+  OperatingPoint<double> here = contact.solve(scene.speeds.from);
+  for (double u = scene.speeds.from; u < scene.speeds.to; u *= 1.001) {
+    const OperatingPoint<double> next = contact.solve(u);
+    if (next.friction_undefined) break;
+    if (here.friction < before && here.friction < next.friction) minima.push_back(here);
+    before = here.friction;
+    here = next;
+  }
+  return minima;
 }
 
 TEST(Onset, FilmMaximumIsThatOfADenseSweep) {
@@ -45,12 +68,13 @@ TEST(Onset, FilmMaximumIsThatOfADenseSweep) {
           scene.surface.offset_planes = planes;
           scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 4};
           const Onset<double> found = onset_of(scene, film_maximum);
-          const OperatingPoint<double> swept = swept_film_maximum(scene, 1e-4, 20);
+          const std::vector<OperatingPoint<double>> maxima = swept_film_maxima(scene, 1e-4, 20);
           const std::string what =
               fmt::format("closure {} supply {} planes {} surface {}", static_cast<int>(closure),
                           static_cast<int>(supply), planes, static_cast<int>(surface));
-          EXPECT_EQ(found.exists, swept.film > 0) << what << " " << found.reason;
-          if (!found.exists) continue;
+          EXPECT_EQ(found.exists, !maxima.empty()) << what << " " << found.reason;
+          if (!found.exists || maxima.empty()) continue;
+          const OperatingPoint<double> swept = greatest_film(maxima);
           EXPECT_TRUE(is_within(found.speed / swept.speed, 1, 0.0011)) << what;
           EXPECT_GE(found.film * (1 + 1e-14), swept.film) << what;
           EXPECT_TRUE(is_within(found.film / swept.film, 1, 1e-6)) << what;
@@ -59,6 +83,27 @@ TEST(Onset, FilmMaximumIsThatOfADenseSweep) {
           EXPECT_TRUE(is_close(solved.film, Reference(found.film), 1e-13, {{"u", found.speed}}))
               << what;
         }
+}
+
+// With a rule that fades over many decades of r (a small γ), and asperities that carry nearly all
+// of the load up to λ = δ, the film has two maxima: one before the asperities let go, one after.
+TEST(Onset, FilmMaximumAtConstantFlowIsTheGreatestOfSeveral) {
+  constexpr std::array<std::pair<double, bool>, 2> flows{{{0.0111, true}, {0.0249, false}}};
+  for (const auto& [flow, first_is_greatest] : flows) {
+    Scene scene = paper_scene(PaperSurface::smooth, AsperityModel::greenwood_williamson);
+    scene.surface.summit_plane_offset = 8;
+    scene.surface.summit_density *=
+        0.99 / MixedContact<double>(scene).sharing().asperity_share(0);  // A(0) = 0.99
+    scene.closures = {AsperityModel::greenwood_williamson, damiens, 0.04};
+    scene.supply = {SupplyKind::inlet_flow, flow};
+    const std::vector<OperatingPoint<double>> maxima = swept_film_maxima(scene, 0.01, 100);
+    ASSERT_EQ(maxima.size(), 2U) << flow;
+    EXPECT_EQ(maxima[0].film > maxima[1].film, first_is_greatest) << flow;
+    const Onset<double> found = onset_of(scene, film_maximum);
+    const OperatingPoint<double> greatest = greatest_film(maxima);
+    EXPECT_TRUE(is_within(found.speed / greatest.speed, 1, 0.005)) << flow;
+    EXPECT_GE(found.film * (1 + 1e-14), greatest.film) << flow;
+  }
 }
 
 TEST(Onset, DepartureIsWhereTheSolvedFilmHasLostItsShare) {
@@ -91,6 +136,37 @@ TEST(Onset, FrictionMinimumIsThatOfADenseSweep) {
       EXPECT_TRUE(is_within(found.speed / at, 1, 0.002));
       EXPECT_LE(contact.solve(found.speed).friction, lowest * (1 + 1e-14));
     }
+}
+
+// Under little boundary friction the load that goes over to the fluid costs more than it saves: a
+// maximum parts the minimum of mixed lubrication from another one near the greatest film.
+TEST(Onset, FrictionMinimumIsTheLowestOfSeveral) {
+  constexpr std::array<std::pair<double, bool>, 2> slide_roll_ratios{
+      {{0.001, true}, {0.01, false}}};
+  for (const auto& [slide_roll_ratio, first_is_lowest] : slide_roll_ratios) {
+    Scene scene = paper_scene(PaperSurface::medium);
+    scene.friction = {0.01, slide_roll_ratio, FluidShear::limiting, ViscosityLaw::barus};
+    const std::vector<OperatingPoint<double>> minima = swept_friction_minima(scene);
+    ASSERT_EQ(minima.size(), 2U) << slide_roll_ratio;
+    EXPECT_EQ(minima[0].friction < minima[1].friction, first_is_lowest) << slide_roll_ratio;
+    const OperatingPoint<double>& lowest = minima[first_is_lowest ? 0 : 1];
+    const Onset<double> found = onset_of(scene, friction_minimum);
+    EXPECT_TRUE(is_within(found.speed / lowest.speed, 1, 0.002)) << slide_roll_ratio;
+    EXPECT_LE(MixedContact<double>(scene).solve(found.speed).friction,
+              lowest.friction * (1 + 1e-14));
+  }
+}
+
+TEST(Onset, FrictionMinimumOfAListIsThatOfItsRangeInAnyOrder) {
+  Scene scene = paper_scene(PaperSurface::smooth);
+  const Onset<double> of_range = onset_of(scene, friction_minimum);
+  for (const std::vector<double>& list :
+       {std::vector{1e-4, 0.5, 3.0}, std::vector{0.5, 3.0, 1e-4}, std::vector{3.0, 1e-4, 0.5}}) {
+    scene.speeds = {list, 0, 0, 0, Spacing::log};
+    const Onset<double> found = onset_of(scene, friction_minimum);
+    EXPECT_EQ(found.exists, true) << found.reason;
+    EXPECT_EQ(found.speed, of_range.speed);
+  }
 }
 
 TEST(Onset, AsperityMinimumIsTheFilmMaximum) {

@@ -50,6 +50,19 @@ TEST(Starvation, DoubleAgreesWithFiftyDigits) {
     }
 }
 
+// Short inlets too, of which the powers underflow in float.
+TEST(Starvation, FloatKeepsItsContract) {
+  Sampler sampler(46);
+  for (const auto closure : closures)
+    for (int i = 0; i < 300; ++i) {
+      const auto r = static_cast<float>(sampler.log_uniform(1e-8, 1e25));
+      const double exact = starvation_ratio(closure, static_cast<double>(r), 3.0);
+      if (exact < 1e-36) continue;  // subnormal in float
+      EXPECT_TRUE(is_close(starvation_ratio(closure, r, 3.0F), Reference(exact),
+                           starvation_ratio_contract.ulp * 0x1p-23, {{"r", r}}));
+    }
+}
+
 // 1 − y by subtraction in 50 digits; in double it keeps its digits where y has none left of it.
 TEST(Starvation, DeficitIsOneMinusTheRatioToEveryDigit) {
   Sampler sampler(42);

@@ -77,8 +77,7 @@ Item item_of(const ReferenceRow& row) {
 }
 
 Verdict judge_number(const Item& item, double value) {
-  const double least_half = item.last_digit / 2 * (1 + 1e-9);  // 1.45 is within half of 1.4's digit
-  if (std::abs(value - item.reported) <= least_half) return Verdict::reproduced;
+  if (is_as_printed(value, item.reported, item.last_digit)) return Verdict::reproduced;
   const double factor = value / item.reported;
   if (!(factor > 0)) return Verdict::not_reproduced;
   if (std::abs(factor - 1) <= 0.1) return Verdict::within_ten_percent;
@@ -102,6 +101,10 @@ std::string_view name(Verdict verdict) {
 }
 
 Verdict worst(Verdict a, Verdict b) { return std::max(a, b); }
+
+bool is_as_printed(double value, double reported, double last_digit) {
+  return std::abs(value - reported) <= last_digit / 2 * (1 + 1e-9);
+}
 
 Verdict judge(const Item& item, const Observed& observed) {
   if (!observed.value || !std::isfinite(*observed.value)) return Verdict::not_reproduced;

@@ -75,6 +75,9 @@ enum class Verdict : std::uint8_t {
 };
 std::string_view name(Verdict verdict);
 
+// Is a number the one that is printed, to half a unit of its last digit? 1.45 is as near to 1.4.
+bool is_as_printed(double value, double reported, double last_digit);
+
 Verdict judge(const Item& item, const Observed& observed);
 
 // Above 0 where the rule is met, and continuous in the value; for numbers ln(value/reported), which

@@ -29,7 +29,7 @@ std::size_t claim_index(const Ledger& ledger, const Item& item) {
 }
 
 struct Row {
-  std::string departures, verdict, computed, met_by;
+  std::string departures, verdict, computed, holds_at, met_by;
 };
 
 bool is_moved(const std::string& before, const std::string& now) {
@@ -71,7 +71,8 @@ LedgerChanges changes_since(const std::string& path, const Ledger& ledger,
   std::map<std::pair<std::string, std::string>, Row> before;
   for (const auto& row : verification::read_reference_table(path))
     before[{row.text("reading"), row.text("item")}] = {row.text("departures"), row.text("verdict"),
-                                                       row.text("computed"), row.text("met_by")};
+                                                       row.text("computed"), row.text("holds_at"),
+                                                       row.text("met_by")};
   LedgerChanges changes;
   for (const NamedReading& reading : readings) {
     bool is_another = false;
@@ -98,6 +99,10 @@ LedgerChanges changes_since(const std::string& path, const Ledger& ledger,
         changes.numbers.push_back(fmt::format("{}, {}: was {}, is {}", item.id, reading.name,
                                               row.computed,
                                               number(reading.results[i].observed.value)));
+      else if (is_moved(row.holds_at, fmt::format("{}", reading.results[i].observed.part)))
+        changes.numbers.push_back(fmt::format("{}, {}: held at a part of {}, holds at {}", item.id,
+                                              reading.name, row.holds_at,
+                                              reading.results[i].observed.part));
       else if (is_moved(row.met_by, fmt::format("{}", ledger.item_statistics[i].part)))
         changes.numbers.push_back(fmt::format("{}: was met by {} of the readings, is by {}",
                                               item.id, row.met_by, ledger.item_statistics[i].part));

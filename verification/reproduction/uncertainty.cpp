@@ -74,7 +74,7 @@ Uncertainty uncertainty(const PaperScenes& scenes, const std::vector<Input>& inp
       speed[i].push_back(point->speed);
       if (i == 0) film_parameter.push_back(point->film_parameter);
       as_reported =
-          as_reported && std::abs(onset[i] - reported.speed[i]) <= reported.last_digit[i] / 2;
+          as_reported && is_as_printed(onset[i], reported.speed[i], reported.last_digit[i]);
     }
     found.all_onsets_reported += as_reported && onset[0] > 0 && onset[1] > 0 && onset[2] > 0;
     if (onset[1] > 0 && onset[2] > 0) first.push_back(onset[1] / onset[2]);

@@ -42,6 +42,13 @@ TEST(Judge, CountsWhatItHasHeldAndHowNearTheBoundItCame) {
   EXPECT_TRUE(is_close(1.25, 1, 0.5, {}));
   EXPECT_EQ(case_count.held, 1u);
   EXPECT_EQ(case_count.greatest_part_of_bound, 0.5);
+  EXPECT_TRUE(is_close(1.25, 1, 0.5, {}, 8));  // an eighth of that
+  EXPECT_EQ(case_count.greatest_part_of_bound, 0.5);
+  EXPECT_TRUE(is_within(0.25, 1, 1));
+  EXPECT_EQ(case_count.greatest_part_of_bound, 0.75);
+  case_count = {};
+  EXPECT_TRUE(is_close(1.25, 1, 0.5, {}, 8));
+  EXPECT_EQ(case_count.greatest_part_of_bound, 0.0625);
 }
 
 // The C++ standard gives the ten thousandth number of mt19937_64 with its default seed.

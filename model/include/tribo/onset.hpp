@@ -105,7 +105,8 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   using std::log;
   const StribeckWalk<T> walk(contact);
   // A maximum needs y to fall by no more than 0.67/1.67 in the logarithm: r is below 10 there; and
-  // below r = 1e-9 it falls by less than 1e-6, which no film slope that matters meets.
+  // below r = 1e-9 it falls by less than 1e-6, which no film slope that matters meets (but for
+  // Damiens' rule with an exponent below 0.03, which nobody has).
   const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
   const T last_log_r =
       contact.closure() == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));

@@ -131,7 +131,7 @@ struct InletCurve {
   // Below this ψ the powers of ψ near underflow; arctan v = v there to every digit of T.
   static T least_log_length() { return ratio<T>(1, 4) * T(std::numeric_limits<T>::min_exponent); }
 
-  // ψ there: y = κψ, and of 1/r the greater term, the other as a first correction (in float).
+  // ψ there: y = κψ, and of 1/r the greater term. The other is below ε/2 of it, in float below 2 ε.
   T least_inlet_length(const T& flooded_over_inlet) const {
     using std::sqrt;
     const T kappa = 2 * wolveridge_factor<T>() / pi<T>();
@@ -139,8 +139,7 @@ struct InletCurve {
       const T root = crook_constant<T>() * kappa * sqrt(sqrt(kappa)) / flooded_over_inlet;
       return root * root * (root * root);
     }
-    const T psi = 1 / (kappa * flooded_over_inlet);
-    return psi * (1 - sqrt(psi) / (crook_constant<T>() * kappa));
+    return 1 / (kappa * flooded_over_inlet);
   }
 
   // Above this ψ its powers near overflow; y = 1 there to every digit of T.

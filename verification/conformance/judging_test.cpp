@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rules by which somebody else's solver is judged: what its tolerance allows, what each answer
+// makes of a quantity, what counts as worse than a baseline, and when a known mistake is named.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "conformance/conformance_baseline.hpp"
+#include "conformance/diagnosis.hpp"
+#include "support/judge.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using nlohmann::json;
+using verification::is_close;
+
+constexpr Contract contract{4, 0.5};  // 4 ulp, or half an ulp times the condition
+
+Case asked_for(std::vector<Expected> expected, std::string id = "a") {
+  return {std::move(id), "film", json::object(), contract, std::move(expected), false};
+}
+Expected number(double high, double condition = 1) {
+  return {"value", high, 0, condition, false, {}};
+}
+
+Tolerance own_tolerance() {
+  Tolerance tolerance = engineering_tolerance();
+  tolerance.quantity["film"] = 1e-3;
+  return tolerance;
+}
+
+// --- What is allowed.
+
+TEST(AllowedError, IsThePartOfTheValueTimesItsCondition) {
+  for (const double condition : {1.0, 10.0, 1e4}) {
+    const Expected expected = number(-8, condition);
+    const Case asked = asked_for({expected});
+    EXPECT_TRUE(is_close(allowed_error(asked, expected, engineering_tolerance()), 8e-6 * condition,
+                         1e-15, {{"condition", condition}}));
+    EXPECT_TRUE(is_close(allowed_error(asked, expected, own_tolerance()), 8e-3 * condition, 1e-15,
+                         {{"condition", condition}}));
+  }
+}
+
+TEST(AllowedError, OfTheStrictToleranceIsTheContract) {
+  const double ulp = 0x1p-49;  // of 8
+  const auto allowed = [](double condition) {
+    const Expected expected = number(8, condition);
+    return allowed_error(asked_for({expected}), expected, strict_tolerance());
+  };
+  EXPECT_EQ(allowed(1), 4 * ulp);
+  EXPECT_EQ(allowed(8), 4 * ulp);
+  EXPECT_EQ(allowed(16), 8 * ulp);
+  EXPECT_EQ(allowed(1600), 800 * ulp);
+  const Expected nothing = number(0);
+  EXPECT_EQ(allowed_error(asked_for({nothing}), nothing, strict_tolerance()),
+            4 * std::numeric_limits<double>::denorm_min());
+}
+
+// --- What answers make of a quantity.
+
+Answer with(json fields) { return {Outcome::answered, std::move(fields), {}}; }
+Answer without(Outcome outcome) { return {outcome, {}, "why"}; }
+
+ConformanceResult judged(const std::vector<Case>& cases, std::vector<Answer> answers) {
+  Conversation conversation;
+  conversation.answers = std::move(answers);
+  return judge("subject", cases, conversation, engineering_tolerance());
+}
+QuantityVerdict verdict_on(const Expected& expected, Answer answer) {
+  return judged({asked_for({expected})}, {std::move(answer)}).quantities.at(0);
+}
+Status status_of(const Expected& expected, json value) {
+  return verdict_on(expected, with({{"value", std::move(value)}})).status;
+}
+
+TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
+  const Expected expected = number(2, 10);  // 2e-5 is allowed
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_EQ(status_of(expected, 2 + side * 1.99e-5), Status::held);
+    EXPECT_EQ(status_of(expected, 2 + side * 2.01e-5), Status::failed);
+  }
+  const QuantityVerdict verdict = verdict_on(expected, with({{"value", 2 + 1e-5}}));
+  EXPECT_TRUE(is_close(verdict.worst_part_of_bound, 0.5, 1e-9, {}));
+  EXPECT_TRUE(is_close(verdict.worst_relative, 5e-6, 1e-9, {}));
+}
+
+// The expected number has more digits than a double.
+TEST(JudgedAnswer, IsComparedWithBothPartsOfTheValue) {
+  const Expected expected{"value", 1, 3e-6, 1, false, {}};
+  EXPECT_EQ(status_of(expected, 1.0), Status::failed);
+  EXPECT_EQ(status_of(expected, 1.0000025), Status::held);
+}
+
+TEST(JudgedAnswer, ThatIsNoFiniteNumberFails) {
+  for (const json& value : {json("2"), json(nullptr), json(true), json::array({2}),
+                            json(std::numeric_limits<double>::infinity()), json(std::nan(""))})
+    EXPECT_EQ(status_of(number(2), value), Status::failed) << value.dump();
+}
+
+TEST(JudgedAnswer, OfAWordOrOfSomethingUndefinedIsJustThat) {
+  const Expected word{"value", 0, 0, 1, false, "mixed"}, undefined{"value", 0, 0, 1, true, {}};
+  EXPECT_EQ(status_of(word, "mixed"), Status::held);
+  EXPECT_EQ(status_of(word, "boundary"), Status::failed);
+  EXPECT_EQ(status_of(word, nullptr), Status::failed);
+  EXPECT_EQ(status_of(undefined, nullptr), Status::held);
+  EXPECT_EQ(status_of(undefined, 0.1), Status::failed);
+}
+
+TEST(JudgedAnswer, ThatDoesNotComeFailsAndOneThatIsSkippedDoesNot) {
+  for (const Outcome outcome : {Outcome::refused, Outcome::garbage, Outcome::missing, Outcome::late,
+                                Outcome::died, Outcome::not_asked})
+    EXPECT_EQ(verdict_on(number(2), without(outcome)).status, Status::failed)
+        << static_cast<int>(outcome);
+  EXPECT_EQ(verdict_on(number(2), without(Outcome::skipped)).status, Status::not_offered);
+}
+
+TEST(JudgedAnswer, WithoutAFieldThatOthersHaveFails) {
+  const std::vector<Case> cases{asked_for({number(2)}, "a"), asked_for({number(2)}, "b")};
+  EXPECT_EQ(judged(cases, {with({{"value", 2}}), with(json::object())}).quantities[0].failed, 1U);
+  EXPECT_EQ(judged(cases, {with(json::object()), with(json::object())}).quantities[0].status,
+            Status::not_offered);
+}
+
+TEST(JudgedQuantity, CountsEachOfItsCases) {
+  const std::vector<Case> cases{asked_for({number(2)}, "a"), asked_for({number(2)}, "b"),
+                                asked_for({number(2)}, "c"), asked_for({number(2)}, "d")};
+  const Answer right = with({{"value", 2}}), wrong = with({{"value", 3}}),
+               skipped = without(Outcome::skipped);
+  const QuantityVerdict all = judged(cases, {skipped, right, wrong, right}).quantities.at(0);
+  EXPECT_EQ(all.asked, 4U);
+  EXPECT_EQ(all.held, 2U);
+  EXPECT_EQ(all.failed, 1U);
+  EXPECT_EQ(all.skipped, 1U);
+  EXPECT_EQ(all.status, Status::failed);
+  EXPECT_EQ(all.worst_case, "c");
+  EXPECT_TRUE(all.first_reason.starts_with("c: ")) << all.first_reason;
+  EXPECT_EQ(judged(cases, {right, right, skipped, right}).quantities[0].status,
+            Status::partly_held);
+  EXPECT_EQ(judged(cases, {right, right, right, right}).quantities[0].status, Status::held);
+}
+
+TEST(JudgedSubject, IsCompleteOnlyWhereAllOfItIsHeldAndNoRuleBroken) {
+  const Case film = asked_for({number(2)});
+  Case radius = asked_for({number(2)}, "b");
+  radius.function = "hertz";
+  const Answer right = with({{"value", 2}}), wrong = with({{"value", 3}}),
+               skipped = without(Outcome::skipped);
+  EXPECT_EQ(judged({film, radius}, {right, right}).overall, Overall::complete);
+  EXPECT_EQ(judged({film, radius}, {right, skipped}).overall, Overall::partial);
+  EXPECT_EQ(judged({film, radius}, {right, wrong}).overall, Overall::failed);
+  EXPECT_EQ(judged({film, radius}, {skipped, skipped}).overall, Overall::nothing);
+  Conversation broken;
+  broken.answers = {right};
+  broken.violation_count = 1;
+  EXPECT_EQ(judge("", {film}, broken, engineering_tolerance()).overall, Overall::failed);
+}
+
+// --- What is worse than a baseline.
+
+QuantityVerdict row(Status status, std::size_t held, std::size_t failed, std::size_t skipped,
+                    double worst_relative = 1e-10) {
+  QuantityVerdict one{"film",  status, held + failed + skipped, held, failed,
+                      skipped, 0.5,    worst_relative,          "a",  {}};
+  return one;
+}
+ConformanceResult result_of(std::vector<QuantityVerdict> quantities) {
+  ConformanceResult result;
+  result.tolerance = "engineering";
+  result.quantities = std::move(quantities);
+  return result;
+}
+
+enum class Way : std::uint8_t { same, better, worse };
+Way change(const QuantityVerdict& before, const QuantityVerdict& now) {
+  const BaselineChanges changes =
+      compare(result_of({now}), baseline_of(result_of({before}), nullptr));
+  EXPECT_LE(changes.worse.size() + changes.better.size(), 1U);
+  return !changes.worse.empty() ? Way::worse : !changes.better.empty() ? Way::better : Way::same;
+}
+// Whatever is worse one way round is better the other way round.
+void expect_worse(const QuantityVerdict& before, const QuantityVerdict& now) {
+  EXPECT_EQ(change(before, now), Way::worse);
+  EXPECT_EQ(change(now, before), Way::better);
+  EXPECT_EQ(change(now, now), Way::same);
+}
+
+TEST(Baseline, KnowsWhatIsWorse) {
+  expect_worse(row(Status::held, 10, 0, 0), row(Status::partly_held, 9, 0, 1));
+  expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::not_offered, 0, 0, 10));
+  expect_worse(row(Status::not_offered, 0, 0, 10), row(Status::failed, 9, 1, 0));
+  expect_worse(row(Status::failed, 9, 1, 0), row(Status::failed, 8, 2, 0));
+  expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::partly_held, 8, 0, 2));
+  expect_worse(row(Status::failed, 8, 1, 1), row(Status::failed, 7, 1, 2));
+}
+
+TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
+  const auto held = [](double error) { return row(Status::held, 10, 0, 0, error); };
+  expect_worse(held(1e-10), held(4.1e-10));
+  EXPECT_EQ(change(held(1e-10), held(3.9e-10)), Way::same);
+  EXPECT_EQ(change(held(3.9e-10), held(1e-10)), Way::same);
+  // An error below the rounding of a double may become as great as four of it.
+  EXPECT_EQ(change(held(1e-20), held(3.9 * 0x1p-52)), Way::same);
+  EXPECT_EQ(change(held(1e-20), held(4.1 * 0x1p-52)), Way::worse);
+}
+
+TEST(Baseline, MissesAQuantityThatIsNoLongerAsked) {
+  QuantityVerdict other = row(Status::held, 10, 0, 0);
+  other.quantity = "radius";
+  const json baseline = baseline_of(result_of({row(Status::held, 10, 0, 0), other}), nullptr);
+  const BaselineChanges changes = compare(result_of({other}), baseline);
+  ASSERT_EQ(changes.worse.size(), 1U);
+  EXPECT_TRUE(changes.worse[0].starts_with("film: ")) << changes.worse[0];
+  EXPECT_EQ(changes.better.size(), 0U);
+}
+
+TEST(Baseline, TakesANewQuantityUnlessItFails) {
+  const json baseline = baseline_of(result_of({}), nullptr);
+  EXPECT_EQ(compare(result_of({row(Status::failed, 9, 1, 0)}), baseline).worse.size(), 1U);
+  EXPECT_EQ(compare(result_of({row(Status::held, 9, 0, 0)}), baseline).better.size(), 1U);
+}
+
+TEST(Baseline, CountsABrokenProtocolAsWorse) {
+  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  const json baseline = baseline_of(result, nullptr);
+  EXPECT_EQ(compare(result, baseline).worse.size(), 0U);
+  result.violation_count = 1;
+  EXPECT_EQ(compare(result, baseline).worse.size(), 1U);
+}
+
+TEST(Baseline, IsOfOneToleranceAlone) {
+  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  const json baseline = baseline_of(result, nullptr);
+  result.tolerance = "strict";
+  bool is_refused = false;
+  try {
+    compare(result, baseline);
+  } catch (const std::runtime_error&) {
+    is_refused = true;
+  }
+  EXPECT_EQ(is_refused, true);
+}
+
+TEST(Baseline, MadeAnewKeepsWhatWasBetter) {
+  const ConformanceResult before = result_of({row(Status::held, 10, 0, 0)});
+  const ConformanceResult worse = result_of({row(Status::partly_held, 9, 0, 1)});
+  const json old = baseline_of(before, nullptr);
+  EXPECT_EQ(baseline_of(worse, old), old);
+  EXPECT_EQ(baseline_of(before, baseline_of(worse, nullptr)), old);
+}
+
+// --- When a mistake is named.
+
+const std::vector<Case>& film_cases() {
+  static const std::vector<Case> films = [] {
+    const std::string reference = std::string(TRIBOCHECK_SOURCE_DIR) + "/reference";
+    std::vector<Case> cases = read_cases({reference + "/exact", reference + "/published"});
+    std::erase_if(cases, [](const Case& one) { return one.function != "hamrock_dowson_central"; });
+    return cases;
+  }();
+  return films;
+}
+
+// The mistakes that are named where so many of the films are those of R/2, and the others wrong in
+// another way each.
+std::vector<std::string> named_where(std::size_t with_mistake) {
+  const std::vector<Mistake> mistakes = function_mistakes();
+  const auto half = std::find_if(mistakes.begin(), mistakes.end(), [](const Mistake& one) {
+    return one.name == "film-radius-halved";
+  });
+  Conversation conversation;
+  for (std::size_t i = 0; i < film_cases().size(); ++i) {
+    const Case& asked = film_cases()[i];
+    const double wrong = asked.expected[0].high * (1.1 + 0.01 * static_cast<double>(i));
+    const double value = i < with_mistake ? half->value(asked.inputs, "value").value() : wrong;
+    conversation.answers.push_back(with({{"value", value}}));
+  }
+  std::vector<std::string> named;
+  for (const Diagnosis& one : diagnose(film_cases(), conversation, engineering_tolerance()))
+    named.insert(named.end(), one.mistakes.begin(), one.mistakes.end());
+  return named;
+}
+
+TEST(Diagnosed, IsAMistakeThatGivesNearlyAllTheAnswers) {
+  const std::size_t all = film_cases().size();
+  ASSERT_EQ(all, 60U);
+  const std::vector<std::string> half{"film-radius-halved"};
+  EXPECT_EQ(named_where(all), half);
+  EXPECT_EQ(named_where(all - 1), half);  // 98.3 % of them
+  for (const std::size_t too_few : {all - 2, all - 3, all - 10, all / 3, std::size_t{3}})
+    EXPECT_EQ(named_where(too_few), std::vector<std::string>{}) << too_few;
+}
+
+}  // namespace
+}  // namespace tribo::conformance

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""plant.py on a catalogue of its own: what cannot be planted, what survives, and what counts as caught."""
+import contextlib
+import io
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+import plant
+
+FAULT = {"id": "one", "fault": "1 is 2", "file": "formula.txt", "find": "= 1;", "replace": "= 2;",
+         "check": "program.test_formula"}
+GREEN = '<testsuite><testcase name="program.test_formula" status="{}"/></testsuite>'
+
+
+def finished(code, text=""):
+    return subprocess.CompletedProcess([], code, text)
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "formula.txt").write_text("y = 1;\n")
+        self.green = self.folder / "green.xml"
+        self.green.write_text(GREEN.format("run"))
+        root = mock.patch.object(plant, "ROOT", self.folder)
+        root.start()
+        self.addCleanup(root.stop)
+
+
+class Stale(Tree):
+    def test_a_text_that_stands_once_is_not(self):
+        self.assertIsNone(plant.stale(FAULT))
+
+    def test_a_text_that_stands_twice_or_never_is(self):
+        self.assertIn("0 times", plant.stale(FAULT | {"find": "= 3;"}))
+        (self.folder / "formula.txt").write_text("y = 1; z = 1;\n")
+        self.assertIn("2 times", plant.stale(FAULT))
+
+    def test_a_file_that_is_not_there_is(self):
+        self.assertIn("is not there", plant.stale(FAULT | {"file": "none.txt"}))
+
+
+class Programs(unittest.TestCase):
+    """Which build target runs a check, in the real tree."""
+
+    def test_of_each_kind_of_check(self):
+        for check, target in (("program.test_solve", "tribocheck"),
+                              ("gates.work_counters", "tribocheck_gate_kernels"),
+                              ("gates.test_rules", None),
+                              ("support.Judge.PassesInsideTheBoundAndFailsOutside", "judge_test"),
+                              ("inventory:support.Judge.PassesInsideTheBoundAndFailsOutside", "judge_test")):
+            self.assertEqual(plant.program_of(check), target)
+
+    def test_a_check_that_no_source_has_ends_the_run(self):
+        with self.assertRaises(SystemExit):
+            plant.program_of("support.Judge.DoesNothingOfTheKind")
+
+
+class Look(Tree):
+    """What CTest's end says of a fault."""
+
+    def look(self, check, *ends):
+        scratch = plant.Scratch.__new__(plant.Scratch)
+        scratch.build = scratch.tree = self.folder
+        with mock.patch.object(plant, "run", side_effect=[finished(*end) for end in ends]):
+            return scratch.look(check)
+
+    def assert_red(self, words, check, *ends):
+        with self.assertRaisesRegex(plant.Red, words):
+            self.look(check, *ends)
+
+    def test_a_check_that_fails_or_runs_out_of_time_has_caught_it(self):
+        self.assertEqual(self.look("program.test_formula", (8, "***Failed")), "failed")
+        self.assertEqual(self.look("program.test_formula", (8, "***Timeout")), "timed out")
+
+    def test_a_check_that_passes_or_is_not_there_has_not(self):
+        self.assert_red("survived", "program.test_formula", (0, "Passed"))
+        self.assert_red("not there to run", "program.test_formula", (0, "No tests were found!!!"))
+
+    def test_the_inventory_has_to_be_red_of_a_test_that_is_green(self):
+        self.assertEqual(self.look("inventory:program.test_formula", (0, ""), (1, "9 cases\nmore")), "9 cases")
+        self.assert_red("survived", "inventory:program.test_formula", (0, ""), (0, ""))
+        self.assert_red("itself failed", "inventory:program.test_formula", (8, ""), (1, ""))
+
+
+class Try(Tree):
+    def test_the_file_is_whole_again_whatever_comes_of_it(self):
+        scratch = plant.Scratch.__new__(plant.Scratch)
+        scratch.tree = self.folder
+        seen = []
+
+        def make(target):
+            seen.append((target, (self.folder / "formula.txt").read_text()))
+            raise plant.Red("does not build")
+        scratch.make = make
+        with self.assertRaises(plant.Red):
+            scratch.try_fault(FAULT)
+        self.assertEqual(seen, [("tribocheck", "y = 2;\n")])
+        self.assertEqual((self.folder / "formula.txt").read_text(), "y = 1;\n")
+
+
+class Main(Tree):
+    """The exit code, without building anything."""
+
+    def main(self, said, *faults):
+        def row(fault):
+            return {"id": fault["id"], "check": fault["check"], "caught": said != "survived", "said": said,
+                    "seconds": 1}
+        with mock.patch.object(plant, "read_catalogue", lambda: list(faults or [FAULT])), \
+                mock.patch.object(plant, "commit", lambda: "0"), \
+                mock.patch.object(plant, "plant", lambda faults, *_: [row(fault) for fault in faults]), \
+                mock.patch.object(sys, "argv", ["plant.py", "--green", str(self.green)]), \
+                contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            return plant.main()
+
+    def test_all_caught_is_0_and_a_survivor_1(self):
+        self.assertEqual(self.main("failed"), 0)
+        self.assertEqual(self.main("survived"), 1)
+
+    def test_a_fault_that_does_not_apply_is_1(self):
+        self.assertEqual(self.main("failed", FAULT | {"find": "= 3;"}), 1)
+
+    def test_a_check_that_did_not_pass_without_the_fault_is_1(self):
+        for status in ("fail", "notrun", "disabled"):
+            self.green.write_text(GREEN.format(status))
+            self.assertEqual(self.main("failed"), 1, status)
+
+    def test_without_a_run_to_go_by_it_is_2(self):
+        self.green.unlink()
+        self.assertEqual(self.main("failed"), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
