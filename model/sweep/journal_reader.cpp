@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -158,44 +160,16 @@ Found find_records(int descriptor, const std::string& path) {
 }  // namespace journal_record
 
 JournalReader::JournalReader(const std::string& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), path_(path) {
-  if (descriptor_ < 0) cannot_read(path, errno);
-  try {
-    Found found = journal_record::find_records(descriptor_, path);
-    header_ = std::move(found.header);
-    seed_ = found.seed;
-    records_ = std::move(found.records);
-    lost_bytes_ = found.lost_bytes;
-  } catch (...) {
-    ::close(descriptor_);
-    throw;
-  }
-}
-
-JournalReader::JournalReader(JournalReader&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)),
-      path_(std::move(other.path_)),
-      header_(std::move(other.header_)),
-      seed_(other.seed_),
-      records_(std::move(other.records_)),
-      lost_bytes_(other.lost_bytes_) {}
-
-JournalReader& JournalReader::operator=(JournalReader&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  path_ = std::move(other.path_);
-  header_ = std::move(other.header_);
-  seed_ = other.seed_;
-  records_ = std::move(other.records_);
-  lost_bytes_ = other.lost_bytes_;
-  return *this;
-}
-
-JournalReader::~JournalReader() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+    : file_(open_file(path, O_RDONLY, "cannot read " + path)), path_(path) {
+  Found found = journal_record::find_records(file_, path);
+  header_ = std::move(found.header);
+  seed_ = found.seed;
+  records_ = std::move(found.records);
+  lost_bytes_ = found.lost_bytes;
 }
 
 Bytes JournalReader::read(const Record& record) const {
-  const File file(descriptor_, path_);
+  const File file(file_, path_);
   HeadBytes head_bytes;
   Bytes bytes(static_cast<std::size_t>(record.size));
   const bool is_there =
@@ -249,6 +223,24 @@ Bytes JournalSet::read(std::uint64_t chunk) const {
     throw std::runtime_error("chunk " + std::to_string(chunk) + " is in no journal");
   const JournalReader& reader = readers_[place.reader];
   return reader.read(reader.records()[place.record]);
+}
+
+std::string JournalSet::instruction_sets() const {
+  constexpr std::string_view between = "; ";
+  std::set<std::string> sets;
+  for (const Place& place : places_) {
+    if (place.reader == none) continue;
+    // A shard has those of all journals that it was made of.
+    std::string_view left = readers_[place.reader].header().instruction_set;
+    for (std::size_t end = 0; end != left.npos;) {
+      end = left.find(between);
+      sets.emplace(left.substr(0, end));
+      if (end != left.npos) left.remove_prefix(end + between.size());
+    }
+  }
+  std::string list;
+  for (const std::string& one : sets) list.append(list.empty() ? "" : between).append(one);
+  return list;
 }
 
 }  // namespace tribo::sweep

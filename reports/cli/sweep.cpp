@@ -5,6 +5,7 @@
 #include <atomic>
 #include <charconv>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,9 +107,20 @@ void show_result(const SweepArguments& arguments, const std::string& path, Outpu
 
 // --- The three commands.
 
+// The output is not to take the place of what it is made from, and nor are the files beside it.
+void refuse_own_input(const SweepArguments& arguments) {
+  std::error_code none;
+  for (const std::string& file : arguments.files)
+    for (const char* const ending : {"", ".part", ".lock"})
+      if (std::filesystem::equivalent(file, arguments.out + ending, none))
+        throw sweep::RunRefused("-o " + arguments.out + ": " + file +
+                                " is read, and would be replaced; allowed: another file");
+}
+
 sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& progress,
                                bool first_rank) {
   sweep::RunSettings settings;
+  refuse_own_input(arguments);
   settings.result = arguments.out;
   settings.threads = arguments.threads;
   if (!arguments.shard.empty()) settings.shard = shard_of(arguments.shard);
@@ -147,13 +159,16 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
     return exit_done;
   }
   SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));
-  const sweep::RunSettings settings = settings_of(arguments, progress, first);
+  sweep::RunSettings settings = settings_of(arguments, progress, first);
+  settings.finished = [&] {
+    progress.wipe();
+    if (!settings.shard) show_result(arguments, arguments.out, output);
+  };
   watch_for_stop();
   const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
   progress.wipe();
   if (stop_signal != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal;
-  if (first && !settings.shard) show_result(arguments, arguments.out, output);
-  return exit_done;
+  return end == sweep::RunEnd::done ? exit_done : exit_failed;
 }
 
 // What goes wrong on the way is bad usage, or a failure that the journals survive.
@@ -186,9 +201,12 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
   return told([&] {
     watch_for_stop();
     SweepProgress progress(0);
-    sweep::merge(arguments.files, settings_of(arguments, progress, true));
-    progress.wipe();
-    show_result(arguments, arguments.out, output);
+    sweep::RunSettings settings = settings_of(arguments, progress, true);
+    settings.finished = [&] {
+      progress.wipe();
+      show_result(arguments, arguments.out, output);
+    };
+    sweep::merge(arguments.files, settings);
     return exit_done;
   });
 }
@@ -262,7 +280,8 @@ Command add_sweep(CLI::App& program) {
                 "only say how many points, how long, how much memory and how large a file");
   CLI::Option* const resume =
       app->add_flag("--resume", arguments->resume, "go on with what a stopped run has left");
-  app->add_flag("--force", arguments->force, "throw away a result and journals that are there")
+  app->add_flag("--force", arguments->force,
+                "throw away journals that are there, and replace a result by the new one")
       ->excludes(resume);
   app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
   app->add_option("--instruction-set", arguments->instruction_set,
