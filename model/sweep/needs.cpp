@@ -27,11 +27,18 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// Values a case of the widest column.
+std::size_t widest(const SceneSweep& scene) {
+  std::size_t widest = 1;
+  for (const Column& column : scene.columns) widest = std::max(widest, column.width);
+  return widest;
+}
+
 // A scene at so many of its speeds, in chunks of so many groups.
 SweepPlan thinned(const SceneSweep& scene, std::size_t speeds, std::uint64_t chunk_groups) {
   SceneSweep thin = scene;
   const Speeds& all = scene.scene.speeds;
-  if (speeds < all.size()) {
+  if (speeds < widest(scene)) {
     thin.scene.speeds.list.clear();
     for (std::size_t i = 0; i < speeds; ++i)
       thin.scene.speeds.list.push_back(all[i * (all.size() - 1) / (speeds - 1)]);
@@ -107,12 +114,6 @@ Sample sample_of(const SweepPlan& plan, double seconds) {
           sum.record / count,        sum.chunk_memory / count,  memory_of(merged)};
 }
 
-std::size_t widest(const SceneSweep& scene) {
-  std::size_t widest = 1;
-  for (const Column& column : scene.columns) widest = std::max(widest, column.width);
-  return widest;
-}
-
 // Nearly all grows with the number of speeds in a straight line: by two of them, to all.
 Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
   constexpr std::size_t few = 32, some = 128;
@@ -142,7 +143,7 @@ double numbers_of_sensitivity(const SceneSweep& scene) {
 
 // Of HDF5's groups, datasets and attributes, measured.
 double file_overhead(const SceneSweep& scene) {
-  constexpr double a_scene = 8e3, a_column = 9.5e3, a_sensitivity = 6.7e3, an_input = 0.6e3;
+  constexpr double a_scene = 10e3, a_column = 33e3, a_sensitivity = 22e3, an_input = 0.4e3;
   return a_scene + an_input * static_cast<double>(scene.variables.size()) +
          static_cast<double>(scene.columns.size()) *
              (a_column + (scene.sensitivity ? a_sensitivity : 0)) +

@@ -319,9 +319,6 @@ Handle create_file(const std::string& path) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE));
   hdf5::without_times(creation);
   checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-  // Most datasets are one chunk, whose index has room for twice as many chunks as this: by
-  // default 64.
-  checked(H5Pset_istore_k(creation, 4));
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
   // What HDF5 1.8 can read, whatever library writes it.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));

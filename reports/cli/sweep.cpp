@@ -16,6 +16,8 @@
 #include "messages.hpp"
 #include "report/sweep_pictures.hpp"
 #include "report/sweep_tables.hpp"
+#include "sweep/compute.hpp"
+#include "sweep/needs.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
@@ -158,6 +160,10 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
     if (first) append_estimate(output.text(), *plan, arguments.threads);
     return exit_done;
   }
+  const std::string lack =
+      first ? sweep::lack_of_room(*plan, arguments.threads, arguments.out) : "";
+  if (!lack.empty()) complain("the sweep " + lack);
+  if (!ranks.everywhere(lack.empty())) return exit_bad;
   SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));
   sweep::RunSettings settings = settings_of(arguments, progress, first);
   settings.finished = [&] {
@@ -184,7 +190,17 @@ int told(Step&& step) {
   }
 }
 
-int run_sweep(const SweepArguments& arguments, OutputStream& output) {
+// More threads than this are of no use, and each takes memory.
+void cap_threads(int& threads) {
+  const int most = 16 * sweep::thread_count(0);
+  if (threads <= most) return;
+  complain(fmt::format("warning: --threads {} is more than is of use here; {} are taken", threads,
+                       most));
+  threads = most;
+}
+
+int run_sweep(SweepArguments& arguments, OutputStream& output) {
+  cap_threads(arguments.threads);
   if (arguments.files.empty() || (arguments.out.empty() && !arguments.estimate)) {
     complain(arguments.files.empty()
                  ? "sweep: no SWEEP.toml is given (see --help)"
