@@ -62,11 +62,13 @@ ledger: build ## commit the verdicts on the paper's claims anew: reference/basel
 	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv
 	mv build/ledger.csv reference/baselines/ledger.csv
 
-test-slow: build ## ten million lines and a billion points in flat memory, fifty kills; takes some two minutes
+test-slow: build ## ten million lines, a billion points, fifty kills, 200 pairs, each write failing; some ten minutes
 	@.ci/deps test
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_ROOT=$(CURDIR) \
 	  TRIBOCHECK_LINES=10000000 TRIBOCHECK_POINTS=1000000000 TRIBOCHECK_KILLS=50 \
-	  /usr/bin/python3 -B -m unittest -v test_stream_slow test_sweep_memory_slow test_sweep_faults.Killed
+	  TRIBOCHECK_PAIRS=200 TRIBOCHECK_FAILED_WRITES=1 \
+	  /usr/bin/python3 -B -m unittest -v test_stream_slow test_sweep_memory_slow test_sweep_faults.Killed \
+	  test_sweep_pairs test_sweep_writes
 
 bench: ## speed and true error of every contender; FILTER=RE chooses, PLUGIN=LIB adds one; some five minutes
 	@.ci/deps build bench

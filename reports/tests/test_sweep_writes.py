@@ -87,8 +87,10 @@ class FailingWrites(SweepTest):
         command = ["sweep", path, "-o", self.path("out.h5"), "--threads", "1", *options]
         self.check_each_call(command, [*command, "--resume"], self.bytes_of("whole.h5"))
 
-    def test_a_sweep_whose_points_are_kept(self):
-        self.check_sweep(SMALL)
+    def test_a_sweep(self):
+        for text in (SMALL, WITH_SENSITIVITY, SUMMARIES) if LARGER else (SMALL,):
+            self.clean()
+            self.check_sweep(text)
 
     def test_a_shard(self):
         self.check_sweep(SMALL, "--shard", "1/2")
@@ -101,12 +103,6 @@ class FailingWrites(SweepTest):
             shards.append(self.path(f"{part}.shard"))
         command = ["sweep", "merge", *shards, "-o", self.path("out.h5")]
         self.check_each_call(command, command, self.bytes_of("whole.h5"), step=4)
-
-    @unittest.skipUnless(LARGER, "asked for by TRIBOCHECK_FAILED_WRITES")
-    def test_larger_sweeps(self):
-        for text in (WITH_SENSITIVITY, SUMMARIES):
-            self.clean()
-            self.check_sweep(text)
 
 
 if __name__ == "__main__":

@@ -262,6 +262,25 @@ TEST(JournalSet, SaysWhatDoesNotGoTogether) {
   EXPECT_EQ(error_of([&] { set_of({}, 3); }), "no journal is given");
 }
 
+TEST(JournalSet, NamesEachInstructionSetOnceOfThoseThatComputedAChunk) {
+  const TemporaryFolder folder;
+  std::vector<std::string> paths;
+  const auto add = [&](const std::string& set, std::uint64_t first, std::uint64_t end) {
+    JournalHeader other = header;
+    other.instruction_set = set;
+    paths.push_back(folder.file(std::to_string(paths.size())));
+    Journal journal = Journal::create(paths.back(), other);
+    append(journal, first, end);
+  };
+  add("SSE4, libm 2", 0, 2);
+  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "SSE4, libm 2");
+  add("AVX2, libm 2", 2, 3);
+  add("NEON, libm 2", 0, 0);
+  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "AVX2, libm 2; SSE4, libm 2");
+  add("AVX2, libm 2; AVX3, libm 2", 3, 4);
+  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "AVX2, libm 2; AVX3, libm 2; SSE4, libm 2");
+}
+
 TEST(JournalSet, RefusesAChunkThatTheSweepDoesNotHave) {
   const TemporaryFolder folder;
   const std::string path = small_journal(folder, 4);
