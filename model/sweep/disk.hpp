@@ -9,7 +9,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -47,6 +50,26 @@ inline Descriptor open_file(const std::string& path, int flags, const std::strin
   if (::fstat(file, &status) != 0) throw std::runtime_error(what + ": " + error_text(errno));
   if (!S_ISREG(status.st_mode)) throw std::runtime_error(what + ": it is no regular file");
   return file;
+}
+
+// Likewise: the size of an open file, and as many of its bytes as there are, up to the room.
+inline std::uint64_t size_of(int file, const std::string& what) {
+  struct stat status {};
+  if (::fstat(file, &status) != 0) throw std::runtime_error(what + ": " + error_text(errno));
+  return static_cast<std::uint64_t>(status.st_size);
+}
+inline std::size_t read_at(int file, std::uint64_t offset, std::span<std::byte> room,
+                           const std::string& what) {
+  std::size_t have = 0;
+  while (have < room.size()) {
+    const ssize_t got =
+        ::pread(file, room.data() + have, room.size() - have, static_cast<off_t>(offset + have));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw std::runtime_error(what + ": " + error_text(errno));
+    if (got == 0) break;
+    have += static_cast<std::size_t>(got);
+  }
+  return have;
 }
 
 // Takes the lock of a file for this process alone; false: another one has it. Some network file

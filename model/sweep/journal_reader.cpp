@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -27,10 +23,6 @@ using journal_record::head_size;
 using journal_record::HeadBytes;
 using journal_record::header_number;
 using journal_record::magic;
-
-[[noreturn]] void cannot_read(const std::string& path, int code) {
-  throw std::runtime_error("cannot read " + path + ": " + std::generic_category().message(code));
-}
 
 JournalHeader header_from(std::span<const std::byte> bytes) {
   ByteReader from(bytes);
@@ -49,32 +41,20 @@ JournalHeader header_from(std::span<const std::byte> bytes) {
 // One file, read from any place.
 class File {
  public:
-  File(int descriptor, const std::string& path) : descriptor_(descriptor), path_(path) {
-    struct stat status {};
-    if (::fstat(descriptor, &status) != 0) cannot_read(path, errno);
-    size_ = static_cast<std::uint64_t>(status.st_size);
-  }
+  File(int descriptor, const std::string& path)
+      : descriptor_(descriptor), what_("cannot read " + path), size_(size_of(descriptor, what_)) {}
 
   std::uint64_t size() const { return size_; }
 
   // As many bytes as there are, up to the room.
   std::span<std::byte> read(std::uint64_t offset, std::span<std::byte> room) const {
-    std::size_t have = 0;
-    while (have < room.size()) {
-      const ssize_t got = ::pread(descriptor_, room.data() + have, room.size() - have,
-                                  static_cast<off_t>(offset + have));
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) cannot_read(path_, errno);
-      if (got == 0) break;
-      have += static_cast<std::size_t>(got);
-    }
-    return room.first(have);
+    return room.first(read_at(descriptor_, offset, room, what_));
   }
 
  private:
   int descriptor_;
-  const std::string& path_;
-  std::uint64_t size_ = 0;
+  std::string what_;
+  std::uint64_t size_;
 };
 
 class Search {
