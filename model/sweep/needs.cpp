@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -21,11 +21,8 @@
 namespace tribo::sweep {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+// Of the processor, so that what else the machine does is not counted.
+double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Values a case of the widest column.
 std::size_t widest(const SceneSweep& scene) {
@@ -92,23 +89,23 @@ Sample sample_of(const SweepPlan& plan, double seconds) {
   solver.solve(0);  // what is made once is not counted
   Sample sum;
   double count = 0;
-  const Clock::time_point start = Clock::now();
+  const double start = seconds_used();
   for (const std::uint64_t i : {1, 5, 3, 7, 2, 6, 4}) {
-    const Clock::time_point before = Clock::now();
+    const double before = seconds_used();
     const Chunk chunk = solver.solve(i * (scene.chunks - 1) / 8);
     const Bytes record = chunk.bytes();
-    sum.solve_seconds += seconds_since(before);
-    const Clock::time_point solved = Clock::now();
+    const double solved = seconds_used();
+    sum.solve_seconds += solved - before;
     const Chunk again = Chunk::from(record);
     for (std::size_t c = 0; c < merged.size(); ++c)
       for (std::size_t j = 0; j < merged[c].size(); ++j) merged[c][j].merge(again.summaries[c][j]);
-    sum.merge_seconds += seconds_since(solved);
+    sum.merge_seconds += seconds_used() - solved;
     for (const PackedValues& values : chunk.values)
       sum.kept += static_cast<double>(values.bytes.size());
     sum.record += static_cast<double>(record.size());
     sum.chunk_memory += memory_of(again);
     ++count;
-    if (count >= 2 && seconds_since(start) > seconds) break;
+    if (count >= 2 && seconds_used() - start > seconds) break;
   }
   return {sum.solve_seconds / count, sum.merge_seconds / count, sum.kept / count,
           sum.record / count,        sum.chunk_memory / count,  memory_of(merged)};
@@ -286,8 +283,9 @@ Needs needs_of(const SweepPlan& plan, int threads) {
   return needs;
 }
 
-std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result) {
-  const double memory = memory_there_is(), disk = room_beside(result);
+std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result,
+                         double there) {
+  const double memory = memory_there_is(), disk = room_beside(result) + there;
   const auto fits = [&](const Needs& needs) {
     return needs.memory <= memory && needs.file + needs.journal <= disk;
   };

@@ -20,8 +20,10 @@ struct Needs {
 Needs needs_of(const SweepPlan& plan, int threads);
 
 // Why a sweep has no room in this machine's memory, or on the disk of its result; empty if it has,
-// or if that cannot be known. Looks closely only where it could be.
-std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result);
+// or if that cannot be known. Looks closely only where it could be. there: bytes of its journals
+// that are on the disk already.
+std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result,
+                         double there);
 
 // "23.4 MB".
 std::string bytes_text(double bytes);

@@ -9,6 +9,7 @@
 
 #include "sweep/arithmetic.hpp"
 #include "sweep/compute.hpp"
+#include "sweep/needs.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "tribo/version.hpp"
@@ -106,13 +107,16 @@ struct Start {
 
 class Starter {
  public:
-  Starter(const SweepPlan& plan, const RunSettings& settings, const JournalHeader& header)
-      : plan_(plan), settings_(settings), header_(header) {}
+  // threads: of this rank.
+  Starter(const SweepPlan& plan, const RunSettings& settings, const JournalHeader& header,
+          int threads)
+      : plan_(plan), settings_(settings), header_(header), threads_(threads) {}
 
   Start start() {
     const std::string& path = settings_.result;
     const std::vector<std::string> journals = journals_of(path);
     if (settings_.force) {
+      check_room(journals);
       remove_all(journals);  // the result stays until the new one takes its place
       return {false, wanted({})};
     }
@@ -191,6 +195,7 @@ class Starter {
                        " bytes are no whole record, and are computed anew");
       note(reader, there);
     }
+    check_room(journals);
     const auto found = std::count(there.begin(), there.end(), true);
     Start start{false, wanted(there)};
     if (settings_.resume)
@@ -200,6 +205,16 @@ class Starter {
                                                      start.pending.size()) +
                                       " chunks are there");
     return start;
+  }
+
+  // What is there already needs no more room.
+  void check_room(const std::vector<std::string>& journals) const {
+    double there = 0;
+    for (const std::string& path : journals)
+      if (fs::is_regular_file(path)) there += static_cast<double>(fs::file_size(path));
+    if (const std::string lack = lack_of_room(plan_, threads_, settings_.result, there);
+        !lack.empty())
+      throw RunRefused("the sweep " + lack);
   }
 
   static void note(const JournalReader& reader, std::vector<bool>& there) {
@@ -220,6 +235,7 @@ class Starter {
   const SweepPlan& plan_;
   const RunSettings& settings_;
   const JournalHeader& header_;
+  int threads_;
 };
 
 // --- The end: from journals to one file.
@@ -240,8 +256,12 @@ void write_shard(const std::string& path, const Shard& shard, const JournalSet& 
 
 class Run {
  public:
-  Run(const SweepPlan& plan, const RunSettings& settings, const Ranks& ranks)
-      : plan_(plan), settings_(settings), ranks_(ranks), header_(header_of(plan)) {}
+  Run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks)
+      : plan_(plan),
+        settings_(std::move(settings)),
+        ranks_(ranks),
+        header_(header_of(plan)),
+        threads_(settings_.threads > 0 || ranks.count() == 1 ? settings_.threads : 1) {}
 
   RunEnd run() {
     agree_on_plan();
@@ -283,9 +303,11 @@ class Run {
     Start start;
     together([&] {
       if (ranks_.rank() != 0) return;
+      settings_.result = output_behind_links(settings_.result);
       lock_.emplace(settings_.result);
-      start = Starter(plan_, settings_, header_).start();
+      start = Starter(plan_, settings_, header_, threads_).start();
     });
+    settings_.result = ranks_.from_first(settings_.result);
     start.complete = ranks_.from_first(start.complete ? "complete" : "") == "complete";
     return start;
   }
@@ -296,12 +318,11 @@ class Run {
     const std::uint64_t total = pending.size();
     ChunkQueue queue(std::move(pending));
     std::atomic<std::uint64_t> computed = 0;
-    const int threads = settings_.threads > 0 || ranks_.count() == 1 ? settings_.threads : 1;
     together([&] {
       const bool good = ranks_.share(
           queue,
           [&](const NextChunk& next) {
-            compute(plan_, threads, next, [&](const Chunk& chunk) {
+            compute(plan_, threads_, next, [&](const Chunk& chunk) {
               journal->append(chunk.number, chunk.bytes());
               ++computed;
             });
@@ -364,9 +385,10 @@ class Run {
   }
 
   const SweepPlan& plan_;
-  const RunSettings& settings_;
+  RunSettings settings_;
   const Ranks& ranks_;
   JournalHeader header_;
+  int threads_;
   std::optional<OutputLock> lock_;  // of rank 0
 };
 
@@ -396,9 +418,8 @@ void check_is_no_input(const std::string& output, const std::vector<std::string>
 }  // namespace
 
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks) {
-  settings.result = output_behind_links(settings.result);
   if (!settings.tell) settings.tell = [](std::string_view) {};
-  return Run(plan, settings, ranks).run();
+  return Run(plan, std::move(settings), ranks).run();
 }
 
 void merge(const std::vector<std::string>& shards, RunSettings settings) {

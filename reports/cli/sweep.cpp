@@ -17,7 +17,6 @@
 #include "report/sweep_pictures.hpp"
 #include "report/sweep_tables.hpp"
 #include "sweep/compute.hpp"
-#include "sweep/needs.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
@@ -110,19 +109,20 @@ void show_result(const SweepArguments& arguments, const std::string& path, Outpu
 // --- The three commands.
 
 // The output is not to take the place of what it is made from, and nor are the files beside it.
-void refuse_own_input(const SweepArguments& arguments) {
+// Why it would; empty if it does not.
+std::string own_input(const SweepArguments& arguments) {
   std::error_code none;
   for (const std::string& file : arguments.files)
     for (const char* const ending : {"", ".part", ".lock"})
       if (std::filesystem::equivalent(file, arguments.out + ending, none))
-        throw sweep::RunRefused("-o " + arguments.out + ": " + file +
-                                " is read, and would be replaced; allowed: another file");
+        return "-o " + arguments.out + ": " + file +
+               " is read, and would be replaced; allowed: another file";
+  return {};
 }
 
 sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& progress,
                                bool first_rank) {
   sweep::RunSettings settings;
-  refuse_own_input(arguments);
   settings.result = arguments.out;
   settings.threads = arguments.threads;
   if (!arguments.shard.empty()) settings.shard = shard_of(arguments.shard);
@@ -160,10 +160,9 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
     if (first) append_estimate(output.text(), *plan, arguments.threads);
     return exit_done;
   }
-  const std::string lack =
-      first ? sweep::lack_of_room(*plan, arguments.threads, arguments.out) : "";
-  if (!lack.empty()) complain("the sweep " + lack);
-  if (!ranks.everywhere(lack.empty())) return exit_bad;
+  const std::string refusal = first ? own_input(arguments) : "";
+  if (!refusal.empty()) complain(refusal);
+  if (!ranks.everywhere(refusal.empty())) return exit_bad;
   SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));
   sweep::RunSettings settings = settings_of(arguments, progress, first);
   settings.finished = [&] {
@@ -215,6 +214,8 @@ int run_sweep(SweepArguments& arguments, OutputStream& output) {
 
 int merge_shards(const SweepArguments& arguments, OutputStream& output) {
   return told([&] {
+    if (const std::string refusal = own_input(arguments); !refusal.empty())
+      throw sweep::RunRefused(refusal);
     watch_for_stop();
     SweepProgress progress(0);
     sweep::RunSettings settings = settings_of(arguments, progress, true);
