@@ -70,6 +70,16 @@ bool is_of_shard(const JournalReader& reader, const Shard& shard) {
                      [&](const JournalReader::Record& record) { return shard.has(record.chunk); });
 }
 
+// journals: what is on the disk already needs no more room.
+void check_room(const SweepPlan& plan, int threads, const std::string& result,
+                const std::vector<std::string>& journals) {
+  double there = 0;
+  for (const std::string& path : journals)
+    if (fs::is_regular_file(path)) there += static_cast<double>(fs::file_size(path));
+  if (const std::string lack = lack_of_room(plan, threads, result, there); !lack.empty())
+    throw RunRefused("the sweep " + lack);
+}
+
 void remove_all(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) fs::remove(path);
 }
@@ -116,7 +126,7 @@ class Starter {
     const std::string& path = settings_.result;
     const std::vector<std::string> journals = journals_of(path);
     if (settings_.force) {
-      check_room(journals);
+      check_room(plan_, threads_, path, journals);
       remove_all(journals);  // the result stays until the new one takes its place
       return {false, wanted({})};
     }
@@ -195,7 +205,7 @@ class Starter {
                        " bytes are no whole record, and are computed anew");
       note(reader, there);
     }
-    check_room(journals);
+    check_room(plan_, threads_, settings_.result, journals);
     const auto found = std::count(there.begin(), there.end(), true);
     Start start{false, wanted(there)};
     if (settings_.resume)
@@ -205,16 +215,6 @@ class Starter {
                                                      start.pending.size()) +
                                       " chunks are there");
     return start;
-  }
-
-  // What is there already needs no more room.
-  void check_room(const std::vector<std::string>& journals) const {
-    double there = 0;
-    for (const std::string& path : journals)
-      if (fs::is_regular_file(path)) there += static_cast<double>(fs::file_size(path));
-    if (const std::string lack = lack_of_room(plan_, threads_, settings_.result, there);
-        !lack.empty())
-      throw RunRefused("the sweep " + lack);
   }
 
   static void note(const JournalReader& reader, std::vector<bool>& there) {
@@ -452,6 +452,7 @@ void merge(const std::vector<std::string>& shards, RunSettings settings) {
     throw RunRefused(std::to_string(chunks->chunks() - chunks->count()) + " of " +
                      std::to_string(chunks->chunks()) +
                      " chunks are in none of these; allowed: all shards of one sweep");
+  check_room(*plan, 1, settings.result, shards);
   write_result(settings.result, *plan, *chunks, [&](std::uint64_t written) {
     if (settings.progress)
       settings.progress({RunProgress::Phase::writing, chunks->chunks(), written});
