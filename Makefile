@@ -47,11 +47,13 @@ help: ## print this list
 test-elsewhere: ## run the tests as on machines without AVX-512, and without AVX2 and FMA on one core; some 8 minutes
 	.ci/test-elsewhere
 
-test-slow: build ## run ten million lines, a billion points in flat memory, fifty kills; some two minutes
+test-slow: build ## run ten million lines, a billion points, fifty kills, 200 pairs, each write failing; some ten minutes
 	@.ci/deps test
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_ROOT=$(CURDIR) \
 	  TRIBOCHECK_LINES=10000000 TRIBOCHECK_POINTS=1000000000 TRIBOCHECK_KILLS=50 \
-	  /usr/bin/python3 -B -m unittest -v test_stream_slow test_sweep_memory_slow test_sweep_faults.Killed
+	  TRIBOCHECK_PAIRS=200 TRIBOCHECK_FAILED_WRITES=1 \
+	  /usr/bin/python3 -B -m unittest -v test_stream_slow test_sweep_memory_slow test_sweep_faults.Killed \
+	  test_sweep_pairs test_sweep_writes
 
 verify-full: ## run all verification, the slow parts too, and say what each took; some 25 minutes
 	.ci/verify-full

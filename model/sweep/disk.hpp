@@ -1,14 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
-// What makes a file outlast a power failure.
+// Files of the system: opened only if they are files, closed once, and kept through a power
+// failure.
 #pragma once
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace tribo::sweep {
+
+// Owns an open file.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  operator int() const { return number_; }  // NOLINT(google-explicit-constructor)
+
+ private:
+  int number_ = -1;
+};
+
+inline std::string error_text(int code) { return std::generic_category().message(code); }
+
+// Opens a regular file; a FIFO does not hang it. What fails is thrown as std::runtime_error, whose
+// text begins with `what`: "cannot read sweep.h5".
+inline Descriptor open_file(const std::string& path, int flags, const std::string& what) {
+  Descriptor file(::open(path.c_str(), flags | O_NONBLOCK | O_CLOEXEC, 0666));
+  if (file < 0) throw std::runtime_error(what + ": " + error_text(errno));
+  struct stat status {};
+  if (::fstat(file, &status) != 0) throw std::runtime_error(what + ": " + error_text(errno));
+  if (!S_ISREG(status.st_mode)) throw std::runtime_error(what + ": it is no regular file");
+  return file;
+}
+
+// Likewise: the size of an open file, and as many of its bytes as there are, up to the room.
+inline std::uint64_t size_of(int file, const std::string& what) {
+  struct stat status {};
+  if (::fstat(file, &status) != 0) throw std::runtime_error(what + ": " + error_text(errno));
+  return static_cast<std::uint64_t>(status.st_size);
+}
+inline std::size_t read_at(int file, std::uint64_t offset, std::span<std::byte> room,
+                           const std::string& what) {
+  std::size_t have = 0;
+  while (have < room.size()) {
+    const ssize_t got =
+        ::pread(file, room.data() + have, room.size() - have, static_cast<off_t>(offset + have));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw std::runtime_error(what + ": " + error_text(errno));
+    if (got == 0) break;
+    have += static_cast<std::size_t>(got);
+  }
+  return have;
+}
+
+// Takes the lock of a file for this process alone; false: another one has it. Some network file
+// systems know no locks; a sweep runs there all the same.
+inline bool lock_file(int file, const std::string& path) {
+  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
+  if (errno == EWOULDBLOCK) return false;
+  if (errno != ENOSYS && errno != ENOTSUP && errno != ENOLCK)
+    throw std::runtime_error("cannot lock " + path + ": " + error_text(errno));
+  return true;
+}
 
 inline std::string folder_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
@@ -18,12 +90,40 @@ inline std::string folder_of(const std::string& path) {
 // Sees to it that what was written to a file, or which files a folder has, is on the disk. Returns
 // the number of the error, 0: none.
 inline int sync_to_disk(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return errno;
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file < 0) return errno;
   // EINVAL: a file system on which there is nothing to do.
-  const int code = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
-  ::close(descriptor);
-  return code;
+  return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
 }
+
+// A file that is written beside its target and takes its name when it is whole. One that is not
+// kept is removed.
+class PartFile {
+ public:
+  explicit PartFile(const std::string& target) : target_(target), path_(target + ".part") {
+    ::unlink(path_.c_str());  // what a killed process left, or a link to somewhere else
+  }
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  ~PartFile() {
+    if (!is_kept_) ::unlink(path_.c_str());
+  }
+
+  const std::string& path() const { return path_; }
+  void keep() {
+    check(sync_to_disk(path_));
+    check(std::rename(path_.c_str(), target_.c_str()) == 0 ? 0 : errno);
+    is_kept_ = true;
+    check(sync_to_disk(folder_of(target_)));
+  }
+
+ private:
+  static void check(int code) {
+    if (code != 0) throw std::runtime_error(error_text(code));
+  }
+
+  std::string target_, path_;
+  bool is_kept_ = false;
+};
 
 }  // namespace tribo::sweep

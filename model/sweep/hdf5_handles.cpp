@@ -61,7 +61,20 @@ class ReadStrings {
   std::vector<char*> texts_;
 };
 
+thread_local std::optional<std::string> failed_close;
+
 }  // namespace
+
+void note_failed_close() noexcept {
+  if (failed_close) return;
+  failed_close.emplace();
+  try {
+    *failed_close = last_error();
+  } catch (...) {  // no room for the text
+  }
+}
+
+std::optional<std::string> take_failed_close() { return std::exchange(failed_close, std::nullopt); }
 
 std::string last_error() {
   std::string message;

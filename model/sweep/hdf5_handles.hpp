@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,12 @@
 
 namespace tribo::sweep::hdf5 {
 
+// Closing is when the last bytes of what was open are written, so that a close that fails is a
+// write that failed. Destructors cannot throw it: the first failure in this thread is kept until it
+// is taken.
+void note_failed_close() noexcept;
+std::optional<std::string> take_failed_close();
+
 // While it lives, HDF5 prints nothing of its errors in this thread. To be there before any other
 // call.
 class QuietErrors {
@@ -22,6 +29,7 @@ class QuietErrors {
     // At exit HDF5 would close once more what it could not close on a full disk, and crash
     // (1.10.8).
     H5dont_atexit();
+    take_failed_close();  // of another file
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
@@ -61,11 +69,11 @@ class Handle {
     return *this;
   }
   ~Handle() {
-    if (id_ >= 0) H5Idec_ref(id_);
+    if (id_ >= 0 && H5Idec_ref(id_) < 0) note_failed_close();
   }
   operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
 
-  // As the destructor, but what fails is thrown: closing is when a file's last bytes are written.
+  // As the destructor, but what fails is thrown.
   void close() {
     const hid_t id = std::exchange(id_, H5I_INVALID_HID);
     if (id >= 0) checked(H5Idec_ref(id));

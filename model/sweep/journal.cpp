@@ -2,14 +2,13 @@
 #include "sweep/journal.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <system_error>
+#include <stdexcept>
 #include <utility>
 
 #include "sweep/disk.hpp"
@@ -24,7 +23,7 @@ using journal_record::header_number;
 constexpr std::chrono::seconds between_syncs{5};
 
 [[noreturn]] void fail(const std::string& what, int code) {
-  throw std::system_error(code, std::generic_category(), what);
+  throw std::runtime_error(what + ": " + error_text(code));
 }
 
 Bytes to_bytes(const JournalHeader& header) {
@@ -40,18 +39,9 @@ Bytes to_bytes(const JournalHeader& header) {
   return bytes;
 }
 
-int open_file(const std::string& path, int flags) {
-  for (;;) {
-    const int descriptor = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EINTR) return descriptor;
-  }
-}
-
-// Some network file systems know no locks; a sweep runs there all the same.
-void lock(int descriptor, const std::string& path) {
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return;
-  if (errno == EWOULDBLOCK) fail(path + " is being written by another process", errno);
-  if (errno != ENOSYS && errno != ENOTSUP && errno != ENOLCK) fail("cannot lock " + path, errno);
+void lock_or_throw(int descriptor, const std::string& path) {
+  if (!lock_file(descriptor, path))
+    throw std::runtime_error(path + " is being written by another process");
 }
 
 // Writes all of two pieces; the error's number, 0: none.
@@ -76,21 +66,19 @@ int write_all(int descriptor, std::uint64_t offset, std::span<const std::byte> f
 
 }  // namespace
 
-Journal::Journal(int descriptor, std::string path)
-    : descriptor_(descriptor), path_(std::move(path)), synced_(std::chrono::steady_clock::now()) {}
+Journal::Journal(Descriptor file, std::string path)
+    : file_(std::move(file)), path_(std::move(path)) {}
 
 // Under another name until its header is whole: a process killed on the way leaves no journal that
 // is none.
 Journal Journal::create(const std::string& path, const JournalHeader& header) {
   if (::access(path.c_str(), F_OK) == 0) fail("cannot create " + path, EEXIST);
   const std::string unfinished = path + ".new";
-  const int descriptor = open_file(unfinished, O_CREAT);
-  if (descriptor < 0) fail("cannot create " + path, errno);
-  Journal journal(descriptor, path);
-  lock(descriptor, path);
+  ::unlink(unfinished.c_str());
+  Journal journal(open_file(unfinished, O_RDWR | O_CREAT | O_EXCL, "cannot create " + path), path);
+  lock_or_throw(journal.file_, path);
   const Bytes bytes = to_bytes(header);
   try {
-    if (::ftruncate(descriptor, 0) != 0) fail("cannot write " + path, errno);
     const Head head{header_number, bytes.size(), 0};
     for (int copy = 0; copy < 2; ++copy) journal.write_record(header_number, bytes);
     journal.seed_ = journal_record::checksum(head, bytes, 0);
@@ -107,42 +95,20 @@ Journal Journal::create(const std::string& path, const JournalHeader& header) {
 }
 
 Journal Journal::resume(const std::string& path) {
-  const int descriptor = open_file(path, 0);
-  if (descriptor < 0) fail("cannot open " + path, errno);
-  Journal journal(descriptor, path);
-  lock(descriptor, path);
-  const journal_record::Found found = journal_record::find_records(descriptor, path);
+  Journal journal(open_file(path, O_RDWR, "cannot open " + path), path);
+  lock_or_throw(journal.file_, path);
+  const journal_record::Found found = journal_record::find_records(journal.file_, path);
   journal.seed_ = found.seed;
   journal.end_ = found.end;
-  if (::ftruncate(descriptor, static_cast<off_t>(found.end)) != 0)
+  if (::ftruncate(journal.file_, static_cast<off_t>(found.end)) != 0)
     fail("cannot write " + path, errno);
   return journal;
-}
-
-Journal::Journal(Journal&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)),
-      path_(std::move(other.path_)),
-      seed_(other.seed_),
-      end_(other.end_),
-      synced_(other.synced_) {}
-
-Journal& Journal::operator=(Journal&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  std::swap(path_, other.path_);
-  std::swap(seed_, other.seed_);
-  std::swap(end_, other.end_);
-  std::swap(synced_, other.synced_);
-  return *this;
-}
-
-Journal::~Journal() {
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void Journal::append(std::uint64_t chunk, std::span<const std::byte> bytes) {
   bool is_due = false;
   {
-    const std::lock_guard guard(mutex_);
+    const std::lock_guard guard(*mutex_);
     write_record(chunk, bytes);
     const auto now = std::chrono::steady_clock::now();
     is_due = now - synced_ >= between_syncs;
@@ -152,7 +118,7 @@ void Journal::append(std::uint64_t chunk, std::span<const std::byte> bytes) {
 }
 
 void Journal::sync() {
-  while (::fdatasync(descriptor_) != 0)
+  while (::fdatasync(file_) != 0)
     if (errno != EINTR) fail("cannot write " + path_ + " to the disk", errno);
 }
 
@@ -160,10 +126,10 @@ void Journal::write_record(std::uint64_t number, std::span<const std::byte> byte
   Head head{number, bytes.size(), 0};
   head.checksum = journal_record::checksum(head, bytes, seed_);
   const journal_record::HeadBytes head_bytes = journal_record::to_bytes(head);
-  if (const int code = write_all(descriptor_, end_, head_bytes, bytes)) {
+  if (const int code = write_all(file_, end_, head_bytes, bytes)) {
     // If this fails too, a reader knows that what is there is no record, and the next one is
     // written over it.
-    [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, static_cast<off_t>(end_));
+    [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(end_));
     fail("cannot write " + path_, code);
   }
   end_ += head_bytes.size() + bytes.size();

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "sweep/bytes.hpp"
+#include "sweep/disk.hpp"
 
 namespace tribo::sweep {
 
@@ -32,7 +34,7 @@ struct JournalHeader {
 
 // A journal, open for appending. One process at a time has it: a lock (flock) sees to that. Writes
 // go to the system at once, so that a killed process loses nothing, and to the disk every few
-// seconds and in sync(). All errors are thrown as std::system_error, with a text that names the
+// seconds and in sync(). All errors are thrown as std::runtime_error, with a text that names the
 // file; a record that could not be written whole is taken back (the file is cut to where it was).
 class Journal {
  public:
@@ -42,24 +44,20 @@ class Journal {
   // it stays, so that no whole record behind it is lost.
   static Journal resume(const std::string& path);
 
-  Journal(Journal&&) noexcept;
-  Journal& operator=(Journal&&) noexcept;
-  ~Journal();
-
   // Any thread may call.
   void append(std::uint64_t chunk, std::span<const std::byte> bytes);
   void sync();
 
  private:
-  explicit Journal(int descriptor, std::string path);
+  Journal(Descriptor file, std::string path);
   void write_record(std::uint64_t number, std::span<const std::byte> bytes);
 
-  int descriptor_ = -1;
+  Descriptor file_;
   std::string path_;
   std::uint64_t seed_ = 0;  // of the checksums
   std::uint64_t end_ = 0;   // where the next record goes
-  std::chrono::steady_clock::time_point synced_;
-  std::mutex mutex_;  // moved from only while one thread knows of it
+  std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();
 };
 
 // The records of one journal, found and checked by one pass through the file.
@@ -68,9 +66,6 @@ class JournalReader {
   // Throws std::runtime_error, with a text that names the file, where it cannot be read or its
   // header is none.
   explicit JournalReader(const std::string& path);
-  JournalReader(JournalReader&&) noexcept;
-  JournalReader& operator=(JournalReader&&) noexcept;
-  ~JournalReader();
 
   const std::string& path() const { return path_; }
   const JournalHeader& header() const { return header_; }
@@ -87,7 +82,7 @@ class JournalReader {
   Bytes read(const Record& record) const;
 
  private:
-  int descriptor_ = -1;
+  Descriptor file_;
   std::string path_;
   JournalHeader header_;
   std::uint64_t seed_ = 0;  // of the checksums
@@ -107,7 +102,9 @@ class JournalSet {
   std::uint64_t count() const { return count_; }
   std::uint64_t chunks() const { return places_.size(); }
   Bytes read(std::uint64_t chunk) const;
-  std::span<const JournalReader> readers() const { return readers_; }
+  // On which the chunks were computed: each once, in the alphabet's order. There are several only
+  // where the user has allowed it.
+  std::string instruction_sets() const;
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFF;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
-#include <system_error>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,10 +23,6 @@ using journal_record::head_size;
 using journal_record::HeadBytes;
 using journal_record::header_number;
 using journal_record::magic;
-
-[[noreturn]] void cannot_read(const std::string& path, int code) {
-  throw std::runtime_error("cannot read " + path + ": " + std::generic_category().message(code));
-}
 
 JournalHeader header_from(std::span<const std::byte> bytes) {
   ByteReader from(bytes);
@@ -47,32 +41,20 @@ JournalHeader header_from(std::span<const std::byte> bytes) {
 // One file, read from any place.
 class File {
  public:
-  File(int descriptor, const std::string& path) : descriptor_(descriptor), path_(path) {
-    struct stat status {};
-    if (::fstat(descriptor, &status) != 0) cannot_read(path, errno);
-    size_ = static_cast<std::uint64_t>(status.st_size);
-  }
+  File(int descriptor, const std::string& path)
+      : descriptor_(descriptor), what_("cannot read " + path), size_(size_of(descriptor, what_)) {}
 
   std::uint64_t size() const { return size_; }
 
   // As many bytes as there are, up to the room.
   std::span<std::byte> read(std::uint64_t offset, std::span<std::byte> room) const {
-    std::size_t have = 0;
-    while (have < room.size()) {
-      const ssize_t got = ::pread(descriptor_, room.data() + have, room.size() - have,
-                                  static_cast<off_t>(offset + have));
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) cannot_read(path_, errno);
-      if (got == 0) break;
-      have += static_cast<std::size_t>(got);
-    }
-    return room.first(have);
+    return room.first(read_at(descriptor_, offset, room, what_));
   }
 
  private:
   int descriptor_;
-  const std::string& path_;
-  std::uint64_t size_ = 0;
+  std::string what_;
+  std::uint64_t size_;
 };
 
 class Search {
@@ -158,44 +140,16 @@ Found find_records(int descriptor, const std::string& path) {
 }  // namespace journal_record
 
 JournalReader::JournalReader(const std::string& path)
-    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), path_(path) {
-  if (descriptor_ < 0) cannot_read(path, errno);
-  try {
-    Found found = journal_record::find_records(descriptor_, path);
-    header_ = std::move(found.header);
-    seed_ = found.seed;
-    records_ = std::move(found.records);
-    lost_bytes_ = found.lost_bytes;
-  } catch (...) {
-    ::close(descriptor_);
-    throw;
-  }
-}
-
-JournalReader::JournalReader(JournalReader&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)),
-      path_(std::move(other.path_)),
-      header_(std::move(other.header_)),
-      seed_(other.seed_),
-      records_(std::move(other.records_)),
-      lost_bytes_(other.lost_bytes_) {}
-
-JournalReader& JournalReader::operator=(JournalReader&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  path_ = std::move(other.path_);
-  header_ = std::move(other.header_);
-  seed_ = other.seed_;
-  records_ = std::move(other.records_);
-  lost_bytes_ = other.lost_bytes_;
-  return *this;
-}
-
-JournalReader::~JournalReader() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+    : file_(open_file(path, O_RDONLY, "cannot read " + path)), path_(path) {
+  Found found = journal_record::find_records(file_, path);
+  header_ = std::move(found.header);
+  seed_ = found.seed;
+  records_ = std::move(found.records);
+  lost_bytes_ = found.lost_bytes;
 }
 
 Bytes JournalReader::read(const Record& record) const {
-  const File file(descriptor_, path_);
+  const File file(file_, path_);
   HeadBytes head_bytes;
   Bytes bytes(static_cast<std::size_t>(record.size));
   const bool is_there =
@@ -249,6 +203,24 @@ Bytes JournalSet::read(std::uint64_t chunk) const {
     throw std::runtime_error("chunk " + std::to_string(chunk) + " is in no journal");
   const JournalReader& reader = readers_[place.reader];
   return reader.read(reader.records()[place.record]);
+}
+
+std::string JournalSet::instruction_sets() const {
+  constexpr std::string_view between = "; ";
+  std::set<std::string> sets;
+  for (const Place& place : places_) {
+    if (place.reader == none) continue;
+    // A shard has those of all journals that it was made of.
+    std::string_view left = readers_[place.reader].header().instruction_set;
+    for (std::size_t end = 0; end != left.npos;) {
+      end = left.find(between);
+      sets.emplace(left.substr(0, end));
+      if (end != left.npos) left.remove_prefix(end + between.size());
+    }
+  }
+  std::string list;
+  for (const std::string& one : sets) list.append(list.empty() ? "" : between).append(one);
+  return list;
 }
 
 }  // namespace tribo::sweep

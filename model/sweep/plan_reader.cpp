@@ -424,6 +424,15 @@ class SweepBinder {
   bool lists_outputs_ = false, asks_points_ = true;
 };
 
+bool is_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = scene_detail::utf8_length(text, at);
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
+
 SweepReading refused(const std::string& source, const std::string& why) {
   SceneReading scene;
   Problems(scene, source).error("", why);
@@ -445,6 +454,10 @@ SweepReading parse_sweep(std::string_view text, const std::string& source) {
   auto entries = scene_detail::toml_entries(text, problems);
   SweepReading reading;
   reading.errors = std::move(scene.errors);
+  if (!is_utf8(source))
+    return refused(source,
+                   "has a name that is not UTF-8, and it is kept in the result; allowed: a "
+                   "file whose name is UTF-8");
   if (!entries) return reading;
   SweepBinder(std::move(*entries), source, reading).bind();
   if (reading.sweep) {

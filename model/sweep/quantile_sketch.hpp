@@ -27,6 +27,10 @@ class QuantileSketch {
   void merge(const QuantileSketch& other);
 
   std::uint64_t count() const { return count_; }
+  // Bytes that it has beside itself.
+  std::size_t memory() const {
+    return pages_.capacity() * sizeof(Page) + places_.capacity() * sizeof places_.front();
+  }
   // The middle of the bin of the value of rank `rank`, 0 ≤ rank < count(), in ascending order; of
   // bin 0: zero.
   double value_at_rank(std::uint64_t rank) const;

@@ -20,7 +20,8 @@
 // Columns "onset.film_maximum.speed" are groups: outputs/onset/film_maximum/speed. Numbers are
 // doubles, NaN where undefined. Words are places of one byte in the list of the attribute `words`,
 // counted from 0; not HDF5's enumerations, which Octave cannot read. Where points are not kept,
-// there are no outputs, and inputs are of length 0.
+// there are no outputs, and inputs are of length 0. Every dataset has HDF5's checksums
+// (fletcher32), and the file ends in one of all of it (result_seal.hpp), which HDF5 passes over.
 #pragma once
 
 #include <array>

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "sweep/hdf5_handles.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/result_names.hpp"
+#include "sweep/result_seal.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -28,14 +24,11 @@ using hdf5::read_texts;
 class ResultReader {
  public:
   explicit ResultReader(const std::string& path) : path_(path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) refuse("cannot be read: " + std::generic_category().message(errno));
-    ::close(descriptor);
-    if (H5Fis_hdf5(path.c_str()) == 0) refuse("is no HDF5 file");
+    if (const std::string why = broken_seal(path); !why.empty()) refuse(why);
     const Handle access(H5Pcreate(H5P_FILE_ACCESS));
     checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-    if (file < 0) refuse("is damaged or was cut off: " + hdf5::last_error());
+    if (file < 0) refuse("cannot be opened by HDF5: " + hdf5::last_error());
     file_ = Handle(file);
     bool is_ours = false;
     try {

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,6 +14,7 @@
 #include "sweep/hdf5_handles.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/result_names.hpp"
+#include "sweep/result_seal.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -33,11 +30,34 @@ hid_t file_type(std::uint64_t) { return H5T_STD_U64LE; }
 hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
 hid_t memory_type(std::uint64_t) { return H5T_NATIVE_UINT64; }
 
+// Like the filter of this name in HDF5, whose bytes are big-endian words of 16 bits.
+std::uint32_t fletcher32(std::span<const std::byte> bytes) {
+  constexpr std::size_t words_between = 360;  // as many as do not overflow
+  const auto folded = [](std::uint32_t sum) { return (sum & 0xFFFF) + (sum >> 16); };
+  std::uint32_t first = 0, second = 0;
+  for (std::size_t i = 0; i < bytes.size();) {
+    const std::size_t end = std::min(bytes.size(), i + 2 * words_between);
+    for (; i < end; i += 2) {
+      first += std::to_integer<std::uint32_t>(bytes[i]) << 8;
+      if (i + 1 < bytes.size()) first += std::to_integer<std::uint32_t>(bytes[i + 1]);
+      second += first;
+    }
+    first = folded(first);
+    second = folded(second);
+  }
+  return folded(second) << 16 | folded(first);
+}
+
+// In chunks of whole rows of some 1 MB, since HDF5 has checksums of chunks alone.
 template <class T>
 Handle write_array(hid_t group, const std::string& name, const std::vector<T>& values,
                    std::vector<hsize_t> extents) {
   const Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr));
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE));
+  const hsize_t row = std::max<hsize_t>(values.size() / extents.front(), 1) * sizeof(T);
+  extents.front() = std::clamp<hsize_t>((std::size_t{1} << 20) / row, 1, extents.front());
+  checked(H5Pset_chunk(creation, static_cast<int>(extents.size()), extents.data()));
+  checked(H5Pset_fletcher32(creation));
   Handle dataset = hdf5::make_dataset(group, name, file_type(T()), space, creation);
   checked(H5Dwrite(dataset, memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   return dataset;
@@ -75,6 +95,7 @@ class CaseDataset {
     checked(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
     checked(H5Pset_shuffle(creation));
     checked(H5Pset_deflate(creation, 1));
+    checked(H5Pset_fletcher32(creation));
     dataset_ = hdf5::make_dataset(group, name, words.empty() ? H5T_IEEE_F64LE : H5T_STD_U8LE, space,
                                   creation);
     if (!words.empty()) write_attribute(dataset_, "words", words);
@@ -82,8 +103,9 @@ class CaseDataset {
 
   hid_t id() const { return dataset_; }
   std::uint32_t element_size() const { return element_size_; }
-  void write(std::uint64_t chunk, const PackedValues& values) {
+  void write(std::uint64_t chunk, PackedValues& values) {
     const std::array<hsize_t, 2> first{chunk * chunk_cases_, 0};
+    put(values.bytes, fletcher32(values.bytes));
     checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, first.data(), values.bytes.size(),
                            values.bytes.data()));
   }
@@ -193,7 +215,7 @@ class SceneWriter {
     }
   }
 
-  void add(std::uint64_t number, const Chunk& chunk) {
+  void add(std::uint64_t number, Chunk chunk) {
     if (!fits(chunk)) throw std::runtime_error("a chunk does not fit the plan");
     if (scene_.keep_points)
       for (std::size_t i = 0; i < datasets_.size(); ++i)
@@ -293,33 +315,6 @@ class SceneWriter {
   std::vector<std::vector<SensitivityBlocks>> sensitivities_;
 };
 
-// One that is not kept is removed.
-class PartFile {
- public:
-  explicit PartFile(const std::string& target) : target_(target), path_(target + ".part") {}
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  ~PartFile() {
-    if (!is_kept_) ::unlink(path_.c_str());
-  }
-
-  const std::string& path() const { return path_; }
-  void keep() {
-    check(sync_to_disk(path_));
-    check(std::rename(path_.c_str(), target_.c_str()) == 0 ? 0 : errno);
-    is_kept_ = true;
-    check(sync_to_disk(folder_of(target_)));
-  }
-
- private:
-  static void check(int code) {
-    if (code != 0) throw std::runtime_error(std::generic_category().message(code));
-  }
-
-  std::string target_, path_;
-  bool is_kept_ = false;
-};
-
 Handle create_file(const std::string& path) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE));
   hdf5::without_times(creation);
@@ -331,26 +326,13 @@ Handle create_file(const std::string& path) {
   return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
 }
 
-// Each once, in the journals' order: there are several only where the user has allowed it.
-std::string instruction_sets(const JournalSet& chunks) {
-  std::vector<std::string> seen;
-  std::string list;
-  for (const JournalReader& reader : chunks.readers()) {
-    const std::string& one = reader.header().instruction_set;
-    if (std::find(seen.begin(), seen.end(), one) != seen.end()) continue;
-    list += (seen.empty() ? "" : ", ") + one;
-    seen.push_back(one);
-  }
-  return list;
-}
-
 void write_file(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
                 const std::function<void(std::uint64_t)>& told) {
   Handle file = create_file(path);
   write_attribute(file, "format", result_format);
   write_attribute(file, "tribocheck_version", plan.version);
   write_attribute(file, "sweep_digest", plan.digest);
-  write_attribute(file, "instruction_set", instruction_sets(chunks));
+  write_attribute(file, "instruction_set", chunks.instruction_sets());
   std::uint64_t written = 0;
   for (const SceneSweep& scene : plan.scenes) {
     SceneWriter writer(file, scene);
@@ -361,7 +343,9 @@ void write_file(const std::string& path, const SweepPlan& plan, const JournalSet
     }
     writer.finish();
   }
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));
   file.close();
+  if (const auto failed = hdf5::take_failed_close()) throw hdf5::Error(*failed);
 }
 
 }  // namespace
@@ -379,6 +363,7 @@ void write_result(const std::string& path, const SweepPlan& plan, const JournalS
   PartFile part(path);
   try {
     write_file(part.path(), plan, chunks, told);
+    seal(part.path());
     part.keep();
   } catch (const std::runtime_error& error) {
     throw cannot_write(error.what());

@@ -9,6 +9,7 @@
 
 #include "sweep/arithmetic.hpp"
 #include "sweep/compute.hpp"
+#include "sweep/needs.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "tribo/version.hpp"
@@ -18,13 +19,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view journal_ending = ".journal-";
+// Journals are numbered by ranks, and by what they were computed on.
+std::string journal_of(const std::string& result, int number) {
+  return result + ".journal-" + std::to_string(number);
+}
 
-std::vector<JournalReader> readers_of(const std::vector<std::string>& paths) {
-  std::vector<JournalReader> readers;
-  readers.reserve(paths.size());
-  for (const std::string& path : paths) readers.emplace_back(path);
-  return readers;
+// Those that are there.
+std::vector<std::string> journals_of(const std::string& result) {
+  const fs::path path(result);
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const std::string start = path.filename().string() + ".journal-";
+  std::vector<std::string> found;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    const bool ends_in_number = name.size() > start.size() &&
+                                name.find_first_not_of("0123456789", start.size()) == name.npos;
+    if (name.starts_with(start) && ends_in_number)
+      found.push_back(result + name.substr(path.filename().string().size()));
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+JournalHeader header_of(const SweepPlan& plan) {
+  JournalHeader header{plan.version, plan.digest, arithmetic(), {}};
+  for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
+  return header;
 }
 
 // Why a journal or result of another sweep is not this one's; empty if it is.
@@ -38,9 +59,53 @@ std::string difference(const JournalHeader& mine, const std::string& version,
            ": other last digits; --any-instruction-set goes on all the same";
   return {};
 }
+std::string difference(const JournalHeader& mine, const JournalReader& reader, bool any) {
+  const JournalHeader& theirs = reader.header();
+  return difference(mine, theirs.version, theirs.digest, theirs.instruction_set, any);
+}
+
+bool is_of_shard(const JournalReader& reader, const Shard& shard) {
+  const auto records = reader.records();
+  return std::all_of(records.begin(), records.end(),
+                     [&](const JournalReader::Record& record) { return shard.has(record.chunk); });
+}
+
+// journals: what is on the disk already needs no more room.
+void check_room(const SweepPlan& plan, int threads, const std::string& result,
+                const std::vector<std::string>& journals) {
+  double there = 0;
+  for (const std::string& path : journals)
+    if (fs::is_regular_file(path)) there += static_cast<double>(fs::file_size(path));
+  if (const std::string lack = lack_of_room(plan, threads, result, there); !lack.empty())
+    throw RunRefused("the sweep " + lack);
+}
 
 void remove_all(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) fs::remove(path);
+}
+
+// Those that can be read. What has no readable head is of no use to anybody; beside journals that
+// can be read it is removed, but alone it may be something else.
+std::vector<JournalReader> readable(const std::vector<std::string>& paths,
+                                    const RunSettings& settings) {
+  std::vector<JournalReader> readers;
+  std::vector<std::pair<std::string, std::string>> unreadable;  // paths, and why
+  for (const std::string& path : paths) {
+    try {
+      readers.emplace_back(path);
+    } catch (const std::runtime_error& error) {
+      const bool is_empty = fs::is_regular_file(path) && fs::file_size(path) == 0;
+      unreadable.emplace_back(path, is_empty ? path + " is empty" : error.what());
+      if (is_empty) fs::remove(path);
+    }
+  }
+  for (const auto& [path, why] : unreadable) {
+    if (readers.empty() && fs::exists(path))
+      throw RunRefused(why + "; --force throws it away, or move it to another place");
+    fs::remove(path);
+    settings.tell(why + "; it is removed, and what it held is computed anew");
+  }
+  return readers;
 }
 
 // --- What is there before the run.
@@ -48,27 +113,36 @@ void remove_all(const std::vector<std::string>& paths) {
 struct Start {
   bool complete = false;               // the result is there
   std::vector<std::uint64_t> pending;  // chunks
-  std::uint64_t found = 0;             // chunks in journals
 };
 
 class Starter {
  public:
-  Starter(const SweepPlan& plan, const RunSettings& settings, const JournalHeader& header)
-      : plan_(plan), settings_(settings), header_(header) {}
+  // threads: of this rank.
+  Starter(const SweepPlan& plan, const RunSettings& settings, const JournalHeader& header,
+          int threads)
+      : plan_(plan), settings_(settings), header_(header), threads_(threads) {}
 
   Start start() {
     const std::string& path = settings_.result;
-    if (fs::exists(path) && !fs::is_regular_file(path))
-      throw RunRefused(path + " is " +
-                       (fs::is_directory(path) ? "a directory" : "no regular file") +
-                       "; allowed: a file, or none yet");
     const std::vector<std::string> journals = journals_of(path);
     if (settings_.force) {
-      remove_all(journals);
-      fs::remove(path);
-      return {false, wanted({}), 0};
+      check_room(plan_, threads_, path, journals);
+      remove_all(journals);  // the result stays until the new one takes its place
+      return {false, wanted({})};
     }
-    if (fs::exists(path)) return existing_result(journals);
+    if (fs::exists(path)) {
+      if (!settings_.resume)
+        throw RunRefused(path + " is there already; --resume keeps it if it is this sweep's, " +
+                         "--force replaces it");
+      const std::string why = settings_.shard ? of_shard(path) : of_result(path);
+      if (why.empty()) {
+        remove_all(journals);
+        return {true, {}};
+      }
+      if (!any_goes_on(journals)) throw RunRefused(why + "; --force replaces it");
+      // --force has begun this, and was stopped.
+      settings_.tell(why + "; the journals beside it are gone on with, and then it is replaced");
+    }
     if (!journals.empty() && !settings_.resume)
       throw RunRefused(journals.front() +
                        " is there, of a sweep that was stopped; --resume goes on "
@@ -77,71 +151,75 @@ class Starter {
   }
 
  private:
-  Start existing_result(const std::vector<std::string>& journals) {
-    const std::string& path = settings_.result;
-    if (!settings_.resume)
-      throw RunRefused(path +
-                       " is there already; --resume keeps it if it is this sweep's, --force "
-                       "replaces it");
-    const std::string why = settings_.shard ? of_shard(path) : of_result(path);
-    if (!why.empty()) throw RunRefused(path + ' ' + why + "; --force replaces it");
-    remove_all(journals);
-    return {true, {}, 0};
-  }
-
   std::string of_result(const std::string& path) const {
-    ResultIdentity identity;
     try {
-      identity = identity_of_result(path);
+      const ResultIdentity identity = identity_of_result(path);
+      const std::string why = difference(header_, identity.version, identity.digest,
+                                         identity.instruction_set, settings_.any_instruction_set);
+      return why.empty() ? why : path + ' ' + why;
     } catch (const std::runtime_error& error) {
-      throw RunRefused(std::string(error.what()) + "; --force replaces it");
+      return error.what();
     }
-    return difference(header_, identity.version, identity.digest, identity.instruction_set,
-                      settings_.any_instruction_set);
   }
 
   std::string of_shard(const std::string& path) const {
-    const JournalReader reader = read(path);
-    if (std::string why = different(reader); !why.empty()) return why;
-    for (const JournalReader::Record& record : reader.records())
-      if (!settings_.shard->has(record.chunk)) return "is another shard";
-    return {};
-  }
-
-  JournalReader read(const std::string& path) const {
     try {
-      return JournalReader(path);
+      const JournalReader reader(path);
+      std::string why = difference(header_, reader, settings_.any_instruction_set);
+      if (!why.empty()) return path + ' ' + why;
+      if (!is_of_shard(reader, *settings_.shard)) return path + " is another shard";
+      std::vector<bool> there(plan_.chunks());
+      note(reader, there);
+      return wanted(there).empty() ? "" : path + " is another shard, or not the whole of this one";
     } catch (const std::runtime_error& error) {
-      throw RunRefused(std::string(error.what()) + "; --force throws it away");
+      return error.what();
     }
   }
-  std::string different(const JournalReader& reader) const {
-    const JournalHeader& theirs = reader.header();
-    return difference(header_, theirs.version, theirs.digest, theirs.instruction_set,
-                      settings_.any_instruction_set);
+
+  // Is there a journal of this very run?
+  bool any_goes_on(const std::vector<std::string>& journals) const {
+    return std::any_of(journals.begin(), journals.end(), [this](const std::string& path) {
+      try {
+        return refusal(JournalReader(path)).empty();
+      } catch (const std::runtime_error&) {
+        return false;
+      }
+    });
+  }
+
+  // Why a journal is not gone on with; empty if it is.
+  std::string refusal(const JournalReader& reader) const {
+    std::string why = difference(header_, reader, settings_.any_instruction_set);
+    if (why.empty() && settings_.shard && !is_of_shard(reader, *settings_.shard))
+      why = "is of another shard; --force throws it away";
+    return why;
   }
 
   Start from_journals(const std::vector<std::string>& journals) {
     std::vector<bool> there(plan_.chunks());
-    Start start;
-    for (const std::string& path : journals) {
-      const JournalReader reader = read(path);
-      if (const std::string why = different(reader); !why.empty())
-        throw RunRefused(std::string(path).append(" ").append(why));
+    for (const JournalReader& reader : readable(journals, settings_)) {
+      if (const std::string why = refusal(reader); !why.empty())
+        throw RunRefused(reader.path() + ' ' + why);
       if (reader.lost_bytes() > 0)
-        settings_.tell(path + ": " + std::to_string(reader.lost_bytes()) +
+        settings_.tell(reader.path() + ": " + std::to_string(reader.lost_bytes()) +
                        " bytes are no whole record, and are computed anew");
-      for (const JournalReader::Record& record : reader.records())
-        if (record.chunk < there.size()) there[record.chunk] = true;
+      note(reader, there);
     }
-    start.found = static_cast<std::uint64_t>(std::count(there.begin(), there.end(), true));
-    start.pending = wanted(there);
+    check_room(plan_, threads_, settings_.result, journals);
+    const auto found = std::count(there.begin(), there.end(), true);
+    Start start{false, wanted(there)};
     if (settings_.resume)
-      settings_.tell(start.found == 0 ? "nothing to go on with; starting anew"
-                                      : "going on: " + std::to_string(start.found) + " of " +
-                                            std::to_string(start.found + start.pending.size()) +
-                                            " chunks are there");
+      settings_.tell(found == 0 ? "nothing to go on with; starting anew"
+                                : "going on: " + std::to_string(found) + " of " +
+                                      std::to_string(static_cast<std::uint64_t>(found) +
+                                                     start.pending.size()) +
+                                      " chunks are there");
     return start;
+  }
+
+  static void note(const JournalReader& reader, std::vector<bool>& there) {
+    for (const JournalReader::Record& record : reader.records())
+      if (record.chunk < there.size()) there[record.chunk] = true;
   }
 
   // Without those that are there.
@@ -157,34 +235,42 @@ class Starter {
   const SweepPlan& plan_;
   const RunSettings& settings_;
   const JournalHeader& header_;
+  int threads_;
 };
 
 // --- The end: from journals to one file.
 
 // A shard is a journal with its chunks in order.
 void write_shard(const std::string& path, const Shard& shard, const JournalSet& chunks) {
-  const std::string part = path + ".part";
-  fs::remove(part);
+  PartFile part(path);
   {
-    Journal journal = Journal::create(part, chunks.header());
+    JournalHeader header = chunks.header();
+    header.instruction_set = chunks.instruction_sets();
+    Journal journal = Journal::create(part.path(), header);
     for (std::uint64_t chunk = 0; chunk < chunks.chunks(); ++chunk)
       if (shard.has(chunk)) journal.append(chunk, chunks.read(chunk));
     journal.sync();
   }
-  fs::rename(part, path);
+  part.keep();
 }
 
 class Run {
  public:
-  Run(const SweepPlan& plan, const RunSettings& settings, const Ranks& ranks)
-      : plan_(plan), settings_(settings), ranks_(ranks), header_(header_of(plan)) {}
+  Run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks)
+      : plan_(plan),
+        settings_(std::move(settings)),
+        ranks_(ranks),
+        header_(header_of(plan)),
+        threads_(settings_.threads > 0 || ranks.count() == 1 ? settings_.threads : 1) {}
 
   RunEnd run() {
     agree_on_plan();
     Start start = start_on_first();
-    if (start.complete) return RunEnd::done;
-    compute_all(std::move(start.pending));
-    return ranks_.rank() == 0 ? finish() : RunEnd::done;
+    if (!start.complete) compute_all(std::move(start.pending));
+    if (ranks_.rank() > 0) return RunEnd::done;
+    if (!start.complete && finish() == RunEnd::stopped) return RunEnd::stopped;
+    if (settings_.finished) settings_.finished();
+    return RunEnd::done;
   }
 
  private:
@@ -216,8 +302,12 @@ class Run {
   Start start_on_first() {
     Start start;
     together([&] {
-      if (ranks_.rank() == 0) start = Starter(plan_, settings_, header_).start();
+      if (ranks_.rank() != 0) return;
+      settings_.result = output_behind_links(settings_.result);
+      lock_.emplace(settings_.result);
+      start = Starter(plan_, settings_, header_, threads_).start();
     });
+    settings_.result = ranks_.from_first(settings_.result);
     start.complete = ranks_.from_first(start.complete ? "complete" : "") == "complete";
     return start;
   }
@@ -228,12 +318,11 @@ class Run {
     const std::uint64_t total = pending.size();
     ChunkQueue queue(std::move(pending));
     std::atomic<std::uint64_t> computed = 0;
-    const int threads = settings_.threads > 0 || ranks_.count() == 1 ? settings_.threads : 1;
     together([&] {
       const bool good = ranks_.share(
           queue,
           [&](const NextChunk& next) {
-            compute(plan_, threads, next, [&](const Chunk& chunk) {
+            compute(plan_, threads_, next, [&](const Chunk& chunk) {
               journal->append(chunk.number, chunk.bytes());
               ++computed;
             });
@@ -248,23 +337,38 @@ class Run {
     });
   }
 
+  // What was begun on another instruction set stays as it is: a journal is of one.
   Journal open_journal() const {
-    const std::string path = journal_of(settings_.result, ranks_.rank());
-    return fs::exists(path) ? Journal::resume(path) : Journal::create(path, header_);
+    for (int number = ranks_.rank();; number += ranks_.count()) {
+      const std::string path = journal_of(settings_.result, number);
+      if (!fs::exists(path)) return Journal::create(path, header_);
+      if (JournalReader(path).header().instruction_set == header_.instruction_set)
+        return Journal::resume(path);
+    }
   }
 
   RunEnd finish() const {
     const std::vector<std::string> paths = journals_of(settings_.result);
-    const JournalSet chunks(readers_of(paths), plan_.chunks(), settings_.any_instruction_set);
+    if (paths.empty())
+      throw std::runtime_error("the journals of " + settings_.result +
+                               " were removed while it was computed; start it again");
+    std::vector<JournalReader> readers = readable(paths, settings_);
+    for (const JournalReader& reader : readers)
+      if (const std::string why = difference(header_, reader, settings_.any_instruction_set);
+          !why.empty())
+        throw std::runtime_error(reader.path() + ' ' + why +
+                                 "; another process has put it there, and nothing is written");
+    const JournalSet chunks(std::move(readers), plan_.chunks(), settings_.any_instruction_set);
     std::uint64_t missing = 0;
     for (std::uint64_t chunk = 0; chunk < plan_.chunks(); ++chunk)
       if ((!settings_.shard || settings_.shard->has(chunk)) && !chunks.has(chunk)) ++missing;
     if (missing > 0) {
       settings_.tell("stopped: " + std::to_string(chunks.count()) + " chunks are kept beside " +
-                     settings_.result + ", " + std::to_string(missing) +
-                     " are missing; --resume goes on");
+                     settings_.result + ", and " + std::to_string(missing) +
+                     " are still to be computed; --resume goes on");
       return RunEnd::stopped;
     }
+    lock_->check();
     if (settings_.shard)
       write_shard(settings_.result, *settings_.shard, chunks);
     else
@@ -281,9 +385,11 @@ class Run {
   }
 
   const SweepPlan& plan_;
-  const RunSettings& settings_;
+  RunSettings settings_;
   const Ranks& ranks_;
   JournalHeader header_;
+  int threads_;
+  std::optional<OutputLock> lock_;  // of rank 0
 };
 
 SweepPlan plan_of(const JournalHeader& header) {
@@ -296,46 +402,41 @@ SweepPlan plan_of(const JournalHeader& header) {
   return make_plan(std::move(scenes));
 }
 
+void check_is_no_input(const std::string& output, const std::vector<std::string>& shards) {
+  const std::vector<std::string> journals = journals_of(output);
+  std::error_code none;
+  for (const std::string& shard : shards) {
+    if (fs::equivalent(shard, output, none))
+      throw RunRefused("-o " + output + " is one of the shards; allowed: another file");
+    for (const std::string& journal : journals)
+      if (fs::equivalent(shard, journal, none))
+        throw RunRefused(shard + " is the journal of " + output +
+                         " itself; allowed: another file for -o");
+  }
+}
+
 }  // namespace
 
-std::string journal_of(const std::string& result, int rank) {
-  return result + std::string(journal_ending) + std::to_string(rank);
+RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks) {
+  if (!settings.tell) settings.tell = [](std::string_view) {};
+  return Run(plan, std::move(settings), ranks).run();
 }
 
-std::vector<std::string> journals_of(const std::string& result) {
-  const fs::path path(result);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const std::string start = path.filename().string() + std::string(journal_ending);
-  std::vector<std::string> found;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename().string();
-    const bool ends_in_number = name.size() > start.size() &&
-                                name.find_first_not_of("0123456789", start.size()) == name.npos;
-    if (name.starts_with(start) && ends_in_number)
-      found.push_back(result + name.substr(path.filename().string().size()));
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-JournalHeader header_of(const SweepPlan& plan) {
-  JournalHeader header{plan.version, plan.digest, arithmetic(), {}};
-  for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
-  return header;
-}
-
-RunEnd run(const SweepPlan& plan, const RunSettings& settings, const Ranks& ranks) {
-  return Run(plan, settings, ranks).run();
-}
-
-void merge(const std::vector<std::string>& shards, const RunSettings& settings) {
+void merge(const std::vector<std::string>& shards, RunSettings settings) {
+  settings.result = output_behind_links(settings.result);
+  const OutputLock lock(settings.result);
+  check_is_no_input(settings.result, shards);
   if (fs::exists(settings.result) && !settings.force)
     throw RunRefused(settings.result + " is there already; --force replaces it");
+  const std::vector<std::string> journals = journals_of(settings.result);
+  if (!journals.empty() && !settings.force)
+    throw RunRefused(journals.front() +
+                     " is there, of a sweep that was stopped; --force throws it away");
   std::optional<JournalSet> chunks;
   std::optional<SweepPlan> plan;
   try {
-    std::vector<JournalReader> readers = readers_of(shards);
+    std::vector<JournalReader> readers;
+    for (const std::string& shard : shards) readers.emplace_back(shard);
     const JournalHeader& header = readers.front().header();
     if (header.version != version)
       throw RunRefused(shards.front() + " was computed by tribocheck " + header.version +
@@ -351,10 +452,13 @@ void merge(const std::vector<std::string>& shards, const RunSettings& settings) 
     throw RunRefused(std::to_string(chunks->chunks() - chunks->count()) + " of " +
                      std::to_string(chunks->chunks()) +
                      " chunks are in none of these; allowed: all shards of one sweep");
+  check_room(*plan, 1, settings.result, shards);
   write_result(settings.result, *plan, *chunks, [&](std::uint64_t written) {
     if (settings.progress)
       settings.progress({RunProgress::Phase::writing, chunks->chunks(), written});
   });
+  remove_all(journals);
+  if (settings.finished) settings.finished();
 }
 
 }  // namespace tribo::sweep

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sweep/journal.hpp"
+#include "sweep/output_lock.hpp"
 #include "sweep/plan.hpp"
 #include "sweep/ranks.hpp"
 
@@ -38,12 +39,10 @@ struct RunSettings {
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
   std::function<bool()> stopped;                     // to end early, with what is computed kept
+  // On rank 0 once the result has its name, and before another process can replace it.
+  std::function<void()> finished;
 };
 
-// What is there does not fit what was asked: bad usage, not a failure.
-struct RunRefused : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
-};
 // Another rank failed, and has said why.
 struct OtherRankFailed : std::runtime_error {
   OtherRankFailed() : std::runtime_error("another rank failed") {}
@@ -51,18 +50,13 @@ struct OtherRankFailed : std::runtime_error {
 
 enum class RunEnd : std::uint8_t { done, stopped };
 
-// Every rank calls it with the same plan and settings; rank 0 writes the result. Throws RunRefused,
-// OtherRankFailed, and std::runtime_error where it fails; computed chunks stay in journals then.
-RunEnd run(const SweepPlan& plan, const RunSettings& settings, const Ranks& ranks);
+// Every rank calls it with the same plan and settings; rank 0 holds the output's lock and writes
+// the result. Throws RunRefused, OtherRankFailed, and std::runtime_error where it fails; computed
+// chunks stay in journals then.
+RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks);
 
 // Puts shards together: the result is that of an undivided run, to the bit. Throws RunRefused where
 // they do not make a whole.
-void merge(const std::vector<std::string>& shards, const RunSettings& settings);
-
-// The journals of a result that are there, and the one of a rank.
-std::vector<std::string> journals_of(const std::string& result);
-std::string journal_of(const std::string& result, int rank);
-
-JournalHeader header_of(const SweepPlan& plan);
+void merge(const std::vector<std::string>& shards, RunSettings settings);
 
 }  // namespace tribo::sweep

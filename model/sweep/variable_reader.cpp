@@ -247,6 +247,11 @@ class VariableReader {
     if (logarithmic && range->from <= 0)
       return table.refuse("from", number_text(range->from) + " has no logarithm",
                           "a number above 0");
+    if (!logarithmic && !std::isfinite(range->to - range->from))
+      return table.refuse("to",
+                          "the distance from " + number_text(range->from) + " to " +
+                              number_text(range->to) + " is no finite number",
+                          "a range of at most 1.7e308");
     variable_.distribution = logarithmic ? Distribution::log_uniform(range->from, range->to)
                                          : Distribution::uniform(range->from, range->to);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck: the model from the command line. Results go to stdout, all else to stderr.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -111,7 +112,17 @@ int run(int count, char** arguments, OutputStream& output) {
   return exit_code;
 }
 
+// A file that is opened while stdin, stdout or stderr is closed would become it, and be overwritten
+// by what is written there. In its place comes something that fails as a closed one does.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0)  // the lowest that is free: this one
+        [[maybe_unused]]
+      const int opened = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int run_and_report(int count, char** arguments) {
+  occupy_closed_streams();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away shows as a failed write
   OutputStream output(STDOUT_FILENO);
   try {

@@ -20,6 +20,7 @@
 #include "report/sweep_pictures.hpp"
 #include "report/sweep_tables.hpp"
 #include "src/scene_schema.hpp"
+#include "sweep/compute.hpp"
 #include "sweep/journal.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
@@ -133,6 +134,18 @@ void show_result(const SweepArguments& arguments, const std::string& path, Outpu
 
 // --- The three commands.
 
+// The output is not to take the place of what it is made from, and nor are the files beside it.
+// Why it would; empty if it does not.
+std::string own_input(const SweepArguments& arguments) {
+  std::error_code none;
+  for (const std::string& file : arguments.files)
+    for (const char* const ending : {"", ".part", ".lock"})
+      if (std::filesystem::equivalent(file, arguments.out + ending, none))
+        return "-o " + arguments.out + ": " + file +
+               " is read, and would be replaced; allowed: another file";
+  return {};
+}
+
 sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& progress,
                                bool first_rank) {
   sweep::RunSettings settings;
@@ -173,14 +186,20 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
     if (first) append_estimate(output.text(), *plan, arguments.threads);
     return exit_done;
   }
+  const std::string refusal = first ? own_input(arguments) : "";
+  if (!refusal.empty()) complain(refusal);
+  if (!ranks.everywhere(refusal.empty())) return exit_bad;
   SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));
-  const sweep::RunSettings settings = settings_of(arguments, progress, first);
+  sweep::RunSettings settings = settings_of(arguments, progress, first);
+  settings.finished = [&] {
+    progress.wipe();
+    if (!settings.shard) show_result(arguments, arguments.out, output);
+  };
   watch_for_stop();
   const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
   progress.wipe();
   if (stop_signal != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal;
-  if (first && !settings.shard) show_result(arguments, arguments.out, output);
-  return exit_done;
+  return end == sweep::RunEnd::done ? exit_done : exit_failed;
 }
 
 // What goes wrong on the way is bad usage, or a failure that the journals survive.
@@ -204,12 +223,22 @@ std::string subcommand_meant(const SweepArguments& arguments) {
   return meant.empty() ? "" : "sweep " + std::string(meant);
 }
 
-int run_sweep(const SweepArguments& arguments, OutputStream& output) {
+// More threads than this are of no use, and each takes memory.
+void cap_threads(int& threads) {
+  const int most = 16 * sweep::thread_count(0);
+  if (threads <= most) return;
+  complain(fmt::format("warning: --threads {} is more than is of use here; {} are taken", threads,
+                       most));
+  threads = most;
+}
+
+int run_sweep(SweepArguments& arguments, OutputStream& output) {
   if (const std::string meant = subcommand_meant(arguments); !meant.empty()) {
     complain("unknown command \"sweep " + printable(arguments.files.front()) +
              "\", and there is no such file; did you mean " + meant + "?");
     return exit_bad;
   }
+  cap_threads(arguments.threads);
   if (arguments.files.empty() || (arguments.out.empty() && !arguments.estimate)) {
     complain(arguments.files.empty()
                  ? "sweep: no SWEEP.toml is given (see --help)"
@@ -224,11 +253,16 @@ int run_sweep(const SweepArguments& arguments, OutputStream& output) {
 
 int merge_shards(const SweepArguments& arguments, OutputStream& output) {
   return told([&] {
+    if (const std::string refusal = own_input(arguments); !refusal.empty())
+      throw sweep::RunRefused(refusal);
     watch_for_stop();
     SweepProgress progress(0);
-    sweep::merge(arguments.files, settings_of(arguments, progress, true));
-    progress.wipe();
-    show_result(arguments, arguments.out, output);
+    sweep::RunSettings settings = settings_of(arguments, progress, true);
+    settings.finished = [&] {
+      progress.wipe();
+      show_result(arguments, arguments.out, output);
+    };
+    sweep::merge(arguments.files, settings);
     return exit_done;
   });
 }
@@ -315,7 +349,8 @@ Command add_sweep(CLI::App& program) {
                 "only say how many points, how long, how much memory and how large a file");
   CLI::Option* const resume =
       app->add_flag("--resume", arguments->resume, "go on with what a stopped run has left");
-  app->add_flag("--force", arguments->force, "throw away a result and journals that are there")
+  app->add_flag("--force", arguments->force,
+                "throw away journals that are there, and replace a result by the new one")
       ->excludes(resume);
   app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
   app->add_option("--instruction-set", arguments->instruction_set,

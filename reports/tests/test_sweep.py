@@ -4,14 +4,17 @@
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import unittest
 
-from program import PROGRAM, run, start
+from program import PROGRAM, run, start, wait_for
 from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
 
 ROOT = os.environ["TRIBOCHECK_ROOT"]
+with open(PROGRAM, "rb") as program:
+    SANITIZED = b"__asan_init" in program.read()  # it has memory of its own
 SHIPPED = os.path.join(ROOT, "reference", "published", "sweeps")
 
 
@@ -281,6 +284,60 @@ class Estimates(SweepTest):
         size = os.path.getsize(self.path("out.h5"))
         self.assertLess(abs(estimated - size), 0.1 * size, said.out)
 
+    SPEEDS = "{ from = 1e-3, to = 3, count = %d }"
+    # Of unlike shape: points that are kept, many speeds, summaries alone, indices, grids.
+    SHAPES = [
+        sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS % 20}, draws=4000),
+        sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS % 2000, "outputs": '["film"]'}, draws=64),
+        sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS % 1000}, draws=64, keep='"summaries"'),
+        sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }', "speed": SPEEDS % 100},
+              draws=64, sensitivity="true"),
+        sweep({"lubricant.viscosity": "{ from = 1e-3, to = 1, count = 100 }", "speed": "[0.1, 1.0]",
+               "closures.asperity": '["greenwood_tripp", "greenwood_williamson"]'}),
+    ]
+
+    def estimate(self, text):
+        """In bytes: memory, file and journal; and the memory that it took itself."""
+        path = self.folder.write("sweep.toml", text)
+        process = start("sweep", path, "--estimate", stdout=subprocess.PIPE)
+        said = process.stdout.read().decode()
+        process.stdout.close()
+        code, own = wait_for(process)
+        self.assertEqual(code, 0)
+        found = re.findall(r"(memory|file +|journal of) ([0-9.e+]+) ([kMG])B", said)
+        self.assertEqual(len(found), 3, said)
+        units = {"k": 1e3, "M": 1e6, "G": 1e9}
+        return [float(number) * units[unit] for _, number, unit in found], own * 2**20
+
+    def test_memory_and_files_are_what_a_sweep_takes_within_a_factor_of_one_and_a_half(self):
+        for i, text in enumerate(self.SHAPES):
+            with self.subTest(shape=i):
+                (memory, file, journal), _ = self.estimate(text)
+                process = start("sweep", self.path("sweep.toml"), "-o", self.path("out.h5"), "--force",
+                                stdout=subprocess.DEVNULL)
+                code, taken = wait_for(process)
+                self.assertEqual(code, 0)
+                self.swept(text, "--shard", "1/1", "--force", out="all.shard")
+                real = [taken * 2**20] + [os.path.getsize(self.path(name))
+                                          for name in ("out.h5", "all.shard")]
+                ratios = [said / taken for said, taken in zip((memory, file, journal), real)]
+                print("estimated over real memory, file, journal: " +
+                      ", ".join(f"{ratio:.2f}" for ratio in ratios), flush=True)
+                for ratio in ratios if not SANITIZED else ratios[1:]:
+                    self.assertLess(ratio, 1.5)
+                    self.assertGreater(ratio, 1 / 1.5)
+
+    def test_what_has_no_room_is_refused_at_once_and_estimated_in_little_memory(self):
+        wide = sweep({"lubricant.viscosity": UNIFORM, "speed": self.SPEEDS % 1_000_000}, draws=1000)
+        (memory, _, _), own = self.estimate(wide)
+        self.assertGreater(memory, 50e9)
+        self.assertLess(own, 150e6 if not SANITIZED else 1e9)
+        wider = sweep({"lubricant.viscosity": UNIFORM, "speed": self.SPEEDS % 10_000_000}, draws=100)
+        self.assert_refused(self.sweep(wider), "of memory", "this machine has", "allowed:")
+        many = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws="400000000000")
+        self.assert_refused(self.sweep(many), "on the disk", "allowed:")
+        self.assertEqual(self.names(), ["sweep.toml"])
+
 
 class Progress(SweepTest):
     # Some seconds: the friction minimum is searched for.
@@ -345,6 +402,8 @@ class BadSweeps(SweepTest):
         ({"load": '{ distribution = "normal", mean = 50, sd = 20, median = 3 }'}, {},
          ["load.median", "not a field of this kind"]),
         ({"load": '{ distribution = "uniform", from = 50, to = inf }'}, {}, ["load.to", "finite"]),
+        ({"surface.summit_plane_offset": '{ distribution = "uniform", from = -1e308, to = 1e308 }'}, {},
+         ["surface.summit_plane_offset.to", "no finite number"]),
         ({"load": '{ printed = 50 }'}, {}, ["load.printed", "as a text"]),
         ({"load": '{ printed = "fifty" }'}, {}, ["load.printed", "is no number"]),
         ({"load": '{ printed = "0" }'}, {}, ["load", "not allowed"]),
@@ -401,6 +460,21 @@ class BadSweeps(SweepTest):
     def test_mistakes_in_fields_and_in_settings_are_told_together(self):
         result = self.sweep(sweep({"load": '{ printed = "fifty" }'}, seed=-1, sede=2))
         self.assertEqual((result.code, len(result.error_lines)), (2, 3), result.err)
+
+    def test_a_name_that_is_no_text_is_refused_before_anything_is_computed(self):
+        text = sweep({"lubricant.viscosity": UNIFORM, "speed": "1"}, draws=10**9)
+        path = os.fsencode(self.folder.name) + b"/\xff.toml"
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        self.assert_refused(run("sweep", os.fsdecode(path), "-o", self.path("out.h5")), "not UTF-8")
+        os.remove(path)
+        self.assertEqual(self.names(), [])
+
+    def test_more_threads_than_are_of_use_are_not_taken(self):
+        result = self.sweep(sweep({"lubricant.viscosity": UNIFORM, "speed": "1"}, draws=100),
+                            "--threads", 4096)
+        self.assertEqual((result.code, len(result.error_lines)), (0, 1), result.err)
+        self.assertIn("--threads 4096", result.err)
 
     def test_json_is_refused(self):
         self.assert_refused(self.sweep('{"load": 3}'), "JSON")

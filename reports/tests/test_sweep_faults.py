@@ -11,7 +11,7 @@ import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run, start
-from sweeps import LONG, UNIFORM, SweepTest, sweep
+from sweeps import LONG, UNIFORM, SweepTest, opened, sweep
 
 KILLS = int(os.environ.get("TRIBOCHECK_KILLS", 5))
 SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=5000)
@@ -78,15 +78,68 @@ class Killed(SweepTest):
         while self.kept_bytes() < 5000 and time.monotonic() < end:
             time.sleep(0.002)
 
-    def test_a_second_process_does_not_write_into_the_same_journal(self):
-        process = self.started()
+    def stopped_in_the_middle(self, *options, **more):
+        process = self.started(*options, **more)
         self.wait_for_journal()
         process.send_signal(signal.SIGSTOP)
-        second = self.sweep(LONG, "--resume")
+        return process
+
+    def test_a_second_process_is_refused_whatever_it_was_asked(self):
+        self.swept(SHORT, "--shard", "1/1", name="short.toml", out="short.shard")
+        process = self.stopped_in_the_middle()
+        for options in ((), ("--resume",), ("--force",)):
+            self.assert_refused(self.sweep(LONG, *options), "out.h5", "another process")
+        merged = run("sweep", "merge", self.path("short.shard"), "-o", self.path("out.h5"), "--force")
+        self.assert_refused(merged, "out.h5", "another process")
+        process.send_signal(signal.SIGCONT)
+        self.assertEqual(process.wait(timeout=60), 0)
+        self.swept(LONG, out="whole.h5")
+        self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
+
+    def said_after(self, disturb):
+        """Of a run that is stopped in the middle, disturbed, and let go on."""
+        process = self.stopped_in_the_middle(stderr=subprocess.PIPE)
+        disturb()
+        process.send_signal(signal.SIGCONT)
+        _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1, said)
+        self.assertEqual(len(said.splitlines()), 1, said)
+        self.assertNotIn("out.h5", self.names())
+        return said.decode()
+
+    def test_what_others_do_to_its_journals_is_told_and_no_result_is_made_of_it(self):
+        journal = self.path("out.h5.journal-0")
+        self.swept(SHORT, "--shard", "1/1", name="short.toml", out="short.shard")
+        self.assertIn("were removed", self.said_after(lambda: os.remove(journal)))
+        said = self.said_after(lambda: os.rename(self.path("short.shard"), journal))
+        self.assertIn("journal-0 is of another sweep", said)
+        os.remove(journal)
+        self.assertIn("out.h5.lock was removed",
+                      self.said_after(lambda: os.remove(self.path("out.h5.lock"))))
+        os.remove(journal)
+
+        def damage():
+            with open(journal, "r+b") as file:
+                file.seek(self.kept_bytes() // 2)
+                file.write(bytes(100))
+        said = self.said_after(damage)
+        self.assertIn("stopped: ", said)
+        self.assertIn("--resume goes on", said)
+        self.swept(LONG, out="whole.h5")
+        os.remove(self.path("short.toml"))
+        self.assert_resumes_to(self.bytes_of("whole.h5"))
+
+    def test_force_keeps_the_old_result_until_the_new_one_is_whole(self):
+        self.swept(SHORT, name="short.toml")
+        old = self.bytes_of("out.h5")
+        process = self.stopped_in_the_middle("--force")
+        self.assertEqual(self.bytes_of("out.h5"), old)
         process.kill()
         process.wait()
-        self.assertEqual((second.code, second.out), (1, ""))
-        self.assertIn("journal-0", second.err)
+        self.assertEqual(self.bytes_of("out.h5"), old)
+        self.swept(LONG, out="whole.h5")
+        os.remove(self.path("short.toml"))
+        self.assert_resumes_to(self.bytes_of("whole.h5"))
 
 
 class Disks(SweepTest):
@@ -174,6 +227,40 @@ class Damage(SweepTest):
                 self.assertEqual(self.bytes_of("out.h5"), self.whole)
                 os.remove(self.path("out.h5"))
 
+    def test_a_journal_without_a_head_beside_good_ones_costs_its_own_chunks_alone(self):
+        self.swept(SHORT, "--shard", "1/2", out="half.shard")
+        half = self.bytes_of("half.shard")
+        for content in (b"", b"what is this? " * 100):
+            with open(self.path("out.h5.journal-1"), "wb") as file:
+                file.write(content)
+            result = self.resumed(half)
+            self.assertEqual(result.code, 0, result.err)
+            self.assertIn("journal-1", result.err)
+            self.assertIn("going on", result.err)
+            self.assertEqual(self.bytes_of("out.h5"), self.whole)
+            self.assertEqual([n for n in self.names() if n.startswith("out.h5")], ["out.h5"])
+            os.remove(self.path("out.h5"))
+        result = self.resumed(b"")  # and alone: there is nothing to lose
+        self.assertEqual((result.code, self.bytes_of("out.h5")), (0, self.whole), result.err)
+
+    def test_a_shard_is_gone_on_with_as_the_same_shard_alone(self):
+        for part in ("1/2", "2/2", "2/4"):
+            self.swept(SHORT, "--shard", part, out=part.replace("/", "of"))
+        for there, asked in (("1of2", "2/2"), ("2of4", "2/2"), ("2of2", "2/4"), ("2of2", "1/1")):
+            with self.subTest(there=there, asked=asked):
+                before = self.bytes_of(there)
+                self.assert_refused(self.sweep(SHORT, "--shard", asked, "--resume", out=there),
+                                    there, "another shard")
+                self.assertEqual(self.bytes_of(there), before)
+        self.assert_refused(self.sweep(SHORT, "--resume", out="1of2"), "1of2")
+        kept = self.sweep(SHORT, "--shard", "1/2", "--resume", out="1of2")
+        self.assertEqual(kept.code, 0, kept.err)
+        os.rename(self.path("1of2"), self.path("x.shard.journal-0"))
+        refused = self.sweep(SHORT, "--shard", "2/2", "--resume", out="x.shard")
+        self.assert_refused(refused, "x.shard.journal-0", "another shard")
+        went_on = self.sweep(SHORT, "--shard", "1/2", "--resume", out="x.shard")
+        self.assertEqual(went_on.code, 0, went_on.err)
+
     def test_a_journal_of_another_sweep_or_of_none_is_refused_with_the_reason(self):
         with open(self.path("out.h5.journal-0"), "wb") as file:
             file.write(self.journal)
@@ -203,6 +290,71 @@ class Damage(SweepTest):
         self.assert_refused(self.sweep(SHORT, "--resume"), other, "--any-instruction-set")
         went_on = self.sweep(SHORT, "--resume", "--any-instruction-set")
         self.assertEqual(went_on.code, 0, went_on.err)
+        # All on which it was computed are told: by what was gone on with, merged, or both.
+        own = self.set_of("whole.h5")
+        self.assertNotEqual(own, self.set_of("out.h5"))
+        self.assertEqual(self.set_of("out.h5"), self.set_of("merged.h5"))
+        for name in (own, other):
+            self.assertIn(name, self.set_of("out.h5"))
+        self.swept(SHORT, "--shard", "1/2", "--instruction-set", other, out="x.shard.journal-0")
+        self.swept(SHORT, "--shard", "1/1", "--resume", "--any-instruction-set", out="x.shard")
+        self.assertEqual(run("sweep", "merge", self.path("x.shard"), "--force", *merge[-2:]).code, 0)
+        self.assertEqual(self.set_of("merged.h5"), self.set_of("out.h5"))
+
+    def set_of(self, name):
+        with opened(self.path(name)) as file:
+            return file.attrs["instruction_set"]
+
+    def test_a_result_that_is_damaged_anywhere_is_refused(self):
+        draw = random.Random(17)
+        size = len(self.whole)
+        damages = [self.whole[:draw.randrange(size)] for _ in range(5)]
+        damages += [self.whole + b"x", self.whole[:1000] + self.whole[1001:], b""]
+        for _ in range(30):
+            flipped = bytearray(self.whole)
+            flipped[draw.randrange(size)] ^= 1 << draw.randrange(8)
+            damages.append(bytes(flipped))
+        for at in (0, 8, size // 2, size - 40, size - 8):
+            zeroed = bytearray(self.whole)
+            zeroed[at:at + 8] = b"\xff" * len(zeroed[at:at + 8])
+            damages.append(bytes(zeroed))
+        for i, damaged in enumerate(damages):
+            with self.subTest(i=i):
+                with open(self.path("out.h5"), "wb") as file:
+                    file.write(damaged)
+                self.assert_refused(run("sweep", "show", self.path("out.h5")), "out.h5")
+                if i % 6 == 0:
+                    self.assert_refused(self.sweep(SHORT, "--resume"), "out.h5", "--force")
+                self.assertEqual(self.bytes_of("out.h5"), damaged)
+
+    def test_all_datasets_have_checksums_that_other_programs_see(self):
+        import h5py
+        with opened(self.path("whole.h5")) as file:
+            datasets = []
+            file.visititems(lambda _, item: datasets.append(item)
+                            if isinstance(item, h5py.Dataset) else None)
+            self.assertGreater(len(datasets), 100)
+            for dataset in datasets:
+                self.assertTrue(dataset.fletcher32, dataset.name)
+                dataset[()]
+            film = file["smooth/outputs/film"].id
+            place = film.get_chunk_info(0).byte_offset
+        damaged = bytearray(self.whole)
+        damaged[place + 200] ^= 4
+        with open(self.path("damaged.h5"), "wb") as written:
+            written.write(damaged)
+        with opened(self.path("damaged.h5")) as file:
+            with self.assertRaises(OSError):
+                file["smooth/outputs/film"][()]
+
+    def test_a_damaged_shard_is_not_merged(self):
+        damaged = bytearray(self.journal)
+        damaged[len(damaged) // 2] ^= 1
+        with open(self.path("all.shard"), "wb") as file:
+            file.write(damaged)
+        merged = run("sweep", "merge", self.path("all.shard"), "-o", self.path("merged.h5"))
+        self.assert_refused(merged, "chunks are in none of these")
+        self.assertNotIn("merged.h5", self.names())
 
     def test_a_result_that_is_there_is_kept_or_refused(self):
         result = self.sweep(SHORT, out="whole.h5")

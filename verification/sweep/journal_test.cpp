@@ -175,7 +175,7 @@ TEST(Journal, HasOneWriterAtATime) {
   {
     const Journal first = Journal::resume(path);
     EXPECT_EQ(error_of([&] { Journal::resume(path); }),
-              path + " is being written by another process: Resource temporarily unavailable");
+              path + " is being written by another process");
   }
   EXPECT_NO_THROW(Journal::resume(path));
 }
@@ -260,6 +260,25 @@ TEST(JournalSet, SaysWhatDoesNotGoTogether) {
   EXPECT_EQ(error_with(other), b + " was computed on AVX3_ZEN4, " + a + " on AVX2");
   EXPECT_NO_THROW(set_of({a, b}, 3, true));
   EXPECT_EQ(error_of([&] { set_of({}, 3); }), "no journal is given");
+}
+
+TEST(JournalSet, NamesEachInstructionSetOnceOfThoseThatComputedAChunk) {
+  const TemporaryFolder folder;
+  std::vector<std::string> paths;
+  const auto add = [&](const std::string& set, std::uint64_t first, std::uint64_t end) {
+    JournalHeader other = header;
+    other.instruction_set = set;
+    paths.push_back(folder.file(std::to_string(paths.size())));
+    Journal journal = Journal::create(paths.back(), other);
+    append(journal, first, end);
+  };
+  add("SSE4, libm 2", 0, 2);
+  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "SSE4, libm 2");
+  add("AVX2, libm 2", 2, 3);
+  add("NEON, libm 2", 0, 0);
+  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "AVX2, libm 2; SSE4, libm 2");
+  add("AVX2, libm 2; AVX3, libm 2", 3, 4);
+  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "AVX2, libm 2; AVX3, libm 2; SSE4, libm 2");
 }
 
 TEST(JournalSet, RefusesAChunkThatTheSweepDoesNotHave) {

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sweep/result_seal.hpp"
 #include "sweep/small_sweep.hpp"
 
 namespace tribo::sweep {
@@ -216,11 +217,64 @@ TEST(ResultFile, IsToldFromOtherFiles) {
   const std::string path = folder.file("other.h5");
   EXPECT_EQ(error_of([&] { identity_of_result(path); }),
             path + " cannot be read: No such file or directory");
+  const auto expect_refused = [&](const std::string& why) {
+    const std::string said = error_of([&] { identity_of_result(path); });
+    EXPECT_EQ(said.rfind(path + ' ' + why, 0), 0U) << said;
+  };
   write_content(path, "speed film\n");
-  EXPECT_EQ(error_of([&] { identity_of_result(path); }), path + " is no HDF5 file");
+  expect_refused("is no whole result of tribocheck sweep");
   H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-  EXPECT_EQ(error_of([&] { identity_of_result(path); }),
-            path + " is an HDF5 file, but no result of tribocheck sweep");
+  expect_refused("is no whole result of tribocheck sweep");
+  seal(path);
+  expect_refused("is an HDF5 file, but no result of tribocheck sweep");
+}
+
+TEST(ResultFile, IsRefusedWhereOneByteIsAnother) {
+  const TemporaryFolder folder;
+  const std::string whole = content_of(small_result(folder, "result.h5"));
+  const std::string changed = folder.file("changed.h5");
+  for (std::size_t at = 0; at < whole.size(); at += 499) {
+    std::string content = whole;
+    content[at] = static_cast<char>(content[at] ^ 0x10);
+    write_content(changed, content);
+    EXPECT_NE(broken_seal(changed), "") << at;
+    EXPECT_THROW(read_result(changed), std::runtime_error) << at;
+  }
+  for (std::size_t from_end = 1; from_end <= 24; ++from_end) {
+    std::string content = whole;
+    content[whole.size() - from_end] ^= 1;
+    write_content(changed, content);
+    EXPECT_NE(broken_seal(changed), "") << from_end;
+  }
+  write_content(changed, whole);
+  EXPECT_EQ(broken_seal(changed), "");
+}
+
+TEST(ResultFile, HasChecksumsInEachDataset) {
+  const TemporaryFolder folder;
+  const std::string path = small_result(folder, "result.h5");
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  int datasets = 0;
+  const auto look = [](hid_t object, const char* name, const H5O_info_t* info, void* count) {
+    if (info->type != H5O_TYPE_DATASET) return 0;
+    const hid_t dataset = H5Dopen2(object, name, H5P_DEFAULT);
+    const hid_t creation = H5Dget_create_plist(dataset);
+    const int filters = H5Pget_nfilters(creation);
+    unsigned flags = 0;
+    std::size_t values = 0;
+    EXPECT_GT(filters, 0) << name;
+    EXPECT_EQ(H5Pget_filter2(creation, static_cast<unsigned>(filters - 1), &flags, &values, nullptr,
+                             0, nullptr, nullptr),
+              H5Z_FILTER_FLETCHER32)
+        << name;
+    H5Pclose(creation);
+    H5Dclose(dataset);
+    ++*static_cast<int*>(count);
+    return 0;
+  };
+  EXPECT_EQ(H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, look, &datasets), 0);
+  EXPECT_GT(datasets, 100);
+  H5Fclose(file);
 }
 
 TEST(ResultFile, NeedsAllChunks) {

@@ -170,6 +170,18 @@ TEST(SobolIndices, OfWhatDoesNotVaryAreNoNumbers) {
         EXPECT_EQ(std::isnan(part), true) << part;
 }
 
+TEST(SobolIndices, OfWhatVariesByItsRoundingAloneAreNoNumbers) {
+  const auto index_of = [](double step) {
+    const SobolIndices got = sobol_indices(sums_of(
+        [step](const auto& u) { return 3 + (u[0] < 0.5 ? step : 0); }, 2, 1000, Design::sobol, 4));
+    return got.total[0].value;
+  };
+  const double ulp = 3 * std::numeric_limits<double>::epsilon();
+  EXPECT_TRUE(std::isnan(index_of(ulp)));
+  EXPECT_TRUE(std::isnan(index_of(8 * ulp)));
+  EXPECT_TRUE(is_within(index_of(1e6 * ulp), 1, 0.1));
+}
+
 TEST(SobolIndices, LeaveOutGroupsWithAnUndefinedValue) {
   SensitivitySums with, without;
   Sampler sampler(5);

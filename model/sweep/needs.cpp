@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweep/needs.hpp"
+
+#include <sys/statvfs.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "sweep/chunk_solver.hpp"
+#include "sweep/compute.hpp"
+#include "sweep/disk.hpp"
+#include "sweep/result_file.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+// Of the processor, so that what else the machine does is not counted.
+double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Values a case of the widest column.
+std::size_t widest(const SceneSweep& scene) {
+  std::size_t widest = 1;
+  for (const Column& column : scene.columns) widest = std::max(widest, column.width);
+  return widest;
+}
+
+// A scene at so many of its speeds, in chunks of so many groups.
+SweepPlan thinned(const SceneSweep& scene, std::size_t speeds, std::uint64_t chunk_groups) {
+  SceneSweep thin = scene;
+  const Speeds& all = scene.scene.speeds;
+  if (speeds < widest(scene)) {
+    thin.scene.speeds.list.clear();
+    for (std::size_t i = 0; i < speeds; ++i)
+      thin.scene.speeds.list.push_back(all[i * (all.size() - 1) / (speeds - 1)]);
+    for (Column& column : thin.columns)
+      if (column.width > 1) column.width = speeds;
+  }
+  thin.chunk_groups = chunk_groups;
+  thin.chunks = (thin.groups + chunk_groups - 1) / chunk_groups;
+  return {{std::move(thin)}, {}, {}};
+}
+
+constexpr double allocation = 16;  // what one costs besides its bytes
+
+double memory_of(const SensitivitySums& sums) {
+  return sizeof sums + 2 * (allocation + 8 * static_cast<double>(sums.total.capacity()));
+}
+double memory_of(const std::vector<std::vector<ValueSummary>>& summaries) {
+  double memory = 0;
+  for (const auto& column : summaries)
+    for (const ValueSummary& summary : column)
+      memory += sizeof summary + 2 * allocation + static_cast<double>(summary.sketch.memory());
+  return memory;
+}
+double memory_of(const Chunk& chunk) {
+  double memory = memory_of(chunk.summaries);
+  for (const PackedValues& values : chunk.values)
+    memory += static_cast<double>(values.bytes.capacity());
+  constexpr double map_node = 48;
+  for (const auto& column : chunk.sensitivities)
+    for (const auto& blocks : column) {
+      memory += sizeof blocks;
+      for (const auto& [block, sums] : blocks) memory += map_node + memory_of(sums);
+    }
+  return memory;
+}
+
+// Means over some chunks from all over a scene.
+struct Sample {
+  double solve_seconds = 0, merge_seconds = 0;
+  double kept = 0, record = 0;  // bytes of a chunk: its points packed, and all of it in the journal
+  double chunk_memory = 0;
+  double merged_memory = 0;  // of the summaries of all of them
+};
+
+// For so many seconds, or two chunks, whichever is more.
+Sample sample_of(const SweepPlan& plan, double seconds) {
+  const SceneSweep& scene = plan.scenes.front();
+  std::vector<std::vector<ValueSummary>> merged;
+  for (const Column& column : scene.columns) merged.emplace_back(column.width);
+  ChunkSolver solver(plan);
+  solver.solve(0);  // what is made once is not counted
+  Sample sum;
+  double count = 0;
+  const double start = seconds_used();
+  for (const std::uint64_t i : {1, 5, 3, 7, 2, 6, 4}) {
+    const double before = seconds_used();
+    const Chunk chunk = solver.solve(i * (scene.chunks - 1) / 8);
+    const Bytes record = chunk.bytes();
+    const double solved = seconds_used();
+    sum.solve_seconds += solved - before;
+    const Chunk again = Chunk::from(record);
+    for (std::size_t c = 0; c < merged.size(); ++c)
+      for (std::size_t j = 0; j < merged[c].size(); ++j) merged[c][j].merge(again.summaries[c][j]);
+    sum.merge_seconds += seconds_used() - solved;
+    for (const PackedValues& values : chunk.values)
+      sum.kept += static_cast<double>(values.bytes.size());
+    sum.record += static_cast<double>(record.size());
+    sum.chunk_memory += memory_of(again);
+    ++count;
+    if (count >= 2 && seconds_used() - start > seconds) break;
+  }
+  return {sum.solve_seconds / count, sum.merge_seconds / count, sum.kept / count,
+          sum.record / count,        sum.chunk_memory / count,  memory_of(merged)};
+}
+
+// Nearly all grows with the number of speeds in a straight line: by two of them, to all.
+Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
+  constexpr std::size_t few = 32, some = 128;
+  constexpr double seconds = 0.1;
+  const std::size_t all = widest(scene);
+  if (all <= some) return sample_of(thinned(scene, all, chunk_groups), 2 * seconds);
+  const Sample low = sample_of(thinned(scene, few, chunk_groups), seconds);
+  const Sample high = sample_of(thinned(scene, some, chunk_groups), seconds);
+  const double far = static_cast<double>(all - some) / (some - few);
+  const auto reach = [&](double Sample::*figure) {
+    return high.*figure + std::max(0.0, high.*figure - low.*figure) * far;
+  };
+  return {reach(&Sample::solve_seconds), reach(&Sample::merge_seconds),
+          reach(&Sample::kept),          reach(&Sample::record),
+          reach(&Sample::chunk_memory),  reach(&Sample::merged_memory)};
+}
+
+// --- What is known without a sample.
+
+constexpr double levels = quantile_levels.size();
+// Numbers that the summary of one value a case has in the file.
+constexpr double numbers_of_summary = 6 + 3 * levels + 2 * histogram_bins + 1;
+
+double numbers_of_sensitivity(const SceneSweep& scene) {
+  return scene.sensitivity ? 6 * static_cast<double>(scene.drawn()) + 2 : 0;
+}
+
+// Of HDF5's groups, datasets and attributes, measured.
+double file_overhead(const SceneSweep& scene) {
+  constexpr double a_scene = 10e3, a_column = 33e3, a_sensitivity = 22e3, an_input = 0.4e3;
+  return a_scene + an_input * static_cast<double>(scene.variables.size()) +
+         static_cast<double>(scene.columns.size()) *
+             (a_column + (scene.sensitivity ? a_sensitivity : 0)) +
+         static_cast<double>(scene.text.size());
+}
+
+double summary_bytes(const SceneSweep& scene) {
+  return 8 * static_cast<double>(scene.width()) *
+         (numbers_of_summary + numbers_of_sensitivity(scene));
+}
+
+// Of what a result has beside its points while it is read and told.
+double reading_memory(const SceneSweep& scene) {
+  const auto width = static_cast<double>(scene.width());
+  const double value =
+      sizeof(ColumnResult::Value) + 16 * sizeof(Quantile) + 128 * sizeof(QuantileSketch::Bin) +
+      2 * allocation +
+      (scene.sensitivity ? 2 * 8 * 3 * 1.5 * static_cast<double>(scene.drawn()) : 0);
+  return width * value + 8 * numbers_of_summary * static_cast<double>(widest(scene));
+}
+
+struct Phases {
+  double computing = 0, writing = 0, reading = 0;  // bytes
+};
+
+// sample: of its chunks; merged: the memory of all summaries.
+Phases phases_of(const SceneSweep& scene, const Sample& sample, double merged, double threads) {
+  const auto width = static_cast<double>(scene.width());
+  const auto rows = static_cast<double>(scene.cases_per_group());
+  const double kept_numbers = scene.keep_points
+                                  ? static_cast<double>(scene.chunk_cases()) *
+                                        (width + static_cast<double>(scene.variables.size()))
+                                  : 0;
+  constexpr double solver_numbers = 24;  // for each speed
+  const double solver = 8 * (solver_numbers * static_cast<double>(widest(scene)) + rows * width);
+  const double sums = scene.sensitivity
+                          ? width * jackknife_blocks *
+                                (sizeof(SensitivitySums) +
+                                 2 * (allocation + 8 * static_cast<double>(scene.drawn())))
+                          : 0;
+  const auto chunks = static_cast<double>(scene.chunks);
+  Phases phases;
+  phases.computing =
+      threads * (solver + 8 * kept_numbers + sample.chunk_memory + 1.5 * sample.record) +
+      (sizeof(std::uint64_t) + sizeof(JournalReader::Record)) * chunks;
+  phases.writing = merged + sums + sample.chunk_memory + sample.record +
+                   1.5 * 8 * numbers_of_summary * static_cast<double>(widest(scene));
+  phases.reading = reading_memory(scene);
+  return phases;
+}
+
+// --- What there is.
+
+// The numbers of a line "Name:   123 kB" of a file of the system, in bytes.
+double number_in(const char* path, std::string_view name, double unit) {
+  std::ifstream file(path);
+  std::string word;
+  double number = 0;
+  while (file >> word)
+    if (word == name && file >> number) return number * unit;
+  return std::numeric_limits<double>::infinity();
+}
+double number_in(const char* path) {
+  std::ifstream file(path);
+  double number = 0;  // "max": none
+  return file >> number ? number : std::numeric_limits<double>::infinity();
+}
+
+double memory_there_is() {
+  double least = number_in("/proc/meminfo", "MemAvailable:", 1024);
+  // Of a container: what it may have, without what it has that is no cache of files.
+  const double most = number_in("/sys/fs/cgroup/memory.max");
+  const double used = number_in("/sys/fs/cgroup/memory.stat", "anon", 1);
+  if (std::isfinite(most) && std::isfinite(used)) least = std::min(least, most - used);
+  return least;
+}
+
+double room_beside(const std::string& path) {
+  struct statvfs disk {};
+  if (::statvfs(folder_of(path).c_str(), &disk) != 0)
+    return std::numeric_limits<double>::infinity();
+  return static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
+}
+
+// More than a sweep needs, at once: what fits even so need not be looked at more closely.
+Needs at_most(const SweepPlan& plan, int threads) {
+  constexpr double page = 2048, most_pages = 64;
+  Needs needs;
+  for (const SceneSweep& scene : plan.scenes) {
+    const auto width = static_cast<double>(scene.width());
+    const double numbers = scene.keep_points
+                               ? static_cast<double>(scene.cases()) *
+                                     (width + static_cast<double>(scene.variables.size()))
+                               : 0;
+    Sample sample;
+    sample.chunk_memory = width * page * most_pages;
+    sample.record = width * 4096;
+    const Phases phases = phases_of(scene, sample, sample.chunk_memory, thread_count(threads));
+    needs.memory = std::max({needs.memory, phases.computing + phases.writing + phases.reading});
+    needs.file += 9 * numbers + summary_bytes(scene) + file_overhead(scene);
+    needs.journal += 9 * numbers + sample.record * static_cast<double>(scene.chunks);
+  }
+  return needs;
+}
+
+}  // namespace
+
+Needs needs_of(const SweepPlan& plan, int threads) {
+  constexpr double program = 25e6;  // before it does anything, with its libraries
+  constexpr std::uint64_t sampled_groups = 256;
+  const double count = thread_count(threads);
+  Needs needs;
+  double computing = 0, writing = 0, reading = 0;
+  for (const SceneSweep& scene : plan.scenes) {
+    const Sample sample = at_all_speeds(scene, scene.chunk_groups);
+    // The more cases, the more different values; a chunk may be of one alone.
+    const double merged =
+        scene.chunk_groups >= sampled_groups
+            ? sample.merged_memory
+            : at_all_speeds(scene, std::min(scene.groups, sampled_groups)).merged_memory;
+    const Phases phases = phases_of(scene, sample, merged,
+                                    std::min<double>(count, static_cast<double>(scene.chunks)));
+    computing = std::max(computing, phases.computing);
+    writing = std::max(writing, phases.writing);
+    reading += phases.reading;
+    const auto chunks = static_cast<double>(scene.chunks);
+    const double seconds_of_value = 2e-6;  // to write its summary and to read it again, measured
+    needs.seconds += sample.solve_seconds * chunks / std::min(count, chunks) +
+                     sample.merge_seconds * chunks +
+                     seconds_of_value * static_cast<double>(scene.width());
+    const double datasets = static_cast<double>(scene.variables.size() + scene.columns.size());
+    constexpr double in_index = 75;  // bytes of HDF5's for each chunk of a dataset
+    needs.file += (sample.kept + (scene.keep_points ? in_index * datasets : 0)) * chunks +
+                  summary_bytes(scene) + file_overhead(scene);
+    needs.journal += sample.record * chunks;
+    needs.point_seconds.push_back(sample.solve_seconds * chunks /
+                                  static_cast<double>(scene.points()));
+  }
+  needs.memory = program + std::max({computing, writing, reading});
+  return needs;
+}
+
+std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result,
+                         double there) {
+  const double memory = memory_there_is(), disk = room_beside(result) + there;
+  const auto fits = [&](const Needs& needs) {
+    return needs.memory <= memory && needs.file + needs.journal <= disk;
+  };
+  if (fits(at_most(plan, threads))) return {};
+  const Needs needs = needs_of(plan, threads);
+  if (needs.memory > memory)
+    return "needs some " + bytes_text(needs.memory) + " of memory, and this machine has " +
+           bytes_text(memory) + " free; allowed: fewer speeds, fewer outputs or fewer --threads";
+  if (needs.file + needs.journal > disk)
+    return "needs some " + bytes_text(needs.file + needs.journal) +
+           " on the disk for the result and its journal, and there are " + bytes_text(disk) +
+           " free; allowed: fewer cases, keep = \"summaries\", or another disk";
+  return {};
+}
+
+std::string bytes_text(double bytes) {
+  std::array<char, 32> text{};
+  const double unit = bytes < 1e6 ? 1e3 : bytes < 1e9 ? 1e6 : 1e9;
+  const char* const name = bytes < 1e6 ? "kB" : bytes < 1e9 ? "MB" : "GB";
+  std::snprintf(text.data(), text.size(), bytes / unit < 999.5 ? "%.3g %s" : "%.0f %s",
+                bytes / unit, name);
+  return text.data();
+}
+
+}  // namespace tribo::sweep

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sweep will take, from its plan and a few cases at some of its speeds: in constant memory,
+// and in less than a second for each scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweep/plan.hpp"
+
+namespace tribo::sweep {
+
+struct Needs {
+  double seconds = 0;                 // to compute, to write and to read again
+  double memory = 0;                  // bytes, at most at any time
+  double file = 0, journal = 0;       // bytes; both are there at the end
+  std::vector<double> point_seconds;  // of each scene, on one thread
+};
+// threads: as those of a run.
+Needs needs_of(const SweepPlan& plan, int threads);
+
+// Why a sweep has no room in this machine's memory, or on the disk of its result; empty if it has,
+// or if that cannot be known. Looks closely only where it could be. there: bytes of its journals
+// that are on the disk already.
+std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result,
+                         double there);
+
+// "23.4 MB".
+std::string bytes_text(double bytes);
+
+}  // namespace tribo::sweep

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The last bytes of a result, behind what HDF5 has written and reads: a mark, the size and the
+// checksum (XXH3) of all before them. They are looked at before HDF5 is given the file, for a
+// damaged one may crash or hang it.
+#pragma once
+
+#include <string>
+
+namespace tribo::sweep {
+
+// Puts them at the end of a file that is whole. Throws std::runtime_error where that fails.
+void seal(const std::string& path);
+
+// Why a file is not the one that was sealed; empty if it is. Throws std::runtime_error, with a text
+// that names the file, where it cannot be read.
+std::string broken_seal(const std::string& path);
+
+}  // namespace tribo::sweep

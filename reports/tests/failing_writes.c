@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Preloaded into the program by test_sweep_writes.py: has one call fail by which a file is changed, the
+   FAILING_CALL-th of those on files whose paths begin with FAILING_PATH, or all from that one on where
+   FAILING_ON is set. Writes to FAILING_COUNT how many calls there were, and which failed
+   last. */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+static int calls;
+static const char* failed = "none";
+
+static int is_watched_path(const char* path) {
+  const char* const start = getenv("FAILING_PATH");
+  return start != NULL && strncmp(path, start, strlen(start)) == 0;
+}
+
+static int is_watched(int file) {
+  char link[64], path[4096];
+  snprintf(link, sizeof link, "/proc/self/fd/%d", file);
+  const ssize_t size = readlink(link, path, sizeof path - 1);
+  if (size < 0) return 0;
+  path[size] = '\0';
+  return is_watched_path(path);
+}
+
+static int fails(int watched, const char* name) {
+  if (!watched) return 0;
+  const int call = __atomic_add_fetch(&calls, 1, __ATOMIC_SEQ_CST);
+  const char* const wanted = getenv("FAILING_CALL");
+  const int failing = wanted == NULL ? 0 : atoi(wanted);
+  if (failing == 0 || call < failing || (call > failing && getenv("FAILING_ON") == NULL)) return 0;
+  failed = name;
+  errno = getenv("FAILING_ON") == NULL ? EIO : ENOSPC;
+  return 1;
+}
+
+__attribute__((destructor)) static void tell(void) {
+  const char* const path = getenv("FAILING_COUNT");
+  FILE* const file = path == NULL ? NULL : fopen(path, "w");
+  if (file == NULL) return;
+  fprintf(file, "%d %s\n", calls, failed);
+  fclose(file);
+}
+
+#define NEXT(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
+#define ON_A_FILE(result, name, parameters, arguments) \
+  result name parameters { return fails(is_watched(file), #name) ? -1 : NEXT(name) arguments; }
+
+ON_A_FILE(ssize_t, write, (int file, const void* from, size_t size), (file, from, size))
+ON_A_FILE(ssize_t, pwrite, (int file, const void* from, size_t size, off_t at), (file, from, size, at))
+ON_A_FILE(ssize_t, pwrite64, (int file, const void* from, size_t size, off64_t at), (file, from, size, at))
+ON_A_FILE(ssize_t, writev, (int file, const struct iovec* from, int count), (file, from, count))
+ON_A_FILE(ssize_t, pwritev, (int file, const struct iovec* from, int count, off_t at),
+          (file, from, count, at))
+ON_A_FILE(ssize_t, pwritev64, (int file, const struct iovec* from, int count, off64_t at),
+          (file, from, count, at))
+ON_A_FILE(int, fsync, (int file), (file))
+ON_A_FILE(int, fdatasync, (int file), (file))
+ON_A_FILE(int, ftruncate, (int file, off_t size), (file, size))
+ON_A_FILE(int, ftruncate64, (int file, off64_t size), (file, size))
+
+/* As the system does: the file is closed all the same. */
+int close(int file) {
+  const int failing = fails(is_watched(file), "close");
+  const int error = errno, result = NEXT(close)(file);
+  if (!failing) return result;
+  errno = error;
+  return -1;
+}
+
+int rename(const char* from, const char* to) {
+  return fails(is_watched_path(to), "rename") ? -1 : NEXT(rename)(from, to);
+}
+int unlink(const char* path) { return fails(is_watched_path(path), "unlink") ? -1 : NEXT(unlink)(path); }
+int remove(const char* path) { return fails(is_watched_path(path), "remove") ? -1 : NEXT(remove)(path); }
+
+#define OPENS(name)                                                             \
+  int name(const char* path, int flags, ...) {                                  \
+    va_list more;                                                               \
+    va_start(more, flags);                                                      \
+    const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;      \
+    va_end(more);                                                               \
+    const int writes = (flags & O_ACCMODE) != O_RDONLY && is_watched_path(path); \
+    return fails(writes, #name) ? -1 : NEXT(name)(path, flags, mode);                  \
+  }
+OPENS(open)
+OPENS(open64)

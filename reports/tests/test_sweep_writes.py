@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck sweep with one write, sync, rename or close that fails, each in turn, HDF5's own among them: the
+right result, or exit code 1 and nothing lost. TRIBOCHECK_FAILED_WRITES asks for larger sweeps."""
+
+import os
+import shutil
+import subprocess
+import unittest
+
+from program import ENVIRONMENT, PROGRAM
+from sweeps import UNIFORM, SweepTest, sweep
+
+LARGER = bool(os.environ.get("TRIBOCHECK_FAILED_WRITES"))
+SMALL = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]", "outputs": '["film", "regime"]'},
+              onset='["film_maximum"]', draws=2000)
+WITH_SENSITIVITY = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
+                          "speed": "{ from = 0.1, to = 1, count = 40 }"}, sensitivity="true", draws=4000)
+SUMMARIES = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, keep='"summaries"', draws=3000)
+
+
+@unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
+class FailingWrites(SweepTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.library = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), "failing_writes.so")
+        source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "failing_writes.c")
+        unfinished = f"{cls.library}.{os.getpid()}"
+        subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Werror", "-U_FORTIFY_SOURCE",
+                        "-o", unfinished, source, "-ldl"],
+                       check=True)
+        os.rename(unfinished, cls.library)
+
+    def run_with(self, arguments, call=0, on=False):
+        environment = dict(ENVIRONMENT, LD_PRELOAD=self.library, FAILING_PATH=self.path("out."),
+                           FAILING_CALL=str(call), FAILING_COUNT=self.path("count"))
+        environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0"
+        if on:
+            environment["FAILING_ON"] = "1"
+        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60,
+                              env=environment)
+
+    def calls(self):
+        with open(self.path("count"), encoding="ascii") as file:
+            calls, failed = file.read().split()
+            return int(calls), failed
+
+    def clean(self):
+        for name in self.names():
+            if name.startswith("out."):
+                os.remove(self.path(name))
+
+    def check_each_call(self, command, recover, whole, step=1):
+        """command: with failing calls; recover: what is done after a failure, without them. Of the calls
+        each step-th fails alone; and each seventh of these, with all that follow it, as on a full disk."""
+        out, step = "out.h5", 1 if LARGER else step
+        calm = self.run_with(command)
+        self.assertEqual(calm.returncode, 0, calm.stderr)
+        self.assertEqual(self.bytes_of(out), whole)
+        calls, _ = self.calls()
+        self.assertGreater(calls, 20)
+        tries = failures = 0
+        for on in (False, True):
+            for call in range(1, calls + 1, step * (7 if on and not LARGER else 1)):
+                tries += 1
+                with self.subTest(call=call, of=calls, on=on):
+                    self.clean()
+                    done = self.run_with(command, call, on)
+                    self.assertIn(done.returncode, (0, 1), done.stderr)
+                    if done.returncode == 0:
+                        # No harm: leftovers that cannot be removed, closes of what is on the disk, and
+                        # HDF5's look whether there is a file already.
+                        self.assertIn(self.calls()[1], ("unlink", "remove", "close", "open", "open64"))
+                        self.assertEqual(self.bytes_of(out), whole)
+                        self.assertEqual(done.stdout, calm.stdout)
+                    else:
+                        failures += 1
+                        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                    if os.path.exists(self.path(out)):
+                        self.assertEqual(self.bytes_of(out), whole)
+                    elif done.returncode == 1:
+                        again = self.run_with(recover)
+                        self.assertEqual(again.returncode, 0, again.stderr)
+                        self.assertEqual(self.bytes_of(out), whole)
+        print(f"{tries} failures of {calls} calls injected, {failures} told by exit code 1", flush=True)
+        self.assertGreater(failures, tries / 2)
+
+    def check_sweep(self, text, *options):
+        path = self.folder.write("sweep.toml", text)
+        self.swept(text, *options, out="whole.h5")
+        command = ["sweep", path, "-o", self.path("out.h5"), "--threads", "1", *options]
+        self.check_each_call(command, [*command, "--resume"], self.bytes_of("whole.h5"))
+
+    def test_a_sweep(self):
+        for text in (SMALL, WITH_SENSITIVITY, SUMMARIES) if LARGER else (SMALL,):
+            self.clean()
+            self.check_sweep(text)
+
+    def test_a_shard(self):
+        self.check_sweep(SMALL, "--shard", "1/2")
+
+    def test_a_merge(self):
+        self.swept(SMALL, out="whole.h5")
+        shards = []
+        for part in (1, 2):
+            self.swept(SMALL, "--shard", f"{part}/2", out=f"{part}.shard")
+            shards.append(self.path(f"{part}.shard"))
+        command = ["sweep", "merge", *shards, "-o", self.path("out.h5")]
+        self.check_each_call(command, command, self.bytes_of("whole.h5"), step=4)
+
+
+if __name__ == "__main__":
+    unittest.main()
