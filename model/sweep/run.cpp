@@ -42,12 +42,6 @@ std::vector<std::string> journals_of(const std::string& result) {
   return found;
 }
 
-JournalHeader header_of(const SweepPlan& plan) {
-  JournalHeader header{plan.version, plan.digest, arithmetic(), {}};
-  for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
-  return header;
-}
-
 // Why a journal or result of another sweep is not this one's; empty if it is.
 std::string difference(const JournalHeader& mine, const std::string& version,
                        const std::string& digest, const std::string& instruction_set, bool any) {
@@ -416,6 +410,12 @@ void check_is_no_input(const std::string& output, const std::vector<std::string>
 }
 
 }  // namespace
+
+JournalHeader header_of(const SweepPlan& plan) {
+  JournalHeader header{plan.version, plan.digest, arithmetic(), {}};
+  for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
+  return header;
+}
 
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks) {
   if (!settings.tell) settings.tell = [](std::string_view) {};

@@ -59,4 +59,6 @@ RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks);
 // they do not make a whole.
 void merge(const std::vector<std::string>& shards, RunSettings settings);
 
+JournalHeader header_of(const SweepPlan& plan);
+
 }  // namespace tribo::sweep
