@@ -42,7 +42,7 @@ OperatingPoint<double> greatest_film(const std::vector<OperatingPoint<double>>& 
                            [](const auto& a, const auto& b) { return a.film < b.film; });
 }
 
-// The solved points whose friction is less than on both sides.
+// The solved points whose friction is less, beyond rounding, than on both sides.
 std::vector<OperatingPoint<double>> swept_friction_minima(const Scene& scene) {
   const MixedContact<double> contact(scene);
   std::vector<OperatingPoint<double>> minima;
@@ -51,7 +51,9 @@ std::vector<OperatingPoint<double>> swept_friction_minima(const Scene& scene) {
   for (double u = scene.speeds.from; u < scene.speeds.to; u *= 1.001) {
     const OperatingPoint<double> next = contact.solve(u);
     if (next.friction_undefined) break;
-    if (here.friction < before && here.friction < next.friction) minima.push_back(here);
+    const double margin = 1 + 1e-11;
+    if (here.friction * margin < before && here.friction * margin < next.friction)
+      minima.push_back(here);
     before = here.friction;
     here = next;
   }
@@ -139,7 +141,7 @@ TEST(Onset, FrictionMinimumIsThatOfADenseSweep) {
 }
 
 // Under little boundary friction the load that goes over to the fluid costs more than it saves: a
-// maximum parts the minimum of mixed lubrication from another one near the greatest film.
+// maximum parts the minimum of mixed lubrication from others near the greatest film.
 TEST(Onset, FrictionMinimumIsTheLowestOfSeveral) {
   constexpr std::array<std::pair<double, bool>, 2> slide_roll_ratios{
       {{0.001, true}, {0.01, false}}};
@@ -147,9 +149,12 @@ TEST(Onset, FrictionMinimumIsTheLowestOfSeveral) {
     Scene scene = paper_scene(PaperSurface::medium);
     scene.friction = {0.01, slide_roll_ratio, FluidShear::limiting, ViscosityLaw::barus};
     const std::vector<OperatingPoint<double>> minima = swept_friction_minima(scene);
-    ASSERT_EQ(minima.size(), 2U) << slide_roll_ratio;
-    EXPECT_EQ(minima[0].friction < minima[1].friction, first_is_lowest) << slide_roll_ratio;
-    const OperatingPoint<double>& lowest = minima[first_is_lowest ? 0 : 1];
+    ASSERT_GE(minima.size(), 2U) << slide_roll_ratio;
+    const auto place =
+        std::min_element(minima.begin(), minima.end(),
+                         [](const auto& a, const auto& b) { return a.friction < b.friction; });
+    EXPECT_EQ(place == minima.begin(), first_is_lowest) << slide_roll_ratio;
+    const OperatingPoint<double>& lowest = *place;
     const Onset<double> found = onset_of(scene, friction_minimum);
     EXPECT_TRUE(is_within(found.speed / lowest.speed, 1, 0.002)) << slide_roll_ratio;
     EXPECT_LE(MixedContact<double>(scene).solve(found.speed).friction,
