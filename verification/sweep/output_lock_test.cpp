@@ -20,10 +20,10 @@ TEST(OutputLock, IsHeldByOneAtATimeAndLeavesNoFile) {
   {
     const OutputLock first(output);
     EXPECT_THROW(OutputLock{output}, RunRefused);
-    EXPECT_TRUE(std::filesystem::exists(output + ".lock"));
+    EXPECT_EQ(std::filesystem::exists(output + ".lock"), true);
     EXPECT_NO_THROW(OutputLock{folder.file("other.h5")});
   }
-  EXPECT_FALSE(std::filesystem::exists(output + ".lock"));
+  EXPECT_EQ(std::filesystem::exists(output + ".lock"), false);
   EXPECT_NO_THROW(OutputLock{output});
 }
 
@@ -32,7 +32,7 @@ TEST(OutputLock, IsTakenWhereAKilledProcessLeftItsFile) {
   const std::string output = folder.file("out.h5");
   write_content(output + ".lock", "");
   EXPECT_NO_THROW(OutputLock{output});
-  EXPECT_FALSE(std::filesystem::exists(output + ".lock"));
+  EXPECT_EQ(std::filesystem::exists(output + ".lock"), false);
 }
 
 TEST(OutputLock, KnowsThatItsFileWasRemoved) {
@@ -45,6 +45,7 @@ TEST(OutputLock, KnowsThatItsFileWasRemoved) {
   const OutputLock second(output);
   EXPECT_THROW(first->check(), std::runtime_error);
   first.reset();  // leaves the file of the second alone
+  EXPECT_EQ(std::filesystem::exists(output + ".lock"), true);
   EXPECT_NO_THROW(second.check());
 }
 
@@ -72,7 +73,7 @@ TEST(OutputLock, IsNeverHeldByTwoHoweverOftenItIsTaken) {
   EXPECT_EQ(together, 0);
   EXPECT_EQ(taken + refused, 32000);
   EXPECT_GT(taken, 0);
-  EXPECT_FALSE(std::filesystem::exists(output + ".lock"));
+  EXPECT_EQ(std::filesystem::exists(output + ".lock"), false);
 }
 
 TEST(OutputLock, IsOfTheFileBehindSymbolicLinks) {
