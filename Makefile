@@ -44,7 +44,7 @@ help: ## print this list
 	  /^[a-z-]+:.*## / { printf "  %-17s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 ##@ What is right
-test-elsewhere: ## run the tests as on machines without AVX-512, and without AVX2 and FMA on one core; some 8 minutes
+test-elsewhere: ## run the built tests as on a core without AVX-512, and on one without AVX2 and FMA; some 15 minutes
 	.ci/test-elsewhere
 
 test-slow: build ## run ten million lines, a billion points, fifty kills, 200 pairs, each write failing; some ten minutes
@@ -81,7 +81,7 @@ baseline: build ## write the accuracy that the ratchet holds: reference/baseline
 manifest: ## write verification/gates/manifest.tsv anew, from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write
 
-faults: ## plant every fault of verification/gates/faults, see it caught; some 23 minutes of CPU time on two cores
+faults: ## plant every fault of verification/gates/faults, see it caught; the better part of an hour
 	@.ci/deps build test
 	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
 

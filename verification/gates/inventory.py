@@ -81,6 +81,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("junit", type=pathlib.Path, help="what ctest --output-junit wrote")
     parser.add_argument("--only", metavar="REGEX", type=re.compile, help="hold these checks alone")
+    parser.add_argument("--part", action="store_true", help="only a part of the checks was to run: hold those that did")
     parser.add_argument("--manifest", type=pathlib.Path, default=MANIFEST)
     parser.add_argument("--write", action="store_true", help="make the manifest anew from this run")
     arguments = parser.parse_args()
@@ -98,6 +99,11 @@ def main():
     except (OSError, ValueError, ElementTree.ParseError) as error:
         print(f"inventory: {error}", file=sys.stderr)
         return 2
+    if arguments.part:
+        listed = {name: row for name, row in listed.items() if name in ran}
+        if not ran:
+            print("inventory: no check ran")
+            return 1
     found = list(findings(listed, ran))
     for line in found:
         print(f"inventory: {line}")

@@ -88,6 +88,18 @@ class Gate(Folder):
         self.assertIn("a: ran on 11 cases, 12 are listed", said)
         self.assertEqual(self.gate("--only", "^b$")[0], 0)
 
+    def test_of_a_part_what_ran_is_held_alone(self):
+        self.write_junit(("a", "run", "Ran 12 cases\n"), ("b", "run", ""))
+        self.gate("--write")
+        self.write_junit(("a", "run", "Ran 12 cases\n"))
+        self.assertEqual((self.gate()[0], self.gate("--part")[0]), (1, 0))
+        self.write_junit(("a", "run", "Ran 11 cases\n"))
+        self.assertEqual(self.gate("--part")[0], 1)
+        self.write_junit(("c", "run", "Ran 1 cases\n"))
+        self.assertIn("c: not on the manifest", self.gate("--part")[1])
+        self.write_junit()
+        self.assertEqual(self.gate("--part"), (1, "inventory: no check ran\n"))
+
     def test_no_manifest_is_written_of_a_check_that_ran_on_nothing(self):
         self.write_junit(("a", "run", "Ran 12 cases\n"), ("b", "notrun", ""))
         self.assertIn("these ran on no case: b", self.gate("--write")[0])
