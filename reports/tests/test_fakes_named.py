@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""verify --subject names the mistake of each fake, and none where nothing is wrong."""
+
+import concurrent.futures
+import unittest
+
+from conformance import listed, subject, verify
+from program import run
+
+# A fake's mistake, and what the diagnosis may call it. The numbers do not tell some apart.
+NAMED = {
+    "asperity_stiffness_halved": "stiffness-halved",
+    "asperity_stiffness_of_williamson": "stiffness-gw-for-gt",
+    "asperity_sd_in_micrometres": "stiffness-sigma-in-um",
+    "asperity_radius_in_micrometres": "stiffness-beta-in-um",
+    "asperity_sd_of_one_face": "sigma-of-one-face",
+    "asperity_offset_two_planes": "offset-of-two-planes",
+    "asperity_offset_none": "sharing-offset-ignored",
+    "asperity_offset_other_sign": "sharing-offset-added",
+    "sharing_order_of_williamson": "sharing-order-3/2",
+    "sharing_share_exponent_one": "sharing-q-1",
+    "sharing_none": "sharing-none",
+    "sharing_film_exponent_067": "sharing-exponent-0.67",
+    "hertz_modulus_doubled": "hertz-2E*",
+    "hertz_modulus_halved": "hertz-E*-halved",
+    "hertz_approach_modulus_doubled": "hertz-approach-2E*",
+    "hertz_half_radius": "hertz-radius-halved",
+    "hertz_radius_in_mm": "hertz-R-in-mm",
+    "hertz_area_without_pi": "hertz-area-without-pi",
+    "hertz_peak_without_3_2": "hertz-peak-is-mean",
+    "film_half_radius": "film-radius-halved",
+    "film_radius_in_mm": "film-R-in-mm",
+    "film_speed_sum": "film-speed-sum",
+    "film_modulus_in_speed": "film-E*-in-U",
+    "film_modulus_in_material": "film-E*-in-G",
+    "film_modulus_in_load": "film-E*-in-W",
+    "film_modulus_single": "film-E*",
+    "film_modulus_doubled": "film-4E*",
+    "film_constant_0_6": "film-0.6",
+    "film_constant_without_bracket": "film-bracket-dropped",
+    "film_minimum": "film-minimum",
+    "inlet_ratio_to_oil": "inlet-over-r",
+    "inlet_circular_gap": "inlet-circular-gap",
+    "inlet_printed_exponents": "inlet-printed_exponents-for-flooded_inlet",
+    "friction_viscosity_ambient": "viscosity-ambient-for-barus",
+    "friction_roelands_log10": "viscosity-decimal-logarithm",
+    "friction_limiting_for_eyring": "shear-limiting-for-eyring",
+    "friction_slide_roll_ignored": "slide-roll-ignored",
+    "friction_boundary_by_fluid_share": "friction-share-swapped",
+    "friction_area_not_subtracted": "friction-area-not-subtracted",
+    "moment_fit_power_5_2": "moment-fit-6.804",
+    "moment_fit_power_5_2_miscopied": "moment-fit-4.4068",
+    "moment_fit_power_2": "moment-fit-6.9",
+    "moment_fit_exponential_5_2": "moment-fit-exponential",
+    "moment_fit_exponential_2": "moment-fit-exponential-2",
+    "moment_fit_error_function": "moment-fit-erf",
+    "moment_simpson_201_points": "moment-simpson-201",
+    "moment_simpson_200_intervals": "moment-simpson-cut-4.5",
+    "moment_cut_at_4": "moment-cut-at-4",
+    "moment_cut_at_5_beyond": "moment-cut-at-d-plus-5",
+    "moment_bessel_stray_root": "moment-stray-root",
+    "moment_without_root_two_pi": "moment-unnormalized",
+    "moment_order_half_up": "moment-order-half-higher",
+    "moment_order_one_up": "moment-order-higher",
+    "moment_sign_of_argument": "moment-sign",
+    "moment_about_zero": "moment-about-zero",
+}
+
+
+class Fakes(unittest.TestCase):
+    """Every fake is caught, and its mistake is named."""
+
+    def test_the_table_of_names_has_every_fake(self):
+        self.assertEqual(sorted(NAMED), sorted(listed("fakes/fake.py")))
+
+    def test_each_mistake_is_named(self):
+        def asked(fake):
+            return verify("--subject", subject("fakes/fake.py", "--mistake", fake), "--sample", "400")
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            results = dict(zip(NAMED, pool.map(asked, NAMED)))
+        for fake, mistake in NAMED.items():
+            with self.subTest(fake):
+                result = results[fake]
+                self.assertEqual(result.code, 1)
+                diagnoses = result.json()["diagnoses"]
+                self.assertIn(mistake, sum((one["mistakes"] for one in diagnoses), []),
+                              [one["text"] for one in diagnoses])
+
+    def test_nothing_is_named_where_nothing_is_wrong(self):
+        result = verify("--subject", subject("fakes/fake.py", "--mistake", "none"))
+        self.assertEqual((result.code, result.json()["diagnoses"]), (0, []))
+
+    def test_the_newcomers_film_is_told_in_a_sentence(self):
+        result = run("verify", "--subject", subject("small_python/my_solver.py"))
+        self.assertEqual(result.code, 1)
+        self.assertIn("hamrock_dowson_central is 27.5 % low everywhere. These are the numbers that this gives: "
+                      "R/2 in place of R", result.out)
+
+
+if __name__ == "__main__":
+    unittest.main()
