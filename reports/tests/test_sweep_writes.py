@@ -35,7 +35,8 @@ class FailingWrites(SweepTest):
     def run_with(self, arguments, call=0, on=False):
         environment = dict(ENVIRONMENT, LD_PRELOAD=self.library, FAILING_PATH=self.path("out."),
                            FAILING_CALL=str(call), FAILING_COUNT=self.path("count"))
-        environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0"
+        # libhdf5 1.10.8 leaks what belongs to a file whose close has failed.
+        environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0:detect_leaks=0"
         if on:
             environment["FAILING_ON"] = "1"
         return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60,
