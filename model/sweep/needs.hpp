@@ -19,6 +19,9 @@ struct Needs {
 // threads: as those of a run.
 Needs needs_of(const SweepPlan& plan, int threads);
 
+// More than needs_of(), from the plan alone; of seconds nothing.
+Needs most_needs(const SweepPlan& plan, int threads);
+
 // Why a sweep has no room in this machine's memory, or on the disk of its result; empty if it has,
 // or if that cannot be known. Looks closely only where it could be. there: bytes of its journals
 // that are on the disk already.

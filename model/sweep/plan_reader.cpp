@@ -283,8 +283,9 @@ class SweepBinder {
     if (allowed == std::string::npos) return text + fault;
     text += field + " must be " + fault.substr(allowed + link.size());
     const bool is_low = value == variable.distribution.least();
-    if (variable.text.find("normal") != std::string::npos)
-      text += std::string(": truncate it with `") + (is_low ? "from`" : "to`");
+    const DistributionKind kind = variable.distribution.kind();
+    const bool has_tails = kind == DistributionKind::normal || kind == DistributionKind::log_normal;
+    if (has_tails) text += std::string(": truncate it with `") + (is_low ? "from`" : "to`");
     return text;
   }
 

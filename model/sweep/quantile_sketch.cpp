@@ -13,7 +13,7 @@ namespace {
 constexpr int dropped_places = 52 - 10;
 constexpr std::int32_t subnormal_bins = 1023;  // those of exponent 0 but the first, which is zero's
 
-std::int32_t page_of(std::int32_t bin) { return bin >> 8; }
+constexpr std::int32_t page_of(std::int32_t bin) { return bin >> 8; }
 std::size_t place_in_page(std::int32_t bin) { return static_cast<std::size_t>(bin & 255); }
 
 constexpr std::size_t longest_varint = 10;
@@ -87,6 +87,12 @@ void QuantileSketch::each_bin(Use use) const {
     for (std::size_t i = 0; i < page_bins; ++i)
       if (page[i] != 0) use(first + static_cast<std::int32_t>(i), page[i]);
   }
+}
+
+double QuantileSketch::most_memory(double values) {
+  constexpr double all_pages = 2 * (page_of(greatest_bin) + 1);
+  constexpr double growth = 2;  // of a vector's room over what is in it
+  return growth * (std::min(values, all_pages) * sizeof(Page) + all_pages * sizeof(std::uint32_t));
 }
 
 void QuantileSketch::add(double value) {

@@ -27,6 +27,8 @@ class QuantileSketch {
   void merge(const QuantileSketch& other);
 
   std::uint64_t count() const { return count_; }
+  // The most that memory() can be with so many values.
+  static double most_memory(double values);
   // Bytes that it has beside itself.
   std::size_t memory() const {
     return pages_.capacity() * sizeof(Page) + places_.capacity() * sizeof places_.front();

@@ -115,10 +115,11 @@ int run(int count, char** arguments, OutputStream& output) {
 // A file that is opened while stdin, stdout or stderr is closed would become it, and be overwritten
 // by what is written there. In its place comes something that fails as a closed one does.
 void occupy_closed_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(stream, F_GETFD) < 0)  // the lowest that is free: this one
-        [[maybe_unused]]
-      const int opened = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0) continue;
+    // It gets the lowest number that is free: this one.
+    if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
 }
 
 int run_and_report(int count, char** arguments) {

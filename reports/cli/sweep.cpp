@@ -2,7 +2,6 @@
 // tribocheck sweep: many cases of a scene, on many threads and machines.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <charconv>
@@ -101,24 +100,12 @@ void write_result(const sweep::SweepResult& result, const std::string& format, T
   }
 }
 
-// What a shard or journal says of itself; empty for other files.
-std::string shard_text(const std::string& path) {
+bool is_shard_or_journal(const std::string& path) {
   try {
     const sweep::JournalReader reader(path);
-    std::vector<std::uint64_t> chunks;
-    for (const auto& record : reader.records()) chunks.push_back(record.chunk);
-    std::sort(chunks.begin(), chunks.end());
-    // Shard I of N has the chunks I − 1, I − 1 + N, …
-    const std::uint64_t parts = chunks.size() < 2 ? 1 : chunks[1] - chunks[0];
-    if (parts > 1)
-      return fmt::format(
-          "this is shard {} of {} of a sweep; put all of them together first: `tribocheck sweep "
-          "merge`",
-          chunks[0] + 1, parts);
-    return "this is a shard or journal of a sweep; make a result of it first: of all shards by "
-           "`tribocheck sweep merge`, of a journal by `tribocheck sweep --resume`";
+    return true;
   } catch (const std::runtime_error&) {
-    return {};
+    return false;
   }
 }
 
@@ -275,8 +262,11 @@ int show_results(const SweepArguments& arguments, OutputStream& output) {
     } catch (const OutputFailed&) {
       throw;
     } catch (const std::runtime_error& unreadable) {
-      const std::string shard = shard_text(path);
-      throw std::invalid_argument(shard.empty() ? unreadable.what() : path + ": " + shard);
+      if (!is_shard_or_journal(path)) throw std::invalid_argument(unreadable.what());
+      throw std::invalid_argument(
+          path +
+          ": this is a shard or journal of a sweep; make a result of it first: of all shards by "
+          "`tribocheck sweep merge`, of a journal by `tribocheck sweep --resume`");
     }
     return exit_done;
   });

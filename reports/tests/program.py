@@ -107,6 +107,18 @@ def start(*arguments, **options):
     return subprocess.Popen([PROGRAM, *map(str, arguments)], env=ENVIRONMENT, **options)
 
 
+def read_terminal(reader):
+    """What was written to a pseudoterminal until its other end was closed; closes this one."""
+    said = b""
+    try:
+        while part := os.read(reader, 4096):
+            said += part
+    except OSError:  # the other end is closed
+        pass
+    os.close(reader)
+    return said
+
+
 def wait_for(process):
     """Exit code and greatest memory in MB. To be called instead of process.wait()."""
     _, status, usage = os.wait4(process.pid, 0)

@@ -12,7 +12,7 @@ import struct
 import termios
 import unittest
 
-from program import Folder, run, start
+from program import Folder, read_terminal, run, start
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 LEDGER = ROOT / "reference/baselines/ledger.csv"
@@ -162,13 +162,7 @@ class ReproduceTest(unittest.TestCase):
         fcntl.ioctl(writer, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
         process = start("reproduce", stdout=writer)
         os.close(writer)
-        said = b""
-        try:
-            while part := os.read(reader, 4096):
-                said += part
-        except OSError:  # the other end is closed
-            pass
-        os.close(reader)
+        said = read_terminal(reader)
         self.assertEqual(process.wait(timeout=120), 0)
         lines = said.decode().splitlines()
         self.assertGreater(len(lines), 60)

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import PROGRAM, run, start, wait_for
+from program import PROGRAM, read_terminal, run, start, wait_for
 from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
 
 ROOT = os.environ["TRIBOCHECK_ROOT"]
@@ -189,17 +189,12 @@ class Files(SweepTest):
                      self.path("x.h5"))
         self.assert_refused(result, "2.shard", "another sweep")
 
-    def test_show_says_which_shard_it_was_given(self):
-        for part in (1, 2, 3):
-            self.swept(self.TEXT, "--shard", f"{part}/3", out=f"{part}.shard")
-            result = run("sweep", "show", self.path(f"{part}.shard"))
-            self.assert_refused(result, f"{part}.shard: this is shard {part} of 3 of a sweep",
-                                "`tribocheck sweep merge`")
-
-    def test_show_says_that_it_was_given_a_journal(self):
-        self.swept(self.TEXT, "--shard", "1/1", out="whole.shard")
-        self.assert_refused(run("sweep", "show", self.path("whole.shard")),
-                            "this is a shard or journal of a sweep", "--resume")
+    def test_show_says_that_it_was_given_a_shard(self):
+        for part in ("1/1", "1/3", "2/3", "3/3"):
+            self.swept(self.TEXT, "--shard", part, "--force", out="a.shard")
+            self.assert_refused(run("sweep", "show", self.path("a.shard")),
+                                "a.shard: this is a shard or journal of a sweep; make a result of it first",
+                                "`tribocheck sweep merge`", "`tribocheck sweep --resume`")
 
     def test_several_scenes_share_one_file(self):
         names = [self.folder.write(f"{s}.toml", self.TEXT.replace('"smooth"', f'"{s}"'))
@@ -354,13 +349,7 @@ class Progress(SweepTest):
         reader, writer = os.openpty()
         self.said_to(writer)
         os.close(writer)
-        said = b""
-        try:
-            while part := os.read(reader, 4096):
-                said += part
-        except OSError:  # the other end is closed
-            pass
-        os.close(reader)
+        said = read_terminal(reader)
         self.assertRegex(said, rb"\rcomputed [0-9.]+ %, .* points, .* a second, .* left")
         self.assertNotIn(b"\n", said)
         self.assertTrue(said.endswith(b"\r\x1b[K"))

@@ -14,6 +14,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 
 #include "support/judge.hpp"
+#include "support/orders.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -39,10 +40,6 @@ class OfEachOrder : public testing::TestWithParam<Order> {
  protected:
   double n() const { return value_of<double>(GetParam()); }
 };
-
-std::string order_name(const testing::TestParamInfo<Order>& info) {
-  return fmt::format("order_{}_halves", twice(info.param));
-}
 
 TEST_P(OfEachOrder, DoubleAgreesWithFiftyDigitsFromMinus40To37) {
   for (const double d : arguments())

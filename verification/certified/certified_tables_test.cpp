@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "accuracy/accuracy.hpp"
 #include "support/judge.hpp"
@@ -16,6 +17,13 @@ const std::vector<QuantityResult>& results() {
       check_accuracy(TRIBOCHECK_SOURCE_DIR "/reference/exact");
   return all;
 }
+
+}  // namespace
+
+// GoogleTest looks for it beside the type; else it writes bytes.
+void PrintTo(const QuantityResult& result, std::ostream* to) { *to << result.quantity; }
+
+namespace {
 
 class CertifiedTable : public testing::TestWithParam<QuantityResult> {};
 

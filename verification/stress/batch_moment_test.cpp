@@ -10,6 +10,7 @@
 #include "accuracy/reference_table.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/long_double.hpp"
+#include "support/orders.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -179,9 +180,7 @@ TEST_P(BatchMoment, TheResultMayOverwriteTheArgument) {
 INSTANTIATE_TEST_SUITE_P(OfEachOrder, BatchMoment,
                          testing::Values(Order::zero, Order::half, Order::one, Order::three_halves,
                                          Order::two, Order::five_halves),
-                         [](const auto& each) {
-                           return fmt::format("order_{}_halves", twice(each.param));
-                         });
+                         order_name);
 
 TEST(InstructionSets, AreChosenByNameAndRefusedWhereUnknown) {
   ASSERT_GE(instruction_sets().size(), 1u);

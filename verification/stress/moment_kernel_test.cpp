@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/judge.hpp"
+#include "support/orders.hpp"
 #include "tribo/gaussian_moment.hpp"
 
 namespace tribo::verification {
@@ -80,9 +81,7 @@ TEST_P(MomentKernel, GivesWhatTheHeaderSaysAtTheEndsOfTheLine) {
 INSTANTIATE_TEST_SUITE_P(OfEachOrder, MomentKernel,
                          testing::Values(Order::zero, Order::half, Order::one, Order::three_halves,
                                          Order::two, Order::five_halves),
-                         [](const auto& each) {
-                           return fmt::format("order_{}_halves", twice(each.param));
-                         });
+                         order_name);
 
 }  // namespace
 }  // namespace tribo::verification
