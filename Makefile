@@ -81,7 +81,7 @@ baseline: build ## write the accuracy that the ratchet holds: reference/baseline
 manifest: ## write verification/gates/manifest.tsv anew, from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write
 
-faults: ## plant every fault of verification/gates/faults, see it caught; the better part of an hour
+faults: ## plant every fault of verification/gates/faults, see it caught; about an hour
 	@.ci/deps build test
 	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
 

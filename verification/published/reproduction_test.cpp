@@ -8,6 +8,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string_view>
+#include <vector>
 
 #include "reproduction/ledger_file.hpp"
 #include "support/judge.hpp"
@@ -189,10 +192,21 @@ TEST(Enumeration, OfAllReadingsIsEachReadingByItself) {
     const auto index = static_cast<std::size_t>(sampler.uniform(0, 393216));
     const std::vector<ItemResult> results = evaluate(scenes(), reading_at(index), items());
     ItemMask mask = 0;
-    for (std::size_t k = 0; k < results.size(); ++k)
-      if (results[k].verdict == Verdict::reproduced) mask |= 1U << k;
+    std::vector<std::string_view> claims;  // in their order
+    std::set<std::string_view> missed;     // with an item that is not reproduced
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      const std::string_view claim = items()[k].claim;
+      if (claims.empty() || claims.back() != claim) claims.push_back(claim);
+      if (results[k].verdict == Verdict::reproduced)
+        mask |= 1U << k;
+      else
+        missed.insert(claim);
+    }
+    ItemMask whole = 0;
+    for (std::size_t k = 0; k < claims.size(); ++k)
+      if (!missed.contains(claims[k])) whole |= 1U << k;
     EXPECT_EQ(all.items[index], mask) << departures(reading_at(index));
-    EXPECT_EQ(all.claims[index], claims_of(mask, items())) << departures(reading_at(index));
+    EXPECT_EQ(all.claims[index], whole) << departures(reading_at(index));
   }
 }
 

@@ -7,7 +7,7 @@ that has to turn red: a CTest test (`analytic.Hertz.…`), or with `inventory:` 
 gate on that test, for faults that leave the test green. Red: a patch that no longer applies, a fault that
 does not build, one that survives.
 
-  verification/gates/faults/plant.py                     all of them; the better part of an hour
+  verification/gates/faults/plant.py                     all of them; about an hour
   verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
   verification/gates/faults/plant.py --only E3 --keep    one, and leave its scratch copy
 """
