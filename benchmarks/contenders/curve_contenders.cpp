@@ -5,7 +5,6 @@
 
 #include "contenders/curve_contender.hpp"
 #include "contenders/root_contender.hpp"
-#include "tribo/compiled_scene.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/stribeck_walk.hpp"
 
@@ -49,12 +48,6 @@ void in_batch(const Scene& scene, std::span<const double> speeds, OperatingPoint
   solve(contact, speeds, curve_outputs(), points);
 }
 
-void compiled(const Scene& scene, std::span<const double> speeds, OperatingPoints& points) {
-  const CompiledScene compiled(MixedContact<double>(scene), curve_outputs(), speeds.front(),
-                               speeds.back());
-  compiled.solve(speeds, points);
-}
-
 void by_walk(const Scene& scene, std::span<const double> speeds, OperatingPoints& points) {
   const MixedContact<double> contact(scene);
   std::size_t i = 0;
@@ -82,7 +75,6 @@ std::vector<CurveContender> curve_contenders(Settings settings) {
   all.push_back({"tribocheck", "point by point", one_by_one, false});
   all.push_back({"tribocheck", "walk of the film", by_walk, false});
   all.push_back({"tribocheck", "batch", in_batch, false});
-  all.push_back({"tribocheck", "compiled scene, with its making", compiled, false});
   return all;
 }
 

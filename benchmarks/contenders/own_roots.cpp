@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// This project's: the root point by point and in batch, and the compiled film.
+// This project's: the root point by point and in batch.
 #include <vector>
 
 #include "contenders/root_families.hpp"
 #include "tribo/batch.hpp"
-#include "tribo/compiled_film.hpp"
 #include "tribo/load_sharing.hpp"
 
 namespace tribo::benchmarks {
@@ -92,15 +91,6 @@ std::vector<RootContender> own_one_surface_roots() {
                          });
                    },
                    steps_of_one_surface});
-  all.push_back({"tribocheck",
-                 "compiled film",
-                 [](const RootCases& surface) -> RootRun {
-                   return [compiled = CompiledFilm(sharing_of(surface[0]), 1e-4, 100)](
-                              const RootCases& cases, std::span<double> film) {
-                     compiled.film_parameter(cases.flooded, film);
-                   };
-                 },
-                 {}});
   return all;
 }
 

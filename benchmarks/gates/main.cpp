@@ -29,11 +29,10 @@ struct Chosen {
 };
 
 // Each workload, on each instruction set where it has several, or on one; `only`: of this name.
-std::vector<Chosen> chosen(const std::string& only, const std::string& set, bool emulated) {
+std::vector<Chosen> chosen(const std::string& only, const std::string& set) {
   std::vector<Chosen> all;
   for (const Workload& workload : workloads()) {
     if (!only.empty() && workload.name != only) continue;
-    if (emulated && workload.needs_long_double) continue;
     if (!workload.is_vector) {
       all.push_back({&workload, std::string(scalar_instruction_set())});
       continue;
@@ -127,7 +126,7 @@ int main(int count, char** argv) {
   using namespace tribo::gates;
   std::string only, set;
   int passes = 0, repetitions = 0;
-  bool counters = false, environment = false, emulated = false;
+  bool counters = false, environment = false;
   CLI::App program(
       "Fixed work of the model's kernels, for gate.py\n\n"
       "Example: tribocheck_gate_kernels --counters --workload root_wide_batch");
@@ -140,13 +139,12 @@ int main(int count, char** argv) {
   modes->add_flag("--environment", environment, "compiler, C library and instruction sets");
   program.add_option("--workload", only, "this one alone");
   program.add_option("--set", set, "batches on this instruction set alone");
-  program.add_flag("--emulated", emulated, "leave out what needs the 80 bits that valgrind lacks");
   CLI11_PARSE(program, count, argv);
   if (environment) {
     print_environment();
     return 0;
   }
-  const auto all = chosen(only, set, emulated);
+  const auto all = chosen(only, set);
   if (all.empty()) {
     fmt::print(stderr, "tribocheck_gate_kernels: no workload {} on {}; --counters lists them\n",
                only.empty() ? "at all" : only, set.empty() ? "any instruction set" : set);

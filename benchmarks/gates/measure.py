@@ -89,7 +89,7 @@ def instructions(program):
         out = pathlib.Path(folder) / "callgrind.out"
         keys = [f"{workload} {instruction_set}" for workload, instruction_set, _ in rows(
             ["valgrind", "-q", "--tool=callgrind", f"--toggle-collect={PASS}", f"--dump-after={PASS}",
-             f"--callgrind-out-file={out}", program, "--run", "1", "--emulated", "--set", VALGRIND_SET])]
+             f"--callgrind-out-file={out}", program, "--run", "1", "--set", VALGRIND_SET])]
         found = {}
         for i, key in enumerate(keys, 1):
             dump = out.with_name(f"{out.name}.{i}").read_text()

@@ -10,8 +10,7 @@ namespace tribo::gates {
 const Workloads& workloads() {
   static const Workloads all = [] {
     Workloads together;
-    for (Workloads part :
-         {moment_workloads(), root_workloads(), film_workloads(), point_workloads()})
+    for (Workloads part : {moment_workloads(), root_workloads(), point_workloads()})
       for (Workload& workload : part) together.push_back(std::move(workload));
     return together;
   }();

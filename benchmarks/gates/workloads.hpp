@@ -19,13 +19,11 @@ struct Workload {
   bool is_vector;                   // goes by the instruction set of batch.hpp
   std::function<void()> run;        // one pass: some ten to some hundred microseconds
   std::function<Counters()> count;  // of one pass; empty where the text fixes the work
-  bool needs_long_double = false;   // and so does other work in valgrind, where that has 64 bits
 };
 using Workloads = std::vector<Workload>;
 
 Workloads moment_workloads();
 Workloads root_workloads();
-Workloads film_workloads();   // of compiled films
 Workloads point_workloads();  // operating points and curves
 
 // All of them.

@@ -8,7 +8,6 @@
 #include "cases/moment_cases.hpp"
 #include "cases/root_cases.hpp"
 #include "tribo/batch.hpp"
-#include "tribo/compiled_film.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::benchmarks {
@@ -100,10 +99,6 @@ std::vector<ThroughputKernel> throughput_kernels() {
                   [surface](std::span<const double> in, std::span<double> out) {
                     film_parameter(surface, in, out);
                   })},
-      {"film, compiled", 16,
-       one_to_one(flooded_films, [compiled = CompiledFilm(surface, 1e-4, 100)](
-                                     std::span<const double> in,
-                                     std::span<double> out) { compiled.film_parameter(in, out); })},
       {"film, all inputs vary", 32, varying_roots},
       // Speed in; speed, film, share and friction out.
       {"operating points", 40, operating_points},

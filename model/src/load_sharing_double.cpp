@@ -176,31 +176,6 @@ detail::SharingRoot detail::film_parameter(const SharingSurface& surface, double
   return chosen_root(surface, flooded);
 }
 
-// One Newton step with A from the unrounded S and long double around it.
-double detail::polished_film_parameter(const SharingSurface& surface, double flooded,
-                                       double lambda) {
-  if (!(lambda > flooded && lambda > surface.floor)) return lambda;
-  const Asperities rough = asperities<Unfused>(surface, lambda);
-  const double a = rough.hazard * lambda;
-  // Of d ln λ/d ln A = A/(pw + aA). Up to here the rounding of A puts λ off by 1.3e-15 at most, as
-  // measured; pieces are held to 5e-15.
-  constexpr double ordinary = 4;
-  const double w = std::max(1 - rough.share, 0.0);
-  if (!(rough.share > ordinary * (sharing_p * w + a * rough.share))) return lambda;
-  const long double exact = static_cast<long double>(lambda) - surface.offset;
-  const double d = static_cast<double>(exact);
-  if (!(d > -pieces_end && d < pieces_end)) return lambda;
-  const Sum moment = in_pieces<Unfused>(surface.order, d < 0, std::fabs(d));
-  const bool is_root = surface.order == Order::five_halves;
-  long double share = surface.stiffness * (static_cast<long double>(moment.high) + moment.low);
-  if (is_root) share = std::sqrt(share);
-  if (d > 0) share *= std::exp((is_root ? -0.25L : -0.5L) * d * d);
-  share *= 1 - rough.hazard * (exact - d);
-  const long double film = std::pow(flooded / static_cast<long double>(lambda), 50.0L / 7);
-  const long double slope = sharing_p * film + a * share;
-  return static_cast<double>(lambda * (1 + (share + film - 1) / slope));
-}
-
 double film_parameter(AsperityModel model, double stiffness, double offset, double flooded) {
   SharingSurface surface{load_order(model), stiffness, offset, 0, 0};
   // sharing_film_from, squared

@@ -32,9 +32,6 @@ struct SharingRoot {
 };
 inline constexpr int max_sharing_steps = 16;
 SharingRoot film_parameter(const SharingSurface& surface, double flooded_film_parameter);
-// A root with the rounding of A taken out where its condition makes much of that: next to a
-// critical stiffness, K F_p(−δ) = 1. For CompiledFilm, which fits polynomials to roots.
-double polished_film_parameter(const SharingSurface& surface, double flooded, double lambda);
 
 // Where λ = λ₀ to half an ulp: (λ₀ − δ)² ≥ free_square + free_square_slope·(e + 1), λ₀ ≥ δ, with
 // K < 2^{e+1}. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0, so that with q = 1/2 and p = 5/2
