@@ -131,6 +131,8 @@ Observed area_transition(const Stages& stages) {
     const auto& curve = points(stages, name);
     double least = curve[0].real_area_ratio;
     for (std::size_t i = 0; i < where.end; ++i) least = std::min(least, curve[i].real_area_ratio);
+    // On a floor the area is one number to all but its last digits, whose fall is none.
+    if (least > (1 - 1e-9) * curve[0].real_area_ratio) continue;
     speed[k] = fall_speed(stages, name, &ContactPoint::real_area_ratio,
                           (curve[0].real_area_ratio + least) / 2);
   }
