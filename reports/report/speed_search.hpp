@@ -14,8 +14,10 @@ std::optional<double> first_speed(double low, double high, Predicate&& holds) {
   if (holds(low)) return low;
   if (!holds(high)) return std::nullopt;
   while (true) {
-    const double middle = std::sqrt(low) * std::sqrt(high);
-    if (!(middle > low && middle < high)) return high;
+    const auto is_between = [&](double x) { return x > low && x < high; };
+    double middle = std::sqrt(low) * std::sqrt(high);
+    if (!is_between(middle)) middle = low + (high - low) / 2;  // its own rounding is some units
+    if (!is_between(middle)) return high;
     (holds(middle) ? high : low) = middle;
   }
 }
