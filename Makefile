@@ -170,7 +170,6 @@ pieces-check: ## make them again in another folder, and compare bytes
 	mkdir -p build/pieces
 	build/release/reference/generators/generate_moment_pieces build/pieces
 	cmp build/pieces/gaussian_moment_pieces.inc model/src/gaussian_moment_pieces.inc
-	cmp build/pieces/gaussian_moment_rows.inc model/src/gaussian_moment_rows.inc
 
 ##@ The text
 format: ## lay out every C++ file with clang-format

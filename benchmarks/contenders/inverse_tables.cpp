@@ -19,7 +19,7 @@ SplineTable inverse_table(const LoadSharing<double>& sharing, int knots) {
   double nearest = lowest / 10;
   if (sharing.has_floor())
     nearest = std::exp(std::log(lowest / sharing.floor()) / sharing_film_exponent<double>() -
-                       sharing.log_fluid_rate_at_floor());
+                       std::log(sharing.surface().hazard));
   std::vector<double> log_flooded;
   std::vector<double> log_film;
   for (int i = 0; i < knots; ++i) {

@@ -23,6 +23,8 @@ extern "C" [[gnu::noinline]] void tribocheck_gate_pass(const std::function<void(
 namespace tribo::gates {
 namespace {
 
+std::string_view arithmetic() { return is_fused() ? "FMA" : "no FMA"; }
+
 struct Chosen {
   const Workload* workload;
   std::string set;
@@ -34,7 +36,7 @@ std::vector<Chosen> chosen(const std::string& only, const std::string& set) {
   for (const Workload& workload : workloads()) {
     if (!only.empty() && workload.name != only) continue;
     if (!workload.is_vector) {
-      all.push_back({&workload, std::string(scalar_instruction_set())});
+      all.push_back({&workload, std::string(arithmetic())});
       continue;
     }
     for (const std::string_view name : instruction_sets())
@@ -115,7 +117,7 @@ void print_environment() {
   fmt::print("compiler\tg++ {}\n", __VERSION__);
 #endif
   fmt::print("libc\tglibc {}\n", ::gnu_get_libc_version());
-  fmt::print("scalar\t{}\n", scalar_instruction_set());
+  fmt::print("scalar\t{}\n", arithmetic());
   for (const std::string_view set : instruction_sets()) fmt::print("vector\t{}\n", set);
 }
 

@@ -31,22 +31,15 @@ const LoadSharing<double>& one_surface() {
   return sharing;
 }
 
-// As LoadSharing would make it, without the floor, which wide roots do not know.
-detail::SharingSurface wide_surface(double stiffness, double offset) {
-  detail::SharingSurface surface{load_order(model), stiffness, offset, 0, 0};
-  surface.film_from = sharing_film_from(stiffness, offset);
-  return surface;
-}
-
 class RootCounts {
  public:
-  void add(const detail::SharingSurface& surface, double flooded) {
-    const detail::SharingRoot root = detail::film_parameter(surface, flooded);
-    if (root.film_parameter != root.film_parameter)
+  void add(const LoadSharing<double>& sharing, double flooded) {
+    const SharingRoot<double> root = sharing.root(flooded);
+    if (root.iterations > max_sharing_steps)
       ++by_newton_;
-    else if (flooded >= surface.film_from)
+    else if (flooded >= sharing.surface().film_from)
       ++at_film_;
-    else if (flooded <= surface.floor_up_to)
+    else if (flooded <= sharing.surface().floor_up_to)
       ++at_floor_;
     const auto steps = static_cast<std::uint64_t>(root.iterations);
     steps_ += steps;
@@ -82,7 +75,7 @@ Workloads root_workloads() {
        [at] {
          RootCounts counts;
          for (std::size_t i = 0; i < count; ++i)
-           counts.add(wide_surface(at.stiffness[i], at.offset[i]), at.flooded[i]);
+           counts.add({model, at.stiffness[i], at.offset[i]}, at.flooded[i]);
          return counts.counters();
        }},
       {"root_one_surface", false,
@@ -92,7 +85,7 @@ Workloads root_workloads() {
        },
        [at] {
          RootCounts counts;
-         for (const double flooded : at.flooded) counts.add(one_surface().surface(), flooded);
+         for (const double flooded : at.flooded) counts.add(one_surface(), flooded);
          return counts.counters();
        }},
       {"root_wide_batch", true,

@@ -2,8 +2,8 @@
 #include "alone.hpp"
 
 #include <algorithm>
+#include <numeric>
 
-#include "tribo/batch.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::benchmarks {
@@ -21,9 +21,9 @@ Alone::Alone(const sweep::SceneSweep& sweep)
       inlet_(inlet_onsets(contact_.closure(), contact_.damiens_exponent(), default_departure,
                           OnsetCriterion::film_maximum)) {
   film_.insert(Output::film);
-  contacts_.reserve(block_cases);
-  for (auto* const numbers : {&speeds_, &stiffness_, &offset_, &flooded_, &lambda_})
-    numbers->resize(block_cases);
+  speeds_.resize(block_cases);
+  contact_of_.resize(block_cases);
+  std::iota(contact_of_.begin(), contact_of_.end(), std::uint64_t{0});
 }
 
 void Alone::solve(std::span<const double> inputs, std::span<double> results) {
@@ -38,9 +38,7 @@ void Alone::solve(std::span<const double> inputs, std::span<double> results) {
       find_onsets(to);
       continue;
     }
-    find_flooded_films();
-    find_roots();
-    complete(to);
+    solve_points(to);
   }
 }
 
@@ -56,34 +54,17 @@ void Alone::prepare(std::span<const double> inputs) {
   for (std::size_t i = 0; i < inputs.size() / fields; ++i) {
     for (std::size_t v = 0; v < fields; ++v)
       sweep_.variables[v].store(scene_, inputs[i * fields + v]);
-    contacts_.emplace_back(scene_);
+    contacts_.add(scene_);
     speeds_[i] = scene_.speeds[0];
   }
 }
 
-void Alone::find_flooded_films() {
-  for (std::size_t i = 0; i < contacts_.size(); ++i)
-    flooded_[i] = contacts_[i].flooded_film_parameter(speeds_[i]);
-}
-
-void Alone::find_roots() {
+void Alone::solve_points(std::span<double> results) {
   const std::size_t count = contacts_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    stiffness_[i] = contacts_[i].asperities().stiffness;
-    offset_[i] = contacts_[i].asperities().offset;
-  }
-  film_parameter(contacts_.front().asperities().model, std::span(stiffness_).first(count),
-                 std::span(offset_).first(count), std::span(flooded_).first(count),
-                 std::span(lambda_).first(count));
-}
-
-void Alone::complete(std::span<double> results) {
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const MixedContact<double>& contact = contacts_[i];
-    const FloodedFilm<double> film =
-        contact.flooded(speeds_[i], flooded_[i], {lambda_[i], 0}, film_);
-    results[i] = contact.complete(film, contact.inlet(film), film_).film;
-  }
+  points_.resize(count, film_);
+  contacts_.solve(std::span(contact_of_).first(count), std::span(speeds_).first(count), film_,
+                  points_);
+  std::copy(points_.film.begin(), points_.film.end(), results.begin());
 }
 
 void Alone::find_onsets(std::span<double> results) {
@@ -93,6 +74,7 @@ void Alone::find_onsets(std::span<double> results) {
     results[3 * i + 1] = found.film;
     results[3 * i + 2] = found.film_parameter;
   }
+  contacts_.prepare();
 }
 
 }  // namespace tribo::benchmarks

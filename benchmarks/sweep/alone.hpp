@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a sweep cannot do without, as one would write it for these outputs and no others: scenes
-// prepared, roots in batches, films and onsets completed. Its inputs are there beforehand, and its
+// prepared, points solved and onsets found. Its inputs are there beforehand, and its
 // results are kept nowhere.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 #include "sweep/plan.hpp"
 #include "tribo/inlet_onsets.hpp"
-#include "tribo/mixed_contact.hpp"
+#include "tribo/mixed_contacts.hpp"
 #include "tribo/operating_points.hpp"
 
 namespace tribo::benchmarks {
@@ -24,9 +24,7 @@ class Alone {
 
   // --- Its steps, to be timed one by one.
   void prepare(std::span<const double> inputs);  // a contact for each case, at most block_cases
-  void find_flooded_films();                     // λ₀ of each
-  void find_roots();
-  void complete(std::span<double> results);
+  void solve_points(std::span<double> results);
   void find_onsets(std::span<double> results);
 
   static constexpr std::size_t block_cases = 256;
@@ -41,8 +39,9 @@ class Alone {
   MixedContact<double> contact_;
   InletOnsets<double> inlet_;
   OperatingPoints points_;
-  std::vector<MixedContact<double>> contacts_;
-  std::vector<double> speeds_, stiffness_, offset_, flooded_, lambda_;
+  MixedContacts contacts_;
+  std::vector<std::uint64_t> contact_of_;
+  std::vector<double> speeds_;
 };
 
 }  // namespace tribo::benchmarks

@@ -303,14 +303,9 @@ void register_sweep(const Workload& workload) {
           solver.prepare(of.block());
         }));
     if (workload.settings.empty()) {
-      add(subject, "stage: flooded film",
-          stage([](Alone& solver, const Subject&, std::span<double>) {
-            solver.find_flooded_films();
+      add(subject, "stage: points", stage([](Alone& solver, const Subject&, std::span<double> to) {
+            solver.solve_points(to);
           }));
-      add(subject, "stage: root",
-          stage([](Alone& solver, const Subject&, std::span<double>) { solver.find_roots(); }));
-      add(subject, "stage: complete",
-          stage([](Alone& solver, const Subject&, std::span<double> to) { solver.complete(to); }));
     } else {
       add(subject, "stage: onset", stage([](Alone& solver, const Subject&, std::span<double> to) {
             solver.find_onsets(to);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The roots of many points (load_sharing_vector-inl.hpp has the steps): whole blocks at a time.
+// The roots of many points (load_sharing-inl.hpp has the steps): whole blocks at a time.
 #include <hwy/highway.h>
 
 #include <bit>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "load_sharing_vector-inl.hpp"
+#include "load_shares-inl.hpp"
 #include "sharing_method.hpp"
 
 #if defined(TRIBO_LOAD_SHARING_BATCH) == defined(HWY_TARGET_TOGGLE)
@@ -50,27 +50,48 @@ HWY_INLINE hn::Mask<D> in_range(D d, const SharingInputs<hn::Vec<D>>& in) {
                  within(in.flooded, sharing_least_film, sharing_greatest_film));
 }
 
-// The lanes of a mask, in order. Highway 1.0.3 has the instruction behind a table of 2 kB that g++
-// copies to the stack at each call.
+#if HWY_TARGET == HWY_AVX2
+// Of each mask of four lanes, the halves of those that are in it, in order.
+struct CompressTable {
+  alignas(32) std::int32_t halves[16][8];
+};
+constexpr CompressTable compress_table() {
+  CompressTable table{};
+  for (int mask = 0; mask < 16; ++mask) {
+    int to = 0;
+    for (int lane = 0; lane < 4; ++lane)
+      if ((mask >> lane & 1) != 0) {
+        table.halves[mask][to++] = 2 * lane;
+        table.halves[mask][to++] = 2 * lane + 1;
+      }
+  }
+  return table;
+}
+inline constexpr CompressTable compress_halves = compress_table();
+#endif
+
+// The lanes of a mask, in order. Highway 1.0.3 has this behind a table of 2 kB that g++ copies to
+// the stack at each call.
 template <class D>
 HWY_INLINE hn::Vec<D> compressed([[maybe_unused]] D d, hn::Vec<D> value, hn::Mask<D> mask) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-  if constexpr (hn::MaxLanes(D()) == 8)
-    return hn::Vec<D>{_mm512_maskz_compress_pd(mask.raw, value.raw)};
-  else
-#endif
-  {
-    HWY_ALIGN double values[hn::MaxLanes(D())];
-    HWY_ALIGN double selected[hn::MaxLanes(D())];
-    hn::Store(value, d, values);
-    hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0)), d, selected);
-    std::size_t count = 0;
-    for (std::size_t j = 0; j < hn::Lanes(d); ++j) {
-      values[count] = values[j];
-      count += selected[j] != 0 ? 1 : 0;
-    }
-    return hn::Load(d, values);
+  return hn::Vec<D>{_mm512_maskz_compress_pd(mask.raw, value.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  const auto* halves = compress_halves.halves[_mm256_movemask_pd(mask.raw)];
+  const __m256i order = _mm256_load_si256(reinterpret_cast<const __m256i*>(halves));
+  return hn::Vec<D>{_mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(value.raw), order))};
+#else
+  HWY_ALIGN double values[hn::MaxLanes(D())];
+  HWY_ALIGN double selected[hn::MaxLanes(D())];
+  hn::Store(value, d, values);
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0)), d, selected);
+  std::size_t count = 0;
+  for (std::size_t j = 0; j < hn::Lanes(d); ++j) {
+    values[count] = values[j];
+    count += selected[j] != 0 ? 1 : 0;
   }
+  return hn::Load(d, values);
+#endif
 }
 
 // Up to sharing_block points on their way to the root. Those that are there leave, and the others
@@ -80,10 +101,13 @@ class Travellers {
  public:
   using V = hn::Vec<D>;
 
-  HWY_INLINE explicit Travellers(D d) : d_(d) {}
-  // All of one surface.
-  HWY_INLINE Travellers(D d, double stiffness, double offset)
-      : d_(d), stiffness_{stiffness}, offset_{offset} {}
+  // `surface` is that of all, where there is one.
+  HWY_INLINE Travellers(D d, const detail::SurfaceNumbers<V>& surface) : d_(d) {
+    if constexpr (one_surface) {
+      stiffness_[0] = hn::GetLane(surface.stiffness);
+      offset_[0] = hn::GetLane(surface.offset);
+    }
+  }
 
   HWY_INLINE void add(hn::Mask<D> mask, const SharingInputs<V>& in, const Iterate<V>& at, V place) {
     if constexpr (!one_surface) {
@@ -100,7 +124,7 @@ class Travellers {
   // All to their roots; NaN where it is not found in max_sharing_steps.
   HWY_INLINE std::size_t travel(Order order, double* result) {
     std::size_t steps = 0;
-    for (int step = 0; step < detail::max_sharing_steps && count_ > 0; ++step) {
+    for (int step = 0; step < max_sharing_steps && count_ > 0; ++step) {
       steps += count_;
       move(order);
       leave(result);
@@ -218,76 +242,52 @@ class Travellers {
   HWY_ALIGN std::uint8_t is_last_[room];
 };
 
-// At most sharing_block points; the steps they took. NaN: left to Newton's method.
-inline std::size_t many_surfaces(Order order, const double* stiffness, const double* offset,
-                                 const double* flooded, double* result, std::size_t count) {
-  using D = hn::ScalableTag<double>;
-  using V = hn::Vec<D>;
-  const D d;
-  const hn::RebindToSigned<D> integers;
-  auto place = hn::Iota(integers, 0);
-  Travellers<D, false> travellers(d);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const std::size_t left = count - i;
-    const SharingInputs<V> in{load(d, stiffness + i, left), load(d, offset + i, left),
-                              load(d, flooded + i, left)};
-    const auto good = in_range(d, in);
-    const auto open = hn::AndNot(is_free_of_asperities(d, in), good);
-    store(d, hn::IfThenElse(good, in.flooded, hn::Set(d, std::numeric_limits<double>::quiet_NaN())),
-          result + i, left);
-    travellers.add(hn::And(open, hn::FirstN(d, left)), in, {in.flooded, hn::Zero(d)},
-                   hn::BitCast(d, place));
-    place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
-  }
-  return travellers.travel(order, result);
-}
-
-// What a surface knows of its root beforehand.
+// What is known of a root beforehand.
 template <class D>
-struct SurfaceStart {
+struct RootStart {
   Iterate<hn::Vec<D>> at;  // the root, or a start; NaN where it is left to Newton's method
   hn::Mask<D> is_open;     // not the root yet
 };
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE SurfaceStart<D> surface_start(D d, const detail::SharingSurface& surface,
-                                         const SharingInputs<V>& in) {
-  const V floor = hn::Set(d, surface.floor);
+HWY_INLINE RootStart<D> root_start(D d, const detail::SurfaceNumbers<V>& surface,
+                                   const SharingInputs<V>& in) {
   const auto good = in_range(d, in);
-  const auto is_film = hn::Ge(in.flooded, hn::Set(d, surface.film_from));
-  const auto is_floor = hn::Le(in.flooded, hn::Set(d, surface.floor_up_to));
+  const auto is_film = hn::Ge(in.flooded, surface.film_from);
+  const auto is_floor = hn::Le(in.flooded, surface.floor_up_to);
   const auto open = hn::AndNot(hn::Or(is_film, is_floor), good);
-  const auto below = hn::And(open, hn::Lt(in.flooded, floor));
-  const V lambda = hn::IfThenElse(is_floor, floor, in.flooded);
+  const auto below = hn::And(open, hn::Lt(in.flooded, surface.floor));
+  const V lambda = hn::IfThenElse(is_floor, surface.floor, in.flooded);
   const V nan = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
-  SurfaceStart<D> start{{hn::IfThenElse(good, lambda, nan), hn::Zero(d)}, open};
+  RootStart<D> start{{hn::IfThenElse(good, lambda, nan), hn::Zero(d)}, open};
   if (hn::AllFalse(d, below)) return start;
   const Iterate<V> above =
-      above_floor(d, floor, hn::Set(d, surface.hazard), hn::Min(in.flooded, floor));
+      above_floor(d, surface.floor, surface.hazard, hn::Min(in.flooded, surface.floor));
   start.at.film_parameter = hn::IfThenElse(below, above.film_parameter, start.at.film_parameter);
   start.at.log_rise = hn::IfThenElse(below, above.log_rise, start.at.log_rise);
   return start;
 }
 
-inline std::size_t one_surface(const detail::SharingSurface& surface, const double* flooded,
-                               double* result, std::size_t count) {
-  using D = hn::ScalableTag<double>;
+// At most sharing_block roots at λ₀; surface_at(i) has the numbers of the surfaces of the vector of
+// points that starts at i. NaN: left to Newton's method. The steps they took.
+template <class D, bool one_surface, class SurfaceAt>
+HWY_INLINE std::size_t roots_of_block(D d, Order order, const SurfaceAt& surface_at,
+                                      const double* flooded, double* result, std::size_t count) {
   using V = hn::Vec<D>;
-  const D d;
-  const V stiffness = hn::Set(d, surface.stiffness), offset = hn::Set(d, surface.offset);
   const hn::RebindToSigned<D> integers;
   auto place = hn::Iota(integers, 0);
-  Travellers<D, true> travellers(d, surface.stiffness, surface.offset);
+  Travellers<D, one_surface> travellers(d, surface_at(0));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const std::size_t left = count - i;
-    const SharingInputs<V> in{stiffness, offset, load(d, flooded + i, left)};
-    const auto start = surface_start(d, surface, in);
+    const detail::SurfaceNumbers<V> surface = surface_at(i);
+    const SharingInputs<V> in{surface.stiffness, surface.offset, load(d, flooded + i, left)};
+    const auto start = root_start(d, surface, in);
     store(d, start.at.film_parameter, result + i, left);
     travellers.add(hn::And(start.is_open, hn::FirstN(d, left)), in, start.at,
                    hn::BitCast(d, place));
     place = hn::Add(place, hn::Set(integers, static_cast<std::int64_t>(hn::Lanes(d))));
   }
-  return travellers.travel(surface.order, result);
+  return travellers.travel(order, result);
 }
 
 }  // namespace tribo::HWY_NAMESPACE

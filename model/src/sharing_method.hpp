@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the scalar and the vector text of the root of load sharing share.
+// The bounds within which the engine's root of load sharing works.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,15 @@ namespace tribo {
 // p = 1/0.14
 inline constexpr double sharing_p = 50.0 / 7;
 
-// Where they may be used: nothing in them overflows or loses digits. Beyond, Newton's method.
+// Where λ = λ₀ to half an ulp: (λ₀ − δ)² ≥ free_square + free_square_slope·(e + 1), λ₀ ≥ δ, with
+// K < 2^{e+1}. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0, so that with q = 1/2 and p = 5/2
+//   ln A ≤ ½ ln(2^{e+1} F_p(0)) − d²/4 ≤ ln(2^−54/0.14);
+// with q = 1 and p = 3/2 A is below the square of that. 4 ln(0.14·2^54) + 2 ln F_{5/2}(0) = 140.89
+// and 2 ln 2 are rounded up.
+inline constexpr double free_square = 141.1, free_square_slope = 1.3863;
+
+// Where it may be used: nothing in it overflows or loses digits. Beyond, the formula text in long
+// double.
 inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiffness = 1e300;
 inline constexpr double sharing_greatest_offset = 40;
 inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;

@@ -24,7 +24,8 @@ std::string arithmetic() {
       values.push_back(value);
   }
   const std::uint64_t sum = XXH3_64bits(values.data(), values.size() * sizeof(double));
-  std::string text = std::string(instruction_set()) + ", libm " + gnu_get_libc_version() + ' ';
+  std::string text =
+      std::string(is_fused() ? "FMA" : "no FMA") + ", libm " + gnu_get_libc_version() + ' ';
   constexpr std::string_view digits = "0123456789abcdef";
   for (int shift = 28; shift >= 0; shift -= 4) text += digits[(sum >> shift) & 15];
   return text;

@@ -6,7 +6,8 @@
 
 namespace tribo::sweep {
 
-// "AVX3_DL, libm 2.36 5f0c8d1e": the batch kernels' instruction set, the C library's version, and a
+// "FMA, libm 2.36 5f0c8d1e": whether the engine has fused multiply-add, on which alone its bits
+// rest; and of the C library, from which the draws take functions, its version and a
 // sum over bits that its functions give, as it chooses its code by the processor too.
 std::string arithmetic();
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "src/operating_points_arrays.hpp"
-#include "tribo/batch.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::sweep {
@@ -14,27 +13,13 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-// From so many speeds on, a case's own roots fill a batch; below, those of many cases share one.
+// From so many speeds on, a case's own points fill a batch; below, those of many cases share one.
 constexpr std::size_t speeds_of_a_curve = 16;
 constexpr std::size_t cases_in_hand = 256;
-
-double value_of(const OperatingPoint<double>& point, Output output) {
-  switch (output) {
-    case Output::friction:
-      return point.friction_undefined ? undefined : point.friction;
-    case Output::regime:
-      return static_cast<double>(point.regime);
-    case Output::inlet:
-      return static_cast<double>(point.inlet);
-    default:
-      return numbers_of(point)[static_cast<std::size_t>(output)];
-  }
-}
 
 }  // namespace
 
 CaseSolver::CaseSolver(const SceneSweep& sweep) : sweep_(sweep), scene_(sweep.scene) {
-  contacts_.reserve(cases_in_hand);
   contact_of_.reserve(cases_in_hand);
   while (speed_variable_ < sweep.variables.size() &&
          sweep.variables[speed_variable_].path != "speed")
@@ -61,14 +46,21 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
     }
     contacts_.clear();
     contact_of_.clear();
+    scenes_ = 0;
+    for (std::size_t i = 0; i < some; ++i) add(values.subspan(i * count, count));
+    contacts_.prepare();
     const bool curves = speeds_.size() >= speeds_of_a_curve;
+    if (point_width_ > 0 && !curves) solve_few_speeds(values, to);
     for (std::size_t i = 0; i < some; ++i) {
-      prepare(values.subspan(i * count, count));
-      if (curves) solve_curve(to.subspan(i * width, point_width_));
+      if (curves) {
+        points_.resize(speeds_.size(), sweep_.outputs);
+        tribo::solve(contacts_[contact_of_[i]], speeds_, sweep_.outputs, points_);
+        put_points(to.subspan(i * width, point_width_), 1);
+      }
       if (!sweep_.criteria.empty())
-        find_onsets(to.subspan(i * width + point_width_, width - point_width_));
+        find_onsets(values.subspan(i * count, count), contacts_[contact_of_[i]],
+                    to.subspan(i * width + point_width_, width - point_width_));
     }
-    if (!curves && point_width_ > 0) solve_few_speeds(values, to);
   }
 }
 
@@ -79,97 +71,63 @@ bool CaseSolver::is_contact_of(std::span<const double> values) const {
   return true;
 }
 
-void CaseSolver::prepare(std::span<const double> values) {
-  if (contacts_.empty() || !is_contact_of(values)) {
+void CaseSolver::add(std::span<const double> values) {
+  if (scenes_ == 0 || !is_contact_of(values)) {
     prepared_ = values;
     for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
-    contacts_.emplace_back(scene_);
+    contacts_.add(scene_);
+    ++scenes_;
   }
-  contact_of_.push_back(contacts_.size() - 1);
-}
-
-void CaseSolver::solve_curve(std::span<double> results) {
-  points_.resize(speeds_.size(), sweep_.outputs);
-  tribo::solve(contacts_.back(), speeds_, sweep_.outputs, points_);
-  put_points(results, 1, speeds_.size());
+  contact_of_.push_back(scenes_ - 1);
 }
 
 void CaseSolver::solve_speeds(std::span<const double> speeds, std::span<double> results) {
   points_.resize(speeds.size(), sweep_.outputs);
   tribo::solve(*only_contact_, speeds, sweep_.outputs, points_);
-  put_points(results, asked_.size(), 1);
-}
-
-// Output o of point i goes to results[i·point_stride + o·output_stride].
-void CaseSolver::put_points(std::span<double> results, std::size_t point_stride,
-                            std::size_t output_stride) const {
-  const std::size_t count = points_.size();
-  double* to = results.data();
-  for_each_number(points_, [&](Output output, const std::vector<double>& numbers) {
-    if (numbers.empty()) return;
-    const bool may_lack = output == Output::friction;
-    for (std::size_t i = 0; i < count; ++i)
-      to[i * point_stride] =
-          may_lack && points_.friction_undefined[i] != 0 ? undefined : numbers[i];
-    to += output_stride;
-  });
-  const auto put_words = [&](const auto& words) {
-    if (words.empty()) return;
-    for (std::size_t i = 0; i < count; ++i) to[i * point_stride] = static_cast<double>(words[i]);
-    to += output_stride;
-  };
-  put_words(points_.regime);
-  put_words(points_.inlet);
+  put_points(results, speeds.size());
 }
 
 void CaseSolver::solve_few_speeds(std::span<const double> variables, std::span<double> results) {
-  const std::size_t cases = contact_of_.size(), speeds = speeds_.size(), width = sweep_.width();
-  const std::size_t count = cases * speeds, variable_count = sweep_.variables.size();
-  const bool is_speed_varied = speed_variable_ < variable_count;
-  const bool needs_inlet = MixedContact<double>::needs_inlet(sweep_.outputs);
-  stiffness_.resize(count), offset_.resize(count), flooded_.resize(count), lambda_.resize(count);
-  const auto contact_of = [&](std::size_t i) -> const MixedContact<double>& {
-    return contacts_[contact_of_[i]];
-  };
-  const auto speed_of = [&](std::size_t i, std::size_t j) {
-    return is_speed_varied ? variables[i * variable_count + speed_variable_] : speeds_[j];
-  };
-  for (std::size_t i = 0; i < cases; ++i) {
-    const MixedContact<double>& contact = contact_of(i);
+  const std::size_t cases = contact_of_.size(), speeds = speeds_.size();
+  const std::size_t variable_count = sweep_.variables.size();
+  contact_of_point_.clear();
+  point_speeds_.clear();
+  for (std::size_t i = 0; i < cases; ++i)
     for (std::size_t j = 0; j < speeds; ++j) {
-      const std::size_t at = i * speeds + j;
-      stiffness_[at] = contact.asperities().stiffness;
-      offset_[at] = contact.asperities().offset;
-      flooded_[at] = contact.flooded_film_parameter(speed_of(i, j));
+      contact_of_point_.push_back(contact_of_[i]);
+      point_speeds_.push_back(speed_variable_ < variable_count
+                                  ? variables[i * variable_count + speed_variable_]
+                                  : speeds_[j]);
     }
-  }
-  // One call for each run of cases with one asperity model, which may vary too.
-  for (std::size_t first = 0; first < cases;) {
-    const AsperityModel model = contact_of(first).asperities().model;
-    std::size_t end = first + 1;
-    while (end < cases && contact_of(end).asperities().model == model) ++end;
-    const std::size_t from = first * speeds, some = (end - first) * speeds;
-    film_parameter(model, std::span(stiffness_).subspan(from, some),
-                   std::span(offset_).subspan(from, some), std::span(flooded_).subspan(from, some),
-                   std::span(lambda_).subspan(from, some));
-    first = end;
-  }
-  for (std::size_t i = 0; i < cases; ++i) {
-    const MixedContact<double>& contact = contact_of(i);
-    for (std::size_t j = 0; j < speeds; ++j) {
-      const std::size_t at = i * speeds + j;
-      const FloodedFilm<double> film =
-          contact.flooded(speed_of(i, j), flooded_[at], {lambda_[at], 0}, sweep_.outputs);
-      const InletState<double> inlet =
-          needs_inlet ? contact.inlet(film) : InletState<double>{1, 0, false};
-      const OperatingPoint<double> point = contact.complete(film, inlet, sweep_.outputs);
-      double* to = &results[i * width + j];
-      for (const Output output : asked_) {
-        *to = value_of(point, output);
-        to += speeds;
-      }
-    }
-  }
+  points_.resize(point_speeds_.size(), sweep_.outputs);
+  contacts_.solve(contact_of_point_, point_speeds_, sweep_.outputs, points_);
+  put_points(results, cases);
+}
+
+// The points of so many cases, those of a case in a row: output o of a case's point j goes to
+// o·speeds + j of the case's part of the results.
+void CaseSolver::put_points(std::span<double> results, std::size_t cases) const {
+  const std::size_t speeds = points_.size() / cases, width = results.size() / cases;
+  std::size_t column = 0;
+  const auto put = [&](const auto& value_at) {
+    for (std::size_t i = 0; i < cases; ++i)
+      for (std::size_t j = 0; j < speeds; ++j)
+        results[i * width + column + j] = value_at(i * speeds + j);
+    column += speeds;
+  };
+  for_each_number(points_, [&](Output output, const std::vector<double>& numbers) {
+    if (numbers.empty()) return;
+    if (output == Output::friction)
+      put([&](std::size_t i) {
+        return points_.friction_undefined[i] != 0 ? undefined : numbers[i];
+      });
+    else
+      put([&](std::size_t i) { return numbers[i]; });
+  });
+  if (!points_.regime.empty())
+    put([&](std::size_t i) { return static_cast<double>(points_.regime[i]); });
+  if (!points_.inlet.empty())
+    put([&](std::size_t i) { return static_cast<double>(points_.inlet[i]); });
 }
 
 // Of the inlet's onsets, which rest on the closure alone, there are new ones only with another
@@ -186,8 +144,9 @@ void CaseSolver::prepare_inlet(const MixedContact<double>& contact) {
         inlet_onsets(inlet_closure_, inlet_exponent_, sweep_.departure, criterion));
 }
 
-void CaseSolver::find_onsets(std::span<double> results) {
-  const MixedContact<double>& contact = contacts_.back();
+void CaseSolver::find_onsets(std::span<const double> values, const MixedContact<double>& contact,
+                             std::span<double> results) {
+  for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
   prepare_inlet(contact);
   for (std::size_t c = 0; c < sweep_.criteria.size(); ++c) {
     const Onset<double> found = onset(contact, scene_, sweep_.criteria[c], inlet_onsets_[c]);

@@ -3,12 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "sweep/plan.hpp"
-#include "tribo/mixed_contact.hpp"
+#include "tribo/mixed_contacts.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/operating_points.hpp"
 
@@ -25,23 +26,23 @@ class CaseSolver {
 
  private:
   bool is_contact_of(std::span<const double> values) const;
-  void prepare(std::span<const double> values);
-  void solve_curve(std::span<double> results);  // of the prepared case, all speeds in a row
+  void add(std::span<const double> values);  // one more case in hand
   // Of the one contact, at the cases' speeds.
   void solve_speeds(std::span<const double> speeds, std::span<double> results);
-  void put_points(std::span<double> results, std::size_t point_stride,
-                  std::size_t output_stride) const;
+  void put_points(std::span<double> results, std::size_t cases) const;
   void solve_few_speeds(std::span<const double> variables, std::span<double> results);
   void prepare_inlet(const MixedContact<double>& contact);
-  void find_onsets(std::span<double> results);
+  void find_onsets(std::span<const double> values, const MixedContact<double>& contact,
+                   std::span<double> results);
 
   const SceneSweep& sweep_;
   Scene scene_;
   std::size_t speed_variable_ = 0;  // its place; past the last: it does not vary
   // Where the speed alone varies and no onset is asked.
   std::optional<MixedContact<double>> only_contact_;
-  std::vector<MixedContact<double>> contacts_;     // of the cases in hand
-  std::vector<std::size_t> contact_of_;            // its place, of each of these cases
+  MixedContacts contacts_;                         // of the cases in hand
+  std::size_t scenes_ = 0;                         // that were added to them
+  std::vector<std::uint64_t> contact_of_;          // its place, of each of these cases
   std::span<const double> prepared_;               // the last contact's variables
   std::vector<InletOnsets<double>> inlet_onsets_;  // of each criterion, for this closure:
   StarvationClosure inlet_closure_ = StarvationClosure::flooded_inlet;
@@ -50,7 +51,8 @@ class CaseSolver {
   std::vector<Output> asked_;
   std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow
   OperatingPoints points_;
-  std::vector<double> stiffness_, offset_, flooded_, lambda_;
+  std::vector<std::uint64_t> contact_of_point_;
+  std::vector<double> point_speeds_;
 };
 
 }  // namespace tribo::sweep

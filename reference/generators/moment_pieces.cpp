@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes model/src/gaussian_moment_pieces.inc and gaussian_moment_rows.inc: the polynomials of the
-// scalar and the vector kernels of F_n in double, with a proven bound of their error.
+// Makes model/src/gaussian_moment_pieces.inc: the polynomials of F_n in double, with a proven bound
+// of their error. A piece's row has 12 numbers: three vectors of four, which the engine transposes.
 //
 //   S_n(d) = e^{d²/2} F_n(d) for d ≥ 0,  F_n(d) for d < 0,  |d| < 45,
 //
@@ -15,6 +15,7 @@
 // better: |F_n(x+iy)| ≤ |y|^{n+1} e^{(y²−x²)/2}/√2π + (E(|N| + |x| + |y|)⁴)^{n/4}, N normal. Added
 // to it is what the rounding of the coefficients costs.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -29,14 +30,9 @@ using tribo::reference::Ball;
 
 namespace {
 
-struct Layout {
-  int pieces_a_binade;  // of |d| + 3
-  int degree;
-};
-constexpr Layout scalar_layout{16, 12};
-// 16 pieces, which two vector registers hold.
-constexpr Layout vector_layout{4, 19};
+constexpr int pieces_a_binade = 32;    // of |d| + 3
 constexpr double shift = 3, end = 48;  // of |d| + 3
+constexpr int degree = 10;
 
 constexpr int powers = 128;
 
@@ -44,11 +40,11 @@ struct Piece {
   double centre, half_width;  // of |d|
 };
 
-std::vector<Piece> pieces_of(const Layout& layout) {
+std::vector<Piece> pieces() {
   std::vector<Piece> all;
   for (double binade = 2; binade < end; binade *= 2)
-    for (int i = 0; i < layout.pieces_a_binade; ++i) {
-      const double width = binade / layout.pieces_a_binade;
+    for (int i = 0; i < pieces_a_binade; ++i) {
+      const double width = binade / pieces_a_binade;
       const double low = binade + i * width;
       if (low < shift || low >= end) continue;
       all.push_back({low + width / 2 - shift, width / 2});
@@ -133,8 +129,7 @@ Ball greatest_on_ellipse(int twice_n, bool below_zero, const Piece& piece, doubl
 }
 
 // The least proven truncation error over a range of ρ.
-double truncation_error(int twice_n, bool below_zero, const Piece& piece, int degree,
-                        const Ball& least) {
+double truncation_error(int twice_n, bool below_zero, const Piece& piece, const Ball& least) {
   double best = INFINITY;
   for (double rho = 3; rho < 1000; rho *= 1.2) {
     if (!below_zero && piece.centre - piece.half_width * rho / 2 < -12) break;
@@ -145,8 +140,8 @@ double truncation_error(int twice_n, bool below_zero, const Piece& piece, int de
   return best;
 }
 
-Polynomial fit(int twice_n, bool below_zero, const Piece& piece, int degree) {
-  const int count = degree + 1;
+Polynomial fit(int twice_n, bool below_zero, const Piece& piece) {
+  constexpr int count = degree + 1;
   std::vector<Ball> values(static_cast<std::size_t>(count));
   std::vector<std::vector<Ball>> cosines(values.size(), std::vector<Ball>(values.size()));
   for (int j = 0; j < count; ++j)
@@ -181,75 +176,45 @@ Polynomial fit(int twice_n, bool below_zero, const Piece& piece, int degree) {
     result.coefficients.push_back(exact[k].nearest());
     rounding += abs(exact[k] - Ball(result.coefficients.back())) * power;
   }
-  result.relative_error = truncation_error(twice_n, below_zero, piece, degree, least) +
-                          Ball(rounding / least).upper_bound();
+  result.relative_error =
+      truncation_error(twice_n, below_zero, piece, least) + Ball(rounding / least).upper_bound();
   return result;
 }
 
-// Of one order on one side of 0, and the worst error of all so far.
-std::vector<Polynomial> fits(const Layout& layout, int twice_n, bool below_zero, double& worst) {
-  std::vector<Polynomial> all;
-  for (const Piece& piece : pieces_of(layout)) {
-    all.push_back(fit(twice_n, below_zero, piece, layout.degree));
-    worst = std::max(worst, all.back().relative_error);
-  }
-  return all;
-}
-
-// {{…},{…},…}, a piece or a coefficient a row.
-std::string table(const std::vector<Polynomial>& all, bool a_coefficient_a_row) {
-  const std::size_t pieces = all.size(), coefficients = all[0].coefficients.size();
-  std::string text = "{\n";
-  for (std::size_t i = 0; i < (a_coefficient_a_row ? coefficients : pieces); ++i) {
-    text += "{";
-    for (std::size_t j = 0; j < (a_coefficient_a_row ? pieces : coefficients); ++j)
-      text += fmt::format("{:a},",
-                          a_coefficient_a_row ? all[j].coefficients[i] : all[i].coefficients[j]);
-    text += "},\n";
-  }
-  return text + "}";
-}
-
-// Of all orders on both sides.
-std::string tables(const Layout& layout, bool a_coefficient_a_row, std::string_view declaration,
-                   std::string_view specifiers = "") {
+// Of all orders on both sides, a piece a row.
+std::string table() {
   double worst = 0;
   std::string text;
   for (int twice_n = 0; twice_n <= 5; ++twice_n) {
     text += "{";
-    for (const bool below_zero : {false, true})
-      text += table(fits(layout, twice_n, below_zero, worst), a_coefficient_a_row) + ",";
+    for (const bool below_zero : {false, true}) {
+      text += "{\n";
+      for (const Piece& piece : pieces()) {
+        const Polynomial polynomial = fit(twice_n, below_zero, piece);
+        worst = std::max(worst, polynomial.relative_error);
+        text += fmt::format("{{{:a}}},\n", fmt::join(polynomial.coefficients, ","));
+      }
+      text += "},";
+    }
     text += "},\n";
-    std::cerr << fmt::format("{}: order {}/2, error so far below {:.3g}\n", declaration, twice_n,
-                             worst);
+    std::cerr << fmt::format("order {}/2, error so far below {:.3g}\n", twice_n, worst);
   }
   return fmt::format(
-      "\n// |polynomial − f| ≤ {:.3g} |f|, {:.3f} ulp\n{}constexpr double {} = {{\n{}}};\n", worst,
-      worst * 0x1p52, specifiers, declaration, text);
+      "\n// |polynomial − f| ≤ {:.3g} |f|, {:.3f} ulp\n"
+      "alignas(32) inline constexpr double pieces[6][2][{}][{}] = {{\n{}}};\n",
+      worst, worst * 0x1p52, pieces().size(), degree + 2, text);
 }
 
 // 2^{−j/128} as a double, and what it is short of relative to it, for e^{−d²/2}.
 std::string powers_of_two() {
-  std::string text = fmt::format("\ninline constexpr double powers_of_two[{}][2] = {{\n", powers);
+  std::string text =
+      fmt::format("\nalignas(16) inline constexpr double powers_of_two[{}][2] = {{\n", powers);
   for (int j = 0; j < powers; ++j) {
     const Ball power = pow(Ball(2), -tribo::reference::fraction(j, powers));
     const double high = power.nearest();
     text += fmt::format("{{{:a},{:a}}},\n", high, ((power - Ball(high)) / Ball(high)).nearest());
   }
   return text + "};\n";
-}
-
-bool write(const std::string& path, std::string_view order_of_indices, const std::string& text) {
-  std::ofstream file(path);
-  file << "// SPDX-License-Identifier: Apache-2.0\n"
-          "// Made by reference/generators/moment_pieces.cpp, which says what these are and why "
-          "the\n"
-          "// errors are proven. [order][d < 0]"
-       << order_of_indices << "\n// clang-format off\n"
-       << text;
-  if (file.flush()) return true;
-  std::cerr << path << ": cannot be written\n";
-  return false;
 }
 
 }  // namespace
@@ -264,10 +229,15 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  const bool written =
-      write(folder + "/gaussian_moment_pieces.inc", "[piece][c0 high, c0 low, c1, c2, …]",
-            tables(scalar_layout, false, "pieces[6][2][64][14]", "inline ") + powers_of_two()) &&
-      write(folder + "/gaussian_moment_rows.inc", "[c0 high, c0 low, c1, c2, …][piece]",
-            tables(vector_layout, true, "rows[6][2][21][16]", "alignas(64) "));
-  return written ? 0 : 2;
+  const std::string path = folder + "/gaussian_moment_pieces.inc";
+  std::ofstream file(path);
+  file << "// SPDX-License-Identifier: Apache-2.0\n"
+          "// Made by reference/generators/moment_pieces.cpp, which says what these are and why "
+          "the\n"
+          "// errors are proven. [order][d < 0][piece][c0 high, c0 low, c1, c2, …]\n"
+          "// clang-format off\n"
+       << table() << powers_of_two();
+  if (file.flush()) return 0;
+  std::cerr << path << ": cannot be written\n";
+  return 2;
 }

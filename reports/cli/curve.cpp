@@ -46,7 +46,7 @@ void keep_curves(LoadedScenes& loaded) {
   loaded.scenes.erase(first_bad, loaded.scenes.end());
 }
 
-void walk_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
+void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const Span span = span_of(scene.speeds);
   writer.begin_scene(scene);
@@ -65,16 +65,15 @@ int curve(const SceneArguments& arguments, OutputStream& output) {
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
   const auto writer = make_point_writer(arguments.format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) walk_scene(scene, *writer, progress);
+  for (const Scene& scene : loaded.scenes) draw_scene(scene, *writer, progress);
   writer->finish();
   return loaded.all_good ? exit_done : exit_bad;
 }
 
 constexpr const char* curve_footer =
-    R"(The curve spans the scene's range of speeds with as many points as it has, but at speeds of its
-own: each film is chosen and its speed computed, which needs no root. The points are spaced evenly,
-within a quarter of a step, in the logarithm of speed. Columns and formats are those of
-`tribocheck solve`.
+    R"(The curve spans the scene's range of speeds with as many points as it has, spaced evenly in the
+logarithm of speed, also where the scene gives a list or a range spaced otherwise. Columns and
+formats are those of `tribocheck solve`.
 
 Example:
   tribocheck curve reference/published/rough.toml --format csv > curve.csv)";

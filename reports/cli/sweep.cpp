@@ -344,7 +344,7 @@ Command add_sweep(CLI::App& program) {
       ->excludes(resume);
   app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
   app->add_option("--instruction-set", arguments->instruction_set,
-                  "use this one (AVX2, SSE4, …), so that unlike machines give the same bits");
+                  "use this one; SSE4 gives the bits of machines without fused multiply-add");
   app->add_flag("--any-instruction-set", arguments->any_instruction_set,
                 "go on with, or merge, chunks from machines whose last digits differ");
 

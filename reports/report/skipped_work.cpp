@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "report/number_text.hpp"
-#include "tribo/batch.hpp"
 #include "tribo/operating_points.hpp"
 
 namespace tribo::report {
@@ -28,17 +26,15 @@ std::vector<double> speeds_of(const SolvedCase& one) {
   return all;
 }
 
-// Steps of the roots with neither λ = λ₀ nor λ = λ_b known beforehand.
-std::uint64_t steps_without_skips(const MixedContact<double>& contact,
-                                  const std::vector<double>& speeds) {
-  detail::SharingSurface surface = contact.sharing().surface();
-  surface.film_from = std::numeric_limits<double>::infinity();
-  surface.floor_up_to = 0;
-  std::uint64_t steps = 0;
-  for (const double speed : speeds)
-    steps += static_cast<std::uint64_t>(
-        detail::film_parameter(surface, contact.flooded_film_parameter(speed)).iterations);
-  return steps;
+// Steps of the roots, with one at least for each that is λ₀ or λ_b without a step.
+std::uint64_t steps_of_all(const MixedContact<double>& contact, const std::vector<double>& speeds) {
+  OutputSet film;
+  film.insert(Output::film_flooded);
+  OperatingPoints points;
+  points.resize(speeds.size(), film);
+  WorkCounts work;
+  solve(contact, speeds, film, points, work);
+  return work[Work::root_step] + work[Work::root_is_film] + work[Work::root_is_floor];
 }
 
 struct Asked {
@@ -58,7 +54,7 @@ struct Saved {
 };
 
 // Moments, of the root, the shares and the outputs, and starvation ratios that were computed; and
-// what the same set would take if every point took every step.
+// what the same set would take if every root took a step.
 std::vector<std::string> skip_row(const SolvedCase& one, const std::vector<double>& speeds,
                                   std::uint64_t all_steps, const Asked& asked, Saved& saved) {
   OperatingPoints points;
@@ -100,11 +96,11 @@ Section skipped_work_section(const std::vector<SolvedCase>& solved) {
        "load shares skipped", "starvation skipped", "moments saved"},
       {false, false, true, true, true, true, true, true},
       {},
-      "Saved are evaluations of F~n~: of those that all outputs take with every root iterated."};
+      "Saved are evaluations of F~n~: of those that all outputs take with a step or more for every root."};
   Saved least_and_most;
   for (const SolvedCase& one : solved) {
     const std::vector<double> speeds = speeds_of(one);
-    const std::uint64_t all_steps = steps_without_skips(one.contact, speeds);
+    const std::uint64_t all_steps = steps_of_all(one.contact, speeds);
     for (const Asked& asked : requests)
       table.rows.push_back(skip_row(one, speeds, all_steps, asked, least_and_most));
   }

@@ -69,20 +69,21 @@ class Numbers(SolveTest):
         self.assertEqual(point["undefined"], {"friction": "the film has collapsed"})
 
     def test_an_overflow_is_undefined_not_infinite(self):
-        tree = scene(speed=1)
-        tree["surface"]["summit_density"] = 1e300
+        tree = scene(speed=1e300)
+        tree["surface"]["summit_height_sd"] = 1e-200
+        del tree["supply"]
         path = self.folder.write("huge.toml", tree)
         result = run("solve", path, "--format", "json")
         self.assertEqual(result.code, 0)
         self.assertIn("warning: ", result.err)
         point = result.json()[0]
-        self.assertIsNone(point["real_area_ratio"])
-        self.assertEqual(point["undefined"]["real_area_ratio"],
+        self.assertIsNone(point["film_parameter"])
+        self.assertEqual(point["undefined"]["film_parameter"],
                          "outside the range of double precision")
         row = rows_of(run("solve", path, "--format", "csv").out)[0]
-        self.assertEqual(row["real_area_ratio"], "")
+        self.assertEqual(row["film_parameter"], "")
         table = run("solve", path).out
-        self.assertIn("  - real_area_ratio: outside the range of double precision\n", table)
+        self.assertIn("  - film_parameter: outside the range of double precision\n", table)
         for word in ["nan", "inf"]:
             self.assertNotRegex(table, rf"\b{word}\b")
 

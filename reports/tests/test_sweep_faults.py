@@ -277,13 +277,18 @@ class Damage(SweepTest):
         changed = self.resumed(self.journal.replace(b"0.1.0", b"0.0.9"))
         self.assert_refused(changed, "journal-0")  # its checksum does not hold either
 
-    def test_another_instruction_set_is_refused_unless_asked_for(self):
+    def test_an_instruction_set_with_other_bits_is_refused_unless_asked_for(self):
         sets = run("sweep", "sweep.toml", "-o", "x", "--instruction-set", "?").err
-        other = [name.strip() for name in sets.split("allowed here:")[1].split(",")][-1]
-        self.swept(SHORT, "--shard", "1/2", "--instruction-set", other, out="1.shard")
+        last = [name.strip() for name in sets.split("allowed here:")[1].split(",")][-1]
+        self.swept(SHORT, "--shard", "1/2", "--instruction-set", last, out="1.shard")
         self.swept(SHORT, "--shard", "2/2", out="2.shard")
         merge = ["sweep", "merge", self.path("1.shard"), self.path("2.shard"), "-o",
                  self.path("merged.h5")]
+        own = self.set_of("whole.h5")
+        if own.startswith("no FMA"):  # and so is every other set of this machine
+            self.assertEqual(run(*merge).code, 0)
+            return
+        other = "no FMA"
         self.assert_refused(run(*merge), other)
         self.assertEqual(run(*merge, "--any-instruction-set").code, 0)
         os.rename(self.path("1.shard"), self.path("out.h5.journal-0"))
@@ -291,12 +296,11 @@ class Damage(SweepTest):
         went_on = self.sweep(SHORT, "--resume", "--any-instruction-set")
         self.assertEqual(went_on.code, 0, went_on.err)
         # All on which it was computed are told: by what was gone on with, merged, or both.
-        own = self.set_of("whole.h5")
         self.assertNotEqual(own, self.set_of("out.h5"))
         self.assertEqual(self.set_of("out.h5"), self.set_of("merged.h5"))
         for name in (own, other):
             self.assertIn(name, self.set_of("out.h5"))
-        self.swept(SHORT, "--shard", "1/2", "--instruction-set", other, out="x.shard.journal-0")
+        self.swept(SHORT, "--shard", "1/2", "--instruction-set", last, out="x.shard.journal-0")
         self.swept(SHORT, "--shard", "1/1", "--resume", "--any-instruction-set", out="x.shard")
         self.assertEqual(run("sweep", "merge", self.path("x.shard"), "--force", *merge[-2:]).code, 0)
         self.assertEqual(self.set_of("merged.h5"), self.set_of("out.h5"))

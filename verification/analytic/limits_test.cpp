@@ -630,7 +630,7 @@ TEST(Continuity, OutputsHaveNoStepWhereTheStarvedFilmMeetsTheFloor) {
       const Conditions condition = conditions_at(scene, edge.above);
       const double lambda_error =
           (2 * std::max(8.0, 16 * condition[3]) + condition[3]) * ulp * floor;
-      const double rate = std::exp(contact.sharing().log_fluid_rate_at_floor());
+      const double rate = contact.sharing().surface().hazard;
       EXPECT_LE(before.fluid_load_share, rate * lambda_error);
       for (const Output output :
            {Output::film, Output::separation, Output::real_area_ratio, Output::summit_count}) {
@@ -695,39 +695,43 @@ TEST(Continuity, WalkHasNoStepAtAnyBranch) {
       scene.closures.starvation = closure;
       scene.surface.offset_planes = 2;
       scene.supply.value = 12;
-      const MixedContact<double> contact(scene);
-      const StribeckWalk<double> walk(contact);
+      const MixedContact<long double> contact(scene);
+      const StribeckWalk<long double> walk(contact);
+      const auto walk_at = [&](double place) { return walk.at(static_cast<long double>(place)); };
       std::vector<Edge> edges{edge_at(-1), {0, 0x1p-1074}, {-0x1p-1074, 0}};
       // by fluid share: ε/4, where the film is taken on the floor, and 1/4
-      for (const double share : {epsilon<double>() / 4, 0.25}) {
+      for (const long double share : {epsilon<long double>() / 4, 0.25L}) {
         const Edge edge =
-            edge_of(-200, 5, [&](double s) { return walk.at(s).flooded.shares.fluid < share; });
+            edge_of(-200, 5, [&](double s) { return walk_at(s).flooded.shares.fluid < share; });
         // the code compares ln w, and A: some ulp to either side
         edges.push_back({edge.below - 1e-13, edge.above + 1e-13});
       }
       for (const Edge& edge : edges) {
-        const WalkPoint<double> at = walk.at(edge.above);
+        const WalkPoint<long double> at = walk_at(edge.above);
         const double step = std::abs(edge.above - edge.below);
         const auto same = [&](const char* what, auto&& quantity, double bound) {
           // what moves by `rate` e-foldings in u for each e-folding of s, does so here
-          EXPECT_TRUE(is_close(quantity(walk.at(edge.below)), Reference(quantity(at)),
-                               bound + 10 * step * (1 + 1 / at.rate), {{"s", edge.above}}))
+          EXPECT_TRUE(is_close(quantity(walk_at(edge.below)), Reference(quantity(at)),
+                               bound + 10 * step * (1 + 1 / static_cast<double>(at.rate)),
+                               {{"s", edge.above}}))
               << what << " closure " << static_cast<int>(closure);
         };
         // coordinates near −40 are logarithms: an ulp of them is 32 ε of what they stand for
         const double bound = 2 * (16 + std::abs(edge.above)) * 16 * ulp;
         same(
-            "u", [](const auto& p) { return p.flooded.speed; }, bound);
+            "u", [](const auto& p) { return static_cast<double>(p.flooded.speed); }, bound);
         same(
-            "lambda", [](const auto& p) { return p.flooded.shares.film_parameter; }, bound);
+            "lambda",
+            [](const auto& p) { return static_cast<double>(p.flooded.shares.film_parameter); },
+            bound);
         same(
-            "w", [](const auto& p) { return p.flooded.shares.fluid; }, bound);
+            "w", [](const auto& p) { return static_cast<double>(p.flooded.shares.fluid); }, bound);
         same(
-            "y", [](const auto& p) { return p.inlet.film_ratio; }, bound);
+            "y", [](const auto& p) { return static_cast<double>(p.inlet.film_ratio); }, bound);
         same(
-            "slope", [](const auto& p) { return p.film_slope; }, bound);
+            "slope", [](const auto& p) { return static_cast<double>(p.film_slope); }, bound);
         same(
-            "rate", [](const auto& p) { return p.rate; }, bound);
+            "rate", [](const auto& p) { return static_cast<double>(p.rate); }, bound);
       }
     }
 }
@@ -755,7 +759,7 @@ TEST(Continuity, OnsetEndsOnTheFloor) {
       EXPECT_GT(last.speed, 0);
       // 1 − A is at most the rounding of λ; u goes as (1 − A)^{0.14/0.67}
       const MixedContact<double> contact(scene);
-      const double fluid = std::exp(contact.sharing().log_fluid_rate_at_floor()) * 8 * ulp * floor;
+      const double fluid = contact.sharing().surface().hazard * 8 * ulp * floor;
       EXPECT_LE(last.speed, contact.speed_at(LoadSharing<double>::flooded_film_parameter(
                                 floor * (1 + 8 * ulp), fluid)));
     }

@@ -84,6 +84,7 @@ TEST(MixedContact, DoubleAgreesWithFiftyDigitsOnRandomScenes) {
     const OperatingPoint<double> got = MixedContact<double>(scene).solve(u);
     const OperatingPoint<Reference> exact = MixedContact<Reference>(scene).solve(Reference(u));
     EXPECT_EQ(got.inlet, exact.inlet);
+    EXPECT_EQ(got.regime, exact.regime);
     EXPECT_EQ(got.friction_undefined, exact.friction_undefined);
     const auto condition = conditions(scene);
     for (std::size_t k = 0; k < 9; ++k) {

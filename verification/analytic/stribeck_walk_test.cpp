@@ -47,10 +47,13 @@ double fluid_condition(const MixedContact<double>& contact, const OperatingPoint
   return 1 - slope * p.asperity_load_share / p.fluid_load_share;
 }
 
+// The walk in long double, which solves no root, against the engine's roots.
 TEST(StribeckCurve, EachPointIsWhatTheRootGivesAtItsSpeed) {
   for (const Scene& scene : scenes()) {
     const MixedContact<double> contact(scene);
-    stribeck_curve(contact, 1e-4, 3.0, 60, OutputSet::all(), [&](const OperatingPoint<double>& p) {
+    const MixedContact<long double> wide(scene);
+    const auto hold = [&](const OperatingPoint<long double>& walked) {
+      const OperatingPoint<double> p = detail::in_double(walked);
       const OperatingPoint<double> solved = contact.solve(p.speed);
       const double condition = fluid_condition(contact, p);
       const auto close = [&](double got, double expected, double allowed) {
@@ -66,7 +69,8 @@ TEST(StribeckCurve, EachPointIsWhatTheRootGivesAtItsSpeed) {
       close(p.friction, solved.friction, 8 + condition * r_condition);
       EXPECT_EQ(p.inlet, solved.inlet) << name_of(scene) << describe({{"u", p.speed}});
       EXPECT_EQ(p.friction_undefined, solved.friction_undefined);
-    });
+    };
+    stribeck_curve(wide, 1e-4L, 3.0L, 60, OutputSet::all(), hold);
   }
 }
 

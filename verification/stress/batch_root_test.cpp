@@ -66,12 +66,12 @@ void find_in_all_ways(AsperityModel model, const Points& points, Hold&& hold) {
     const LoadShares<double> shares = LoadSharing<double>(model, k, delta).solve(lambda0);
     hold(shares.film_parameter, i, "with shares");
     const bool is_in_range = k >= 1e-300 && k <= 1e300 && lambda0 >= 1e-280 && lambda0 <= 1e280;
-    const int most = is_in_range && !is_critical(model, k, delta) ? detail::max_sharing_steps : 80;
+    const int most = is_in_range && !is_critical(model, k, delta) ? max_sharing_steps : 80;
     EXPECT_LE(shares.iterations, most) << text(points, i);
   }
   on_each_instruction_set([&] {
     const Roots many = roots_of(model, points);
-    EXPECT_LE(many.work.steps, points.size() * detail::max_sharing_steps);
+    EXPECT_LE(many.work.steps, points.size() * max_sharing_steps);
     for (std::size_t i = 0; i < points.size(); ++i) {
       hold(many.film_parameter[i], i, "of many surfaces");
       const LoadSharing<double> surface(model, points.stiffness[i], points.offset[i]);
@@ -327,7 +327,7 @@ TEST(BatchRoot, IsRarelyLeftToNewtonsMethodWithinTheRangeOfTheKernels) {
   }
 }
 
-// λ = λ₀ to half an ulp from sharing_film_from on, and no step is taken there.
+// λ = λ₀ to half an ulp from film_from on, and no step is taken there.
 TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
   Sampler sampler(159);
   for (const AsperityModel model : models) {
@@ -336,7 +336,7 @@ TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
       const double k = sampler.pick({0, 1, 1}) == 0 ? sampler.log_uniform(1e-300, 1e300)
                                                     : sampler.log_uniform(1e-40, 1e10);
       const double delta = uniform_offset(sampler);
-      const double from = sharing_film_from(k, delta);
+      const double from = LoadSharing<double>(model, k, delta).surface().film_from;
       if (!(from > 1e-3)) continue;
       const double lambda0 = from * (1 + sampler.log_uniform(1e-14, 0.5));
       points.add(k, delta, lambda0);

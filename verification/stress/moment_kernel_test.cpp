@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The double kernels of F_n and S_n, with and without fused multiply-add, to one unit in the last
-// place: at random, at the piece edges and their neighbours, where results are subnormal, and far
+// F_n and S_n in double, on each instruction set, to one unit in the last place: at random, at the piece edges and their neighbours, where results are subnormal, and far
 // out.
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "support/instruction_sets.hpp"
 #include "support/judge.hpp"
 #include "support/orders.hpp"
 #include "tribo/gaussian_moment.hpp"
@@ -57,25 +57,24 @@ TEST_P(MomentKernel, IsOffByNoMoreThanOneUnit) {
   for (const double d : arguments(sampler)) {
     const Reference scaled = scaled_gaussian_moment(GetParam(), Reference(d));
     const Reference moment = unscaled_product(Reference(1), scaled, Reference(d));
-    hold("F", gaussian_moment(GetParam(), d), moment, d);
-    hold("F unfused", detail::gaussian_moment_unfused(GetParam(), d), moment, d);
-    hold("S", scaled_gaussian_moment(GetParam(), d), scaled, d);
-    hold("S unfused", detail::scaled_gaussian_moment_unfused(GetParam(), d), scaled, d);
+    on_each_instruction_set([&] {
+      hold("F", gaussian_moment(GetParam(), d), moment, d);
+      hold("S", scaled_gaussian_moment(GetParam(), d), scaled, d);
+    });
   }
 }
 
 TEST_P(MomentKernel, GivesWhatTheHeaderSaysAtTheEndsOfTheLine) {
   const double infinity = std::numeric_limits<double>::infinity();
   const Order n = GetParam();
-  for (const auto moment : {+[](Order m, double d) { return gaussian_moment(m, d); },
-                            detail::gaussian_moment_unfused}) {
-    EXPECT_EQ(moment(n, infinity), 0);
-    EXPECT_EQ(moment(n, 1e300), 0);
-    EXPECT_EQ(moment(n, -infinity), n == Order::zero ? 1 : infinity);
-    EXPECT_EQ(moment(n, -1e300) > 1e149, twice(n) >= 1);
-    const double nan = moment(n, std::numeric_limits<double>::quiet_NaN());
+  on_each_instruction_set([&] {
+    EXPECT_EQ(gaussian_moment(n, infinity), 0);
+    EXPECT_EQ(gaussian_moment(n, 1e300), 0);
+    EXPECT_EQ(gaussian_moment(n, -infinity), n == Order::zero ? 1 : infinity);
+    EXPECT_EQ(gaussian_moment(n, -1e300) > 1e149, twice(n) >= 1);
+    const double nan = gaussian_moment(n, std::numeric_limits<double>::quiet_NaN());
     EXPECT_NE(nan, nan);
-  }
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEachOrder, MomentKernel,

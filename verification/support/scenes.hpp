@@ -93,7 +93,8 @@ inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene
 // All of it, the choices as their places in the enumerations of scene.hpp.
 inline std::vector<std::pair<std::string_view, double>> describe_numbers(Scene scene) {
   std::vector<std::pair<std::string_view, double>> all;
-  for (const auto& [name, number] : numbers_of(scene)) all.emplace_back(name, *number);
+  for (const auto& [name, number] : numbers_of(scene))
+    if (number != nullptr) all.emplace_back(name, *number);  // a range of speeds has no first one
   all.emplace_back("offset_planes", static_cast<double>(scene.surface.offset_planes));
   all.emplace_back("supply_kind", static_cast<double>(scene.supply.kind));
   all.emplace_back("fluid", static_cast<double>(scene.friction.fluid));

@@ -16,11 +16,11 @@
 
 namespace tribo {
 
-// Error of each of the three, on every instruction set; one unit where the result is subnormal. Of
-// the logarithm: so many ε·max(1, |ln F_n|).
-inline constexpr Contract gaussian_moment_batch_contract{2, 0};
+// Error of ln F_n: so many ε·max(1, |ln F_n|).
+inline constexpr Contract log_gaussian_moment_contract{2, 0};
 
-// F_n(d), S_n(d) (= e^{d²/2} F_n(d) for d ≥ 0, F_n(d) below) and ln F_n(d), for every double.
+// F_n(d), S_n(d) (= e^{d²/2} F_n(d) for d ≥ 0, F_n(d) below) and ln F_n(d), for every double. The
+// first two have the bits of gaussian_moment.hpp's, and gaussian_moment_contract.
 void gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
 void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
 void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms);
@@ -42,15 +42,19 @@ SharingWork film_parameter(const LoadSharing<double>& sharing,
                            std::span<const double> flooded_film_parameter,
                            std::span<double> film_parameter);
 
+// One of them.
+double film_parameter(AsperityModel model, double stiffness, double offset,
+                      double flooded_film_parameter);
+
 // The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SSSE3, …
 std::string_view instruction_set();
+// Has it fused multiply-add? All sets with it give the same bits, and all without it.
+bool is_fused();
 // Those that this machine has, the best first. GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA
 // in the environment switches sets off, for this library as for the C library.
 std::span<const std::string_view> instruction_sets();
 // Makes batches use one of them from now on, for tests and benchmarks; false if the machine lacks
 // it. Not to be called beside a batch.
 bool use_instruction_set(std::string_view name);
-// What the functions of one value use: "FMA" or "no FMA".
-std::string_view scalar_instruction_set();
 
 }  // namespace tribo

@@ -15,8 +15,8 @@
 // Error bound: in double gaussian_moment_contract, one unit where the result is subnormal; in T in
 // general 500 ε on [−40, 37]. F_n(+∞) = 0, F_n(−∞) = ∞ (1 for n = 0), NaN gives NaN.
 //
-// The templates serve every number type; double has kernels of its own, of polynomials in pieces
-// (src/gaussian_moment_double.cpp), declared at the end.
+// The templates serve every number type but double, which has polynomials in pieces
+// (src/gaussian_moment-inl.hpp), declared at the end.
 #pragma once
 
 #include <array>
@@ -258,14 +258,6 @@ T gaussian_moment(Order n, const T& d) {
 // S_n(d) and F_n(d) in double, for every d.
 double scaled_gaussian_moment(Order n, double d);
 double gaussian_moment(Order n, double d);
-
-namespace detail {
-
-// What runs on processors without fused multiply-add, under the same contract; for tests.
-double scaled_gaussian_moment_unfused(Order n, double d);
-double gaussian_moment_unfused(Order n, double d);
-
-}  // namespace detail
 
 // ln F_n(d); does not underflow: −∞ only at d = +∞ (or where d² overflows).
 template <class T>

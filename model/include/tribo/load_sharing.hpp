@@ -12,14 +12,17 @@
 #pragma once
 
 #include "tribo/asperity_contact.hpp"
+#include "tribo/contact_numbers.hpp"
 #include "tribo/contract.hpp"
 #include "tribo/film_thickness.hpp"
-#include "tribo/sharing_root.hpp"
 
 namespace tribo {
 
 // Of the root λ.
 inline constexpr Contract load_sharing_contract{4, 8.5};
+
+// Steps to a root in double, at most.
+inline constexpr int max_sharing_steps = 16;
 
 // λ = λ₀(1−A)^−0.14
 inline constexpr Fraction sharing_exponent_of_film{14, 100};
@@ -37,6 +40,16 @@ struct LoadShares {
   int iterations;    // steps to the root that were taken
 };
 
+// A root λ, and the steps to it.
+template <class T>
+struct SharingRoot {
+  T film_parameter;
+  int iterations;
+};
+
+template <class T>
+class MixedContact;
+
 template <class T>
 class LoadSharing {
  public:
@@ -47,20 +60,11 @@ class LoadSharing {
         stiffness_(stiffness),
         offset_(offset) {
     find_floor();
-    if constexpr (std::is_same_v<T, double>) find_free_ranges();
   }
 
   const T& stiffness() const { return stiffness_; }
   const T& offset() const { return offset_; }
   bool has_floor() const { return has_floor_; }
-  // Only in double: is A(λ) < 2^−54, half an ulp of 1 − A? By the bound of sharing_film_from, which
-  // is A < 2^−54 p, p = 1/0.14, and falls as e^{−d²/4}.
-  bool is_free_of_asperities(const T& film_parameter) const {
-    const T d = film_parameter - offset_, limit = surface_.film_from - offset_;
-    return d > 0 && d * d > limit * limit + 7.9;  // 4 ln p < 7.9
-  }
-  // What the double kernels need; only in double.
-  const detail::SharingSurface& surface() const { return surface_; }
   // λ_b, 0 where there is none. Error: 20 ε × condition, which grows as A(0) → 1.
   const T& floor() const { return floor_; }
 
@@ -126,17 +130,9 @@ class LoadSharing {
     return root(flooded_film_parameter).film_parameter;
   }
 
-  struct Root {
-    T film_parameter;
-    int iterations;
-  };
+  using Root = SharingRoot<T>;
   Root root(const T& flooded_film_parameter) const {
     const T& lambda0 = flooded_film_parameter;
-    if constexpr (std::is_same_v<T, double>) {
-      const detail::SharingRoot found = detail::film_parameter(surface_, lambda0);
-      if (found.film_parameter == found.film_parameter)
-        return {found.film_parameter, found.iterations};
-    }
     if (lambda0 != lambda0 || floor_ != floor_) return {quiet_nan<T>(), 0};
     if (!is_finite(lambda0)) return {lambda0, 0};
     if (!is_finite(floor_)) return {floor_, 0};
@@ -293,25 +289,6 @@ class LoadSharing {
     floor_log_slope_ = asperities(floor_argument_).log_slope;
   }
 
-  // What the double kernels need once a surface. A is log-concave, so that A ≤ e^{−h(λ−λ_b)} above
-  // the floor and λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^p)/h: below 2^−54 λ_b up to floor_up_to.
-  void find_free_ranges() {
-    surface_ = {order_, stiffness_, offset_, floor_, has_floor_ ? -floor_log_slope_ : T(0)};
-    if (has_floor_)
-      surface_.floor_up_to =
-          floor_ * std::pow(0.99 * 0x1p-54 * surface_.hazard * floor_, sharing_film_exponent<T>());
-    surface_.film_from = sharing_film_from(stiffness_, offset_);
-    if (has_floor_) return;
-    // h = −q F′/F and its slope, F″ = pF − dF′
-    const Asperities at = asperities(T(-offset_));
-    const T hazard = -at.log_slope / exponent_;
-    surface_.share_at_zero = at.share;
-    surface_.hazard_at_zero = -at.log_slope;
-    surface_.slope_at_zero = exponent_ * (hazard * (hazard + offset_) - value_of<T>(order_));
-    // At hλ = 0.05 what is left out, cubic in λ, is at most 5e-5 of A; the next step is exact.
-    surface_.near_zero = 0.05 / surface_.hazard_at_zero;
-  }
-
   Order order_;
   T exponent_;
   T stiffness_;
@@ -320,7 +297,41 @@ class LoadSharing {
   T floor_argument_{};   // λ_b − δ, without the rounding of the difference
   T floor_log_slope_{};  // d ln A/dλ there
   bool has_floor_ = false;
-  detail::SharingSurface surface_{};
+};
+
+// In double the numbers come from the engine (engine.hpp). Errors and failures are those of the
+// template; roots keep load_sharing_contract.
+template <>
+class LoadSharing<double> {
+ public:
+  using Root = SharingRoot<double>;
+
+  LoadSharing(AsperityModel model, double stiffness, double offset);
+
+  double stiffness() const { return surface_.stiffness; }
+  double offset() const { return surface_.offset; }
+  bool has_floor() const { return surface_.hazard > 0; }
+  double floor() const { return surface_.floor; }
+  double asperity_share(double film_parameter) const;
+  double asperity_share_slope(double film_parameter) const;
+  LoadShares<double> shares_above_floor(double distance) const;
+  double distance_above_floor(double fluid) const;
+  static double flooded_film_parameter(double film_parameter, double fluid_share);
+  LoadShares<double> solve(double flooded_film_parameter) const;
+  double film_parameter(double flooded_film_parameter) const;
+  Root root(double flooded_film_parameter) const;
+  LoadShares<double> shares_at(double flooded_film_parameter, const Root& root) const;
+
+  AsperityModel model() const { return model_; }
+  const detail::SurfaceNumbers<double>& surface() const { return surface_; }
+
+ private:
+  friend class MixedContact<double>;
+  LoadSharing(AsperityModel model, const detail::SurfaceNumbers<double>& surface)
+      : model_(model), surface_(surface) {}
+
+  AsperityModel model_;
+  detail::SurfaceNumbers<double> surface_;
 };
 
 }  // namespace tribo

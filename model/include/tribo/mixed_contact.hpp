@@ -14,7 +14,6 @@
 #include "tribo/operating_point.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/starvation.hpp"
-#include "tribo/work.hpp"
 
 namespace tribo {
 
@@ -32,6 +31,8 @@ struct InletState {
   T flooded_over_inlet;  // r = h_ff/h_oil; 0 without a supply
   bool collapsed;
 };
+
+class MixedContacts;
 
 template <class T>
 class MixedContact {
@@ -95,44 +96,23 @@ class MixedContact {
     return {speed, sharing_.solve(flooded_film_parameter(speed))};
   }
 
-  // The film at λ₀ and its root, with load shares where the outputs need them; they are 0 where
-  // not.
-  FloodedFilm<T> flooded(const T& speed, const T& flooded_film_parameter,
-                         const typename LoadSharing<T>::Root& root, OutputSet outputs) const {
-    if (needs_flooded_shares(outputs))
-      return {speed, sharing_.shares_at(flooded_film_parameter, root)};
-    return {speed, {root.film_parameter, T(0), T(0), root.iterations}};
-  }
-
-  template <class Counter = NoWork>
-  InletState<T> inlet(const FloodedFilm<T>& film, Counter&& work = {}) const {
-    if (supply_ == SupplyKind::flooded) {
-      work.add(Work::supply_is_flooded);
-      return {T(1), T(0), false};
-    }
+  InletState<T> inlet(const FloodedFilm<T>& film) const {
+    if (supply_ == SupplyKind::flooded) return {T(1), T(0), false};
     const T r = film.shares.film_parameter / inlet_film_parameter(film.speed);
     const bool collapsed = closure_ == StarvationClosure::flooded_inlet && r >= 1;
     if (collapsed) return {T(0), r, true};
-    work.add(Work::starvation);
     return {starvation_ratio(closure_, r, damiens_exponent_), r, false};
-  }
-  // Does an output of the set depend on the supply?
-  static constexpr bool needs_inlet(OutputSet outputs) {
-    return !(outputs == only(Output::film_flooded));
   }
 
   // All outputs of a set at speed u > 0 in m/s.
   OperatingPoint<T> solve(const T& speed, OutputSet outputs = OutputSet::all()) const {
-    const T film0 = flooded_film_parameter(speed);
-    const FloodedFilm<T> film = flooded(speed, film0, sharing_.root(film0), outputs);
-    return complete(film, needs_inlet(outputs) ? inlet(film) : InletState<T>{T(1), T(0), false},
-                    outputs);
+    const FloodedFilm<T> film = flooded(speed);
+    return complete(film, inlet(film), outputs);
   }
 
   // Likewise from a film and inlet that are known already.
-  template <class Counter = NoWork>
   OperatingPoint<T> complete(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
-                             OutputSet outputs, Counter&& work = {}) const {
+                             OutputSet outputs) const {
     OperatingPoint<T> point;
     point.speed = flooded.speed;
     const T& lambda_flooded = flooded.shares.film_parameter;
@@ -149,24 +129,15 @@ class MixedContact {
                                                             : Inlet::starved;
     LoadShares<T> shares{};
     if (needs_shares(outputs))
-      shares = shares_of(flooded, inlet, lambda, outputs, work);
-    else
-      work.add(Work::share_not_asked);
+      shares = supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
     if (outputs.contains_any(sharing_outputs())) add_shares(point, shares);
-    if (outputs.contains_any(area_outputs())) {
-      work.add(Work::moment);
+    if (outputs.contains_any(area_outputs()))
       point.real_area_ratio = moment_at(asperities_.area_factor, area_order(asperities_.model),
                                         lambda_apart, shares.asperity);
-    }
-    if (outputs.contains(Output::summit_count)) {
-      work.add(Work::moment);
+    if (outputs.contains(Output::summit_count))
       point.summit_count = moment_at(asperities_.count_factor, count_order(asperities_.model),
                                      lambda_apart, shares.asperity);
-    }
-    if (outputs.contains(Output::friction)) {
-      work.add(Work::shear_stress);
-      add_friction(point, lambda_apart);
-    }
+    if (outputs.contains(Output::friction)) add_friction(point, lambda_apart);
     return point;
   }
 
@@ -191,23 +162,6 @@ class MixedContact {
     return outputs.contains_any(sharing_outputs()) ||
            (has_high_floor() && outputs.contains_any(moment_outputs()));
   }
-  // A starved film has shares of its own; only near a floor they rest on those of the flooded one.
-  bool needs_flooded_shares(OutputSet outputs) const {
-    return needs_shares(outputs) && (supply_ == SupplyKind::flooded || sharing_.has_floor());
-  }
-
-  template <class Counter>
-  LoadShares<T> shares_of(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
-                          const T& lambda, OutputSet outputs, Counter&& work) const {
-    if constexpr (std::is_same_v<T, double>) {
-      if (!outputs.contains_any(asperity_outputs()) && sharing_.is_free_of_asperities(lambda)) {
-        work.add(Work::share_is_nothing);
-        return {lambda, T(0), T(1), 0};
-      }
-    }
-    work.add(Work::share);
-    return supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
-  }
 
   struct Fluid {
     T viscosity, pressure_viscosity, eyring_stress;
@@ -223,12 +177,6 @@ class MixedContact {
     set.insert(Output::fluid_load_share);
     set.insert(Output::regime);
     set.insert(Output::friction);
-    return set;
-  }
-  // Those in which the load share of the asperities itself stands.
-  static constexpr OutputSet asperity_outputs() {
-    OutputSet set = moment_outputs();
-    set.insert(Output::asperity_load_share);
     return set;
   }
   static constexpr OutputSet moment_outputs() {
@@ -296,6 +244,56 @@ class MixedContact {
   AsperityContact<T> asperities_;
   LoadSharing<T> sharing_;
   T film_parameter_at_unit_speed_;  // λ₀/u^0.67
+};
+
+// In double the numbers come from the engine (engine.hpp): a point has the same bits alone and in a
+// batch of any size, on every x86-64 with fused multiply-add. Error: operating_point_contract.
+template <>
+class MixedContact<double> {
+ public:
+  explicit MixedContact(const Scene& scene);
+
+  HertzPoint<double> hertz() const {
+    return {numbers_.radius, numbers_.nominal_area, numbers_.mean_pressure,
+            3 * numbers_.mean_pressure / 2, numbers_.approach};
+  }
+  AsperityContact<double> asperities() const {
+    return {words_.model, numbers_.surface.stiffness, numbers_.surface.offset, numbers_.area_factor,
+            numbers_.count_factor};
+  }
+  LoadSharing<double> sharing() const { return {words_.model, numbers_.surface}; }
+  StarvationClosure closure() const { return words_.closure; }
+  double damiens_exponent() const { return numbers_.damiens_exponent; }
+  double summit_height_sd() const { return numbers_.summit_height_sd; }
+  SupplyKind supply() const { return words_.supply; }
+  double inlet_flow() const { return numbers_.supply; }
+  double inlet_film_parameter(double speed) const;
+  double flooded_film_parameter(double speed) const;
+  double speed_at(double flooded_film_parameter) const;
+
+  FloodedFilm<double> flooded(double speed) const;
+  InletState<double> inlet(const FloodedFilm<double>& film) const;
+  OperatingPoint<double> solve(double speed, OutputSet outputs = OutputSet::all()) const;
+  OperatingPoint<double> complete(const FloodedFilm<double>& flooded,
+                                  const InletState<double>& inlet, OutputSet outputs) const;
+
+  const detail::ContactWords& words() const { return words_; }
+  const detail::ContactNumbers<double>& numbers() const { return numbers_; }
+  // The same contact in another number type, from the same scene.
+  template <class T>
+  MixedContact<T> in() const {
+    return MixedContact<T>(detail::scene_of(words_, scene_));
+  }
+
+ private:
+  friend class MixedContacts;
+  MixedContact(const detail::ContactWords& words, const detail::SceneNumbers<double>& scene,
+               const detail::ContactNumbers<double>& numbers)
+      : words_(words), scene_(scene), numbers_(numbers) {}
+
+  detail::ContactWords words_;
+  detail::SceneNumbers<double> scene_;
+  detail::ContactNumbers<double> numbers_;
 };
 
 }  // namespace tribo

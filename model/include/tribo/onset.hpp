@@ -69,6 +69,9 @@ T log_flow_ratio(const MixedContact<T>& contact, const WalkPoint<T>& point) {
          log(point.flooded.speed) - log(contact.inlet_flow());
 }
 
+template <>
+double log_flow_ratio(const MixedContact<double>& contact, const WalkPoint<double>& point);
+
 // The coordinate at which r has a given value, under constant flow.
 template <class T>
 T coordinate_at_flow_ratio(const MixedContact<T>& contact, const StribeckWalk<T>& walk,

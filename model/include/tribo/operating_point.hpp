@@ -72,4 +72,27 @@ std::array<T, number_count> numbers_of(const OperatingPoint<T>& point) {
           point.friction};
 }
 
+namespace detail {
+
+// Rounded to double.
+template <class T>
+OperatingPoint<double> in_double(const OperatingPoint<T>& p) {
+  const auto to_double = [](const T& x) { return static_cast<double>(x); };
+  return {to_double(p.speed),
+          to_double(p.film_flooded),
+          to_double(p.film),
+          to_double(p.separation),
+          to_double(p.film_parameter),
+          to_double(p.asperity_load_share),
+          to_double(p.fluid_load_share),
+          to_double(p.real_area_ratio),
+          to_double(p.summit_count),
+          to_double(p.friction),
+          p.regime,
+          p.inlet,
+          p.friction_undefined};
+}
+
+}  // namespace detail
+
 }  // namespace tribo

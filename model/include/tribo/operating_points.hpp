@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tribo/mixed_contact.hpp"
+#include "tribo/work.hpp"
 
 namespace tribo {
 
@@ -40,9 +41,6 @@ struct OperatingPoints {
 // structure.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, std::size_t first = 0);
-// A single one, with the same bits.
-OperatingPoint<double> solve_one(const MixedContact<double>& contact, double speed,
-                                 OutputSet outputs);
 // Many, and what work it was.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, WorkCounts& work, std::size_t first = 0);

@@ -10,8 +10,10 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "tribo/mixed_contact.hpp"
+#include "tribo/operating_points.hpp"
 
 namespace tribo {
 
@@ -220,6 +222,21 @@ class StribeckWalk {
   T log_inverse_r_at_floor_{};
 };
 
+// In double the coordinate is ln u itself: a root of the engine's takes a third of the time that
+// the powers and logarithms of a walk do.
+template <>
+class StribeckWalk<double> {
+ public:
+  explicit StribeckWalk(const MixedContact<double>& contact) : contact_(contact) {}
+
+  WalkPoint<double> at(double log_speed) const;
+  double near(double speed) const;
+  double walk_to(double, double log_speed, double) const { return log_speed; }
+
+ private:
+  const MixedContact<double>& contact_;  // must outlive the walk
+};
+
 // Visits `count` ≥ 2 points whose speeds ascend from about `from` to about `to` (0 < from < to,
 // m/s), within a quarter of a step of the logarithmic grid, and within 1e-9 at the ends. Each point
 // is exact for the speed it carries: the speeds are the walk's own. visit(point) gets an
@@ -238,6 +255,19 @@ void stribeck_curve(const MixedContact<T>& contact, const T& from, const T& to, 
     const WalkPoint<T> point = walk.at(s);
     visit(contact.complete(point.flooded, point.inlet, outputs));
   }
+}
+
+// In double at the speeds of the logarithmic grid themselves, which are those of a scene's range.
+template <class Visitor>
+void stribeck_curve(const MixedContact<double>& contact, double from, double to, std::size_t count,
+                    OutputSet outputs, Visitor&& visit) {
+  const Speeds range{{}, from, to, count, Spacing::log};
+  std::vector<double> speeds(count);
+  for (std::size_t i = 0; i < count; ++i) speeds[i] = range[i];
+  OperatingPoints points;
+  points.resize(count, outputs);
+  solve(contact, speeds, outputs, points);
+  for (std::size_t i = 0; i < count; ++i) visit(points[i]);
 }
 
 }  // namespace tribo

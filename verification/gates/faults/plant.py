@@ -33,6 +33,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
 FIELDS = {"id", "fault", "file", "find", "replace", "check"}
 INVENTORY = "inventory:"
+# The engine is built for AVX2 and for no instruction set alone: a third of the time, which nearly each fault of
+# the model takes anew. In Highway's numbers SSSE3, SSE4 and both kinds of AVX-512 are left out.
+LEFT_OUT = 1 << 12 | 1 << 11 | 1 << 8 | 1 << 7  # 6528
 CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
 
 
@@ -105,7 +108,7 @@ class Scratch:
                 (self.tree / name).parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy2(ROOT / name, self.tree / name)
         done = run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
-                    "-DCMAKE_CXX_FLAGS=-O1", "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"])
+                    f"-DCMAKE_CXX_FLAGS=-O1 -DHWY_DISABLED_TARGETS={LEFT_OUT}", "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"])
         if done.returncode != 0:
             sys.exit(done.stdout)
 

@@ -57,7 +57,7 @@ PointResult operating_point(const Scene& scene) {
   OutputSet outputs = OutputSet::all();
   if (!has_friction_inputs(scene)) outputs.erase(Output::friction);
   const OperatingPoint<double> point =
-      solve_one(MixedContact<double>(scene), scene.speeds[0], outputs);
+      MixedContact<double>(scene).solve(scene.speeds[0], outputs);
   return {or_undefined(point.film_flooded),
           or_undefined(point.film),
           or_undefined(point.separation),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The root of load sharing (load_sharing.hpp) for a vector of points, once for each instruction
-// set.
+// The root of load sharing (load_sharing.hpp) in double, once for each instruction set, for one
+// lane and for vectors of points.
 //
 // In y = ln(λ/λ₀), with U = ln A, A = (K F_p(λ−δ))^q, and w = e^{−py} = 1 − A at the root, p =
 // 1/0.14,
@@ -19,18 +19,19 @@
 // that length. No iterate falls below λ₀, and a lane that is not there after max_sharing_steps is
 // left to Newton's method on the convex form, which rises to the root from wherever it starts left
 // of it.
-#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
-#include "gaussian_moment_vector-inl.hpp"
-#include "sharing_method.hpp"
-#include "tribo/sharing_root.hpp"
+#include <limits>
 
-#if defined(TRIBO_LOAD_SHARING_VECTOR) == defined(HWY_TARGET_TOGGLE)
-#ifdef TRIBO_LOAD_SHARING_VECTOR
-#undef TRIBO_LOAD_SHARING_VECTOR
+#include "elementary-inl.hpp"
+#include "gaussian_moment-inl.hpp"
+#include "sharing_method.hpp"
+
+#if defined(TRIBO_LOAD_SHARING) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIBO_LOAD_SHARING
+#undef TRIBO_LOAD_SHARING
 #else
-#define TRIBO_LOAD_SHARING_VECTOR
+#define TRIBO_LOAD_SHARING
 #endif
 
 HWY_BEFORE_NAMESPACE();
@@ -56,15 +57,16 @@ HWY_INLINE Asperities<V> asperities(D d, Order order, const SharingInputs<V>& in
   const V argument = hn::Sub(lambda, in.offset);
   const auto below_zero = hn::Lt(argument, hn::Zero(d));
   const V x = distance_in_pieces(d, argument);
-  const V square = hn::IfThenZeroElse(below_zero, hn::Mul(x, x));
-  const V gaussian = hn::Exp(d, hn::Mul(hn::Mul(hn::Set(d, -0.5), exponent), square));
-  const VectorSum<V> moment = moment_and_log_slope(d, order, below_zero, x);
-  const V product = hn::Mul(in.stiffness, moment.high);
+  const auto [moment, log_slope] = moment_and_log_slope(d, order, below_zero, x);
+  const V product = hn::Mul(in.stiffness, moment);
   // h = −d ln F_n/dd and h′ = h² − dh − n
-  const V h = hn::IfThenElse(below_zero, moment.low, hn::Sub(x, moment.low));
-  const V less_d = hn::IfThenElse(below_zero, hn::Add(h, x), hn::Neg(moment.low));
-  return {hn::Mul(order == Order::five_halves ? hn::Sqrt(product) : product, gaussian),
-          hn::Mul(exponent, h), hn::Mul(exponent, hn::Max(hn::MulSub(h, less_d, n), hn::Zero(d)))};
+  const V h = hn::IfThenElse(below_zero, log_slope, hn::Sub(x, log_slope));
+  const V less_d = hn::IfThenElse(below_zero, hn::Add(h, x), hn::Neg(log_slope));
+  const V square = hn::IfThenZeroElse(below_zero, hn::Mul(x, x));
+  const V gaussian = exponential(d, hn::Mul(hn::Mul(hn::Set(d, -0.5), exponent), square));
+  const V share = hn::Mul(order == Order::five_halves ? hn::Sqrt(product) : product, gaussian);
+  return {share, hn::Mul(exponent, h),
+          hn::Mul(exponent, hn::Max(hn::MulSub(h, less_d, n), hn::Zero(d)))};
 }
 
 // A point on its way: λ and y = ln(λ/λ₀).
@@ -72,35 +74,6 @@ template <class V>
 struct Iterate {
   V film_parameter, log_rise;
 };
-
-// A little above a floor, where A falls as e^{−hx} and (λ₀/λ)^p hardly changes.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Iterate<V> above_floor(D d, V floor, V hazard, V flooded) {
-  const V p = hn::Set(d, sharing_p), one = hn::Set(d, 1.0);
-  const V log_ratio = hn::Log(d, hn::Div(floor, flooded));
-  const V w = hn::Mul(hn::Exp(d, hn::Neg(hn::Mul(p, log_ratio))), hn::Set(d, 0.999));
-  const V rest = hn::Sub(one, w);
-  const V rate = hn::MulAdd(hn::Div(p, floor), hn::Div(w, rest), hazard);
-  const V lambda = hn::Sub(floor, hn::Div(hn::Log(d, rest), rate));
-  return {lambda, hn::Log(d, hn::Div(lambda, flooded))};
-}
-
-// A start from a λ₀ below the floor: where ln A, continued from there as a parabola, is 0, but not
-// beyond δ + √(2 ln K F_p(0)), which no floor passes; and from there a little above.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, const SharingInputs<V>& in,
-                                       const Asperities<V>& at) {
-  const V one = hn::Set(d, 1.0), two = hn::Set(d, 2.0);
-  const V log_share = hn::Log(d, hn::Max(at.share, one));
-  const V root =
-      hn::Sqrt(hn::MulAdd(hn::Mul(two, at.slope), log_share, hn::Mul(at.hazard, at.hazard)));
-  V distance = hn::Div(hn::Mul(two, log_share), hn::Add(at.hazard, root));
-  const V at_zero = hn::Mul(in.stiffness, hn::Set(d, sharing_moment_at_zero(order)));
-  const V limit = hn::Add(in.offset, hn::Sqrt(hn::Mul(two, hn::Log(d, hn::Max(at_zero, one)))));
-  distance = hn::Min(distance, hn::Max(hn::Sub(limit, in.flooded), hn::Zero(d)));
-  return above_floor(d, hn::Add(in.flooded, distance), hn::MulAdd(at.slope, distance, at.hazard),
-                     in.flooded);
-}
 
 // x e^s, without the whole exponential where no lane needs it.
 template <class D, class V = hn::Vec<D>>
@@ -111,7 +84,37 @@ HWY_INLINE V times_exp(D d, V x, V s) {
   const V near = hn::MulAdd(x, hn::MulAdd(hn::Mul(s, s), sum, s), x);
   const auto is_near = hn::Lt(hn::Abs(s), hn::Set(d, 0x1p-8));  // s⁶/720 < 2^−57
   if (hn::AllTrue(d, is_near)) return near;
-  return hn::IfThenElse(is_near, near, hn::Mul(x, hn::Exp(d, s)));
+  return hn::IfThenElse(is_near, near, hn::Mul(x, exponential(d, s)));
+}
+
+// A little above a floor, where A falls as e^{−hx} and (λ₀/λ)^p hardly changes.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Iterate<V> above_floor(D d, V floor, V hazard, V flooded) {
+  const V p = hn::Set(d, sharing_p), one = hn::Set(d, 1.0);
+  const V log_rise = rough_logarithm(d, hn::Div(floor, flooded));
+  const V w = hn::Mul(exponential(d, hn::Neg(hn::Mul(p, log_rise))), hn::Set(d, 0.999));
+  const V rest = hn::Sub(one, w);
+  const V rate = hn::MulAdd(p, hn::Div(w, rest), hn::Mul(hazard, floor));
+  const V further = hn::Neg(hn::Div(rough_logarithm(d, rest), rate));
+  return {times_exp(d, floor, further), hn::Add(log_rise, further)};
+}
+
+// A start from a λ₀ below the floor: where ln A, continued from there as a parabola, is 0, but not
+// beyond δ + √(2 ln K F_p(0)), which no floor passes; and from there a little above.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, const SharingInputs<V>& in,
+                                       const Asperities<V>& at) {
+  const V one = hn::Set(d, 1.0), two = hn::Set(d, 2.0);
+  const V log_share = rough_logarithm(d, hn::Max(at.share, one));
+  const V root =
+      hn::Sqrt(hn::MulAdd(hn::Mul(two, at.slope), log_share, hn::Mul(at.hazard, at.hazard)));
+  V distance = hn::Div(hn::Mul(two, log_share), hn::Add(at.hazard, root));
+  const V at_zero = hn::Mul(in.stiffness, hn::Set(d, sharing_moment_at_zero(order)));
+  const V limit =
+      hn::Add(in.offset, hn::Sqrt(hn::Mul(two, rough_logarithm(d, hn::Max(at_zero, one)))));
+  distance = hn::Min(distance, hn::Max(hn::Sub(limit, in.flooded), hn::Zero(d)));
+  return above_floor(d, hn::Add(in.flooded, distance), hn::MulAdd(at.slope, distance, at.hazard),
+                     in.flooded);
 }
 
 // A step is four functions of a point. A batch runs each over all its points before the next: the
@@ -121,7 +124,7 @@ HWY_INLINE V times_exp(D d, V x, V s) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V film_share(D d, V log_rise) {
   if (hn::AllTrue(d, hn::Eq(log_rise, hn::Zero(d)))) return hn::Set(d, 1.0);
-  return hn::Exp(d, hn::Mul(hn::Set(d, -sharing_p), log_rise));
+  return exponential(d, hn::Mul(hn::Set(d, -sharing_p), log_rise));
 }
 
 // 1 − x, not below 2^−60
@@ -134,7 +137,7 @@ HWY_INLINE V complement(D d, V x) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log_balance(D d, V share, V w) {
   const V rest = complement(d, hn::Min(share, w));
-  return hn::Log(d, hn::IfThenElse(hn::Gt(share, w), hn::Div(rest, share), rest));
+  return rough_logarithm(d, hn::IfThenElse(hn::Gt(share, w), hn::Div(rest, share), rest));
 }
 
 template <class D>
@@ -184,17 +187,44 @@ HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterat
                  hn::Eq(now.log_rise, hn::Zero(d)));
 }
 
-// Where λ = λ₀ to half an ulp (sharing_root.hpp).
+// A vector of points to their roots; NaN where one is not there in max_sharing_steps. `steps` is of
+// the slowest lane.
+template <class V>
+struct Roots {
+  V film_parameter;
+  int steps;
+};
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const SharingInputs<V>& in) {
-  const hn::RebindToSigned<D> integers;
-  const auto biased = hn::ShiftRight<52>(hn::BitCast(hn::RebindToUnsigned<D>(), in.stiffness));
-  const V exponent =
-      hn::ConvertTo(d, hn::Sub(hn::BitCast(integers, biased), hn::Set(integers, 1022)));
-  const V distance = hn::Sub(in.flooded, in.offset);
-  const V limit =
-      hn::MulAdd(exponent, hn::Set(d, detail::free_square_slope), hn::Set(d, detail::free_square));
-  return hn::And(hn::Ge(distance, hn::Zero(d)), hn::Gt(hn::Mul(distance, distance), limit));
+HWY_INLINE Roots<V> roots_from(D d, Order order, const SharingInputs<V>& in, Iterate<V> now) {
+  auto is_open = hn::Eq(in.flooded, in.flooded);
+  V root = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
+  for (int steps = 1; steps <= max_sharing_steps; ++steps) {
+    const Asperities<V> at = asperities(d, order, in, now.film_parameter);
+    const V w = film_share(d, now.log_rise);
+    const Step<D> step = sharing_step(d, in.flooded, now, at, w, log_balance(d, at.share, w));
+    const auto below = is_below_floor(d, at, now);
+    now = {times_exp(d, step.base, step.shift), step.log_rise};
+    auto arrives = hn::And(step.is_last, is_open);
+    if (HWY_UNLIKELY(!hn::AllFalse(d, below))) {
+      const Iterate<V> above = jump_above_floor(d, order, in, at);
+      now.film_parameter = hn::IfThenElse(below, above.film_parameter, now.film_parameter);
+      now.log_rise = hn::IfThenElse(below, above.log_rise, now.log_rise);
+      arrives = hn::AndNot(below, arrives);
+    }
+    root = hn::IfThenElse(arrives, now.film_parameter, root);
+    is_open = hn::AndNot(arrives, is_open);
+    if (hn::AllFalse(d, is_open)) return {root, steps};
+  }
+  return {root, max_sharing_steps};
+}
+
+// e + 1 of 2^e ≤ x < 2^{e+1}.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V exponent_plus_one(D d, V x) {
+  const hn::RebindToUnsigned<D> bits;
+  const auto biased = hn::ShiftRight<52>(hn::BitCast(bits, x));
+  const V with_bias = hn::BitCast(d, hn::Or(biased, hn::BitCast(bits, hn::Set(d, 0x1p52))));
+  return hn::Sub(with_bias, hn::Set(d, 0x1p52 + 1022));
 }
 
 }  // namespace tribo::HWY_NAMESPACE

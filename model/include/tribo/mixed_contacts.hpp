@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many contacts at once, in double: prepared and solved in vectors across contacts, for sweeps in
+// which every scene is another one. The bits are those of MixedContact<double>.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tribo/mixed_contact.hpp"
+#include "tribo/operating_points.hpp"
+
+namespace tribo {
+
+class MixedContacts {
+ public:
+  void clear();
+  // The scene's fields must be in range. A contact is there once prepare() was called after it.
+  void add(const Scene& scene);
+  void prepare();
+
+  std::size_t size() const { return numbers_.size(); }
+  MixedContact<double> operator[](std::size_t i) const;
+
+  // Point i is of contact contact_of[i] at speeds[i]: all outputs of a set into `points`, which has
+  // been given room for them.
+  void solve(std::span<const std::uint64_t> contact_of, std::span<const double> speeds,
+             OutputSet outputs, OperatingPoints& points) const;
+
+ private:
+  std::vector<detail::ContactWords> words_;
+  std::vector<detail::SceneNumbers<double>> scenes_;
+  std::vector<detail::ContactNumbers<double>> numbers_;
+};
+
+}  // namespace tribo

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contacts prepared from scenes: Hertz, rough contact, the film at unit speed and the floor
+// (hertz.hpp, asperity_contact.hpp, film_thickness.hpp, load_sharing.hpp) in double, once for each
+// instruction set, for one lane and for vectors of scenes.
+#include <hwy/highway.h>
+
+#include "load_shares-inl.hpp"
+#include "tribo/contact_numbers.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/friction.hpp"
+
+#if defined(TRIBO_CONTACT) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIBO_CONTACT
+#undef TRIBO_CONTACT
+#else
+#define TRIBO_CONTACT
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace tribo::HWY_NAMESPACE {
+
+// λ₀/u^0.67: h₀ at unit speed over σ_s.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V film_at_unit_speed(D d, const detail::SceneNumbers<V>& scene) {
+  const V modulus = hn::Add(scene.effective_modulus, scene.effective_modulus);
+  const V radius = scene.reduced_radius;
+  const V speed_number = hn::Div(scene.viscosity, hn::Mul(modulus, radius));
+  const V material_number = hn::Mul(scene.pressure_viscosity, modulus);
+  const V load_number = hn::Div(scene.load, hn::Mul(hn::Mul(modulus, radius), radius));
+  const V side = exponential(d, hn::Mul(hn::Set(d, -0.73), scene.ellipticity));
+  const V constant =
+      hn::Mul(hn::Set(d, 2.69), hn::Sub(hn::Set(d, 1.0), hn::Mul(hn::Set(d, 0.61), side)));
+  const V film = hn::Mul(
+      hn::Mul(hn::Mul(hn::Mul(radius, constant), decimal_power(d, speed_number, speed_exponent)),
+              decimal_power(d, material_number, material_exponent)),
+      decimal_power(d, load_number, load_exponent));
+  return hn::Div(film, scene.summit_height_sd);
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE detail::ContactNumbers<V> contact_of(D d, AsperityModel model,
+                                                const detail::SceneNumbers<V>& scene) {
+  const V pi = hn::Set(d, 3.14159265358979323846);
+  detail::ContactNumbers<V> contact;
+  // a³ = 3FR/(4E*)
+  const V cube = hn::Div(hn::Mul(hn::Mul(hn::Set(d, 3.0), scene.load), scene.reduced_radius),
+                         hn::Mul(hn::Set(d, 4.0), scene.effective_modulus));
+  contact.radius = decimal_power(d, cube, {1, 3});
+  contact.nominal_area = hn::Mul(hn::Mul(pi, contact.radius), contact.radius);
+  contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
+  contact.approach = hn::Div(hn::Mul(contact.radius, contact.radius), scene.reduced_radius);
+  // K and the factors of area and count, from nβσ_s, E*/p̄ and √(σ_s/β)
+  const V roughness =
+      hn::Mul(hn::Mul(scene.summit_density, scene.summit_radius), scene.summit_height_sd);
+  const V modulus_ratio =
+      hn::Div(hn::Mul(scene.effective_modulus, contact.nominal_area), scene.load);
+  const V slope = hn::Sqrt(hn::Div(scene.summit_height_sd, scene.summit_radius));
+  V stiffness;
+  if (model == AsperityModel::greenwood_tripp) {
+    constexpr double factor = 4.7390751340355903;  // 16√2π/15
+    stiffness = hn::Mul(hn::Mul(hn::Mul(hn::Set(d, factor), roughness), roughness), slope);
+    contact.area_factor = hn::Mul(hn::Mul(hn::Mul(pi, pi), roughness), roughness);
+    contact.count_factor =
+        hn::Mul(hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 4.0), pi), roughness), scene.summit_density),
+                contact.nominal_area);
+  } else {
+    stiffness = hn::Mul(hn::Mul(hn::Set(d, 4.0 / 3), roughness), slope);
+    contact.area_factor = hn::Mul(pi, roughness);
+    contact.count_factor = hn::Mul(scene.summit_density, contact.nominal_area);
+  }
+  contact.surface = surface_of(d, load_order(model), hn::Mul(stiffness, modulus_ratio),
+                               hn::Mul(scene.offset_planes, scene.summit_plane_offset),
+                               film_at_unit_speed(d, scene));
+  contact.summit_height_sd = scene.summit_height_sd;
+  contact.supply = scene.supply;
+  contact.damiens_exponent = scene.damiens_exponent;
+  contact.boundary_coefficient = scene.boundary_coefficient;
+  contact.slide_roll_ratio = scene.slide_roll_ratio;
+  contact.eyring_stress = scene.eyring_stress;
+  contact.viscosity = scene.viscosity;
+  contact.pressure_viscosity = scene.pressure_viscosity;
+  contact.roelands_scale =
+      hn::Add(logarithm(d, scene.viscosity), hn::Set(d, roelands_log_viscosity<double>()));
+  contact.roelands_exponent =
+      hn::Div(hn::Mul(scene.pressure_viscosity, hn::Set(d, roelands_pressure<double>())),
+              contact.roelands_scale);
+  return contact;
+}
+
+}  // namespace tribo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // toggle

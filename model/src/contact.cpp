@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// LoadSharing<double> and MixedContact<double>: the engine's numbers, and beyond its range those of
+// the formula text in long double, rounded.
+#include <cmath>
+
+#include "engine.hpp"
+#include "tribo/load_sharing.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
+
+namespace tribo {
+namespace {
+
+using Wide = WiderType<double>;
+
+double narrow(Wide x) { return static_cast<double>(x); }
+
+LoadShares<double> narrow(const LoadShares<Wide>& shares) {
+  return {narrow(shares.film_parameter), narrow(shares.asperity), narrow(shares.fluid),
+          shares.iterations};
+}
+
+LoadSharing<Wide> wide(AsperityModel model, const detail::SurfaceNumbers<double>& surface) {
+  return {model, Wide(surface.stiffness), Wide(surface.offset)};
+}
+
+// Of a surface beyond the engine's range.
+void find_floor(AsperityModel model, detail::SurfaceNumbers<double>& surface) {
+  const LoadSharing<Wide> sharing = wide(model, surface);
+  surface.floor = narrow(sharing.floor());
+  surface.floor_argument = sharing.has_floor() ? narrow(sharing.floor() - sharing.offset()) : 0;
+  surface.hazard = 0;
+  if (sharing.has_floor())
+    surface.hazard =
+        is_finite(surface.floor)
+            ? narrow(-sharing.asperity_share_slope_above_floor(Wide(0)) / sharing.floor())
+            : surface.floor;
+  surface.floor_up_to = 0;
+  surface.film_from = std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+LoadSharing<double>::LoadSharing(AsperityModel model, double stiffness, double offset)
+    : model_(model), surface_{stiffness, offset, 0, 0, 0, 0, 0, 0} {
+  if (detail::is_within_engine(surface_))
+    surface_ = detail::engine_surface(load_order(model), stiffness, offset);
+  else
+    find_floor(model, surface_);
+}
+
+double LoadSharing<double>::asperity_share(double film_parameter) const {
+  return detail::engine_share(load_order(model_), stiffness(), film_parameter - offset());
+}
+
+// d ln A/dλ = −qp F_{p−1}/F_p; the ratio of the scaled moments is the same.
+static double log_slope(AsperityModel model, double argument) {
+  const Order order = load_order(model);
+  const double scaled = scaled_gaussian_moment(order, argument);
+  const double hazard =
+      scaled > 0 && argument < 1e30
+          ? value_of<double>(order) * (scaled_gaussian_moment(lower(order), argument) / scaled)
+          : argument;
+  return -sharing_exponent<double>(model) * hazard;
+}
+
+double LoadSharing<double>::asperity_share_slope(double film_parameter) const {
+  return film_parameter * log_slope(model_, film_parameter - offset());
+}
+
+double LoadSharing<double>::distance_above_floor(double fluid) const {
+  return detail::engine_distance_above_floor(load_order(model_), surface_, fluid);
+}
+
+LoadShares<double> LoadSharing<double>::shares_above_floor(double distance) const {
+  return detail::engine_shares_above_floor(load_order(model_), surface_, distance);
+}
+
+double LoadSharing<double>::flooded_film_parameter(double film_parameter, double fluid_share) {
+  return film_parameter * detail::engine_power(fluid_share, sharing_exponent_of_film);
+}
+
+SharingRoot<double> LoadSharing<double>::root(double flooded_film_parameter) const {
+  const Root found = detail::engine_root(load_order(model_), surface_, flooded_film_parameter);
+  if (found.film_parameter == found.film_parameter) return found;
+  const auto exact = wide(model_, surface_).root(Wide(flooded_film_parameter));
+  const double lambda = narrow(exact.film_parameter);
+  return {lambda < floor() ? floor() : lambda, exact.iterations};
+}
+
+double LoadSharing<double>::film_parameter(double flooded_film_parameter) const {
+  return root(flooded_film_parameter).film_parameter;
+}
+
+LoadShares<double> LoadSharing<double>::solve(double flooded_film_parameter) const {
+  const Root found = detail::engine_root(load_order(model_), surface_, flooded_film_parameter);
+  if (found.film_parameter == found.film_parameter) return shares_at(flooded_film_parameter, found);
+  LoadShares<double> shares = narrow(wide(model_, surface_).solve(Wide(flooded_film_parameter)));
+  if (shares.film_parameter < floor()) shares.film_parameter = floor();
+  return shares;
+}
+
+LoadShares<double> LoadSharing<double>::shares_at(double flooded_film_parameter,
+                                                  const Root& root) const {
+  LoadShares<double> shares = detail::engine_shares_at_root(
+      load_order(model_), surface_, flooded_film_parameter, root.film_parameter);
+  shares.iterations = root.iterations;
+  return shares;
+}
+
+namespace detail {
+
+ContactWords words_of(const Scene& scene) {
+  return {scene.closures.asperity, scene.closures.starvation, scene.supply.kind,
+          scene.friction.fluid, scene.friction.viscosity};
+}
+
+SceneNumbers<double> numbers_of(const Scene& scene) {
+  const Surface& surface = scene.surface;
+  return {scene.load,
+          surface.summit_density,
+          surface.summit_radius,
+          surface.summit_height_sd,
+          surface.summit_plane_offset,
+          static_cast<double>(surface.offset_planes),
+          scene.bodies.effective_modulus,
+          scene.bodies.reduced_radius,
+          scene.bodies.ellipticity,
+          scene.lubricant.viscosity,
+          scene.lubricant.pressure_viscosity,
+          scene.lubricant.eyring_stress.value_or(1),
+          scene.supply.value,
+          scene.friction.boundary_coefficient.value_or(0),
+          scene.friction.slide_roll_ratio,
+          scene.closures.damiens_exponent};
+}
+
+Scene scene_of(const ContactWords& words, const SceneNumbers<double>& numbers) {
+  Scene scene;
+  scene.load = numbers.load;
+  scene.surface = {numbers.summit_density, numbers.summit_radius, numbers.summit_height_sd,
+                   numbers.summit_plane_offset, static_cast<int>(numbers.offset_planes)};
+  scene.bodies = {numbers.effective_modulus, numbers.reduced_radius, numbers.ellipticity};
+  scene.lubricant = {numbers.viscosity, numbers.pressure_viscosity, numbers.eyring_stress};
+  scene.supply = {words.supply, numbers.supply};
+  scene.friction = {numbers.boundary_coefficient, numbers.slide_roll_ratio, words.fluid,
+                    words.viscosity};
+  scene.closures = {words.model, words.closure, numbers.damiens_exponent};
+  return scene;
+}
+
+void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
+             std::span<ContactNumbers<double>> contacts) {
+  engine_prepare(model, scenes, contacts);
+  for (ContactNumbers<double>& contact : contacts)
+    if (!is_within_engine(contact.surface)) find_floor(model, contact.surface);
+}
+
+}  // namespace detail
+
+MixedContact<double>::MixedContact(const Scene& scene)
+    : words_(detail::words_of(scene)), scene_(detail::numbers_of(scene)) {
+  detail::prepare(words_.model, std::span(&scene_, 1), std::span(&numbers_, 1));
+}
+
+double MixedContact<double>::inlet_film_parameter(double speed) const {
+  if (supply() == SupplyKind::inlet_film_ratio) return numbers_.supply;
+  const double film =
+      supply() == SupplyKind::inlet_flow ? numbers_.supply / speed : numbers_.supply;
+  return film / summit_height_sd();
+}
+
+double MixedContact<double>::flooded_film_parameter(double speed) const {
+  return detail::engine_flooded_film_parameter(numbers_, speed);
+}
+
+double MixedContact<double>::speed_at(double flooded_film_parameter) const {
+  return detail::engine_power(flooded_film_parameter / numbers_.surface.film_at_unit_speed,
+                              inverse(speed_exponent));
+}
+
+FloodedFilm<double> MixedContact<double>::flooded(double speed) const {
+  return {speed, sharing().solve(flooded_film_parameter(speed))};
+}
+
+InletState<double> MixedContact<double>::inlet(const FloodedFilm<double>& film) const {
+  return detail::engine_inlet(words_, numbers_, film.speed, film.shares.film_parameter);
+}
+
+OperatingPoint<double> MixedContact<double>::complete(const FloodedFilm<double>& flooded,
+                                                      const InletState<double>& inlet,
+                                                      OutputSet outputs) const {
+  return detail::engine_complete(words_, numbers_, flooded, inlet, outputs);
+}
+
+WalkPoint<double> StribeckWalk<double>::at(double log_speed) const {
+  WalkPoint<double> point;
+  point.flooded = contact_.flooded(detail::engine_exponential(log_speed));
+  point.inlet = contact_.inlet(point.flooded);
+  // d ln λ/d ln u = 0.67/(1 − 0.14 λA′/(1−A))
+  const LoadShares<double>& shares = point.flooded.shares;
+  const double stiffening = shares.asperity > 0
+                                ? -sharing_film_exponent<double>() * shares.asperity *
+                                      contact_.sharing().asperity_share_slope(shares.film_parameter)
+                                : 0;
+  point.film_slope = film_speed_exponent<double>() * shares.fluid / (shares.fluid + stiffening);
+  point.rate = 1;
+  return point;
+}
+
+double StribeckWalk<double>::near(double speed) const { return detail::engine_logarithm(speed); }
+
+template <>
+double detail::log_flow_ratio(const MixedContact<double>& contact, const WalkPoint<double>& point) {
+  return engine_logarithm(point.flooded.shares.film_parameter) +
+         engine_logarithm(contact.summit_height_sd()) + engine_logarithm(point.flooded.speed) -
+         engine_logarithm(contact.inlet_flow());
+}
+
+OperatingPoint<double> MixedContact<double>::solve(double speed, OutputSet outputs) const {
+  const detail::EnginePoint found = detail::engine_point(words_, numbers_, speed, outputs);
+  if (found.film_parameter == found.film_parameter) return found.point;
+  return detail::in_double(in<Wide>().solve(Wide(speed), outputs));
+}
+
+}  // namespace tribo

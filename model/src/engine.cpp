@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: Apache-2.0
+// The vector kernels behind batch.hpp, compiled for each instruction set and chosen at run time.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "tribo/batch.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "contact-inl.hpp"
+#include "engine.hpp"
+#include "operating_point-inl.hpp"
+#include "processor.hpp"
+#include "sharing_method.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace tribo::HWY_NAMESPACE {
+
+using OneLane = hn::CappedTag<double, 1>;
+using Many = hn::ScalableTag<double>;
+
+// function(x) of each argument.
+template <class Function>
+HWY_INLINE void transform(const double* argument, double* result, std::size_t count,
+                          const Function& function) {
+  const Many d;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+    store(d, function(d, load(d, argument + i, count - i)), result + i, count - i);
+}
+
+double moment(Order n, double argument) {
+  return hn::GetLane(moment_of(OneLane(), n, hn::Set(OneLane(), argument)));
+}
+double scaled_moment(Order n, double argument) {
+  return hn::GetLane(scaled_moment_of(OneLane(), n, hn::Set(OneLane(), argument)));
+}
+
+void moments(Order n, const double* argument, double* result, std::size_t count) {
+  transform(argument, result, count, [n](auto d, auto x) HWY_ATTR { return moment_of(d, n, x); });
+}
+
+void scaled_moments(Order n, const double* argument, double* result, std::size_t count) {
+  transform(argument, result, count,
+            [n](auto d, auto x) HWY_ATTR { return scaled_moment_of(d, n, x); });
+}
+
+void log_moments(Order n, const double* argument, double* result, std::size_t count) {
+  transform(argument, result, count, [n](auto d, auto x) HWY_ATTR {
+    const auto half_square = hn::Mul(hn::Mul(hn::Set(d, 0.5), x), x);
+    const auto value = hn::Sub(logarithm(d, scaled_moment_of(d, n, x)),
+                               hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), half_square));
+    const auto beyond = hn::Not(hn::Lt(hn::Abs(x), hn::Set(d, pieces_end)));
+    if (HWY_LIKELY(hn::AllFalse(d, beyond))) return value;
+    // F_n itself may overflow a double
+    return mend(d, value, x, beyond, [n](double y) {
+      return static_cast<double>(log_gaussian_moment(n, static_cast<WiderType<double>>(y)));
+    });
+  });
+}
+
+using One = hn::Vec<OneLane>;
+HWY_INLINE One of(double x) { return hn::Set(OneLane(), x); }
+
+double exponential_of(double x) { return hn::GetLane(exponential(OneLane(), of(x))); }
+double logarithm_of(double x) { return hn::GetLane(logarithm(OneLane(), of(x))); }
+double power_of(double x, const Fraction& exponent) {
+  return hn::GetLane(decimal_power(OneLane(), of(x), exponent));
+}
+
+detail::SurfaceNumbers<double> surface(Order order, double stiffness, double offset) {
+  return first_lane(surface_of(OneLane(), order, of(stiffness), of(offset), of(0)));
+}
+double share(Order order, double stiffness, double argument) {
+  return hn::GetLane(share_at(OneLane(), order, of(stiffness), of(argument)));
+}
+LoadShares<double> at_distance(Order order, const detail::SurfaceNumbers<double>& surface,
+                               double distance) {
+  const Shares<One> shares =
+      shares_above_floor(OneLane(), order, broadcast(OneLane(), surface), of(distance));
+  return {surface.floor + distance, hn::GetLane(shares.asperity), hn::GetLane(shares.fluid), 0};
+}
+double distance_at(Order order, const detail::SurfaceNumbers<double>& surface, double fluid) {
+  const OneLane d;
+  const auto all = broadcast(d, surface);
+  return hn::GetLane(
+      distance_above_floor(d, order, FloorSeries<OneLane>(d, order, all), all.hazard, of(fluid)));
+}
+bool is_fused_here() { return HWY_NATIVE_FMA != 0; }
+
+LoadShares<double> at_root(Order order, const detail::SurfaceNumbers<double>& surface,
+                           double flooded, double lambda) {
+  const Shares<One> shares =
+      shares_at_root(OneLane(), order, broadcast(OneLane(), surface), of(flooded), of(lambda));
+  return {lambda, hn::GetLane(shares.asperity), hn::GetLane(shares.fluid), 0};
+}
+
+// x, or the bound where x is below it; NaN stays.
+template <class V>
+HWY_INLINE V not_below(V x, V bound) {
+  return hn::IfThenElse(hn::Lt(x, bound), bound, x);
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Roots<V> roots_alone(D d, Order order, const detail::SurfaceNumbers<V>& surface,
+                                V flooded) {
+  const SharingInputs<V> in{surface.stiffness, surface.offset, flooded};
+  const auto start = root_start(d, surface, in);
+  if (hn::AllFalse(d, start.is_open)) return {start.at.film_parameter, 0};
+  const Roots<V> roots = roots_from(d, order, in, start.at);
+  return {not_below(roots.film_parameter, surface.floor), roots.steps};
+}
+
+SharingRoot<double> root(Order order, const detail::SurfaceNumbers<double>& surface,
+                         double flooded) {
+  const Roots<One> found =
+      roots_alone(OneLane(), order, broadcast(OneLane(), surface), of(flooded));
+  return {hn::GetLane(found.film_parameter), found.steps};
+}
+
+void prepare(AsperityModel model, const detail::SceneNumbers<double>* scenes,
+             detail::ContactNumbers<double>* contacts, std::size_t count) {
+  const Many d;
+  const hn::RebindToUnsigned<Many> bits;
+  using V = hn::Vec<Many>;
+  if (count == 1) {
+    contacts[0] = first_lane(contact_of(OneLane(), model, broadcast(OneLane(), scenes[0])));
+    return;
+  }
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const std::size_t some = std::min(hn::Lanes(d), count - i);
+    const auto lane = hn::Iota(bits, 0);
+    const auto index = hn::IfThenElse(hn::Lt(lane, hn::Set(bits, some)), lane, hn::Zero(bits));
+    const auto scene =
+        rows_of<detail::SceneNumbers>(d, &scenes[i].load, index, detail::scene_numbers);
+    std::size_t k = 0;
+    transformed(contact_of(d, model, scene), [&](V number) HWY_ATTR {
+      HWY_ALIGN double lanes[hn::MaxLanes(Many())];
+      hn::Store(number, d, lanes);
+      for (std::size_t j = 0; j < some; ++j) (&contacts[i + j].surface.stiffness)[k] = lanes[j];
+      ++k;
+      return 0.0;
+    });
+  }
+}
+
+InletState<double> inlet(const detail::ContactWords& words,
+                         const detail::ContactNumbers<double>& contact, double speed,
+                         double film_parameter) {
+  const OneLane d;
+  const auto state =
+      inlet_of(d, words, broadcast(d, contact), of(speed), of(film_parameter), false);
+  return {hn::GetLane(state.starvation.film_ratio), hn::GetLane(state.flooded_over_inlet),
+          hn::AllTrue(d, state.starvation.is_collapsed)};
+}
+
+double film_at(const detail::ContactNumbers<double>& contact, double speed) {
+  return hn::GetLane(flooded_film_parameter(OneLane(), broadcast(OneLane(), contact), of(speed)));
+}
+
+// Where the numbers of one point go.
+detail::Destination destination(OperatingPoint<double>& point, std::uint8_t& undefined,
+                                OutputSet outputs) {
+  const auto asked = [&](Output output, auto& member) {
+    return outputs.contains(output) ? &member : nullptr;
+  };
+  return {asked(Output::film_flooded, point.film_flooded),
+          asked(Output::film, point.film),
+          asked(Output::separation, point.separation),
+          asked(Output::film_parameter, point.film_parameter),
+          asked(Output::asperity_load_share, point.asperity_load_share),
+          asked(Output::fluid_load_share, point.fluid_load_share),
+          asked(Output::real_area_ratio, point.real_area_ratio),
+          asked(Output::summit_count, point.summit_count),
+          asked(Output::friction, point.friction),
+          asked(Output::regime, point.regime),
+          asked(Output::inlet, point.inlet),
+          asked(Output::friction, undefined)};
+}
+
+OperatingPoint<double> completed(const detail::ContactWords& words,
+                                 const detail::ContactNumbers<double>& numbers,
+                                 const FloodedFilm<double>& film, const InletState<double>& inlet,
+                                 OutputSet outputs) {
+  const OneLane d;
+  const auto contact = broadcast(d, numbers);
+  const Needs needs(outputs, words.supply);
+  const bool shares = needs_shares(d, needs, contact.surface);
+  const Flooded<One> flooded{of(film.speed),
+                             of(film.shares.film_parameter),
+                             {of(film.shares.asperity), of(film.shares.fluid)}};
+  Starvation<OneLane> state{of(inlet.film_ratio), of(0),
+                            hn::Lt(of(0), of(inlet.collapsed ? 1 : 0))};
+  if (needs.is_starved && shares && numbers.surface.hazard > 0)
+    state.deficit =
+        starvation(d, words.closure, of(inlet.flooded_over_inlet), contact.damiens_exponent, true)
+            .deficit;
+  OperatingPoint<double> point;
+  std::uint8_t undefined = 0;
+  NoWork none;
+  complete(d, words, contact, needs, shares, flooded, state, destination(point, undefined, outputs),
+           0, 1, none);
+  point.speed = film.speed;
+  point.friction_undefined = undefined != 0;
+  return point;
+}
+
+detail::EnginePoint point_alone(const detail::ContactWords& words,
+                                const detail::ContactNumbers<double>& numbers, double speed,
+                                OutputSet outputs) {
+  const OneLane d;
+  const auto contact = broadcast(d, numbers);
+  const One film0 = flooded_film_parameter(d, contact, of(speed));
+  const One lambda = roots_alone(d, load_order(words.model), contact.surface, film0).film_parameter;
+  detail::EnginePoint result;
+  std::uint8_t undefined = 0;
+  NoWork none;
+  complete_root(d, words, contact, Needs(outputs, words.supply), of(speed), film0, lambda,
+                destination(result.point, undefined, outputs), 0, 1, none);
+  result.point.speed = speed;
+  result.point.friction_undefined = undefined != 0;
+  result.film_parameter = hn::GetLane(lambda);
+  return result;
+}
+
+template <bool one_contact, class ContactAt, class SurfaceAt, class Counter>
+HWY_INLINE void points_of_block(const detail::ContactWords& words, const ContactAt& contact_at,
+                                const SurfaceAt& surface_at, const double* speeds,
+                                const Needs& needs, const detail::Destination& to, double* lambda,
+                                std::size_t count, Counter& work) {
+  const Many d;
+  HWY_ALIGN double film0[detail::engine_block];
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+    store(d,
+          hn::Mul(surface_at(i).film_at_unit_speed,
+                  decimal_power(d, load(d, speeds + i, count - i), speed_exponent)),
+          film0 + i, count - i);
+  const std::size_t steps = roots_of_block<Many, one_contact>(d, load_order(words.model),
+                                                              surface_at, film0, lambda, count);
+  if constexpr (Counter::counts) {
+    work.add(Work::root_step, steps);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+      const auto surface = surface_at(i);
+      const auto film = load(d, film0 + i, count - i);
+      const auto present = hn::FirstN(d, count - i);
+      const auto is_film = hn::Ge(film, surface.film_from);
+      const auto is_floor = hn::AndNot(is_film, hn::Le(film, surface.floor_up_to));
+      work.add(Work::root_is_film, hn::CountTrue(d, hn::And(is_film, present)));
+      work.add(Work::root_is_floor, hn::CountTrue(d, hn::And(is_floor, present)));
+    }
+  }
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const std::size_t left = count - i;
+    const auto contact = contact_at(i);
+    const auto root = not_below(load(d, lambda + i, left), contact.surface.floor);
+    complete_root(d, words, contact, needs, load(d, speeds + i, left), load(d, film0 + i, left),
+                  root, to, i, left, work);
+  }
+}
+
+template <class Counter>
+void points_at(const detail::ContactWords& words, const detail::ContactNumbers<double>* contacts,
+               const std::uint64_t* index, const double* speeds, OutputSet outputs,
+               const detail::Destination& to, double* lambda, std::size_t count, Counter& work) {
+  const Many d;
+  const Needs needs(outputs, words.supply);
+  if (index == nullptr) {
+    const auto contact = broadcast(d, *contacts);
+    points_of_block<true>(
+        words, [&](std::size_t) HWY_ATTR -> const auto& { return contact; },
+        [&](std::size_t) HWY_ATTR -> const auto& { return contact.surface; }, speeds, needs, to,
+        lambda, count, work);
+    return;
+  }
+  const hn::RebindToUnsigned<Many> bits;
+  const auto rows_at = [&](std::size_t i) HWY_ATTR {
+    HWY_ALIGN std::uint64_t rows[hn::MaxLanes(Many())];
+    for (std::size_t j = 0; j < hn::Lanes(d); ++j) rows[j] = index[i + j < count ? i + j : i];
+    return hn::Load(bits, rows);
+  };
+  const double* base = &contacts->surface.stiffness;
+  points_of_block<false>(
+      words,
+      [&](std::size_t i) HWY_ATTR {
+        return rows_of<detail::ContactNumbers>(d, base, rows_at(i), detail::contact_numbers);
+      },
+      [&](std::size_t i) HWY_ATTR {
+        return rows_of<detail::SurfaceNumbers>(d, base, rows_at(i), detail::contact_numbers);
+      },
+      speeds, needs, to, lambda, count, work);
+}
+
+void points(const detail::ContactWords& words, const detail::ContactNumbers<double>* contacts,
+            const std::uint64_t* index, const double* speeds, OutputSet outputs,
+            const detail::Destination& to, double* lambda, std::size_t count, WorkCounts* work) {
+  NoWork none;
+  if (work == nullptr)
+    points_at(words, contacts, index, speeds, outputs, to, lambda, count, none);
+  else
+    points_at(words, contacts, index, speeds, outputs, to, lambda, count, *work);
+}
+
+// Roots of one surface, or of as many as there are points.
+std::size_t roots_of_one(Order order, const detail::SurfaceNumbers<double>& surface,
+                         const double* flooded, double* lambda, std::size_t count) {
+  const Many d;
+  const auto all = broadcast(d, surface);
+  const std::size_t steps = roots_of_block<Many, true>(
+      d, order, [&](std::size_t) HWY_ATTR -> const auto& { return all; }, flooded, lambda, count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+    store(d, not_below(load(d, lambda + i, count - i), all.floor), lambda + i, count - i);
+  return steps;
+}
+std::size_t roots_of_many(Order order, const double* stiffness, const double* offset,
+                          const double* flooded, double* lambda, std::size_t count) {
+  const Many d;
+  using V = hn::Vec<Many>;
+  HWY_ALIGN double floors[sharing_block + 16];
+  const std::size_t steps = roots_of_block<Many, false>(
+      d, order,
+      [&](std::size_t i) HWY_ATTR {
+        const std::size_t left = count - i;
+        const V k = load(d, stiffness + i, left), delta = load(d, offset + i, left);
+        const auto surface = surface_of(d, order, k, delta, k);
+        store(d, surface.floor, floors + i, left);
+        return surface;
+      },
+      flooded, lambda, count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+    store(d, not_below(load(d, lambda + i, count - i), load(d, floors + i, count - i)), lambda + i,
+          count - i);
+  return steps;
+}
+
+const char* target_name() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace tribo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace tribo {
+namespace {
+
+HWY_EXPORT(moment);
+HWY_EXPORT(scaled_moment);
+HWY_EXPORT(moments);
+HWY_EXPORT(scaled_moments);
+HWY_EXPORT(log_moments);
+HWY_EXPORT(exponential_of);
+HWY_EXPORT(logarithm_of);
+HWY_EXPORT(power_of);
+HWY_EXPORT(surface);
+HWY_EXPORT(share);
+HWY_EXPORT(at_distance);
+HWY_EXPORT(at_root);
+HWY_EXPORT(distance_at);
+HWY_EXPORT(is_fused_here);
+HWY_EXPORT(root);
+HWY_EXPORT(prepare);
+HWY_EXPORT(inlet);
+HWY_EXPORT(film_at);
+HWY_EXPORT(completed);
+HWY_EXPORT(point_alone);
+HWY_EXPORT(points);
+HWY_EXPORT(roots_of_one);
+HWY_EXPORT(roots_of_many);
+HWY_EXPORT(target_name);
+
+struct Names {
+  std::array<std::string_view, 16> names{};
+  std::array<std::int64_t, 16> targets{};
+  std::size_t count = 0;
+};
+
+// In Highway's masks the better target has the lower bit.
+Names find_names() {
+  const std::int64_t found = hwy::SupportedTargets();
+  const std::int64_t supported = found & ~detail::switched_off_targets();
+  if (supported != found) {
+    // DisableTargets() of Highway 1.0.3 lasts until SupportedTargets() is called; this lasts.
+    hwy::SetSupportedTargetsForTest(supported);
+    hwy::GetChosenTarget().Update(supported);
+  }
+  Names all;
+  for (std::int64_t left = supported & HWY_TARGETS; left != 0; left &= left - 1) {
+    all.targets[all.count] = left & -left;
+    all.names[all.count++] = hwy::TargetName(left & -left);
+  }
+  return all;
+}
+
+const Names& names() {
+  static const Names all = find_names();
+  return all;
+}
+
+// Before main, and so before any kernel is chosen.
+[[maybe_unused]] const Names& found_before_main = names();
+
+// kernel(first, count, roots), which returns its steps, for each block: the result may stand where
+// an argument stood. What it leaves is NaN, and falls to Newton's method, newton(index).
+template <class Kernel, class Newton>
+SharingWork in_blocks(std::size_t count, std::span<double> film_parameter, const Kernel& kernel,
+                      const Newton& newton) {
+  std::array<double, sharing_block> lambda;
+  SharingWork work;
+  for (std::size_t first = 0; first < count; first += sharing_block) {
+    const std::size_t some = std::min(sharing_block, count - first);
+    work.steps += kernel(first, some, lambda.data());
+    for (std::size_t i = 0; i < some; ++i) {
+      if (!std::isnan(lambda[i])) continue;
+      lambda[i] = newton(first + i);
+      ++work.by_newton;
+    }
+    std::copy_n(lambda.begin(), some, film_parameter.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  return work;
+}
+
+}  // namespace
+
+double gaussian_moment(Order n, double d) { return HWY_DYNAMIC_DISPATCH(moment)(n, d); }
+double scaled_gaussian_moment(Order n, double d) {
+  return HWY_DYNAMIC_DISPATCH(scaled_moment)(n, d);
+}
+
+double moment_beyond_pieces(Order n, double d) {
+  using Wide = WiderType<double>;
+  if (d != d) return d;
+  return static_cast<double>(d > 0 ? detail::far_above(n, static_cast<Wide>(d))
+                                   : detail::far_below(n, static_cast<Wide>(-d)));
+}
+
+void gaussian_moment(Order n, std::span<const double> d, std::span<double> moments) {
+  HWY_DYNAMIC_DISPATCH(moments)(n, d.data(), moments.data(), d.size());
+}
+void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments) {
+  HWY_DYNAMIC_DISPATCH(scaled_moments)(n, d.data(), moments.data(), d.size());
+}
+void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms) {
+  HWY_DYNAMIC_DISPATCH(log_moments)(n, d.data(), logarithms.data(), d.size());
+}
+
+namespace detail {
+
+double engine_exponential(double x) { return HWY_DYNAMIC_DISPATCH(exponential_of)(x); }
+double engine_logarithm(double x) { return HWY_DYNAMIC_DISPATCH(logarithm_of)(x); }
+double engine_power(double x, const Fraction& exponent) {
+  return HWY_DYNAMIC_DISPATCH(power_of)(x, exponent);
+}
+SurfaceNumbers<double> engine_surface(Order order, double stiffness, double offset) {
+  return HWY_DYNAMIC_DISPATCH(surface)(order, stiffness, offset);
+}
+double engine_share(Order order, double stiffness, double argument) {
+  return HWY_DYNAMIC_DISPATCH(share)(order, stiffness, argument);
+}
+LoadShares<double> engine_shares_above_floor(Order order, const SurfaceNumbers<double>& surface,
+                                             double distance) {
+  return HWY_DYNAMIC_DISPATCH(at_distance)(order, surface, distance);
+}
+double engine_distance_above_floor(Order order, const SurfaceNumbers<double>& surface,
+                                   double fluid) {
+  return HWY_DYNAMIC_DISPATCH(distance_at)(order, surface, fluid);
+}
+SharingRoot<double> engine_root(Order order, const SurfaceNumbers<double>& surface,
+                                double flooded) {
+  return HWY_DYNAMIC_DISPATCH(root)(order, surface, flooded);
+}
+LoadShares<double> engine_shares_at_root(Order order, const SurfaceNumbers<double>& surface,
+                                         double flooded, double film_parameter) {
+  return HWY_DYNAMIC_DISPATCH(at_root)(order, surface, flooded, film_parameter);
+}
+void engine_prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
+                    std::span<ContactNumbers<double>> contacts) {
+  HWY_DYNAMIC_DISPATCH(prepare)(model, scenes.data(), contacts.data(), scenes.size());
+}
+InletState<double> engine_inlet(const ContactWords& words, const ContactNumbers<double>& contact,
+                                double speed, double film_parameter) {
+  return HWY_DYNAMIC_DISPATCH(inlet)(words, contact, speed, film_parameter);
+}
+OperatingPoint<double> engine_complete(const ContactWords& words,
+                                       const ContactNumbers<double>& contact,
+                                       const FloodedFilm<double>& flooded,
+                                       const InletState<double>& inlet, OutputSet outputs) {
+  return HWY_DYNAMIC_DISPATCH(completed)(words, contact, flooded, inlet, outputs);
+}
+double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed) {
+  return HWY_DYNAMIC_DISPATCH(film_at)(contact, speed);
+}
+EnginePoint engine_point(const ContactWords& words, const ContactNumbers<double>& contact,
+                         double speed, OutputSet outputs) {
+  return HWY_DYNAMIC_DISPATCH(point_alone)(words, contact, speed, outputs);
+}
+
+bool is_within_engine(const SurfaceNumbers<double>& surface) {
+  return surface.stiffness >= sharing_least_stiffness &&
+         surface.stiffness <= sharing_greatest_stiffness && surface.offset >= 0 &&
+         surface.offset <= sharing_greatest_offset;
+}
+
+void engine_points(const ContactWords& words, const ContactNumbers<double>* contacts,
+                   const std::uint64_t* index, std::span<const double> speeds, OutputSet outputs,
+                   const Destination& to, double* film_parameter, WorkCounts* work) {
+  HWY_DYNAMIC_DISPATCH(points)
+  (words, contacts, index, speeds.data(), outputs, to, film_parameter, speeds.size(), work);
+}
+
+}  // namespace detail
+
+double film_parameter(AsperityModel model, double stiffness, double offset, double flooded) {
+  double lambda = 0;
+  film_parameter(model, std::span(&stiffness, 1), std::span(&offset, 1), std::span(&flooded, 1),
+                 std::span(&lambda, 1));
+  return lambda;
+}
+
+SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
+                           std::span<const double> offset, std::span<const double> flooded,
+                           std::span<double> film_parameter) {
+  return in_blocks(
+      flooded.size(), film_parameter,
+      [&](std::size_t first, std::size_t count, double* lambda) {
+        return HWY_DYNAMIC_DISPATCH(roots_of_many)(load_order(model), &stiffness[first],
+                                                   &offset[first], &flooded[first], lambda, count);
+      },
+      [&](std::size_t i) {
+        return LoadSharing<double>(model, stiffness[i], offset[i]).film_parameter(flooded[i]);
+      });
+}
+
+SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const double> flooded,
+                           std::span<double> film_parameter) {
+  return in_blocks(
+      flooded.size(), film_parameter,
+      [&](std::size_t first, std::size_t count, double* lambda) {
+        return HWY_DYNAMIC_DISPATCH(roots_of_one)(load_order(sharing.model()), sharing.surface(),
+                                                  &flooded[first], lambda, count);
+      },
+      [&](std::size_t i) { return sharing.film_parameter(flooded[i]); });
+}
+
+bool is_fused() { return HWY_DYNAMIC_DISPATCH(is_fused_here)(); }
+
+std::string_view instruction_set() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
+
+std::span<const std::string_view> instruction_sets() {
+  return std::span(names().names).first(names().count);
+}
+
+bool use_instruction_set(std::string_view name) {
+  for (std::size_t i = 0; i < names().count; ++i) {
+    if (names().names[i] != name) continue;
+    hwy::SetSupportedTargetsForTest(names().targets[i]);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    return true;
+  }
+  return false;
+}
+
+}  // namespace tribo
+#endif  // HWY_ONCE

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine's kernels as plain functions, each on the instruction set chosen at run time. What
+// they leave to the formula text, beyond their range, is NaN.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "tribo/mixed_contact.hpp"
+#include "tribo/operating_points.hpp"
+
+namespace tribo::detail {
+
+// e^x, ln x and x^{p/q}
+double engine_exponential(double x);
+double engine_logarithm(double x);
+double engine_power(double x, const Fraction& exponent);
+
+// Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, a root with its steps, the
+// shares at a root.
+SurfaceNumbers<double> engine_surface(Order order, double stiffness, double offset);
+double engine_share(Order order, double stiffness, double argument);
+LoadShares<double> engine_shares_above_floor(Order order, const SurfaceNumbers<double>& surface,
+                                             double distance);
+SharingRoot<double> engine_root(Order order, const SurfaceNumbers<double>& surface,
+                                double flooded_film_parameter);
+LoadShares<double> engine_shares_at_root(Order order, const SurfaceNumbers<double>& surface,
+                                         double flooded_film_parameter, double film_parameter);
+
+double engine_distance_above_floor(Order order, const SurfaceNumbers<double>& surface,
+                                   double fluid);
+
+// Contacts of one asperity model, prepared from scenes: within the engine's range, and all.
+void engine_prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
+                    std::span<ContactNumbers<double>> contacts);
+void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
+             std::span<ContactNumbers<double>> contacts);
+
+InletState<double> engine_inlet(const ContactWords& words, const ContactNumbers<double>& contact,
+                                double speed, double film_parameter);
+OperatingPoint<double> engine_complete(const ContactWords& words,
+                                       const ContactNumbers<double>& contact,
+                                       const FloodedFilm<double>& flooded,
+                                       const InletState<double>& inlet, OutputSet outputs);
+double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed);
+
+// Are K and δ within the range of the kernels?
+bool is_within_engine(const SurfaceNumbers<double>& surface);
+
+// A point alone: λ is NaN in `film_parameter` where the kernels do not reach.
+struct EnginePoint {
+  OperatingPoint<double> point;
+  double film_parameter;
+};
+EnginePoint engine_point(const ContactWords& words, const ContactNumbers<double>& contact,
+                         double speed, OutputSet outputs);
+
+// Where the numbers of operating points go; null for what is not asked.
+struct Destination {
+  double* film_flooded;
+  double* film;
+  double* separation;
+  double* film_parameter;
+  double* asperity_load_share;
+  double* fluid_load_share;
+  double* real_area_ratio;
+  double* summit_count;
+  double* friction;
+  Regime* regime;
+  Inlet* inlet;
+  std::uint8_t* friction_undefined;
+};
+
+// Points of one contact, or of the contact index[i] of many; at most engine_block. λ of each goes
+// to `film_parameter`, NaN where the kernels do not reach.
+inline constexpr std::size_t engine_block = 512;
+void engine_points(const ContactWords& words, const ContactNumbers<double>* contacts,
+                   const std::uint64_t* index, std::span<const double> speeds, OutputSet outputs,
+                   const Destination& to, double* film_parameter, WorkCounts* work);
+
+}  // namespace tribo::detail

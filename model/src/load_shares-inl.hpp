@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Load shares and floors (load_sharing.hpp) in double, once for each instruction set, for one lane
+// and for vectors of points.
+#include <hwy/highway.h>
+
+#include "contact_numbers-inl.hpp"
+#include "load_sharing-inl.hpp"
+#include "tribo/load_sharing.hpp"
+
+#if defined(TRIBO_LOAD_SHARES) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIBO_LOAD_SHARES
+#undef TRIBO_LOAD_SHARES
+#else
+#define TRIBO_LOAD_SHARES
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace tribo::HWY_NAMESPACE {
+
+template <class V>
+struct Shares {
+  V asperity;  // A
+  V fluid;     // 1 − A, without the cancellation
+};
+
+// A = (K F_p(d))^q, not clipped at 1.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V share_at(D d, Order order, V stiffness, V argument) {
+  const bool is_root = order == Order::five_halves;
+  const V product = hn::Mul(stiffness, scaled_moment_of(d, order, argument));
+  const V at_zero = is_root ? hn::Sqrt(product) : product;
+  const auto above_zero = hn::Gt(argument, hn::Zero(d));
+  if (hn::AllFalse(d, above_zero)) return at_zero;
+  // e^{−q x²/2} is 0 from 60 on, in GW from 40 on: a subnormal A needs a K of 1e300.
+  const V limit = hn::Set(d, is_root ? 56.0 : 40.0);
+  const V value = times_gaussian(d, Sum<V>{at_zero, hn::Zero(d)}, hn::Min(hn::Abs(argument), limit),
+                                 is_root ? 0.25 : 0.5);
+  const V above = hn::IfThenElseZero(hn::Lt(argument, limit), value);
+  return hn::IfThenElse(above_zero, above, at_zero);
+}
+
+// ln(x/y), whose argument is rounded where it is far from 1 alone.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V log_ratio(D d, V x, V y) {
+  const V difference = hn::Div(hn::Sub(x, y), y);
+  const auto is_near = hn::Gt(difference, hn::Set(d, -0.5));
+  if (hn::AllTrue(d, is_near)) return logarithm_of_one_plus(d, difference);
+  const V far = logarithm(d, hn::Div(x, y));
+  if (hn::AllFalse(d, is_near)) return far;
+  return hn::IfThenElse(is_near, logarithm_of_one_plus(d, difference), far);
+}
+
+// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/0.14}.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Shares<V> shares_at_root(D d, Order order, const detail::SurfaceNumbers<V>& surface,
+                                    V flooded, V lambda) {
+  const V one = hn::Set(d, 1.0), exponent = hn::Set(d, 0.14);
+  constexpr double residual = -1.332267629550188e-17;  // of 0.14
+  const V log_film = log_ratio(d, flooded, lambda);
+  const V log_fluid = hn::Div(log_film, exponent);
+  // A large logarithm makes much of the rounding of the quotient and of 0.14.
+  const Sum<V> exact = product(d, log_fluid, exponent);
+  const V short_of = hn::Sub(hn::Sub(hn::Sub(log_film, exact.high), exact.low),
+                             hn::Mul(log_fluid, hn::Set(d, residual)));
+  const V rough = exponential(d, log_fluid);
+  const V correction = hn::Mul(rough, hn::Div(short_of, exponent));
+  // λ₀ = λ = 0 and the like
+  const V fluid =
+      hn::IfThenElse(hn::Lt(hn::Abs(correction), one), hn::Add(rough, correction), rough);
+  const auto is_little = hn::Lt(fluid, hn::Set(d, 0.5));
+  V asperity = hn::Sub(one, fluid);
+  if (!hn::AllTrue(d, is_little))
+    asperity =
+        hn::IfThenElse(is_little, asperity,
+                       share_at(d, order, surface.stiffness, hn::Sub(lambda, surface.offset)));
+  return {asperity, fluid};
+}
+
+// F_p(d_b + x)/F_p(d_b) − 1 at distances x above a floor, as its Taylor series: with Σ c_k x^k,
+// F″ = pF − dF′ gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}. For A > 3/4 and dx ≥ −4; 32
+// terms are enough there, as F_p(d_b + z) is at most F_p(d_b − ρ)e^{ρ²/2} for |z| = ρ.
+template <class D>
+class FloorSeries {
+ public:
+  using V = hn::Vec<D>;
+
+  HWY_INLINE FloorSeries(D d, Order order, const detail::SurfaceNumbers<V>& surface) : d_(d) {
+    const double p = 0.5 * twice(order);
+    V earlier = hn::Set(d, 1.0);
+    V current = hn::Mul(surface.hazard, hn::Set(d, order == Order::five_halves ? -2.0 : -1.0));
+    for (int k = 0; k < terms; ++k) {
+      c_[k] = current;
+      const V next = hn::Mul(hn::Sub(hn::Mul(earlier, hn::Set(d, (p - k) / (k + 1))),
+                                     hn::Mul(surface.floor_argument, current)),
+                             hn::Set(d, 1.0 / (k + 2)));
+      earlier = current;
+      current = next;
+    }
+  }
+
+  HWY_INLINE V change(V x) const {
+    V sum = c_[terms - 1];
+    for (int k = terms - 2; k >= 0; --k) sum = hn::MulAdd(sum, x, c_[k]);
+    return hn::Mul(sum, x);
+  }
+  HWY_INLINE V change_slope(V x) const {
+    V sum = hn::Mul(hn::Set(d_, double(terms)), c_[terms - 1]);
+    for (int k = terms - 2; k >= 0; --k)
+      sum = hn::MulAdd(sum, x, hn::Mul(hn::Set(d_, k + 1.0), c_[k]));
+    return sum;
+  }
+
+ private:
+  static constexpr int terms = 32;
+  D d_;
+  V c_[terms];
+};
+
+// 1 − A at a distance above the floor at which A > 3/4, and dx ≥ −4.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V fluid_near_floor(D d, Order order, const FloorSeries<D>& series, V distance) {
+  const V less = hn::Neg(series.change(distance));
+  if (order != Order::five_halves) return less;
+  // 1 − √(1 − less)
+  const V one = hn::Set(d, 1.0);
+  return hn::Div(less, hn::Add(one, hn::Sqrt(hn::Sub(one, less))));
+}
+
+// The distance above the floor at which the fluid carries the share w < 1/4: 1 − A is concave
+// there, so that Newton's method rises to it.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V distance_above_floor(D d, Order order, const FloorSeries<D>& series, V hazard, V w) {
+  V change = hn::Neg(w);
+  if (order == Order::five_halves) change = hn::Mul(change, hn::Sub(hn::Set(d, 2.0), w));
+  const double doubled = order == Order::five_halves ? 2 : 1;
+  V x = hn::Neg(hn::Div(change, hn::Mul(hazard, hn::Set(d, doubled))));
+  auto is_open = hn::And(hn::Gt(x, hn::Zero(d)), hn::Gt(hazard, hn::Zero(d)));
+  for (int steps = 0; steps < 12 && !hn::AllFalse(d, is_open); ++steps) {
+    const V step = hn::Div(hn::Sub(change, series.change(x)), series.change_slope(x));
+    x = hn::IfThenElse(is_open, hn::Add(x, step), x);
+    is_open = hn::And(is_open, hn::Gt(hn::Abs(step), hn::Mul(x, hn::Set(d, 0x1p-50))));
+  }
+  return x;
+}
+
+// The shares at a distance above the floor, λ = λ_b + distance; λ_b = 0 where there is no floor.
+// Near a floor 1 − A comes from the Taylor series, so that it does not cancel.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceNumbers<V>& surface,
+                                        V distance) {
+  const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  const auto has_floor = hn::Gt(surface.hazard, zero);
+  const V argument = hn::IfThenElse(has_floor, hn::Add(surface.floor_argument, distance),
+                                    hn::Sub(distance, surface.offset));
+  const V asperity = share_at(d, order, surface.stiffness, argument);
+  const V rest = hn::Sub(one, asperity);
+  Shares<V> shares{asperity, hn::IfThenZeroElse(hn::Lt(rest, zero), rest)};
+  const auto is_near = hn::And(hn::And(has_floor, hn::Ge(asperity, hn::Set(d, 0.75))),
+                               hn::Ge(hn::Mul(surface.floor_argument, distance), hn::Set(d, -4.0)));
+  if (hn::AllFalse(d, is_near)) return shares;
+  const V fluid = fluid_near_floor(d, order, FloorSeries<D>(d, order, surface), distance);
+  return {hn::IfThenElse(is_near, hn::Sub(one, fluid), shares.asperity),
+          hn::IfThenElse(is_near, fluid, shares.fluid)};
+}
+
+// The floor of a surface, λ_b with A(λ_b) = 1, and what rests on it. ln A is concave and
+// decreasing: steps of third order from the right of its zero. Within the kernels' range of K and
+// δ.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, V stiffness, V offset,
+                                                V film_at_unit_speed) {
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
+  const bool is_root = order == Order::five_halves;
+  const V q = hn::Set(d, is_root ? 0.5 : 1.0), n = hn::Set(d, 0.5 * twice(order));
+  const V lowest = hn::Neg(offset);
+  const V square = hn::MulAdd(exponent_plus_one(d, stiffness), hn::Set(d, free_square_slope),
+                              hn::Set(d, free_square));
+  detail::SurfaceNumbers<V> surface{stiffness,
+                                    offset,
+                                    zero,
+                                    zero,
+                                    zero,
+                                    zero,
+                                    hn::Add(offset, hn::Sqrt(hn::Max(square, zero))),
+                                    film_at_unit_speed};
+  const auto has_floor = hn::Ge(hn::Mul(stiffness, moment_of(d, order, lowest)), one);
+  if (hn::AllFalse(d, has_floor)) return surface;
+  // F_p(x) ≤ F_p(0) e^{−x²/2} for x ≥ 0 gives a start.
+  const V at_zero = hn::Mul(stiffness, hn::Set(d, sharing_moment_at_zero(order)));
+  V x = hn::Sqrt(hn::Mul(hn::Set(d, 2.0), logarithm(d, hn::Max(at_zero, one))));
+  // h = −d ln F/dx
+  const auto hazard_at = [&](V at) HWY_ATTR {
+    const auto below_zero = hn::Lt(at, zero);
+    const V log_slope =
+        moment_and_log_slope(d, order, below_zero, distance_in_pieces(d, at)).log_slope;
+    return hn::IfThenElse(below_zero, log_slope, hn::Sub(hn::Abs(at), log_slope));
+  };
+  auto is_open = has_floor;
+  for (int steps = 0; steps < 60 && !hn::AllFalse(d, is_open); ++steps) {
+    const V log_share = logarithm(d, hn::Mul(stiffness, moment_of(d, order, x)));  // of A^{1/q}
+    const V h = hazard_at(x);
+    const V slope = hn::Sub(hn::Mul(h, hn::Sub(h, x)), n);  // h′ = h² − xh − n
+    const V newton = hn::Div(log_share, h);
+    const V bend = hn::MulAdd(hn::Mul(half, hn::Div(newton, h)), slope, one);
+    const V step = hn::Div(newton, hn::Max(bend, half));
+    x = hn::IfThenElse(is_open, hn::Max(hn::Add(x, step), lowest), x);
+    is_open = hn::And(is_open, hn::Gt(hn::Mul(h, hn::Abs(step)), hn::Set(d, 1e-6)));
+  }
+  surface.floor_argument = hn::IfThenElseZero(has_floor, x);
+  surface.floor = hn::IfThenElseZero(has_floor, hn::Add(offset, x));
+  surface.hazard = hn::IfThenElseZero(has_floor, hn::Mul(q, hazard_at(x)));
+  // A ≤ e^{−h(λ−λ_b)} above the floor, A being log-concave: λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^p)/h.
+  const V part = hn::Mul(hn::Set(d, 0.99 * 0x1p-54), hn::Mul(surface.hazard, surface.floor));
+  surface.floor_up_to = hn::Mul(surface.floor, decimal_power(d, part, sharing_exponent_of_film));
+  return surface;
+}
+
+}  // namespace tribo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // toggle

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole operating points (mixed_contact.hpp) in double, once for each instruction set, for one lane
+// and for vectors: λ₀ → λ → inlet → shares, area, count, friction. Only what is asked is computed.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+
+#include "engine.hpp"
+#include "friction-inl.hpp"
+#include "load_sharing_batch-inl.hpp"
+#include "starvation-inl.hpp"
+#include "tribo/mixed_contact.hpp"
+
+#if defined(TRIBO_OPERATING_POINT) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIBO_OPERATING_POINT
+#undef TRIBO_OPERATING_POINT
+#else
+#define TRIBO_OPERATING_POINT
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace tribo::HWY_NAMESPACE {
+
+// The flooded film with its load shares, where they are needed.
+template <class V>
+struct Flooded {
+  V speed, film_parameter;  // u, λ
+  Shares<V> shares;         // A(λ), 1 − A(λ)
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V flooded_film_parameter(D d, const detail::ContactNumbers<V>& contact, V speed) {
+  return hn::Mul(contact.surface.film_at_unit_speed, decimal_power(d, speed, speed_exponent));
+}
+
+// h_oil/σ_s
+template <class V>
+HWY_INLINE V inlet_film_parameter(SupplyKind supply, const detail::ContactNumbers<V>& contact,
+                                  V speed) {
+  if (supply == SupplyKind::inlet_film_ratio) return contact.supply;
+  const V film = supply == SupplyKind::inlet_flow ? hn::Div(contact.supply, speed) : contact.supply;
+  return hn::Div(film, contact.summit_height_sd);
+}
+
+// The inlet's effect on a film. r = h_ff/h_oil.
+template <class D>
+struct InletLanes {
+  Starvation<D> starvation;
+  hn::Vec<D> flooded_over_inlet;
+};
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE InletLanes<D> inlet_of(D d, const detail::ContactWords& words,
+                                  const detail::ContactNumbers<V>& contact, V speed,
+                                  V film_parameter, bool needs_deficit) {
+  const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  if (words.supply == SupplyKind::flooded) return {{one, zero, hn::Lt(one, zero)}, zero};
+  const V r = hn::Div(film_parameter, inlet_film_parameter(words.supply, contact, speed));
+  return {starvation(d, words.closure, r, contact.damiens_exponent, needs_deficit), r};
+}
+
+// The shares at the starved film λ*: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
+// the flooded film's distance, which its fluid share gives, less λ(1 − y): no difference of near
+// equals.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbers<V>& surface,
+                                    const Flooded<V>& flooded, const Starvation<D>& inlet,
+                                    V starved_film) {
+  const V zero = hn::Zero(d);
+  const auto has_floor = hn::Gt(surface.hazard, zero);
+  V distance = hn::Sub(starved_film, surface.floor);
+  const auto is_near = hn::And(has_floor, hn::Lt(flooded.shares.fluid, hn::Set(d, 0.25)));
+  if (!hn::AllFalse(d, is_near)) {
+    const FloorSeries<D> series(d, order, surface);
+    const V w = hn::IfThenElseZero(is_near, flooded.shares.fluid);
+    const V flooded_distance = distance_above_floor(d, order, series, surface.hazard, w);
+    const auto by_series = hn::And(
+        is_near, hn::Ge(hn::Mul(surface.floor_argument, flooded_distance), hn::Set(d, -4.0)));
+    const V exact = hn::Sub(flooded_distance, hn::Mul(flooded.film_parameter, inlet.deficit));
+    distance = hn::IfThenElse(by_series, exact, distance);
+  }
+  const auto is_on_floor = hn::AndNot(hn::Gt(distance, zero), has_floor);
+  Shares<V> shares =
+      shares_above_floor(d, order, surface, hn::IfThenZeroElse(is_on_floor, distance));
+  shares.asperity = hn::IfThenElse(is_on_floor, hn::Set(d, 1.0), shares.asperity);
+  shares.fluid = hn::IfThenZeroElse(is_on_floor, shares.fluid);
+  return shares;
+}
+
+// factor · F_n(λ − δ). The rounding of λ moves F_n, whose logarithm falls as (λ − δ)²/2, by up to
+// λ²/2 ulp: a few at a floor of 3, dozens beyond. Near such a floor A, which must be given there,
+// knows better than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>& surface, V factor,
+                       V film_parameter, V share) {
+  const V argument = hn::Sub(film_parameter, surface.offset);
+  const auto below_zero = hn::Lt(argument, hn::Zero(d));
+  const V scaled = hn::Mul(factor, scaled_moment_of(d, n, argument));
+  V value = scaled;
+  if (!hn::AllTrue(d, below_zero)) {
+    const V limit = hn::Set(d, 40.0);
+    const V above =
+        times_gaussian(d, Sum<V>{scaled, hn::Zero(d)}, hn::Min(hn::Abs(argument), limit));
+    value = hn::IfThenElse(below_zero, scaled, hn::IfThenElseZero(hn::Lt(argument, limit), above));
+  }
+  const auto is_high =
+      hn::And(hn::Gt(surface.floor, hn::Set(d, 3.0)), hn::Gt(share, hn::Set(d, 0.75)));
+  if (HWY_LIKELY(hn::AllFalse(d, is_high))) return value;
+  const V of_load = load == Order::five_halves ? hn::Mul(share, share) : share;
+  const V ratio = hn::Div(scaled_moment_of(d, n, argument), scaled_moment_of(d, load, argument));
+  return hn::IfThenElse(
+      is_high, hn::Mul(hn::Mul(factor, hn::Div(of_load, surface.stiffness)), ratio), value);
+}
+
+// Is A < 2^−54, half an ulp of 1 − A? By the bound of sharing_film_from, which is A < 2^−54 p, p =
+// 1/0.14, and falls as e^{−d²/4}.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const detail::SurfaceNumbers<V>& surface,
+                                             V film) {
+  const V x = hn::Sub(film, surface.offset), limit = hn::Sub(surface.film_from, surface.offset);
+  const V beyond = hn::MulAdd(limit, limit, hn::Set(d, 7.9));  // 4 ln p < 7.9
+  return hn::And(hn::Gt(x, hn::Zero(d)), hn::Gt(hn::Mul(x, x), beyond));
+}
+
+// What of a set of outputs needs which part of the way.
+struct Needs {
+  explicit Needs(OutputSet outputs, SupplyKind supply)
+      : is_starved(supply != SupplyKind::flooded),
+        inlet(!(outputs == of({Output::film_flooded}))),
+        area(outputs.contains_any(of({Output::real_area_ratio, Output::friction}))),
+        count(outputs.contains(Output::summit_count)),
+        sharing(outputs.contains_any(of({Output::asperity_load_share, Output::fluid_load_share,
+                                         Output::regime, Output::friction}))),
+        exact_share(area || count || outputs.contains(Output::asperity_load_share)) {}
+
+  static constexpr OutputSet of(std::initializer_list<Output> outputs) {
+    OutputSet set;
+    for (const Output output : outputs) set.insert(output);
+    return set;
+  }
+
+  bool is_starved, inlet, area, count, sharing, exact_share;
+};
+
+// Adds a mask's lanes to a count of work, where work is counted.
+template <class D, class Counter>
+HWY_INLINE void count_lanes([[maybe_unused]] D d, [[maybe_unused]] Counter& work,
+                            [[maybe_unused]] Work what, [[maybe_unused]] hn::Mask<D> lanes) {
+  if constexpr (Counter::counts) work.add(what, hn::CountTrue(d, lanes));
+}
+
+// The numbers of a vector of points at `to` from point i on, `count` of them, from a film and inlet
+// that are known.
+template <class D, class Counter, class V = hn::Vec<D>>
+HWY_INLINE void complete(D d, const detail::ContactWords& words,
+                         const detail::ContactNumbers<V>& contact, const Needs& needs,
+                         bool needs_shares, const Flooded<V>& flooded, const Starvation<D>& inlet,
+                         const detail::Destination& to, std::size_t i, std::size_t count,
+                         Counter& work) {
+  const Order order = load_order(words.model);
+  const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  const auto& surface = contact.surface;
+  const auto present = hn::FirstN(d, count);
+  const auto add = [&](Work what, hn::Mask<D> lanes)
+                       HWY_ATTR { count_lanes(d, work, what, hn::And(lanes, present)); };
+  const auto put = [&](double* array, V value) HWY_ATTR {
+    if (array != nullptr) store(d, value, array + i, count);
+  };
+  const V lambda = hn::Mul(flooded.film_parameter, inlet.film_ratio);
+  const V apart = hn::IfThenElse(hn::Lt(lambda, surface.floor), surface.floor, lambda);
+  put(to.film_flooded, hn::Mul(flooded.film_parameter, contact.summit_height_sd));
+  put(to.film, hn::Mul(lambda, contact.summit_height_sd));
+  put(to.separation, hn::Mul(apart, contact.summit_height_sd));
+  put(to.film_parameter, lambda);
+  if (to.inlet != nullptr) {
+    const auto is_flooded = hn::Ge(inlet.film_ratio, hn::Set(d, 0.95));
+    HWY_ALIGN double word[hn::MaxLanes(D())];
+    hn::Store(
+        hn::IfThenElse(inlet.is_collapsed, hn::Set(d, 2.0), hn::IfThenZeroElse(is_flooded, one)), d,
+        word);
+    for (std::size_t j = 0; j < std::min(count, hn::Lanes(d)); ++j)
+      to.inlet[i + j] = static_cast<Inlet>(static_cast<int>(word[j]));
+  }
+
+  Shares<V> shares{zero, zero};
+  if (needs_shares) {
+    auto is_free = hn::Lt(one, zero);
+    if (!needs.exact_share) is_free = is_free_of_asperities(d, surface, lambda);
+    if (!hn::AllTrue(d, is_free))
+      shares = needs.is_starved ? starved_shares(d, order, surface, flooded, inlet, lambda)
+                                : flooded.shares;
+    shares.asperity = hn::IfThenZeroElse(is_free, shares.asperity);
+    shares.fluid = hn::IfThenElse(is_free, one, shares.fluid);
+    add(Work::share_is_nothing, is_free);
+    add(Work::share, hn::Not(is_free));
+  } else {
+    add(Work::share_not_asked, present);
+  }
+  put(to.asperity_load_share, shares.asperity);
+  put(to.fluid_load_share, shares.fluid);
+  if (to.regime != nullptr) {
+    const V little = hn::Set(d, 0.01);
+    HWY_ALIGN double word[hn::MaxLanes(D())];
+    hn::Store(
+        hn::IfThenZeroElse(hn::Lt(shares.fluid, little),
+                           hn::IfThenElse(hn::Lt(shares.asperity, little), hn::Set(d, 2.0), one)),
+        d, word);
+    for (std::size_t j = 0; j < std::min(count, hn::Lanes(d)); ++j)
+      to.regime[i + j] = static_cast<Regime>(static_cast<int>(word[j]));
+  }
+  V area = zero;
+  if (needs.area) {
+    add(Work::moment, present);
+    area = moment_at(d, order, area_order(words.model), surface, contact.area_factor, apart,
+                     shares.asperity);
+    put(to.real_area_ratio, area);
+  }
+  if (needs.count) {
+    add(Work::moment, present);
+    put(to.summit_count, moment_at(d, order, count_order(words.model), surface,
+                                   contact.count_factor, apart, shares.asperity));
+  }
+  if (to.friction == nullptr) return;
+  // μ = μ_b A + τ (1 − A_r/A_nom)/p̄
+  add(Work::shear_stress, present);
+  const auto is_undefined = hn::Eq(apart, zero);
+  const V solid = hn::Mul(contact.boundary_coefficient, shares.asperity);
+  const V fluid_area = hn::Sub(one, area);
+  const V log_thickening = log_viscosity_ratio(d, words.viscosity, contact,
+                                               hn::Mul(shares.fluid, contact.mean_pressure));
+  const V stress = fluid_shear_stress(d, words.fluid, contact, log_thickening,
+                                      hn::Mul(contact.slide_roll_ratio, flooded.speed),
+                                      hn::Mul(apart, contact.summit_height_sd));
+  const V fluid = hn::IfThenElseZero(hn::Gt(fluid_area, zero),
+                                     hn::Div(hn::Mul(stress, fluid_area), contact.mean_pressure));
+  put(to.friction, hn::IfThenZeroElse(is_undefined, hn::Add(solid, fluid)));
+  HWY_ALIGN double word[hn::MaxLanes(D())];
+  hn::Store(hn::IfThenElseZero(is_undefined, one), d, word);
+  for (std::size_t j = 0; j < std::min(count, hn::Lanes(d)); ++j)
+    to.friction_undefined[i + j] = word[j] != 0 ? 1 : 0;
+}
+
+// Do outputs rest on the load shares? Near a high floor the moments do too.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE bool needs_shares(D d, const Needs& needs, const detail::SurfaceNumbers<V>& surface) {
+  return needs.sharing ||
+         ((needs.area || needs.count) && !hn::AllFalse(d, hn::Gt(surface.floor, hn::Set(d, 3.0))));
+}
+
+// Likewise from λ₀ and its root λ.
+template <class D, class Counter, class V = hn::Vec<D>>
+HWY_INLINE void complete_root(D d, const detail::ContactWords& words,
+                              const detail::ContactNumbers<V>& contact, const Needs& needs, V speed,
+                              V flooded_film, V film_parameter, const detail::Destination& to,
+                              std::size_t i, std::size_t count, Counter& work) {
+  const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  const auto present = hn::FirstN(d, count);
+  const bool has_floor = !hn::AllFalse(d, hn::Gt(contact.surface.hazard, zero));
+  const bool shares = needs_shares(d, needs, contact.surface);
+  Flooded<V> flooded{speed, film_parameter, {zero, one}};
+  // A starved film has shares of its own; only near a floor they rest on those of the flooded one.
+  if (shares && (!needs.is_starved || has_floor))
+    flooded.shares =
+        shares_at_root(d, load_order(words.model), contact.surface, flooded_film, film_parameter);
+  Starvation<D> inlet{one, zero, hn::Lt(one, zero)};
+  if (needs.inlet) {
+    inlet = inlet_of(d, words, contact, speed, film_parameter, shares && has_floor).starvation;
+    if (needs.is_starved)
+      count_lanes(d, work, Work::starvation, hn::AndNot(inlet.is_collapsed, present));
+    else
+      count_lanes(d, work, Work::supply_is_flooded, present);
+  }
+  complete(d, words, contact, needs, shares, flooded, inlet, to, i, count, work);
+}
+
+}  // namespace tribo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // toggle

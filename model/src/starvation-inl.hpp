@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// The starved inlet (starvation.hpp) in double, once for each instruction set, for one lane and for
+// vectors.
+#include <hwy/highway.h>
+
+#include "elementary-inl.hpp"
+#include "tribo/starvation.hpp"
+
+#if defined(TRIBO_STARVATION) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIBO_STARVATION
+#undef TRIBO_STARVATION
+#else
+#define TRIBO_STARVATION
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace tribo::HWY_NAMESPACE {
+
+inline constexpr double crook = 0.53033008588991064330;         // c = 3/(4√2)
+inline constexpr double two_over_pi_ = 0.63661977236758134308;  // 2/π
+inline constexpr double linear_slope = 1.71887338539246962630;  // κ: y = κψ for short inlets
+
+// y(ψ) = (2/π) arctan(2.7ψ)
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V wolveridge_film_ratio(D d, V inlet_length) {
+  return hn::Mul(hn::Set(d, two_over_pi_), arc_tangent(d, hn::Mul(hn::Set(d, 2.7), inlet_length)));
+}
+
+// 1/r at ψ = x², and its slope d ln(1/r)/d ln x.
+template <class V>
+struct InverseRatio {
+  V value, slope;
+};
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE InverseRatio<V> inverse_ratio(D d, StarvationClosure closure, V x) {
+  const V one = hn::Set(d, 1.0), two = hn::Set(d, 2.0), three = hn::Set(d, 3.0);
+  const V psi = hn::Mul(x, x), v = hn::Mul(hn::Set(d, 2.7), psi);
+  const V angle = arc_tangent(d, v);
+  const V y = hn::Mul(hn::Set(d, two_over_pi_), angle);
+  const V y_slope = hn::IfThenElse(hn::Lt(v, hn::Set(d, 1e-100)), two,
+                                   hn::Div(hn::Add(v, v), hn::Mul(hn::MulAdd(v, v, one), angle)));
+  V term = hn::Div(hn::Mul(psi, x), hn::Set(d, crook)), term_slope = three;
+  if (closure == StarvationClosure::printed_exponents) {
+    term = hn::Div(term, hn::Mul(y, hn::Sqrt(hn::Sqrt(y))));
+    term_slope = hn::NegMulAdd(hn::Set(d, 1.25), y_slope, three);
+  }
+  const V value = hn::Add(y, term);
+  return {value, hn::Div(hn::MulAdd(y, y_slope, hn::Mul(term, term_slope)), value)};
+}
+
+// √ψ of an implicit closure at 1/r = g: multiplicative steps of Halley's kind, of third order for a
+// power of x, which 1/r nearly is, from the greater of its two terms alone.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
+  const V one = hn::Set(d, 1.0);
+  const V long_inlet = decimal_power(d, hn::Mul(hn::Set(d, crook), g), {1, 3});
+  V short_inlet;
+  if (closure == StarvationClosure::printed_exponents) {
+    const V root = hn::Mul(hn::Set(d, crook * 1.9681348835114139), g);  // c κ^{5/4} g
+    short_inlet = hn::Mul(root, root);
+  } else {
+    short_inlet = hn::Sqrt(hn::Div(g, hn::Set(d, linear_slope)));
+  }
+  V x = hn::Min(long_inlet, short_inlet);
+  // Where x³ outgrows a double, or y its inverse power, one term is all to every digit.
+  auto is_open = hn::And(hn::Gt(x, hn::Set(d, 1e-40)), hn::Lt(x, hn::Set(d, 1e90)));
+  for (int steps = 0; steps < 30 && !hn::AllFalse(d, is_open); ++steps) {
+    const InverseRatio<V> at = inverse_ratio(d, closure, x);
+    // x(1 + change), change = 2(g − f)/((s+1)f + (s−1)g)
+    const V s = at.slope;
+    const V below = hn::MulAdd(hn::Add(s, one), at.value, hn::Mul(hn::Sub(s, one), g));
+    const V change = hn::Div(hn::Mul(hn::Set(d, 2.0), hn::Sub(g, at.value)), below);
+    const V bounded = hn::Min(hn::Max(change, hn::Set(d, -0.75)), hn::Set(d, 3.0));
+    x = hn::IfThenElse(is_open, hn::MulAdd(x, bounded, x), x);
+    is_open = hn::And(is_open, hn::Gt(hn::Abs(change), hn::Set(d, 1e-8)));
+  }
+  return x;
+}
+
+// ψ at r > 0, r < 1 for flooded_inlet.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V inlet_length(D d, StarvationClosure closure, V r) {
+  const V one = hn::Set(d, 1.0);
+  if (closure == StarvationClosure::flooded_inlet)
+    return decimal_power(d, hn::Mul(hn::Div(hn::Sub(one, r), r), hn::Set(d, crook)), {2, 3});
+  const V root = root_of_inlet_length(d, closure, hn::Div(one, r));
+  return hn::Mul(root, root);
+}
+
+// What the inlet does to the flooded film: y, 1 − y without its cancellation, and whether the film
+// has collapsed.
+template <class D>
+struct Starvation {
+  hn::Vec<D> film_ratio, deficit;
+  hn::Mask<D> is_collapsed;
+};
+
+// Damiens' y = (1 + r^γ)^{−1/γ}.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Starvation<D> damiens(D d, V r, V exponent, bool needs_deficit) {
+  const V one = hn::Set(d, 1.0);
+  const auto is_starved = hn::Gt(r, one);
+  const V small = hn::IfThenElse(is_starved, hn::Div(one, r), r);
+  const V power = exponential(d, hn::Mul(exponent, logarithm(d, small)));
+  const V log_ratio = hn::Neg(hn::Div(logarithm_of_one_plus(d, power), exponent));
+  const V ratio = exponential(d, log_ratio);
+  Starvation<D> state{hn::IfThenElse(is_starved, hn::Div(ratio, r), ratio), hn::Zero(d),
+                      hn::Lt(one, hn::Zero(d))};
+  if (needs_deficit)
+    state.deficit = hn::IfThenElse(is_starved, hn::Sub(one, state.film_ratio),
+                                   hn::Neg(exponential_less_one(d, log_ratio)));
+  return state;
+}
+
+// At r = h_ff/h_oil > 0.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Starvation<D> starvation(D d, StarvationClosure closure, V r, V damiens_exponent,
+                                    bool needs_deficit) {
+  if (closure == StarvationClosure::damiens) return damiens(d, r, damiens_exponent, needs_deficit);
+  const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  auto collapsed = hn::Lt(one, zero);
+  if (closure == StarvationClosure::flooded_inlet) collapsed = hn::Ge(r, one);
+  const V psi = inlet_length(d, closure, hn::IfThenElse(collapsed, one, r));
+  Starvation<D> state{hn::IfThenZeroElse(collapsed, wolveridge_film_ratio(d, psi)), zero,
+                      collapsed};
+  if (needs_deficit) {
+    const V inverse = hn::Div(one, hn::Mul(hn::Set(d, 2.7), psi));
+    state.deficit =
+        hn::IfThenElse(collapsed, one, hn::Mul(hn::Set(d, two_over_pi_), arc_tangent(d, inverse)));
+  }
+  return state;
+}
+
+}  // namespace tribo::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif  // toggle

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// One text, one set of bits: each point alone, in a batch of its contact and among points of other
+// contacts, on every instruction set. All sets with fused multiply-add give the same bits, and all
+// without it; the prepared contact has them too.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <map>
+#include <vector>
+
+#include "support/instruction_sets.hpp"
+#include "support/judge.hpp"
+#include "support/scenes.hpp"
+#include "tribo/mixed_contacts.hpp"
+
+namespace tribo::verification {
+namespace {
+
+using Bits = std::vector<std::uint64_t>;
+
+Bits bits_of(const OperatingPoint<double>& point) {
+  Bits bits;
+  for (const double number : numbers_of(point))
+    bits.push_back(std::bit_cast<std::uint64_t>(number));
+  bits.push_back(static_cast<std::uint64_t>(point.regime));
+  bits.push_back(static_cast<std::uint64_t>(point.inlet));
+  bits.push_back(point.friction_undefined ? 1 : 0);
+  return bits;
+}
+
+struct Points {
+  std::vector<Scene> scenes;
+  std::vector<std::uint64_t> contact_of;
+  std::vector<double> speeds;
+
+  void add(const Scene& scene, const std::vector<double>& at) {
+    scenes.push_back(scene);
+    for (const double speed : at) {
+      contact_of.push_back(scenes.size() - 1);
+      speeds.push_back(speed);
+    }
+  }
+};
+
+// Scenes whose every field and word differs, one of them beyond the engine's range, and the
+// paper's, from a floor to a collapse.
+Points points() {
+  Points all;
+  Sampler sampler(231);
+  for (int i = 0; i < 400; ++i) {
+    const Scene scene = random_scene(sampler);
+    all.add(scene, {scene.speeds[0], sampler.log_uniform(1e-7, 100)});
+  }
+  Scene dense = all.scenes.front();
+  dense.surface.summit_density = 1e300;
+  all.add(dense, {1e-3, 1});
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const PaperSurface surface : paper_surfaces) {
+      const Scene scene = paper_scene(surface, model);
+      std::vector<double> speeds{1e-300, 1e-20, 1e200};
+      for (std::size_t i = 0; i < 40; ++i) speeds.push_back(scene.speeds[5 * i]);
+      all.add(scene, speeds);
+    }
+  return all;
+}
+
+std::vector<Bits> alone(const Points& all) {
+  std::vector<Bits> bits;
+  for (std::size_t i = 0; i < all.speeds.size(); ++i)
+    bits.push_back(
+        bits_of(MixedContact<double>(all.scenes[all.contact_of[i]]).solve(all.speeds[i])));
+  return bits;
+}
+
+std::vector<Bits> by_contact(const Points& all) {
+  std::vector<Bits> bits;
+  for (std::size_t first = 0; first < all.speeds.size();) {
+    std::size_t end = first;
+    while (end < all.speeds.size() && all.contact_of[end] == all.contact_of[first]) ++end;
+    OperatingPoints points;
+    points.resize(end - first, OutputSet::all());
+    solve(MixedContact<double>(all.scenes[all.contact_of[first]]),
+          std::span(all.speeds).subspan(first, end - first), OutputSet::all(), points);
+    for (std::size_t i = 0; i < points.size(); ++i) bits.push_back(bits_of(points[i]));
+    first = end;
+  }
+  return bits;
+}
+
+// `size` points in one call.
+std::vector<Bits> among_others(const Points& all, std::size_t size) {
+  MixedContacts contacts;
+  for (const Scene& scene : all.scenes) contacts.add(scene);
+  contacts.prepare();
+  std::vector<Bits> bits;
+  for (std::size_t first = 0; first < all.speeds.size(); first += size) {
+    const std::size_t some = std::min(size, all.speeds.size() - first);
+    OperatingPoints points;
+    points.resize(some, OutputSet::all());
+    contacts.solve(std::span(all.contact_of).subspan(first, some),
+                   std::span(all.speeds).subspan(first, some), OutputSet::all(), points);
+    for (std::size_t i = 0; i < some; ++i) bits.push_back(bits_of(points[i]));
+  }
+  return bits;
+}
+
+void hold(const char* way, const std::vector<Bits>& got, const std::vector<Bits>& expected,
+          const Points& all) {
+  ASSERT_EQ(got.size(), expected.size()) << way;
+  for (std::size_t i = 0; i < got.size(); ++i)
+    EXPECT_EQ(got[i], expected[i])
+        << way << ", scene " << all.contact_of[i] << describe({{"speed", all.speeds[i]}});
+}
+
+TEST(SameBits, ComeFromEachWayToAPointOnEachInstructionSet) {
+  const Points all = points();
+  std::map<bool, std::vector<Bits>> first;  // by fused multiply-add
+  on_each_instruction_set([&] {
+    const std::vector<Bits> expected = alone(all);
+    const std::vector<Bits>& others = first.try_emplace(is_fused(), expected).first->second;
+    hold("alone on another instruction set", expected, others, all);
+    hold("in a batch of the contact", by_contact(all), expected, all);
+    for (const std::size_t size : {1, 3, 8, 511, 513, 5000})
+      hold("among other contacts", among_others(all, size), expected, all);
+  });
+}
+
+}  // namespace
+}  // namespace tribo::verification
