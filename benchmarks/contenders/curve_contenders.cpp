@@ -48,7 +48,7 @@ void in_batch(const Scene& scene, std::span<const double> speeds, OperatingPoint
   solve(contact, speeds, curve_outputs(), points);
 }
 
-void by_walk(const Scene& scene, std::span<const double> speeds, OperatingPoints& points) {
+void by_curve(const Scene& scene, std::span<const double> speeds, OperatingPoints& points) {
   const MixedContact<double> contact(scene);
   std::size_t i = 0;
   stribeck_curve(contact, speeds.front(), speeds.back(), speeds.size(), curve_outputs(),
@@ -73,7 +73,7 @@ std::vector<CurveContender> curve_contenders(Settings settings) {
                             OperatingPoints& points) { by_root(root, scene, speeds, points); },
                      root.is_slow});
   all.push_back({"tribocheck", "point by point", one_by_one, false});
-  all.push_back({"tribocheck", "walk of the film", by_walk, false});
+  all.push_back({"tribocheck", "curve", by_curve, false});
   all.push_back({"tribocheck", "batch", in_batch, false});
   return all;
 }

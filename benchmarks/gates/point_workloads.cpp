@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operating points of the paper's scenes: all outputs, and those that need little; and a curve of
-// 200 points by the walk, which solves no root.
+// Operating points of the paper's scenes: all outputs, and those that need little, and
+// 200 points of a curve.
 #include <array>
 #include <cmath>
 
@@ -56,7 +56,7 @@ Workload points(std::string name, OutputSet outputs) {
 
 Workload curve() {
   const MixedContact<double> contact(verification::paper_scene(verification::PaperSurface::rough));
-  return {"curve_walk",
+  return {"curve",
           false,
           [contact, friction = std::vector<double>(speeds_a_scene)]() mutable {
             std::size_t i = 0;

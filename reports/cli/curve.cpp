@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck curve: the Stribeck curve by walking the film, at speeds of the walk's own choice.
+// tribocheck curve: the Stribeck curve over the range of a scene's speeds, even in their logarithm.
 #include <fmt/format.h>
 
 #include <algorithm>

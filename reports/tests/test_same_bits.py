@@ -11,7 +11,8 @@ from sweeps import NORMAL, UNIFORM, SweepTest, sweep
 
 # As on the same processor with fewer instruction sets; those without fused multiply-add have bits of
 # their own.
-KINDS = {"all": "", "no AVX-512": "glibc.cpu.hwcaps=-AVX512F"}
+HWCAPS = "glibc.cpu.hwcaps="
+KINDS = {"all": "", "no AVX-512": "-AVX512F"}
 NUMBERS = ("film_flooded", "film", "separation", "film_parameter", "asperity_load_share",
            "fluid_load_share", "real_area_ratio", "summit_count", "friction")
 
@@ -19,8 +20,10 @@ NUMBERS = ("film_flooded", "film", "separation", "film_parameter", "asperity_loa
 def asked(kind, *arguments, stdin=""):
     environment = dict(ENVIRONMENT)
     if KINDS[kind]:
-        tunables = filter(None, [environment.get("GLIBC_TUNABLES"), KINDS[kind]])
-        environment["GLIBC_TUNABLES"] = ":".join(tunables)
+        # What is switched off already stays off: the last of several settings alone would count.
+        already = environment.get("GLIBC_TUNABLES", "")
+        off = already.removeprefix(HWCAPS).split(",") if already.startswith(HWCAPS) else []
+        environment["GLIBC_TUNABLES"] = HWCAPS + ",".join([*off, KINDS[kind]])
     done = subprocess.run([PROGRAM, *arguments], input=stdin.encode(), capture_output=True,
                           timeout=120, env=environment)
     assert done.returncode == 0, done.stderr.decode()
