@@ -96,7 +96,8 @@ Section skipped_work_section(const std::vector<SolvedCase>& solved) {
        "load shares skipped", "starvation skipped", "moments saved"},
       {false, false, true, true, true, true, true, true},
       {},
-      "Saved are evaluations of F~n~: of those that all outputs take with a step or more for every root."};
+      "Saved are evaluations of F~n~: of those that all outputs take with a step or more for every "
+      "root."};
   Saved least_and_most;
   for (const SolvedCase& one : solved) {
     const std::vector<double> speeds = speeds_of(one);

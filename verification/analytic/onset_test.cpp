@@ -239,5 +239,28 @@ TEST(Onset, ConstantFlowWithoutAsperitiesHasItsMaximumAtAConstantRatio) {
   EXPECT_TRUE(is_within(solved.film_flooded * found.speed / 1e-7, 0.4326, 0.5e-4));
 }
 
+// The walk in long double, which solves no root, against the engine's roots, of which a film
+// maximum is flat: its speed is known to the root of what the film is.
+TEST(Onset, IsThatOfTheWalkInLongDouble) {
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const PaperSurface surface : paper_surfaces)
+      for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens})
+        for (const Supply& supply :
+             {Supply{SupplyKind::inlet_flow, 1e-8}, Supply{SupplyKind::inlet_film_ratio, 4}})
+          for (const OnsetCriterion criterion : {film_maximum, film_departure}) {
+            Scene scene = paper_scene(surface, model);
+            scene.closures.starvation = closure;
+            scene.supply = supply;
+            const Onset<double> got = onset_of(scene, criterion);
+            const Onset<long double> exact =
+                onset(MixedContact<long double>(scene), scene, criterion, 0.05L);
+            ASSERT_EQ(got.exists, exact.exists);
+            if (!got.exists) continue;
+            const double wide = criterion == film_maximum ? 1e-6 : 1e-12;
+            EXPECT_TRUE(is_close(got.speed, Reference(exact.speed), wide, {{"u", got.speed}}));
+            EXPECT_TRUE(is_close(got.film, Reference(exact.film), 1e-12, {{"u", got.speed}}));
+          }
+}
+
 }  // namespace
 }  // namespace tribo::verification
