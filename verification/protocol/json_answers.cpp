@@ -29,8 +29,7 @@ void append_error(Text& to, std::optional<std::string_view> id, std::string_view
 
 void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id) {
   const MixedContact<double> contact(scene);
-  const OperatingPoint<double> point =
-      contact.solve(scene.speeds[0], needed_for(scene.outputs));
+  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
   AnswerObject answer(to, id);
   for (const OutputInfo& output : output_infos)
     if (scene.outputs.contains(output.output))

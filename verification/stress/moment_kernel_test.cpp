@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// F_n and S_n in double, on each instruction set, to one unit in the last place: at random, at the piece edges and their neighbours, where results are subnormal, and far
-// out.
+// F_n and S_n in double, on each instruction set, to one unit in the last place: at random, at the
+// piece edges and their neighbours, where results are subnormal, and far out.
 #include <gtest/gtest.h>
 
 #include <vector>

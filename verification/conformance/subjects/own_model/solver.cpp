@@ -56,8 +56,7 @@ WordResult<Word> word(Word word, double rests_on) {
 PointResult operating_point(const Scene& scene) {
   OutputSet outputs = OutputSet::all();
   if (!has_friction_inputs(scene)) outputs.erase(Output::friction);
-  const OperatingPoint<double> point =
-      MixedContact<double>(scene).solve(scene.speeds[0], outputs);
+  const OperatingPoint<double> point = MixedContact<double>(scene).solve(scene.speeds[0], outputs);
   return {or_undefined(point.film_flooded),
           or_undefined(point.film),
           or_undefined(point.separation),
