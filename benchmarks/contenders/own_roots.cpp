@@ -42,23 +42,15 @@ RootRun prepared_with_set(std::string_view set, RootRun run) {
 }  // namespace
 
 std::vector<RootContender> own_wide_roots() {
-  std::vector<RootContender> all{
-      {"tribocheck", "scalar",
-       [](const RootCases&) -> RootRun {
-         return [](const RootCases& cases, std::span<double> film) {
-           for (std::size_t i = 0; i < cases.size(); ++i)
-             film[i] = film_parameter(model, cases.stiffness[i], cases.offset[i], cases.flooded[i]);
-         };
-       },
-       steps},
-      {"tribocheck", "scalar, the surface prepared each time",
-       [](const RootCases&) -> RootRun {
-         return [](const RootCases& cases, std::span<double> film) {
-           for (std::size_t i = 0; i < cases.size(); ++i)
-             film[i] = sharing_of(cases[i]).film_parameter(cases.flooded[i]);
-         };
-       },
-       steps}};
+  std::vector<RootContender> all{{"tribocheck", "scalar",
+                                  [](const RootCases&) -> RootRun {
+                                    return [](const RootCases& cases, std::span<double> film) {
+                                      for (std::size_t i = 0; i < cases.size(); ++i)
+                                        film[i] = film_parameter(model, cases.stiffness[i],
+                                                                 cases.offset[i], cases.flooded[i]);
+                                    };
+                                  },
+                                  steps}};
   for (const std::string_view set : instruction_sets())
     all.push_back(
         {"tribocheck", "batch, all inputs vary, " + std::string(set),

@@ -53,19 +53,12 @@ double LoadSharing<double>::asperity_share(double film_parameter) const {
   return detail::engine_share(load_order(model_), stiffness(), film_parameter - offset());
 }
 
-// d ln A/dλ = −qp F_{p−1}/F_p; the ratio of the scaled moments is the same.
-static double log_slope(AsperityModel model, double argument) {
-  const Order order = load_order(model);
-  const double scaled = scaled_gaussian_moment(order, argument);
-  const double hazard =
-      scaled > 0 && argument < 1e30
-          ? value_of<double>(order) * (scaled_gaussian_moment(lower(order), argument) / scaled)
-          : argument;
-  return -sharing_exponent<double>(model) * hazard;
-}
-
 double LoadSharing<double>::asperity_share_slope(double film_parameter) const {
-  return film_parameter * log_slope(model_, film_parameter - offset());
+  const double argument = film_parameter - offset();
+  const Order order = load_order(model_);
+  const double hazard =
+      detail::moment_hazard(order, scaled_gaussian_moment(order, argument), argument);
+  return -film_parameter * sharing_exponent<double>(model_) * hazard;
 }
 
 double LoadSharing<double>::distance_above_floor(double fluid) const {
@@ -197,13 +190,10 @@ WalkPoint<double> StribeckWalk<double>::at(double log_speed) const {
   WalkPoint<double> point;
   point.flooded = contact_.flooded(detail::engine_exponential(log_speed));
   point.inlet = contact_.inlet(point.flooded);
-  // d ln λ/d ln u = 0.67/(1 − 0.14 λA′/(1−A))
   const LoadShares<double>& shares = point.flooded.shares;
-  const double stiffening = shares.asperity > 0
-                                ? -sharing_film_exponent<double>() * shares.asperity *
-                                      contact_.sharing().asperity_share_slope(shares.film_parameter)
-                                : 0;
-  point.film_slope = film_speed_exponent<double>() * shares.fluid / (shares.fluid + stiffening);
+  point.film_slope = detail::film_slope(
+      shares,
+      shares.asperity > 0 ? contact_.sharing().asperity_share_slope(shares.film_parameter) : 0.0);
   point.rate = 1;
   return point;
 }

@@ -2,6 +2,9 @@
 // Rows of numbers (contact_numbers.hpp) into lanes and back.
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "gaussian_moment-inl.hpp"
 #include "tribo/contact_numbers.hpp"
 
@@ -15,55 +18,27 @@
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
 
-// function(number) of each of their numbers, in order.
-template <class T, class Function>
-HWY_INLINE auto transformed(const detail::SurfaceNumbers<T>& s, Function&& function)
-    -> detail::SurfaceNumbers<decltype(function(s.stiffness))> {
-  return {function(s.stiffness), function(s.offset),
-          function(s.floor),     function(s.floor_argument),
-          function(s.hazard),    function(s.floor_up_to),
-          function(s.film_from), function(s.film_at_unit_speed)};
+// Numbers of a row, and the first of them: T stands in it that often and nothing else.
+template <template <class> class Numbers>
+inline constexpr std::size_t row_length = sizeof(Numbers<double>) / sizeof(double);
+template <template <class> class Numbers, class T>
+HWY_INLINE T* row_begin(Numbers<T>& row) {
+  static_assert(sizeof row == row_length<Numbers> * sizeof(T));
+  return reinterpret_cast<T*>(&row);
 }
-template <class T, class Function>
-HWY_INLINE auto transformed(const detail::ContactNumbers<T>& c, Function&& function)
-    -> detail::ContactNumbers<decltype(function(c.radius))> {
-  return {transformed(c.surface, function),
-          function(c.summit_height_sd),
-          function(c.area_factor),
-          function(c.count_factor),
-          function(c.supply),
-          function(c.damiens_exponent),
-          function(c.boundary_coefficient),
-          function(c.slide_roll_ratio),
-          function(c.eyring_stress),
-          function(c.viscosity),
-          function(c.pressure_viscosity),
-          function(c.roelands_scale),
-          function(c.roelands_exponent),
-          function(c.radius),
-          function(c.nominal_area),
-          function(c.mean_pressure),
-          function(c.approach)};
+template <template <class> class Numbers, class T>
+HWY_INLINE const T* row_begin(const Numbers<T>& row) {
+  return row_begin(const_cast<Numbers<T>&>(row));
 }
-template <class T, class Function>
-HWY_INLINE auto transformed(const detail::SceneNumbers<T>& s, Function&& function)
-    -> detail::SceneNumbers<decltype(function(s.load))> {
-  return {function(s.load),
-          function(s.summit_density),
-          function(s.summit_radius),
-          function(s.summit_height_sd),
-          function(s.summit_plane_offset),
-          function(s.offset_planes),
-          function(s.effective_modulus),
-          function(s.reduced_radius),
-          function(s.ellipticity),
-          function(s.viscosity),
-          function(s.pressure_viscosity),
-          function(s.eyring_stress),
-          function(s.supply),
-          function(s.boundary_coefficient),
-          function(s.slide_roll_ratio),
-          function(s.damiens_exponent)};
+
+// function(number) of each number of a row, in order: rows are nothing but their numbers.
+template <template <class> class Numbers, class T, class Function>
+HWY_INLINE auto transformed(const Numbers<T>& row, Function&& function) {
+  using Result = decltype(function(row_begin(row)[0]));
+  Numbers<Result> result;
+  for (std::size_t k = 0; k < row_length<Numbers>; ++k)
+    row_begin(result)[k] = function(row_begin(row)[k]);
+  return result;
 }
 
 // A row in every lane, and back from the first lane.
@@ -76,15 +51,16 @@ HWY_INLINE auto first_lane(const Numbers& numbers) {
   return transformed(numbers, [](auto x) HWY_ATTR { return hn::GetLane(x); });
 }
 
-// Of each lane the row whose number is `index`, in `stride` doubles a row from `base` on.
+// Of each lane the row whose number is `index`, in rows of `stride` doubles of which it is the
+// start.
 template <template <class> class Numbers, class D>
 HWY_INLINE Numbers<hn::Vec<D>> rows_of(D d, const double* base, Integers<D> index,
-                                       std::size_t stride) {
-  constexpr std::size_t count = sizeof(Numbers<double>) / sizeof(double);
-  hn::Vec<D> numbers[count];
+                                       std::size_t stride = row_length<Numbers>) {
+  hn::Vec<D> numbers[row_length<Numbers>];
   load_rows(d, base, index, numbers, stride);
-  std::size_t k = 0;
-  return transformed(Numbers<double>{}, [&](double) HWY_ATTR { return numbers[k++]; });
+  Numbers<hn::Vec<D>> rows;
+  std::copy(std::begin(numbers), std::end(numbers), row_begin(rows));
+  return rows;
 }
 
 }  // namespace tribo::HWY_NAMESPACE

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vector kernels behind batch.hpp, compiled for each instruction set and chosen at run time.
+// The engine: its kernels for one lane and for vectors, compiled for each instruction set and
+// chosen at run time, and the functions of batch.hpp, which are nothing else.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "contact-inl.hpp"
 #include "engine.hpp"
 #include "operating_point-inl.hpp"
+#include "operating_points_arrays.hpp"
 #include "processor.hpp"
 #include "sharing_method.hpp"
 
@@ -126,7 +128,6 @@ void prepare(AsperityModel model, const detail::SceneNumbers<double>* scenes,
              detail::ContactNumbers<double>* contacts, std::size_t count) {
   const Many d;
   const hn::RebindToUnsigned<Many> bits;
-  using V = hn::Vec<Many>;
   if (count == 1) {
     contacts[0] = first_lane(contact_of(OneLane(), model, broadcast(OneLane(), scenes[0])));
     return;
@@ -135,16 +136,13 @@ void prepare(AsperityModel model, const detail::SceneNumbers<double>* scenes,
     const std::size_t some = std::min(hn::Lanes(d), count - i);
     const auto lane = hn::Iota(bits, 0);
     const auto index = hn::IfThenElse(hn::Lt(lane, hn::Set(bits, some)), lane, hn::Zero(bits));
-    const auto scene =
-        rows_of<detail::SceneNumbers>(d, &scenes[i].load, index, detail::scene_numbers);
-    std::size_t k = 0;
-    transformed(contact_of(d, model, scene), [&](V number) HWY_ATTR {
+    const auto contact =
+        contact_of(d, model, rows_of<detail::SceneNumbers>(d, row_begin(scenes[i]), index));
+    for (std::size_t k = 0; k < row_length<detail::ContactNumbers>; ++k) {
       HWY_ALIGN double lanes[hn::MaxLanes(Many())];
-      hn::Store(number, d, lanes);
-      for (std::size_t j = 0; j < some; ++j) (&contacts[i + j].surface.stiffness)[k] = lanes[j];
-      ++k;
-      return 0.0;
-    });
+      hn::Store(row_begin(contact)[k], d, lanes);
+      for (std::size_t j = 0; j < some; ++j) row_begin(contacts[i + j])[k] = lanes[j];
+    }
   }
 }
 
@@ -168,18 +166,14 @@ detail::Destination destination(OperatingPoint<double>& point, std::uint8_t& und
   const auto asked = [&](Output output, auto& member) {
     return outputs.contains(output) ? &member : nullptr;
   };
-  return {asked(Output::film_flooded, point.film_flooded),
-          asked(Output::film, point.film),
-          asked(Output::separation, point.separation),
-          asked(Output::film_parameter, point.film_parameter),
-          asked(Output::asperity_load_share, point.asperity_load_share),
-          asked(Output::fluid_load_share, point.fluid_load_share),
-          asked(Output::real_area_ratio, point.real_area_ratio),
-          asked(Output::summit_count, point.summit_count),
-          asked(Output::friction, point.friction),
-          asked(Output::regime, point.regime),
-          asked(Output::inlet, point.inlet),
-          asked(Output::friction, undefined)};
+  detail::Destination to{{},
+                         asked(Output::regime, point.regime),
+                         asked(Output::inlet, point.inlet),
+                         asked(Output::friction, undefined)};
+  for_each_number(point, [&](Output output, double& number) {
+    to.numbers[static_cast<std::size_t>(output)] = asked(output, number);
+  });
+  return to;
 }
 
 OperatingPoint<double> completed(const detail::ContactWords& words,
@@ -233,7 +227,7 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
                                 const Needs& needs, const detail::Destination& to, double* lambda,
                                 std::size_t count, Counter& work) {
   const Many d;
-  HWY_ALIGN double film0[detail::engine_block];
+  HWY_ALIGN double film0[sharing_block];
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
     store(d,
           hn::Mul(surface_at(i).film_at_unit_speed,
@@ -282,14 +276,13 @@ void points_at(const detail::ContactWords& words, const detail::ContactNumbers<d
     for (std::size_t j = 0; j < hn::Lanes(d); ++j) rows[j] = index[i + j < count ? i + j : i];
     return hn::Load(bits, rows);
   };
-  const double* base = &contacts->surface.stiffness;
+  const double* base = row_begin(*contacts);
   points_of_block<false>(
       words,
+      [&](std::size_t i) HWY_ATTR { return rows_of<detail::ContactNumbers>(d, base, rows_at(i)); },
       [&](std::size_t i) HWY_ATTR {
-        return rows_of<detail::ContactNumbers>(d, base, rows_at(i), detail::contact_numbers);
-      },
-      [&](std::size_t i) HWY_ATTR {
-        return rows_of<detail::SurfaceNumbers>(d, base, rows_at(i), detail::contact_numbers);
+        return rows_of<detail::SurfaceNumbers>(d, base, rows_at(i),
+                                               row_length<detail::ContactNumbers>);
       },
       speeds, needs, to, lambda, count, work);
 }
@@ -513,10 +506,7 @@ void engine_points(const ContactWords& words, const ContactNumbers<double>* cont
 }  // namespace detail
 
 double film_parameter(AsperityModel model, double stiffness, double offset, double flooded) {
-  double lambda = 0;
-  film_parameter(model, std::span(&stiffness, 1), std::span(&offset, 1), std::span(&flooded, 1),
-                 std::span(&lambda, 1));
-  return lambda;
+  return LoadSharing<double>(model, stiffness, offset).film_parameter(flooded);
 }
 
 SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,

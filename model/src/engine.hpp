@@ -3,9 +3,12 @@
 // they leave to the formula text, beyond their range, is NaN.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
+#include "sharing_method.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/operating_points.hpp"
 
@@ -16,36 +19,36 @@ double engine_exponential(double x);
 double engine_logarithm(double x);
 double engine_power(double x, const Fraction& exponent);
 
-// Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, a root with its steps, the
-// shares at a root.
+// Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the
+// distance of a fluid share, a root with its steps, the shares at a root.
 SurfaceNumbers<double> engine_surface(Order order, double stiffness, double offset);
 double engine_share(Order order, double stiffness, double argument);
 LoadShares<double> engine_shares_above_floor(Order order, const SurfaceNumbers<double>& surface,
                                              double distance);
+double engine_distance_above_floor(Order order, const SurfaceNumbers<double>& surface,
+                                   double fluid);
 SharingRoot<double> engine_root(Order order, const SurfaceNumbers<double>& surface,
                                 double flooded_film_parameter);
 LoadShares<double> engine_shares_at_root(Order order, const SurfaceNumbers<double>& surface,
                                          double flooded_film_parameter, double film_parameter);
+// Are K and δ within the range of the kernels?
+bool is_within_engine(const SurfaceNumbers<double>& surface);
 
-double engine_distance_above_floor(Order order, const SurfaceNumbers<double>& surface,
-                                   double fluid);
-
-// Contacts of one asperity model, prepared from scenes: within the engine's range, and all.
+// Contacts of one asperity model, prepared from scenes. The engine's have no floor that holds where
+// K or δ is beyond its range; prepare() gives them one by the formula text.
 void engine_prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
                     std::span<ContactNumbers<double>> contacts);
 void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts);
 
+// λ₀ at a speed, the inlet at a film, and the outputs from both.
+double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed);
 InletState<double> engine_inlet(const ContactWords& words, const ContactNumbers<double>& contact,
                                 double speed, double film_parameter);
 OperatingPoint<double> engine_complete(const ContactWords& words,
                                        const ContactNumbers<double>& contact,
                                        const FloodedFilm<double>& flooded,
                                        const InletState<double>& inlet, OutputSet outputs);
-double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed);
-
-// Are K and δ within the range of the kernels?
-bool is_within_engine(const SurfaceNumbers<double>& surface);
 
 // A point alone: λ is NaN in `film_parameter` where the kernels do not reach.
 struct EnginePoint {
@@ -57,23 +60,14 @@ EnginePoint engine_point(const ContactWords& words, const ContactNumbers<double>
 
 // Where the numbers of operating points go; null for what is not asked.
 struct Destination {
-  double* film_flooded;
-  double* film;
-  double* separation;
-  double* film_parameter;
-  double* asperity_load_share;
-  double* fluid_load_share;
-  double* real_area_ratio;
-  double* summit_count;
-  double* friction;
-  Regime* regime;
-  Inlet* inlet;
-  std::uint8_t* friction_undefined;
+  std::array<double*, number_count> numbers{};  // by Output
+  Regime* regime = nullptr;
+  Inlet* inlet = nullptr;
+  std::uint8_t* friction_undefined = nullptr;
 };
 
-// Points of one contact, or of the contact index[i] of many; at most engine_block. λ of each goes
+// Points of one contact, or of the contact index[i] of many; at most sharing_block. λ of each goes
 // to `film_parameter`, NaN where the kernels do not reach.
-inline constexpr std::size_t engine_block = 512;
 void engine_points(const ContactWords& words, const ContactNumbers<double>* contacts,
                    const std::uint64_t* index, std::span<const double> speeds, OutputSet outputs,
                    const Destination& to, double* film_parameter, WorkCounts* work);

@@ -58,7 +58,7 @@ HWY_INLINE V product_and_sum(D d, V a, V b, V c) {
 }
 
 // The first numbers of each lane's row, `count` of `stride`: whole rows are loaded and transposed
-// in registers, which takes a quarter of the time of gathering.
+// in registers, which is faster than gathering.
 template <std::size_t count, class D, class V = hn::Vec<D>>
 HWY_INLINE void load_rows([[maybe_unused]] D d, const double* base, Integers<D> index,
                           V (&numbers)[count], std::size_t stride = count) {
@@ -161,7 +161,7 @@ HWY_INLINE Piece<V> piece_at(D d, Order n, hn::Mask<D> below_zero, V x) {
   return piece;
 }
 
-// S_n(d) at |d| = x < pieces_end for d ≥ 0, F_n(d) for d < 0. The low part is at most a sixteenth
+// S_n(d) at |d| = x < pieces_end for d ≥ 0, F_n(d) for d < 0. The low part is at most an eleventh
 // of the high one, and its rounding is what the sum is off by.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Sum<V> moment_in_pieces(D d, Order n, hn::Mask<D> below_zero, V x) {

@@ -54,8 +54,8 @@ HWY_INLINE V log_ratio(D d, V x, V y) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Shares<V> shares_at_root(D d, Order order, const detail::SurfaceNumbers<V>& surface,
                                     V flooded, V lambda) {
-  const V one = hn::Set(d, 1.0), exponent = hn::Set(d, 0.14);
-  constexpr double residual = -1.332267629550188e-17;  // of 0.14
+  const V one = hn::Set(d, 1.0), exponent = hn::Set(d, sharing_film_exponent<double>());
+  const double residual = ratio_residual<double>(sharing_exponent_of_film);
   const V log_film = log_ratio(d, flooded, lambda);
   const V log_fluid = hn::Div(log_film, exponent);
   // A large logarithm makes much of the rounding of the quotient and of 0.14.

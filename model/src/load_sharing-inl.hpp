@@ -11,8 +11,8 @@
 // in one to three from
 //   λ₀                   where A(λ₀) < 1 and not next to it,
 //   just above the floor where not: there U = −h(λ − λ_b), and 1 − w hardly changes.
-// The floor is the surface's; unknown, it is found to a few digits from U and its derivatives at
-// λ₀.
+// The floor is the surface's. Where A(0) is hardly below 1 there is none, but the same pole just
+// below 0: it is found to a few digits from U and its derivatives at λ₀.
 //
 // A step is the last where it is below 2^−17 of the length over which g bends, 1/(p + λ|dU/dλ|) or
 // 1/g′, where that is shorter (next to the pole of a logarithm): its error is cubic, below 2^−51 of

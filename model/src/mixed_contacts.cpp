@@ -55,7 +55,7 @@ MixedContact<double> MixedContacts::operator[](std::size_t i) const {
 void MixedContacts::solve(std::span<const std::uint64_t> contact_of, std::span<const double> speeds,
                           OutputSet outputs, OperatingPoints& points) const {
   std::copy(speeds.begin(), speeds.end(), points.speed.begin());
-  std::array<double, detail::engine_block> lambda;
+  std::array<double, sharing_block> lambda;
   for (std::size_t start = 0; start < speeds.size(); start += lambda.size()) {
     const std::size_t stop = std::min(start + lambda.size(), speeds.size());
     for_each_run(

@@ -164,15 +164,16 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   const auto present = hn::FirstN(d, count);
   const auto add = [&](Work what, hn::Mask<D> lanes)
                        HWY_ATTR { count_lanes(d, work, what, hn::And(lanes, present)); };
-  const auto put = [&](double* array, V value) HWY_ATTR {
+  const auto put = [&](Output output, V value) HWY_ATTR {
+    double* const array = to.numbers[static_cast<std::size_t>(output)];
     if (array != nullptr) store(d, value, array + i, count);
   };
   const V lambda = hn::Mul(flooded.film_parameter, inlet.film_ratio);
   const V apart = hn::IfThenElse(hn::Lt(lambda, surface.floor), surface.floor, lambda);
-  put(to.film_flooded, hn::Mul(flooded.film_parameter, contact.summit_height_sd));
-  put(to.film, hn::Mul(lambda, contact.summit_height_sd));
-  put(to.separation, hn::Mul(apart, contact.summit_height_sd));
-  put(to.film_parameter, lambda);
+  put(Output::film_flooded, hn::Mul(flooded.film_parameter, contact.summit_height_sd));
+  put(Output::film, hn::Mul(lambda, contact.summit_height_sd));
+  put(Output::separation, hn::Mul(apart, contact.summit_height_sd));
+  put(Output::film_parameter, lambda);
   if (to.inlet != nullptr) {
     const auto is_flooded = hn::Ge(inlet.film_ratio, hn::Set(d, 0.95));
     HWY_ALIGN double word[hn::MaxLanes(D())];
@@ -197,8 +198,8 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   } else {
     add(Work::share_not_asked, present);
   }
-  put(to.asperity_load_share, shares.asperity);
-  put(to.fluid_load_share, shares.fluid);
+  put(Output::asperity_load_share, shares.asperity);
+  put(Output::fluid_load_share, shares.fluid);
   if (to.regime != nullptr) {
     const V little = hn::Set(d, 0.01);
     HWY_ALIGN double word[hn::MaxLanes(D())];
@@ -214,14 +215,14 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
     add(Work::moment, present);
     area = moment_at(d, order, area_order(words.model), surface, contact.area_factor, apart,
                      shares.asperity);
-    put(to.real_area_ratio, area);
+    put(Output::real_area_ratio, area);
   }
   if (needs.count) {
     add(Work::moment, present);
-    put(to.summit_count, moment_at(d, order, count_order(words.model), surface,
-                                   contact.count_factor, apart, shares.asperity));
+    put(Output::summit_count, moment_at(d, order, count_order(words.model), surface,
+                                        contact.count_factor, apart, shares.asperity));
   }
-  if (to.friction == nullptr) return;
+  if (to.friction_undefined == nullptr) return;
   // μ = μ_b A + τ (1 − A_r/A_nom)/p̄
   add(Work::shear_stress, present);
   const auto is_undefined = hn::Eq(apart, zero);
@@ -234,7 +235,7 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
                                       hn::Mul(apart, contact.summit_height_sd));
   const V fluid = hn::IfThenElseZero(hn::Gt(fluid_area, zero),
                                      hn::Div(hn::Mul(stress, fluid_area), contact.mean_pressure));
-  put(to.friction, hn::IfThenZeroElse(is_undefined, hn::Add(solid, fluid)));
+  put(Output::friction, hn::IfThenZeroElse(is_undefined, hn::Add(solid, fluid)));
   HWY_ALIGN double word[hn::MaxLanes(D())];
   hn::Store(hn::IfThenElseZero(is_undefined, one), d, word);
   for (std::size_t j = 0; j < std::min(count, hn::Lanes(d)); ++j)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "engine.hpp"
 #include "operating_points_arrays.hpp"
@@ -20,22 +21,22 @@ void OperatingPoints::resize(std::size_t count, OutputSet outputs) {
 }
 
 OperatingPoint<double> OperatingPoints::operator[](std::size_t i) const {
-  const auto at = [i](const auto& array) {
-    return array.empty() ? typename std::decay_t<decltype(array)>::value_type{} : array[i];
+  OperatingPoint<double> point;
+  const auto take = [i](auto& member, const auto& array) {
+    if (!array.empty()) member = array[i];
   };
-  return {speed[i],
-          at(film_flooded),
-          at(film),
-          at(separation),
-          at(film_parameter),
-          at(asperity_load_share),
-          at(fluid_load_share),
-          at(real_area_ratio),
-          at(summit_count),
-          at(friction),
-          regime.empty() ? Regime::mixed : regime[i],
-          at(inlet),
-          at(friction_undefined) != 0};
+  take(point.speed, speed);
+  std::array<double*, number_count> numbers{};
+  for_each_number(point, [&](Output output, double& number) {
+    numbers[static_cast<std::size_t>(output)] = &number;
+  });
+  for_each_number(*this, [&](Output output, const std::vector<double>& array) {
+    take(*numbers[static_cast<std::size_t>(output)], array);
+  });
+  take(point.regime, regime);
+  take(point.inlet, inlet);
+  take(point.friction_undefined, friction_undefined);
+  return point;
 }
 
 namespace {
@@ -44,16 +45,20 @@ void solve_points(const MixedContact<double>& contact, std::span<const double> s
                   OutputSet outputs, OperatingPoints& points, std::size_t first, WorkCounts* work) {
   std::copy(speeds.begin(), speeds.end(),
             points.speed.begin() + static_cast<std::ptrdiff_t>(first));
-  std::array<double, detail::engine_block> lambda;
+  using Wide = WiderType<double>;
+  std::optional<MixedContact<Wide>> wide;  // for what the engine does not reach
+  std::array<double, sharing_block> lambda;
   for (std::size_t start = 0; start < speeds.size(); start += lambda.size()) {
     const auto block = speeds.subspan(start, std::min(lambda.size(), speeds.size() - start));
     detail::engine_points(contact.words(), &contact.numbers(), nullptr, block, outputs,
                           detail::destination(points, first + start), lambda.data(), work);
-    for (std::size_t i = 0; i < block.size(); ++i)
-      if (std::isnan(lambda[i])) {
-        detail::store(contact.solve(block[i], outputs), points, first + start + i);
-        if (work != nullptr) work->add(Work::root_by_newton);
-      }
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (!std::isnan(lambda[i])) continue;
+      if (!wide) wide.emplace(contact.in<Wide>());
+      const auto point = wide->solve(static_cast<Wide>(block[i]), outputs);
+      detail::store(detail::in_double(point), points, first + start + i);
+      if (work != nullptr) work->add(Work::root_by_newton);
+    }
   }
 }
 

@@ -7,7 +7,8 @@
 
 namespace tribo {
 
-// Calls visit(output, array) for each array of numbers.
+// Calls visit(output, member) for each member of a structure of points, or of one point, that holds
+// numbers.
 template <class Points, class Visitor>
 void for_each_number(Points& points, Visitor&& visit) {
   visit(Output::film_flooded, points.film_flooded);
@@ -26,33 +27,21 @@ namespace detail {
 // Where the numbers of points from `first` on go.
 inline Destination destination(OperatingPoints& points, std::size_t first) {
   const auto from = [first](auto& array) { return array.empty() ? nullptr : array.data() + first; };
-  return {from(points.film_flooded),
-          from(points.film),
-          from(points.separation),
-          from(points.film_parameter),
-          from(points.asperity_load_share),
-          from(points.fluid_load_share),
-          from(points.real_area_ratio),
-          from(points.summit_count),
-          from(points.friction),
-          from(points.regime),
-          from(points.inlet),
-          from(points.friction_undefined)};
+  Destination to{{}, from(points.regime), from(points.inlet), from(points.friction_undefined)};
+  for_each_number(points, [&](Output output, std::vector<double>& array) {
+    to.numbers[static_cast<std::size_t>(output)] = from(array);
+  });
+  return to;
 }
 
 inline void store(const OperatingPoint<double>& point, OperatingPoints& points, std::size_t i) {
   const auto put = [i](auto& array, auto value) {
     if (!array.empty()) array[i] = value;
   };
-  put(points.film_flooded, point.film_flooded);
-  put(points.film, point.film);
-  put(points.separation, point.separation);
-  put(points.film_parameter, point.film_parameter);
-  put(points.asperity_load_share, point.asperity_load_share);
-  put(points.fluid_load_share, point.fluid_load_share);
-  put(points.real_area_ratio, point.real_area_ratio);
-  put(points.summit_count, point.summit_count);
-  put(points.friction, point.friction);
+  const auto numbers = numbers_of(point);
+  for_each_number(points, [&](Output output, std::vector<double>& array) {
+    put(array, numbers[static_cast<std::size_t>(output)]);
+  });
   put(points.regime, point.regime);
   put(points.inlet, point.inlet);
   put(points.friction_undefined, static_cast<std::uint8_t>(point.friction_undefined));

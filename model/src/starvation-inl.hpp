@@ -16,14 +16,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
 
-inline constexpr double crook = 0.53033008588991064330;         // c = 3/(4√2)
-inline constexpr double two_over_pi_ = 0.63661977236758134308;  // 2/π
-inline constexpr double linear_slope = 1.71887338539246962630;  // κ: y = κψ for short inlets
+inline constexpr double linear_slope = 1.71887338539246962630;  // κ = 5.4/π: y = κψ, short inlets
+inline constexpr double linear_slope_power = 1.9681348835114139;  // κ^{5/4}
 
 // y(ψ) = (2/π) arctan(2.7ψ)
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V wolveridge_film_ratio(D d, V inlet_length) {
-  return hn::Mul(hn::Set(d, two_over_pi_), arc_tangent(d, hn::Mul(hn::Set(d, 2.7), inlet_length)));
+  return hn::Mul(hn::Set(d, two_over_pi<double>()),
+                 arc_tangent(d, hn::Mul(hn::Set(d, wolveridge_factor<double>()), inlet_length)));
 }
 
 // 1/r at ψ = x², and its slope d ln(1/r)/d ln x.
@@ -34,12 +34,12 @@ struct InverseRatio {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE InverseRatio<V> inverse_ratio(D d, StarvationClosure closure, V x) {
   const V one = hn::Set(d, 1.0), two = hn::Set(d, 2.0), three = hn::Set(d, 3.0);
-  const V psi = hn::Mul(x, x), v = hn::Mul(hn::Set(d, 2.7), psi);
+  const V psi = hn::Mul(x, x), v = hn::Mul(hn::Set(d, wolveridge_factor<double>()), psi);
   const V angle = arc_tangent(d, v);
-  const V y = hn::Mul(hn::Set(d, two_over_pi_), angle);
+  const V y = hn::Mul(hn::Set(d, two_over_pi<double>()), angle);
   const V y_slope = hn::IfThenElse(hn::Lt(v, hn::Set(d, 1e-100)), two,
                                    hn::Div(hn::Add(v, v), hn::Mul(hn::MulAdd(v, v, one), angle)));
-  V term = hn::Div(hn::Mul(psi, x), hn::Set(d, crook)), term_slope = three;
+  V term = hn::Div(hn::Mul(psi, x), hn::Set(d, crook_constant<double>())), term_slope = three;
   if (closure == StarvationClosure::printed_exponents) {
     term = hn::Div(term, hn::Mul(y, hn::Sqrt(hn::Sqrt(y))));
     term_slope = hn::NegMulAdd(hn::Set(d, 1.25), y_slope, three);
@@ -53,10 +53,11 @@ HWY_INLINE InverseRatio<V> inverse_ratio(D d, StarvationClosure closure, V x) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
   const V one = hn::Set(d, 1.0);
-  const V long_inlet = decimal_power(d, hn::Mul(hn::Set(d, crook), g), {1, 3});
+  const V long_inlet = decimal_power(d, hn::Mul(hn::Set(d, crook_constant<double>()), g), {1, 3});
   V short_inlet;
   if (closure == StarvationClosure::printed_exponents) {
-    const V root = hn::Mul(hn::Set(d, crook * 1.9681348835114139), g);  // c κ^{5/4} g
+    const V root =
+        hn::Mul(hn::Set(d, crook_constant<double>() * linear_slope_power), g);  // c κ^{5/4} g
     short_inlet = hn::Mul(root, root);
   } else {
     short_inlet = hn::Sqrt(hn::Div(g, hn::Set(d, linear_slope)));
@@ -82,7 +83,8 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V inlet_length(D d, StarvationClosure closure, V r) {
   const V one = hn::Set(d, 1.0);
   if (closure == StarvationClosure::flooded_inlet)
-    return decimal_power(d, hn::Mul(hn::Div(hn::Sub(one, r), r), hn::Set(d, crook)), {2, 3});
+    return decimal_power(
+        d, hn::Mul(hn::Div(hn::Sub(one, r), r), hn::Set(d, crook_constant<double>())), {2, 3});
   const V root = root_of_inlet_length(d, closure, hn::Div(one, r));
   return hn::Mul(root, root);
 }
@@ -124,9 +126,9 @@ HWY_INLINE Starvation<D> starvation(D d, StarvationClosure closure, V r, V damie
   Starvation<D> state{hn::IfThenZeroElse(collapsed, wolveridge_film_ratio(d, psi)), zero,
                       collapsed};
   if (needs_deficit) {
-    const V inverse = hn::Div(one, hn::Mul(hn::Set(d, 2.7), psi));
-    state.deficit =
-        hn::IfThenElse(collapsed, one, hn::Mul(hn::Set(d, two_over_pi_), arc_tangent(d, inverse)));
+    const V inverse = hn::Div(one, hn::Mul(hn::Set(d, wolveridge_factor<double>()), psi));
+    state.deficit = hn::IfThenElse(
+        collapsed, one, hn::Mul(hn::Set(d, two_over_pi<double>()), arc_tangent(d, inverse)));
   }
   return state;
 }

@@ -46,7 +46,6 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
     }
     contacts_.clear();
     contact_of_.clear();
-    scenes_ = 0;
     for (std::size_t i = 0; i < some; ++i) add(values.subspan(i * count, count));
     contacts_.prepare();
     const bool curves = speeds_.size() >= speeds_of_a_curve;
@@ -72,13 +71,12 @@ bool CaseSolver::is_contact_of(std::span<const double> values) const {
 }
 
 void CaseSolver::add(std::span<const double> values) {
-  if (scenes_ == 0 || !is_contact_of(values)) {
+  if (contacts_.size() == 0 || !is_contact_of(values)) {
     prepared_ = values;
     for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
     contacts_.add(scene_);
-    ++scenes_;
   }
-  contact_of_.push_back(scenes_ - 1);
+  contact_of_.push_back(contacts_.size() - 1);
 }
 
 void CaseSolver::solve_speeds(std::span<const double> speeds, std::span<double> results) {

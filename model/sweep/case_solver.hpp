@@ -41,7 +41,6 @@ class CaseSolver {
   // Where the speed alone varies and no onset is asked.
   std::optional<MixedContact<double>> only_contact_;
   MixedContacts contacts_;                         // of the cases in hand
-  std::size_t scenes_ = 0;                         // that were added to them
   std::vector<std::uint64_t> contact_of_;          // its place, of each of these cases
   std::span<const double> prepared_;               // the last contact's variables
   std::vector<InletOnsets<double>> inlet_onsets_;  // of each criterion, for this closure:

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/judge.hpp"
+#include "support/point_bits.hpp"
 #include "support/scenes.hpp"
 
 namespace tribo::verification {
@@ -78,8 +79,10 @@ TEST(StribeckCurve, SpeedsAscendFromEndToEndWithoutGaps) {
   for (const Scene& scene : scenes())
     for (const std::size_t count : {std::size_t{2}, std::size_t{40}, std::size_t{333}}) {
       std::vector<double> speeds;
-      stribeck_curve(MixedContact<double>(scene), 1e-5, 20.0, count, OutputSet{},
-                     [&](const OperatingPoint<double>& p) { speeds.push_back(p.speed); });
+      stribeck_curve(MixedContact<long double>(scene), 1e-5L, 20.0L, count, OutputSet{},
+                     [&](const OperatingPoint<long double>& p) {
+                       speeds.push_back(static_cast<double>(p.speed));
+                     });
       ASSERT_EQ(speeds.size(), count);
       EXPECT_TRUE(is_within(speeds.front() / 1e-5, 1, 2e-9)) << name_of(scene);
       EXPECT_TRUE(is_within(speeds.back() / 20, 1, 2e-9)) << name_of(scene);
@@ -89,6 +92,20 @@ TEST(StribeckCurve, SpeedsAscendFromEndToEndWithoutGaps) {
         EXPECT_LT(std::log(speeds[i] / speeds[i - 1]), 1.51 * step) << name_of(scene);
       }
     }
+}
+
+// In double it is what solve() gives at the speeds of the scene's own logarithmic range.
+TEST(StribeckCurve, InDoubleIsThatOfTheSpeedsOfTheRange) {
+  for (const Scene& scene : scenes()) {
+    const MixedContact<double> contact(scene);
+    const Speeds range{{}, 1e-5, 20, 40, Spacing::log};
+    std::size_t i = 0;
+    stribeck_curve(contact, range.from, range.to, range.count, OutputSet::all(),
+                   [&](const OperatingPoint<double>& p) {
+                     EXPECT_EQ(bits_of(p), bits_of(contact.solve(range[i++]))) << name_of(scene);
+                   });
+    EXPECT_EQ(i, range.count);
+  }
 }
 
 // A plane offset so large that λ_b and λ agree to the last bit while the shares do not.

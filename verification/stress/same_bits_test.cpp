@@ -4,12 +4,12 @@
 // without it; the prepared contact has them too.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <map>
 #include <vector>
 
 #include "support/instruction_sets.hpp"
 #include "support/judge.hpp"
+#include "support/point_bits.hpp"
 #include "support/scenes.hpp"
 #include "tribo/mixed_contacts.hpp"
 
@@ -17,16 +17,6 @@ namespace tribo::verification {
 namespace {
 
 using Bits = std::vector<std::uint64_t>;
-
-Bits bits_of(const OperatingPoint<double>& point) {
-  Bits bits;
-  for (const double number : numbers_of(point))
-    bits.push_back(std::bit_cast<std::uint64_t>(number));
-  bits.push_back(static_cast<std::uint64_t>(point.regime));
-  bits.push_back(static_cast<std::uint64_t>(point.inlet));
-  bits.push_back(point.friction_undefined ? 1 : 0);
-  return bits;
-}
 
 struct Points {
   std::vector<Scene> scenes;
@@ -122,6 +112,36 @@ TEST(SameBits, ComeFromEachWayToAPointOnEachInstructionSet) {
     hold("in a batch of the contact", by_contact(all), expected, all);
     for (const std::size_t size : {1, 3, 8, 511, 513, 5000})
       hold("among other contacts", among_others(all, size), expected, all);
+  });
+}
+
+// λ of one surface alone, in a batch of it, and among other surfaces.
+TEST(SameBits, ComeFromEachWayToARoot) {
+  const std::vector<double> flooded{1e-300, 1e-30, 1e-4, 0.02, 0.3, 0.9, 1.1, 2.0, 3.5, 6, 40, 1e5};
+  Sampler sampler(232);
+  on_each_instruction_set([&] {
+    for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson}) {
+      std::vector<double> stiffness, offset, film0, alone;
+      for (int i = 0; i < 300; ++i) {
+        const LoadSharing<double> sharing(model, sampler.log_uniform(1e-12, 1e12),
+                                          sampler.uniform(0, 5));
+        std::vector<double> together(flooded.size());
+        film_parameter(sharing, flooded, together);
+        for (std::size_t k = 0; k < flooded.size(); ++k) {
+          stiffness.push_back(sharing.stiffness());
+          offset.push_back(sharing.offset());
+          film0.push_back(flooded[k]);
+          alone.push_back(sharing.film_parameter(flooded[k]));
+          EXPECT_EQ(together[k], alone.back())
+              << describe({{"K", sharing.stiffness()}, {"lambda0", flooded[k]}});
+        }
+      }
+      std::vector<double> among_others(alone.size());
+      film_parameter(model, stiffness, offset, film0, among_others);
+      for (std::size_t k = 0; k < alone.size(); ++k)
+        EXPECT_EQ(among_others[k], alone[k])
+            << describe({{"K", stiffness[k]}, {"delta", offset[k]}, {"lambda0", film0[k]}});
+    }
   });
 }
 

@@ -28,12 +28,12 @@ void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> l
 // What a batch of roots took.
 struct SharingWork {
   std::size_t steps = 0;      // of all roots together
-  std::size_t by_newton = 0;  // roots left to Newton's method, whose steps are not counted
+  std::size_t by_newton = 0;  // roots left to the formula text, whose steps are not counted
 };
 
 // The film parameters λ of load sharing (load_sharing.hpp) at flooded film parameters λ₀: of many
-// surfaces, K ≥ 0 and δ ≥ 0 a point; and of one. Error and failures are those of
-// LoadSharing<double>::solve, whose last digit may differ.
+// surfaces, K ≥ 0 and δ ≥ 0 a point; and of one. The bits are those of
+// LoadSharing<double>.
 SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
                            std::span<const double> offset,
                            std::span<const double> flooded_film_parameter,
@@ -42,7 +42,7 @@ SharingWork film_parameter(const LoadSharing<double>& sharing,
                            std::span<const double> flooded_film_parameter,
                            std::span<double> film_parameter);
 
-// One of them.
+// A single one, its surface prepared for it alone.
 double film_parameter(AsperityModel model, double stiffness, double offset,
                       double flooded_film_parameter);
 

@@ -3,8 +3,6 @@
 // each, and the words of its closures and laws.
 #pragma once
 
-#include <cstddef>
-
 #include "tribo/scene.hpp"
 
 namespace tribo::detail {
@@ -34,7 +32,6 @@ struct ContactNumbers {
   T roelands_scale, roelands_exponent;              // ln η₀ + 9.67 and z
   T radius, nominal_area, mean_pressure, approach;  // of the smooth contact
 };
-inline constexpr std::size_t contact_numbers = sizeof(ContactNumbers<double>) / sizeof(double);
 
 // The numbers of a scene that a contact is prepared from, as scene.hpp has them.
 template <class T>
@@ -46,7 +43,6 @@ struct SceneNumbers {
   T supply;
   T boundary_coefficient, slide_roll_ratio, damiens_exponent;
 };
-inline constexpr std::size_t scene_numbers = sizeof(SceneNumbers<double>) / sizeof(double);
 
 struct ContactWords {
   AsperityModel model;
@@ -57,8 +53,6 @@ struct ContactWords {
 
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
-
-inline constexpr std::size_t surface_numbers = sizeof(SurfaceNumbers<double>) / sizeof(double);
 
 // Between a scene and what a contact needs of it.
 ContactWords words_of(const Scene& scene);

@@ -40,6 +40,18 @@ struct LoadShares {
   int iterations;    // steps to the root that were taken
 };
 
+namespace detail {
+
+// −d ln F_n/dd = n F_{n−1}/F_n, n ≥ 1, from S_n(d): the ratio of the scaled moments is the same.
+// Where S_n nears underflow it is d to every digit.
+template <class T>
+T moment_hazard(Order n, const T& scaled, const T& d) {
+  if (!(scaled > 0 && d < 1 / (epsilon<T>() * epsilon<T>()))) return d;
+  return value_of<T>(n) * (scaled_gaussian_moment(lower(n), d) / scaled);
+}
+
+}  // namespace detail
+
 // A root λ, and the steps to it.
 template <class T>
 struct SharingRoot {
@@ -210,15 +222,11 @@ class LoadSharing {
 
   struct Asperities {
     T share;      // A = (K F_p(d))^q
-    T log_slope;  // d ln A/dd = −qp F_{p−1}/F_p; the ratio of the scaled moments is the same
+    T log_slope;  // d ln A/dd
   };
   Asperities asperities(const T& d) const {
     const T scaled = scaled_gaussian_moment(order_, d);
-    // Where S_p nears underflow, p F_{p−1}/F_p = d to every digit.
-    const T hazard =
-        scaled > 0 && d < 1 / (epsilon<T>() * epsilon<T>())
-            ? T(value_of<T>(order_) * (scaled_gaussian_moment(lower(order_), d) / scaled))
-            : d;
+    const T hazard = detail::moment_hazard(order_, scaled, d);
     return {share_from(scaled, d), -exponent_ * hazard};
   }
   T share_at(const T& d) const { return share_from(scaled_gaussian_moment(order_, d), d); }
@@ -299,7 +307,7 @@ class LoadSharing {
   bool has_floor_ = false;
 };
 
-// In double the numbers come from the engine (engine.hpp). Errors and failures are those of the
+// In double the numbers come from the engine (src/engine.hpp). Errors and failures are those of the
 // template; roots keep load_sharing_contract.
 template <>
 class LoadSharing<double> {

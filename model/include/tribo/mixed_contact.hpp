@@ -246,8 +246,8 @@ class MixedContact {
   T film_parameter_at_unit_speed_;  // λ₀/u^0.67
 };
 
-// In double the numbers come from the engine (engine.hpp): a point has the same bits alone and in a
-// batch of any size, on every x86-64 with fused multiply-add. Error: operating_point_contract.
+// In double the numbers come from the engine (src/engine.hpp): a point has the same bits alone and
+// in a batch of any size, on every x86-64 with fused multiply-add. Error: operating_point_contract.
 template <>
 class MixedContact<double> {
  public:

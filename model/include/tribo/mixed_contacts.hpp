@@ -20,11 +20,12 @@ class MixedContacts {
   void add(const Scene& scene);
   void prepare();
 
-  std::size_t size() const { return numbers_.size(); }
+  // That were added.
+  std::size_t size() const { return scenes_.size(); }
   MixedContact<double> operator[](std::size_t i) const;
 
-  // Point i is of contact contact_of[i] at speeds[i]: all outputs of a set into `points`, which has
-  // been given room for them.
+  // Point i is of contact contact_of[i] < size() at speeds[i], m/s: all outputs of a set into
+  // `points`, which has been given room for them. Error: operating_point_contract.
   void solve(std::span<const std::uint64_t> contact_of, std::span<const double> speeds,
              OutputSet outputs, OperatingPoints& points) const;
 

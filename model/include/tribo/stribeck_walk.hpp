@@ -25,6 +25,17 @@ struct WalkPoint {
   T rate;        // ds/d ln u
 };
 
+namespace detail {
+
+// d ln λ/d ln u = 0.67/(1 − 0.14 λA′/(1−A)), from λA′/A.
+template <class T>
+T film_slope(const LoadShares<T>& shares, const T& asperity_share_slope) {
+  const T stiffening = -sharing_film_exponent<T>() * shares.asperity * asperity_share_slope;
+  return film_speed_exponent<T>() * shares.fluid / (shares.fluid + stiffening);
+}
+
+}  // namespace detail
+
 template <class T>
 class StribeckWalk {
  public:
@@ -68,12 +79,10 @@ class StribeckWalk {
       film_rate = above_floor_ ? T(1 / (1 + exp(T(log_floor_ - s)))) : T(1);
     }
     const LoadShares<T>& shares = point.flooded.shares;
-    // d ln λ/d ln u = 0.67/(1 − 0.14 λA′/(1−A))
-    const T stiffening = shares.asperity > 0
-                             ? T(-sharing_film_exponent<T>() * shares.asperity *
-                                 sharing_.asperity_share_slope_above_floor(T(exp(log_distance))))
-                             : T(0);
-    point.film_slope = film_speed_exponent<T>() * shares.fluid / (shares.fluid + stiffening);
+    point.film_slope = detail::film_slope(
+        shares, shares.asperity > 0
+                    ? sharing_.asperity_share_slope_above_floor(T(exp(log_distance)))
+                    : T(0));
     // In the logarithmic approach to the floor both slopes vanish together.
     point.rate = is_at_floor(point.flooded)
                      ? T(film_speed_exponent<T>() / sharing_film_exponent<T>())
@@ -222,8 +231,7 @@ class StribeckWalk {
   T log_inverse_r_at_floor_{};
 };
 
-// In double the coordinate is ln u itself: a root of the engine's takes a third of the time that
-// the powers and logarithms of a walk do.
+// In double the coordinate is ln u itself, since a root is what the engine has anyway.
 template <>
 class StribeckWalk<double> {
  public:

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// All bits of an operating point, to compare two that have to be the same.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "tribo/operating_point.hpp"
+
+namespace tribo::verification {
+
+inline std::vector<std::uint64_t> bits_of(const OperatingPoint<double>& point) {
+  std::vector<std::uint64_t> bits{std::bit_cast<std::uint64_t>(point.speed)};
+  for (const double number : numbers_of(point))
+    bits.push_back(std::bit_cast<std::uint64_t>(number));
+  bits.push_back(static_cast<std::uint64_t>(point.regime));
+  bits.push_back(static_cast<std::uint64_t>(point.inlet));
+  bits.push_back(point.friction_undefined ? 1 : 0);
+  return bits;
+}
+
+}  // namespace tribo::verification
