@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine.hpp"
+#include "operating_points_arrays.hpp"
 #include "tribo/load_sharing.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
@@ -183,7 +184,13 @@ InletState<double> MixedContact<double>::inlet(const FloodedFilm<double>& film) 
 OperatingPoint<double> MixedContact<double>::complete(const FloodedFilm<double>& flooded,
                                                       const InletState<double>& inlet,
                                                       OutputSet outputs) const {
-  return detail::engine_complete(words_, numbers_, flooded, inlet, outputs);
+  OperatingPoint<double> point;
+  std::uint8_t undefined = 0;
+  detail::engine_complete(words_, numbers_, flooded, inlet, outputs,
+                          detail::destination(point, undefined, outputs));
+  point.speed = flooded.speed;
+  point.friction_undefined = undefined != 0;
+  return point;
 }
 
 WalkPoint<double> StribeckWalk<double>::at(double log_speed) const {
@@ -207,10 +214,25 @@ double detail::log_flow_ratio(const MixedContact<double>& contact, const WalkPoi
          engine_logarithm(contact.inlet_flow());
 }
 
+namespace {
+
+// A point beyond the engine's range, apart from those within it, which are many.
+[[gnu::noinline]] void solve_wide(const MixedContact<double>& contact, OutputSet outputs,
+                                  OperatingPoint<double>& point) {
+  point = detail::in_double(contact.in<Wide>().solve(Wide(point.speed), outputs));
+}
+
+}  // namespace
+
 OperatingPoint<double> MixedContact<double>::solve(double speed, OutputSet outputs) const {
-  const detail::EnginePoint found = detail::engine_point(words_, numbers_, speed, outputs);
-  if (found.film_parameter == found.film_parameter) return found.point;
-  return detail::in_double(in<Wide>().solve(Wide(speed), outputs));
+  OperatingPoint<double> point;
+  std::uint8_t undefined = 0;
+  const double film_parameter = detail::engine_point(
+      words_, numbers_, speed, outputs, detail::destination(point, undefined, outputs));
+  point.speed = speed;
+  point.friction_undefined = undefined != 0;
+  if (film_parameter != film_parameter) solve_wide(*this, outputs, point);
+  return point;
 }
 
 }  // namespace tribo

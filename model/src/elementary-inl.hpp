@@ -80,7 +80,7 @@ TRIBO_ELEMENTARY_FUNCTION(exponential_less_one, expm1, u10)   // e^x − 1
 TRIBO_ELEMENTARY_FUNCTION(logarithm, log, u10)                // ln x
 TRIBO_ELEMENTARY_FUNCTION(rough_logarithm, log, u35)          // ln x to 3.5 ulp
 TRIBO_ELEMENTARY_FUNCTION(logarithm_of_one_plus, log1p, u10)  // ln(1 + x)
-TRIBO_ELEMENTARY_FUNCTION(arc_tangent, atan, u10)             // arctan x
+TRIBO_ELEMENTARY_FUNCTION(arc_tangent, atan, u35)             // arctan x to 3.5 ulp
 #undef TRIBO_ELEMENTARY_FUNCTION
 #undef TRIBO_SLEEF_ONE
 #undef TRIBO_SLEEF_FEW

@@ -16,7 +16,6 @@
 #include "contact-inl.hpp"
 #include "engine.hpp"
 #include "operating_point-inl.hpp"
-#include "operating_points_arrays.hpp"
 #include "processor.hpp"
 #include "sharing_method.hpp"
 
@@ -160,26 +159,9 @@ double film_at(const detail::ContactNumbers<double>& contact, double speed) {
   return hn::GetLane(flooded_film_parameter(OneLane(), broadcast(OneLane(), contact), of(speed)));
 }
 
-// Where the numbers of one point go.
-detail::Destination destination(OperatingPoint<double>& point, std::uint8_t& undefined,
-                                OutputSet outputs) {
-  const auto asked = [&](Output output, auto& member) {
-    return outputs.contains(output) ? &member : nullptr;
-  };
-  detail::Destination to{{},
-                         asked(Output::regime, point.regime),
-                         asked(Output::inlet, point.inlet),
-                         asked(Output::friction, undefined)};
-  for_each_number(point, [&](Output output, double& number) {
-    to.numbers[static_cast<std::size_t>(output)] = asked(output, number);
-  });
-  return to;
-}
-
-OperatingPoint<double> completed(const detail::ContactWords& words,
-                                 const detail::ContactNumbers<double>& numbers,
-                                 const FloodedFilm<double>& film, const InletState<double>& inlet,
-                                 OutputSet outputs) {
+void completed(const detail::ContactWords& words, const detail::ContactNumbers<double>& numbers,
+               const FloodedFilm<double>& film, const InletState<double>& inlet, OutputSet outputs,
+               const detail::Destination& to) {
   const OneLane d;
   const auto contact = broadcast(d, numbers);
   const Needs needs(outputs, words.supply);
@@ -193,32 +175,20 @@ OperatingPoint<double> completed(const detail::ContactWords& words,
     state.deficit =
         starvation(d, words.closure, of(inlet.flooded_over_inlet), contact.damiens_exponent, true)
             .deficit;
-  OperatingPoint<double> point;
-  std::uint8_t undefined = 0;
   NoWork none;
-  complete(d, words, contact, needs, shares, flooded, state, destination(point, undefined, outputs),
-           0, 1, none);
-  point.speed = film.speed;
-  point.friction_undefined = undefined != 0;
-  return point;
+  complete(d, words, contact, needs, shares, flooded, state, to, 0, 1, none);
 }
 
-detail::EnginePoint point_alone(const detail::ContactWords& words,
-                                const detail::ContactNumbers<double>& numbers, double speed,
-                                OutputSet outputs) {
+double point_alone(const detail::ContactWords& words, const detail::ContactNumbers<double>& numbers,
+                   double speed, OutputSet outputs, const detail::Destination& to) {
   const OneLane d;
   const auto contact = broadcast(d, numbers);
   const One film0 = flooded_film_parameter(d, contact, of(speed));
   const One lambda = roots_alone(d, load_order(words.model), contact.surface, film0).film_parameter;
-  detail::EnginePoint result;
-  std::uint8_t undefined = 0;
   NoWork none;
-  complete_root(d, words, contact, Needs(outputs, words.supply), of(speed), film0, lambda,
-                destination(result.point, undefined, outputs), 0, 1, none);
-  result.point.speed = speed;
-  result.point.friction_undefined = undefined != 0;
-  result.film_parameter = hn::GetLane(lambda);
-  return result;
+  complete_root(d, words, contact, Needs(outputs, words.supply), of(speed), film0, lambda, to, 0, 1,
+                none);
+  return hn::GetLane(lambda);
 }
 
 template <bool one_contact, class ContactAt, class SurfaceAt, class Counter>
@@ -476,18 +446,17 @@ InletState<double> engine_inlet(const ContactWords& words, const ContactNumbers<
                                 double speed, double film_parameter) {
   return HWY_DYNAMIC_DISPATCH(inlet)(words, contact, speed, film_parameter);
 }
-OperatingPoint<double> engine_complete(const ContactWords& words,
-                                       const ContactNumbers<double>& contact,
-                                       const FloodedFilm<double>& flooded,
-                                       const InletState<double>& inlet, OutputSet outputs) {
-  return HWY_DYNAMIC_DISPATCH(completed)(words, contact, flooded, inlet, outputs);
+void engine_complete(const ContactWords& words, const ContactNumbers<double>& contact,
+                     const FloodedFilm<double>& flooded, const InletState<double>& inlet,
+                     OutputSet outputs, const Destination& to) {
+  HWY_DYNAMIC_DISPATCH(completed)(words, contact, flooded, inlet, outputs, to);
 }
 double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed) {
   return HWY_DYNAMIC_DISPATCH(film_at)(contact, speed);
 }
-EnginePoint engine_point(const ContactWords& words, const ContactNumbers<double>& contact,
-                         double speed, OutputSet outputs) {
-  return HWY_DYNAMIC_DISPATCH(point_alone)(words, contact, speed, outputs);
+double engine_point(const ContactWords& words, const ContactNumbers<double>& contact, double speed,
+                    OutputSet outputs, const Destination& to) {
+  return HWY_DYNAMIC_DISPATCH(point_alone)(words, contact, speed, outputs, to);
 }
 
 bool is_within_engine(const SurfaceNumbers<double>& surface) {

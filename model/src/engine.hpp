@@ -41,30 +41,25 @@ void engine_prepare(AsperityModel model, std::span<const SceneNumbers<double>> s
 void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts);
 
+// Where the numbers of operating points go; null for what is not asked.
+struct Destination {
+  std::array<double*, number_count> numbers;  // by Output
+  Regime* regime;
+  Inlet* inlet;
+  std::uint8_t* friction_undefined;
+};
+
 // λ₀ at a speed, the inlet at a film, and the outputs from both.
 double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed);
 InletState<double> engine_inlet(const ContactWords& words, const ContactNumbers<double>& contact,
                                 double speed, double film_parameter);
-OperatingPoint<double> engine_complete(const ContactWords& words,
-                                       const ContactNumbers<double>& contact,
-                                       const FloodedFilm<double>& flooded,
-                                       const InletState<double>& inlet, OutputSet outputs);
+void engine_complete(const ContactWords& words, const ContactNumbers<double>& contact,
+                     const FloodedFilm<double>& flooded, const InletState<double>& inlet,
+                     OutputSet outputs, const Destination& to);
 
-// A point alone: λ is NaN in `film_parameter` where the kernels do not reach.
-struct EnginePoint {
-  OperatingPoint<double> point;
-  double film_parameter;
-};
-EnginePoint engine_point(const ContactWords& words, const ContactNumbers<double>& contact,
-                         double speed, OutputSet outputs);
-
-// Where the numbers of operating points go; null for what is not asked.
-struct Destination {
-  std::array<double*, number_count> numbers{};  // by Output
-  Regime* regime = nullptr;
-  Inlet* inlet = nullptr;
-  std::uint8_t* friction_undefined = nullptr;
-};
+// A point alone: its λ, NaN where the kernels do not reach.
+double engine_point(const ContactWords& words, const ContactNumbers<double>& contact, double speed,
+                    OutputSet outputs, const Destination& to);
 
 // Points of one contact, or of the contact index[i] of many; at most sharing_block. λ of each goes
 // to `film_parameter`, NaN where the kernels do not reach.

@@ -37,14 +37,15 @@ HWY_INLINE V inverse_hyperbolic_sine(D d, V x) {
   return logarithm_of_one_plus(d, hn::Add(x, hn::Div(square, hn::Add(one, root))));
 }
 
-// Shear stress τ of a film, at a separation > 0 and a sliding speed ≥ 0.
+// τ/τ_E of a film's shear stress, at a separation > 0 and a sliding speed ≥ 0.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V fluid_shear_stress(D d, FluidShear law, const detail::ContactNumbers<V>& contact,
-                                V log_thickening, V sliding_speed, V separation) {
+HWY_INLINE V relative_shear_stress(D d, FluidShear law, const detail::ContactNumbers<V>& contact,
+                                   V log_thickening, V sliding_speed, V separation) {
   const V zero = hn::Zero(d), most = hn::Set(d, 0x1p52);
   const V stress = contact.eyring_stress;
-  V x = hn::Mul(hn::Mul(hn::Div(contact.viscosity, stress), hn::Div(sliding_speed, separation)),
-                exponential(d, log_thickening));
+  V x = hn::Div(hn::Mul(hn::Div(contact.viscosity, stress), sliding_speed), separation);
+  const auto is_ambient = hn::Eq(log_thickening, zero);
+  if (!hn::AllTrue(d, is_ambient)) x = hn::Mul(x, exponential(d, log_thickening));
   V log_x = zero;
   const auto is_still = hn::Eq(sliding_speed, zero);
   const auto is_ordinary = hn::Or(hn::And(hn::Gt(x, zero), hn::Lt(x, most)), is_still);
@@ -64,7 +65,7 @@ HWY_INLINE V fluid_shear_stress(D d, FluidShear law, const detail::ContactNumber
       relative =
           hn::IfThenElse(is_moderate, relative, hn::Add(hn::Set(d, 0.69314718055994530942), log_x));
   }
-  return hn::IfThenZeroElse(is_still, hn::Mul(stress, relative));
+  return hn::IfThenZeroElse(is_still, relative);
 }
 
 }  // namespace tribo::HWY_NAMESPACE

@@ -2,23 +2,22 @@
 // The root of load sharing (load_sharing.hpp) in double, once for each instruction set, for one
 // lane and for vectors of points.
 //
-// In y = ln(λ/λ₀), with U = ln A, A = (K F_p(λ−δ))^q, and w = e^{−py} = 1 − A at the root, p =
-// 1/0.14,
+// In y = ln(λ/λ₀), with A = (K F_p(λ−δ))^q, and w = e^{−py} = 1 − A at the root, p = 1/0.14,
 //
-//   where A ≤ w   g = p y + ln(1 − A)       where A > w   g = ln(1 − w) − U
+//   the film's form    g = ln(1 − A) − ln w
+//   the floor's form   g = ln(1 − w) − ln A, where A > w and λ|d ln A/dλ| A/(1 − A) > p
 //
-// both increase and are nearly straight, so that Chebyshev's steps, of third order, reach the root
-// in one to three from
+// both increase, and each is nearly straight where it is taken, so that steps of fourth order reach
+// the root in one to three from
 //   λ₀                   where A(λ₀) < 1 and not next to it,
-//   just above the floor where not: there U = −h(λ − λ_b), and 1 − w hardly changes.
+//   just above the floor where not: there ln A = −h(λ − λ_b), and 1 − w hardly changes.
 // The floor is the surface's. Where A(0) is hardly below 1 there is none, but the same pole just
-// below 0: it is found to a few digits from U and its derivatives at λ₀.
+// below 0: it is found to a few digits from A and its derivatives at λ₀.
 //
-// A step is the last where it is below 2^−17 of the length over which g bends, 1/(p + λ|dU/dλ|) or
-// 1/g′, where that is shorter (next to the pole of a logarithm): its error is cubic, below 2^−51 of
-// that length. No iterate falls below λ₀, and a lane that is not there after max_sharing_steps is
-// left to Newton's method on the convex form, which rises to the root from wherever it starts left
-// of it.
+// A step is the last where its estimate says that it is off by less than 2^−55 in y; it may be off
+// by twice that (analytic.SharingStep). No iterate falls below λ₀, and a lane that is not there
+// after max_sharing_steps is left to Newton's method on the convex form, which rises to the root
+// from wherever it starts left of it.
 #include <hwy/highway.h>
 
 #include <limits>
@@ -48,6 +47,7 @@ struct Asperities {
   V share;   // A
   V hazard;  // −d ln A/dλ
   V slope;   // of the hazard, ≥ 0
+  V bend;    // of the slope
 };
 
 template <class D, class V = hn::Vec<D>>
@@ -59,14 +59,15 @@ HWY_INLINE Asperities<V> asperities(D d, Order order, const SharingInputs<V>& in
   const V x = distance_in_pieces(d, argument);
   const auto [moment, log_slope] = moment_and_log_slope(d, order, below_zero, x);
   const V product = hn::Mul(in.stiffness, moment);
-  // h = −d ln F_n/dd and h′ = h² − dh − n
+  // h = −d ln F_n/dd, h′ = h² − dh − n, h″ = (2h − d)h′ − h
   const V h = hn::IfThenElse(below_zero, log_slope, hn::Sub(x, log_slope));
   const V less_d = hn::IfThenElse(below_zero, hn::Add(h, x), hn::Neg(log_slope));
   const V square = hn::IfThenZeroElse(below_zero, hn::Mul(x, x));
   const V gaussian = exponential(d, hn::Mul(hn::Mul(hn::Set(d, -0.5), exponent), square));
   const V share = hn::Mul(order == Order::five_halves ? hn::Sqrt(product) : product, gaussian);
-  return {share, hn::Mul(exponent, h),
-          hn::Mul(exponent, hn::Max(hn::MulSub(h, less_d, n), hn::Zero(d)))};
+  const V slope = hn::Max(hn::MulSub(h, less_d, n), hn::Zero(d));
+  return {share, hn::Mul(exponent, h), hn::Mul(exponent, slope),
+          hn::Mul(exponent, hn::MulSub(hn::Add(h, less_d), slope, h))};
 }
 
 // A point on its way: λ and y = ln(λ/λ₀).
@@ -133,11 +134,31 @@ HWY_INLINE V complement(D d, V x) {
   return hn::Max(hn::Sub(hn::Set(d, 1.0), x), hn::Set(d, 0x1p-60));
 }
 
-// ln(1 − A) where A ≤ w, ln((1 − w)/A) where not
+// Is the floor's form taken? Of g″/g′ the film's form has about λ|d ln A/dλ| A/(1 − A) over p of
+// what the floor's has, squared.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V log_balance(D d, V share, V w) {
-  const V rest = complement(d, hn::Min(share, w));
-  return rough_logarithm(d, hn::IfThenElse(hn::Gt(share, w), hn::Div(rest, share), rest));
+HWY_INLINE hn::Mask<D> is_by_floor(D d, const Iterate<V>& from, const Asperities<V>& at, V w) {
+  const V a = hn::Mul(at.hazard, from.film_parameter);
+  return hn::And(
+      hn::Gt(at.share, w),
+      hn::Gt(hn::Mul(a, at.share), hn::Mul(hn::Set(d, sharing_p), complement(d, at.share))));
+}
+
+// g = ln(1 + s), s = (1 − A − w)/w in the film's form and (1 − A − w)/A in the floor's, without the
+// whole logarithm where no lane needs it.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V log_balance(D d, V share, V w, hn::Mask<D> by_floor) {
+  const V one = hn::Set(d, 1.0);
+  const V rest = hn::Sub(hn::Sub(one, hn::Max(share, w)), hn::Min(share, w));
+  const V s = hn::Div(rest, hn::IfThenElse(by_floor, share, w));
+  V sum = hn::MulAdd(s, hn::Set(d, -1.0 / 6), hn::Set(d, 1.0 / 5));
+  sum = hn::MulAdd(sum, s, hn::Set(d, -1.0 / 4));
+  sum = hn::MulAdd(sum, s, hn::Set(d, 1.0 / 3));
+  sum = hn::MulAdd(sum, s, hn::Set(d, -0.5));
+  const V near = hn::MulAdd(hn::Mul(s, s), sum, s);
+  const auto is_near = hn::Lt(hn::Abs(s), hn::Set(d, 0x1p-8));  // |s|⁷/7 < 2^−58
+  if (hn::AllTrue(d, is_near)) return near;
+  return hn::IfThenElse(is_near, near, rough_logarithm(d, hn::Add(one, s)));
 }
 
 template <class D>
@@ -147,35 +168,50 @@ struct Step {
   hn::Mask<D> is_last;
 };
 
-// Chebyshev's step on g; `logarithm` is log_balance.
+// A step of fourth order on g, by the inverse of its Taylor series. With −ln A and −ln w = py, both
+// 0 or more, g = ln(1 − e^{−v}) + u: v is −ln A in the film's form, and u the other one.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Step<D> sharing_step(D d, V flooded, const Iterate<V>& from, const Asperities<V>& at,
-                                V w, V logarithm) {
+                                V w, hn::Mask<D> by_floor, V balance) {
   const V one = hn::Set(d, 1.0), p = hn::Set(d, sharing_p), zero = hn::Zero(d);
-  const auto by_floor = hn::Gt(at.share, w);
-  const V small = hn::Min(at.share, w);
+  const V lambda = from.film_parameter;
+  // of −ln A, in y
+  const V a1 = hn::Mul(at.hazard, lambda);
+  const V bent = hn::Mul(hn::Mul(at.slope, lambda), lambda);
+  const V a2 = hn::Add(a1, bent);
+  const V a3 = hn::Add(
+      a2, hn::MulAdd(hn::Mul(hn::Mul(at.bend, lambda), lambda), lambda, hn::Add(bent, bent)));
+  const V v1 = hn::IfThenElse(by_floor, p, a1), u1 = hn::IfThenElse(by_floor, a1, p);
+  const V v2 = hn::IfThenZeroElse(by_floor, a2), u2 = hn::IfThenElseZero(by_floor, a2);
+  const V v3 = hn::IfThenZeroElse(by_floor, a3), u3 = hn::IfThenElseZero(by_floor, a3);
+  // g′ = u′ + r v′, r = e^{−v}/(1 − e^{−v}), whose derivative is −r s, s = (1 + r)v′
+  const V small = hn::IfThenElse(by_floor, w, at.share);
   const V r = hn::Div(small, complement(d, small));
-  // −dU/dy and −d²U/dy²
-  const V a = hn::Mul(at.hazard, from.film_parameter);
-  const V b = hn::MulAdd(hn::Mul(at.slope, from.film_parameter), from.film_parameter, a);
-  const V r_bend = hn::MulAdd(r, r, r);
-  const V g = hn::Add(logarithm, hn::IfThenZeroElse(by_floor, hn::Mul(p, from.log_rise)));
-  const V g1 = hn::IfThenElse(by_floor, hn::MulAdd(p, r, a), hn::MulAdd(a, r, p));
-  const V g2 = hn::IfThenElse(by_floor, hn::NegMulAdd(hn::Mul(p, p), r_bend, b),
-                              hn::MulSub(r, b, hn::Mul(hn::Mul(a, a), r_bend)));
+  const V s = hn::MulAdd(v1, r, v1), s_v1 = hn::Mul(s, v1);
+  const V g1 = hn::MulAdd(r, v1, u1);
+  const V g2 = hn::MulAdd(r, hn::Sub(v2, s_v1), u2);
+  const V inner3 = hn::MulAdd(hn::Mul(s_v1, v1), hn::MulAdd(r, hn::Set(d, 2.0), one),
+                              hn::NegMulAdd(hn::Mul(s, hn::Set(d, 3.0)), v2, v3));
+  const V g3 = hn::MulAdd(r, inner3, u3);
   const V inverse = hn::Div(one, g1);
-  const V newton = hn::Neg(hn::Mul(g, inverse));
-  // 1 − t + t² for Halley's 1/(1 + t): of the same order
-  const V t = hn::Mul(hn::Mul(hn::Set(d, 0.5), newton), hn::Mul(g2, inverse));
-  const V stretch = hn::Add(hn::MulSub(t, t, t), one);
+  const V newton = hn::Neg(hn::Mul(balance, inverse));
+  const V scale = hn::Mul(newton, inverse);
+  const V t2 = hn::Mul(hn::Mul(hn::Set(d, 0.5), scale), g2);
+  const V t3 = hn::Mul(hn::Mul(hn::Mul(hn::Set(d, 1.0 / 6), scale), newton), g3);
+  const V stretch = hn::Add(hn::MulSub(hn::Add(t2, t2), t2, t2), hn::Sub(one, t3));
   const V step = hn::Mul(newton, hn::Min(hn::Max(stretch, hn::Set(d, 0.5)), hn::Set(d, 2.0)));
   const V bounded =
       hn::Min(hn::Max(step, hn::Set(d, sharing_least_step)), hn::Set(d, sharing_greatest_step));
   const V rise = hn::Max(hn::Add(from.log_rise, bounded), zero);
   const auto is_near = hn::Lt(rise, hn::Set(d, sharing_near_rise));
-  return {rise, hn::IfThenElse(is_near, flooded, from.film_parameter),
+  // The next term of the series, |5t₂³ − 5t₂t₃ + t₄| newton, where the terms of t₄ do not cancel,
+  // is of this size; v and ln(1 − e^{−v}) change in y as e^{(1 + s)y} at most.
+  const V reach = hn::Mul(newton, hn::Add(one, s)), reach2 = hn::Mul(reach, reach);
+  const V bends = hn::Mul(hn::MulAdd(r, hn::Add(v2, s_v1), u2), inverse);
+  const V estimate = hn::Mul(hn::Mul(reach2, hn::Mul(newton, newton)), bends);
+  return {rise, hn::IfThenElse(is_near, flooded, lambda),
           hn::IfThenElse(is_near, rise, bounded),  // rise − log_rise, unrounded
-          hn::Lt(hn::Mul(hn::Abs(newton), hn::Max(hn::Add(p, a), g1)), hn::Set(d, 0x1p-17))};
+          hn::And(hn::Lt(reach2, hn::Set(d, 0x1p-4)), hn::Lt(estimate, hn::Set(d, 0x1p-55)))};
 }
 
 // λ = λ₀ hardly above a floor or below it: a jump, not a step.
@@ -201,7 +237,9 @@ HWY_INLINE Roots<V> roots_from(D d, Order order, const SharingInputs<V>& in, Ite
   for (int steps = 1; steps <= max_sharing_steps; ++steps) {
     const Asperities<V> at = asperities(d, order, in, now.film_parameter);
     const V w = film_share(d, now.log_rise);
-    const Step<D> step = sharing_step(d, in.flooded, now, at, w, log_balance(d, at.share, w));
+    const auto by_floor = is_by_floor(d, now, at, w);
+    const Step<D> step =
+        sharing_step(d, in.flooded, now, at, w, by_floor, log_balance(d, at.share, w, by_floor));
     const auto below = is_below_floor(d, at, now);
     now = {times_exp(d, step.base, step.shift), step.log_rise};
     auto arrives = hn::And(step.is_last, is_open);

@@ -146,7 +146,8 @@ class Travellers {
     return {hn::Load(d_, film_parameter_ + i), hn::Load(d_, log_rise_ + i)};
   }
   HWY_INLINE Asperities<V> asperities_at(std::size_t i) const {
-    return {hn::Load(d_, share_ + i), hn::Load(d_, hazard_ + i), hn::Load(d_, slope_ + i)};
+    return {hn::Load(d_, share_ + i), hn::Load(d_, hazard_ + i), hn::Load(d_, slope_ + i),
+            hn::Load(d_, bend_ + i)};
   }
   HWY_INLINE std::size_t place_of(std::size_t i) const {
     return std::bit_cast<std::size_t>(place_[i]);
@@ -165,18 +166,21 @@ class Travellers {
       hn::Store(at.share, d_, share_ + i);
       hn::Store(at.hazard, d_, hazard_ + i);
       hn::Store(at.slope, d_, slope_ + i);
+      hn::Store(at.bend, d_, bend_ + i);
     });
     for_each_vector([&](std::size_t i) HWY_ATTR {
       hn::Store(film_share(d_, hn::Load(d_, log_rise_ + i)), d_, film_share_ + i);
     });
     for_each_vector([&](std::size_t i) HWY_ATTR {
-      hn::Store(log_balance(d_, hn::Load(d_, share_ + i), hn::Load(d_, film_share_ + i)), d_,
-                logarithm_ + i);
+      const V w = hn::Load(d_, film_share_ + i);
+      const auto at = asperities_at(i);
+      hn::Store(log_balance(d_, at.share, w, is_by_floor(d_, iterate(i), at, w)), d_, balance_ + i);
     });
     for_each_vector([&](std::size_t i) HWY_ATTR {
-      const Step<D> step =
-          sharing_step(d_, hn::Load(d_, flooded_ + i), iterate(i), asperities_at(i),
-                       hn::Load(d_, film_share_ + i), hn::Load(d_, logarithm_ + i));
+      const V w = hn::Load(d_, film_share_ + i);
+      const Step<D> step = sharing_step(
+          d_, hn::Load(d_, flooded_ + i), iterate(i), asperities_at(i), w,
+          is_by_floor(d_, iterate(i), asperities_at(i), w), hn::Load(d_, balance_ + i));
       hn::Store(step.base, d_, base_ + i);
       hn::Store(step.shift, d_, shift_ + i);
       hn::StoreMaskBits(d_, step.is_last, is_last_ + i);
@@ -233,8 +237,9 @@ class Travellers {
   HWY_ALIGN double share_[room];
   HWY_ALIGN double hazard_[room];
   HWY_ALIGN double slope_[room];
+  HWY_ALIGN double bend_[room];
   HWY_ALIGN double film_share_[room];
-  HWY_ALIGN double logarithm_[room];
+  HWY_ALIGN double balance_[room];
   HWY_ALIGN double base_[room];
   HWY_ALIGN double shift_[room];
   HWY_ALIGN double root_[lanes];

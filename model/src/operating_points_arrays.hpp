@@ -27,9 +27,28 @@ namespace detail {
 // Where the numbers of points from `first` on go.
 inline Destination destination(OperatingPoints& points, std::size_t first) {
   const auto from = [first](auto& array) { return array.empty() ? nullptr : array.data() + first; };
-  Destination to{{}, from(points.regime), from(points.inlet), from(points.friction_undefined)};
+  Destination to;
+  to.regime = from(points.regime);
+  to.inlet = from(points.inlet);
+  to.friction_undefined = from(points.friction_undefined);
   for_each_number(points, [&](Output output, std::vector<double>& array) {
     to.numbers[static_cast<std::size_t>(output)] = from(array);
+  });
+  return to;
+}
+
+// Where the outputs of one point go, but for the speed.
+inline Destination destination(OperatingPoint<double>& point, std::uint8_t& friction_undefined,
+                               OutputSet outputs) {
+  const auto asked = [&](Output output, auto& member) {
+    return outputs.contains(output) ? &member : nullptr;
+  };
+  Destination to;
+  to.regime = asked(Output::regime, point.regime);
+  to.inlet = asked(Output::inlet, point.inlet);
+  to.friction_undefined = asked(Output::friction, friction_undefined);
+  for_each_number(point, [&](Output output, double& number) {
+    to.numbers[static_cast<std::size_t>(output)] = asked(output, number);
   });
   return to;
 }
