@@ -45,13 +45,13 @@ void find_floor(AsperityModel model, detail::SurfaceNumbers<double>& surface) {
 LoadSharing<double>::LoadSharing(AsperityModel model, double stiffness, double offset)
     : model_(model), surface_{stiffness, offset, 0, 0, 0, 0, 0, 0} {
   if (detail::is_within_engine(surface_))
-    surface_ = detail::engine_surface(load_order(model), stiffness, offset);
+    surface_ = detail::engine().surface(load_order(model), stiffness, offset);
   else
     find_floor(model, surface_);
 }
 
 double LoadSharing<double>::asperity_share(double film_parameter) const {
-  return detail::engine_share(load_order(model_), stiffness(), film_parameter - offset());
+  return detail::engine().share(load_order(model_), stiffness(), film_parameter - offset());
 }
 
 double LoadSharing<double>::asperity_share_slope(double film_parameter) const {
@@ -63,19 +63,19 @@ double LoadSharing<double>::asperity_share_slope(double film_parameter) const {
 }
 
 double LoadSharing<double>::distance_above_floor(double fluid) const {
-  return detail::engine_distance_above_floor(load_order(model_), surface_, fluid);
+  return detail::engine().distance_above_floor(load_order(model_), surface_, fluid);
 }
 
 LoadShares<double> LoadSharing<double>::shares_above_floor(double distance) const {
-  return detail::engine_shares_above_floor(load_order(model_), surface_, distance);
+  return detail::engine().shares_above_floor(load_order(model_), surface_, distance);
 }
 
 double LoadSharing<double>::flooded_film_parameter(double film_parameter, double fluid_share) {
-  return film_parameter * detail::engine_power(fluid_share, sharing_exponent_of_film);
+  return film_parameter * detail::engine().power(fluid_share, sharing_exponent_of_film);
 }
 
 SharingRoot<double> LoadSharing<double>::root(double flooded_film_parameter) const {
-  const Root found = detail::engine_root(load_order(model_), surface_, flooded_film_parameter);
+  const Root found = detail::engine().root(load_order(model_), surface_, flooded_film_parameter);
   if (found.film_parameter == found.film_parameter) return found;
   const auto exact = wide(model_, surface_).root(Wide(flooded_film_parameter));
   const double lambda = narrow(exact.film_parameter);
@@ -87,7 +87,7 @@ double LoadSharing<double>::film_parameter(double flooded_film_parameter) const 
 }
 
 LoadShares<double> LoadSharing<double>::solve(double flooded_film_parameter) const {
-  const Root found = detail::engine_root(load_order(model_), surface_, flooded_film_parameter);
+  const Root found = detail::engine().root(load_order(model_), surface_, flooded_film_parameter);
   if (found.film_parameter == found.film_parameter) return shares_at(flooded_film_parameter, found);
   LoadShares<double> shares = narrow(wide(model_, surface_).solve(Wide(flooded_film_parameter)));
   if (shares.film_parameter < floor()) shares.film_parameter = floor();
@@ -96,7 +96,7 @@ LoadShares<double> LoadSharing<double>::solve(double flooded_film_parameter) con
 
 LoadShares<double> LoadSharing<double>::shares_at(double flooded_film_parameter,
                                                   const Root& root) const {
-  LoadShares<double> shares = detail::engine_shares_at_root(
+  LoadShares<double> shares = detail::engine().shares_at_root(
       load_order(model_), surface_, flooded_film_parameter, root.film_parameter);
   shares.iterations = root.iterations;
   return shares;
@@ -145,7 +145,7 @@ Scene scene_of(const ContactWords& words, const SceneNumbers<double>& numbers) {
 
 void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts) {
-  engine_prepare(model, scenes, contacts);
+  engine().prepare(model, scenes.data(), contacts.data(), scenes.size());
   for (ContactNumbers<double>& contact : contacts)
     if (!is_within_engine(contact.surface)) find_floor(model, contact.surface);
 }
@@ -165,12 +165,12 @@ double MixedContact<double>::inlet_film_parameter(double speed) const {
 }
 
 double MixedContact<double>::flooded_film_parameter(double speed) const {
-  return detail::engine_flooded_film_parameter(numbers_, speed);
+  return detail::engine().flooded_film_parameter(numbers_, speed);
 }
 
 double MixedContact<double>::speed_at(double flooded_film_parameter) const {
-  return detail::engine_power(flooded_film_parameter / numbers_.surface.film_at_unit_speed,
-                              inverse(speed_exponent));
+  return detail::engine().power(flooded_film_parameter / numbers_.surface.film_at_unit_speed,
+                                inverse(speed_exponent));
 }
 
 FloodedFilm<double> MixedContact<double>::flooded(double speed) const {
@@ -178,7 +178,7 @@ FloodedFilm<double> MixedContact<double>::flooded(double speed) const {
 }
 
 InletState<double> MixedContact<double>::inlet(const FloodedFilm<double>& film) const {
-  return detail::engine_inlet(words_, numbers_, film.speed, film.shares.film_parameter);
+  return detail::engine().inlet(words_, numbers_, film.speed, film.shares.film_parameter);
 }
 
 OperatingPoint<double> MixedContact<double>::complete(const FloodedFilm<double>& flooded,
@@ -186,8 +186,8 @@ OperatingPoint<double> MixedContact<double>::complete(const FloodedFilm<double>&
                                                       OutputSet outputs) const {
   OperatingPoint<double> point;
   std::uint8_t undefined = 0;
-  detail::engine_complete(words_, numbers_, flooded, inlet, outputs,
-                          detail::destination(point, undefined, outputs));
+  detail::engine().complete(words_, numbers_, flooded, inlet, outputs,
+                            detail::destination(point, undefined, outputs));
   point.speed = flooded.speed;
   point.friction_undefined = undefined != 0;
   return point;
@@ -195,7 +195,7 @@ OperatingPoint<double> MixedContact<double>::complete(const FloodedFilm<double>&
 
 WalkPoint<double> StribeckWalk<double>::at(double log_speed) const {
   WalkPoint<double> point;
-  point.flooded = contact_.flooded(detail::engine_exponential(log_speed));
+  point.flooded = contact_.flooded(detail::engine().exponential(log_speed));
   point.inlet = contact_.inlet(point.flooded);
   const LoadShares<double>& shares = point.flooded.shares;
   point.film_slope = detail::film_slope(
@@ -205,13 +205,13 @@ WalkPoint<double> StribeckWalk<double>::at(double log_speed) const {
   return point;
 }
 
-double StribeckWalk<double>::near(double speed) const { return detail::engine_logarithm(speed); }
+double StribeckWalk<double>::near(double speed) const { return detail::engine().logarithm(speed); }
 
 template <>
 double detail::log_flow_ratio(const MixedContact<double>& contact, const WalkPoint<double>& point) {
-  return engine_logarithm(point.flooded.shares.film_parameter) +
-         engine_logarithm(contact.summit_height_sd()) + engine_logarithm(point.flooded.speed) -
-         engine_logarithm(contact.inlet_flow());
+  return engine().logarithm(point.flooded.shares.film_parameter) +
+         engine().logarithm(contact.summit_height_sd()) + engine().logarithm(point.flooded.speed) -
+         engine().logarithm(contact.inlet_flow());
 }
 
 namespace {
@@ -227,7 +227,7 @@ namespace {
 OperatingPoint<double> MixedContact<double>::solve(double speed, OutputSet outputs) const {
   OperatingPoint<double> point;
   std::uint8_t undefined = 0;
-  const double film_parameter = detail::engine_point(
+  const double film_parameter = detail::engine().point(
       words_, numbers_, speed, outputs, detail::destination(point, undefined, outputs));
   point.speed = speed;
   point.friction_undefined = undefined != 0;

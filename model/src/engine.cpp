@@ -91,8 +91,6 @@ double distance_at(Order order, const detail::SurfaceNumbers<double>& surface, d
   return hn::GetLane(
       distance_above_floor(d, order, FloorSeries<OneLane>(d, order, all), all.hazard, of(fluid)));
 }
-bool is_fused_here() { return HWY_NATIVE_FMA != 0; }
-
 LoadShares<double> at_root(Order order, const detail::SurfaceNumbers<double>& surface,
                            double flooded, double lambda) {
   const Shares<One> shares =
@@ -301,6 +299,36 @@ std::size_t roots_of_many(Order order, const double* stiffness, const double* of
 
 const char* target_name() { return hwy::TargetName(HWY_TARGET); }
 
+const detail::Kernels& kernels() {
+  static constexpr detail::Kernels all{
+      .instruction_set = target_name,
+      .is_fused = HWY_NATIVE_FMA != 0,
+      .moment = moment,
+      .scaled_moment = scaled_moment,
+      .moments = moments,
+      .scaled_moments = scaled_moments,
+      .log_moments = log_moments,
+      .exponential = exponential_of,
+      .logarithm = logarithm_of,
+      .power = power_of,
+      .surface = surface,
+      .share = share,
+      .shares_above_floor = at_distance,
+      .distance_above_floor = distance_at,
+      .root = root,
+      .shares_at_root = at_root,
+      .roots_of_one = roots_of_one,
+      .roots_of_many = roots_of_many,
+      .prepare = prepare,
+      .flooded_film_parameter = film_at,
+      .inlet = inlet,
+      .complete = completed,
+      .point = point_alone,
+      .points = points,
+  };
+  return all;
+}
+
 }  // namespace tribo::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -309,30 +337,7 @@ HWY_AFTER_NAMESPACE();
 namespace tribo {
 namespace {
 
-HWY_EXPORT(moment);
-HWY_EXPORT(scaled_moment);
-HWY_EXPORT(moments);
-HWY_EXPORT(scaled_moments);
-HWY_EXPORT(log_moments);
-HWY_EXPORT(exponential_of);
-HWY_EXPORT(logarithm_of);
-HWY_EXPORT(power_of);
-HWY_EXPORT(surface);
-HWY_EXPORT(share);
-HWY_EXPORT(at_distance);
-HWY_EXPORT(at_root);
-HWY_EXPORT(distance_at);
-HWY_EXPORT(is_fused_here);
-HWY_EXPORT(root);
-HWY_EXPORT(prepare);
-HWY_EXPORT(inlet);
-HWY_EXPORT(film_at);
-HWY_EXPORT(completed);
-HWY_EXPORT(point_alone);
-HWY_EXPORT(points);
-HWY_EXPORT(roots_of_one);
-HWY_EXPORT(roots_of_many);
-HWY_EXPORT(target_name);
+HWY_EXPORT(kernels);
 
 struct Names {
   std::array<std::string_view, 16> names{};
@@ -387,10 +392,8 @@ SharingWork in_blocks(std::size_t count, std::span<double> film_parameter, const
 
 }  // namespace
 
-double gaussian_moment(Order n, double d) { return HWY_DYNAMIC_DISPATCH(moment)(n, d); }
-double scaled_gaussian_moment(Order n, double d) {
-  return HWY_DYNAMIC_DISPATCH(scaled_moment)(n, d);
-}
+double gaussian_moment(Order n, double d) { return detail::engine().moment(n, d); }
+double scaled_gaussian_moment(Order n, double d) { return detail::engine().scaled_moment(n, d); }
 
 double moment_beyond_pieces(Order n, double d) {
   using Wide = WiderType<double>;
@@ -400,76 +403,23 @@ double moment_beyond_pieces(Order n, double d) {
 }
 
 void gaussian_moment(Order n, std::span<const double> d, std::span<double> moments) {
-  HWY_DYNAMIC_DISPATCH(moments)(n, d.data(), moments.data(), d.size());
+  detail::engine().moments(n, d.data(), moments.data(), d.size());
 }
 void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments) {
-  HWY_DYNAMIC_DISPATCH(scaled_moments)(n, d.data(), moments.data(), d.size());
+  detail::engine().scaled_moments(n, d.data(), moments.data(), d.size());
 }
 void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms) {
-  HWY_DYNAMIC_DISPATCH(log_moments)(n, d.data(), logarithms.data(), d.size());
+  detail::engine().log_moments(n, d.data(), logarithms.data(), d.size());
 }
 
 namespace detail {
 
-double engine_exponential(double x) { return HWY_DYNAMIC_DISPATCH(exponential_of)(x); }
-double engine_logarithm(double x) { return HWY_DYNAMIC_DISPATCH(logarithm_of)(x); }
-double engine_power(double x, const Fraction& exponent) {
-  return HWY_DYNAMIC_DISPATCH(power_of)(x, exponent);
-}
-SurfaceNumbers<double> engine_surface(Order order, double stiffness, double offset) {
-  return HWY_DYNAMIC_DISPATCH(surface)(order, stiffness, offset);
-}
-double engine_share(Order order, double stiffness, double argument) {
-  return HWY_DYNAMIC_DISPATCH(share)(order, stiffness, argument);
-}
-LoadShares<double> engine_shares_above_floor(Order order, const SurfaceNumbers<double>& surface,
-                                             double distance) {
-  return HWY_DYNAMIC_DISPATCH(at_distance)(order, surface, distance);
-}
-double engine_distance_above_floor(Order order, const SurfaceNumbers<double>& surface,
-                                   double fluid) {
-  return HWY_DYNAMIC_DISPATCH(distance_at)(order, surface, fluid);
-}
-SharingRoot<double> engine_root(Order order, const SurfaceNumbers<double>& surface,
-                                double flooded) {
-  return HWY_DYNAMIC_DISPATCH(root)(order, surface, flooded);
-}
-LoadShares<double> engine_shares_at_root(Order order, const SurfaceNumbers<double>& surface,
-                                         double flooded, double film_parameter) {
-  return HWY_DYNAMIC_DISPATCH(at_root)(order, surface, flooded, film_parameter);
-}
-void engine_prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
-                    std::span<ContactNumbers<double>> contacts) {
-  HWY_DYNAMIC_DISPATCH(prepare)(model, scenes.data(), contacts.data(), scenes.size());
-}
-InletState<double> engine_inlet(const ContactWords& words, const ContactNumbers<double>& contact,
-                                double speed, double film_parameter) {
-  return HWY_DYNAMIC_DISPATCH(inlet)(words, contact, speed, film_parameter);
-}
-void engine_complete(const ContactWords& words, const ContactNumbers<double>& contact,
-                     const FloodedFilm<double>& flooded, const InletState<double>& inlet,
-                     OutputSet outputs, const Destination& to) {
-  HWY_DYNAMIC_DISPATCH(completed)(words, contact, flooded, inlet, outputs, to);
-}
-double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed) {
-  return HWY_DYNAMIC_DISPATCH(film_at)(contact, speed);
-}
-double engine_point(const ContactWords& words, const ContactNumbers<double>& contact, double speed,
-                    OutputSet outputs, const Destination& to) {
-  return HWY_DYNAMIC_DISPATCH(point_alone)(words, contact, speed, outputs, to);
-}
+const Kernels& engine() { return HWY_DYNAMIC_DISPATCH(kernels)(); }
 
 bool is_within_engine(const SurfaceNumbers<double>& surface) {
   return surface.stiffness >= sharing_least_stiffness &&
          surface.stiffness <= sharing_greatest_stiffness && surface.offset >= 0 &&
          surface.offset <= sharing_greatest_offset;
-}
-
-void engine_points(const ContactWords& words, const ContactNumbers<double>* contacts,
-                   const std::uint64_t* index, std::span<const double> speeds, OutputSet outputs,
-                   const Destination& to, double* film_parameter, WorkCounts* work) {
-  HWY_DYNAMIC_DISPATCH(points)
-  (words, contacts, index, speeds.data(), outputs, to, film_parameter, speeds.size(), work);
 }
 
 }  // namespace detail
@@ -484,8 +434,8 @@ SharingWork film_parameter(AsperityModel model, std::span<const double> stiffnes
   return in_blocks(
       flooded.size(), film_parameter,
       [&](std::size_t first, std::size_t count, double* lambda) {
-        return HWY_DYNAMIC_DISPATCH(roots_of_many)(load_order(model), &stiffness[first],
-                                                   &offset[first], &flooded[first], lambda, count);
+        return detail::engine().roots_of_many(load_order(model), &stiffness[first], &offset[first],
+                                              &flooded[first], lambda, count);
       },
       [&](std::size_t i) {
         return LoadSharing<double>(model, stiffness[i], offset[i]).film_parameter(flooded[i]);
@@ -497,15 +447,15 @@ SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const d
   return in_blocks(
       flooded.size(), film_parameter,
       [&](std::size_t first, std::size_t count, double* lambda) {
-        return HWY_DYNAMIC_DISPATCH(roots_of_one)(load_order(sharing.model()), sharing.surface(),
-                                                  &flooded[first], lambda, count);
+        return detail::engine().roots_of_one(load_order(sharing.model()), sharing.surface(),
+                                             &flooded[first], lambda, count);
       },
       [&](std::size_t i) { return sharing.film_parameter(flooded[i]); });
 }
 
-bool is_fused() { return HWY_DYNAMIC_DISPATCH(is_fused_here)(); }
+bool is_fused() { return detail::engine().is_fused; }
 
-std::string_view instruction_set() { return HWY_DYNAMIC_DISPATCH(target_name)(); }
+std::string_view instruction_set() { return detail::engine().instruction_set(); }
 
 std::span<const std::string_view> instruction_sets() {
   return std::span(names().names).first(names().count);

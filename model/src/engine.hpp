@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine's kernels as plain functions, each on the instruction set chosen at run time. What
-// they leave to the formula text, beyond their range, is NaN.
+// The engine's kernels as plain functions. What they leave to the formula text, beyond their range,
+// is NaN.
 #pragma once
 
 #include <array>
@@ -14,33 +14,6 @@
 
 namespace tribo::detail {
 
-// e^x, ln x and x^{p/q}
-double engine_exponential(double x);
-double engine_logarithm(double x);
-double engine_power(double x, const Fraction& exponent);
-
-// Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the
-// distance of a fluid share, a root with its steps, the shares at a root.
-SurfaceNumbers<double> engine_surface(Order order, double stiffness, double offset);
-double engine_share(Order order, double stiffness, double argument);
-LoadShares<double> engine_shares_above_floor(Order order, const SurfaceNumbers<double>& surface,
-                                             double distance);
-double engine_distance_above_floor(Order order, const SurfaceNumbers<double>& surface,
-                                   double fluid);
-SharingRoot<double> engine_root(Order order, const SurfaceNumbers<double>& surface,
-                                double flooded_film_parameter);
-LoadShares<double> engine_shares_at_root(Order order, const SurfaceNumbers<double>& surface,
-                                         double flooded_film_parameter, double film_parameter);
-// Are K and δ within the range of the kernels?
-bool is_within_engine(const SurfaceNumbers<double>& surface);
-
-// Contacts of one asperity model, prepared from scenes. The engine's have no floor that holds where
-// K or δ is beyond its range; prepare() gives them one by the formula text.
-void engine_prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
-                    std::span<ContactNumbers<double>> contacts);
-void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
-             std::span<ContactNumbers<double>> contacts);
-
 // Where the numbers of operating points go; null for what is not asked.
 struct Destination {
   std::array<double*, number_count> numbers;  // by Output
@@ -49,22 +22,66 @@ struct Destination {
   std::uint8_t* friction_undefined;
 };
 
-// λ₀ at a speed, the inlet at a film, and the outputs from both.
-double engine_flooded_film_parameter(const ContactNumbers<double>& contact, double speed);
-InletState<double> engine_inlet(const ContactWords& words, const ContactNumbers<double>& contact,
-                                double speed, double film_parameter);
-void engine_complete(const ContactWords& words, const ContactNumbers<double>& contact,
-                     const FloodedFilm<double>& flooded, const InletState<double>& inlet,
-                     OutputSet outputs, const Destination& to);
+// The kernels of an instruction set, of one lane each where an argument is no array.
+struct Kernels {
+  const char* (*instruction_set)();
+  bool is_fused;
+  // F_n(d), S_n(d), of one argument and of `count`, and ln F_n(d)
+  double (*moment)(Order n, double d);
+  double (*scaled_moment)(Order n, double d);
+  void (*moments)(Order n, const double* d, double* result, std::size_t count);
+  void (*scaled_moments)(Order n, const double* d, double* result, std::size_t count);
+  void (*log_moments)(Order n, const double* d, double* result, std::size_t count);
+  // e^x, ln x and x^{p/q}
+  double (*exponential)(double x);
+  double (*logarithm)(double x);
+  double (*power)(double x, const Fraction& exponent);
+  // Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the distance of a fluid
+  // share, a root with its steps, the shares at a root.
+  SurfaceNumbers<double> (*surface)(Order order, double stiffness, double offset);
+  double (*share)(Order order, double stiffness, double argument);
+  LoadShares<double> (*shares_above_floor)(Order order, const SurfaceNumbers<double>& surface,
+                                           double distance);
+  double (*distance_above_floor)(Order order, const SurfaceNumbers<double>& surface, double fluid);
+  SharingRoot<double> (*root)(Order order, const SurfaceNumbers<double>& surface,
+                              double flooded_film_parameter);
+  LoadShares<double> (*shares_at_root)(Order order, const SurfaceNumbers<double>& surface,
+                                       double flooded_film_parameter, double film_parameter);
+  // Roots of one surface and of as many as there are points, at most sharing_block; their steps.
+  std::size_t (*roots_of_one)(Order order, const SurfaceNumbers<double>& surface,
+                              const double* flooded, double* film_parameter, std::size_t count);
+  std::size_t (*roots_of_many)(Order order, const double* stiffness, const double* offset,
+                               const double* flooded, double* film_parameter, std::size_t count);
+  // Contacts of one asperity model, prepared from scenes; without a floor that holds where K or δ
+  // is beyond the kernels' range.
+  void (*prepare)(AsperityModel model, const SceneNumbers<double>* scenes,
+                  ContactNumbers<double>* contacts, std::size_t count);
+  // λ₀ at a speed, the inlet at a film, and the outputs from both.
+  double (*flooded_film_parameter)(const ContactNumbers<double>& contact, double speed);
+  InletState<double> (*inlet)(const ContactWords& words, const ContactNumbers<double>& contact,
+                              double speed, double film_parameter);
+  void (*complete)(const ContactWords& words, const ContactNumbers<double>& contact,
+                   const FloodedFilm<double>& flooded, const InletState<double>& inlet,
+                   OutputSet outputs, const Destination& to);
+  // A point alone: its λ, NaN where the kernels do not reach.
+  double (*point)(const ContactWords& words, const ContactNumbers<double>& contact, double speed,
+                  OutputSet outputs, const Destination& to);
+  // Points of one contact, or of the contact index[i] of many; at most sharing_block. λ of each
+  // goes to `film_parameter`, NaN where the kernels do not reach.
+  void (*points)(const ContactWords& words, const ContactNumbers<double>* contacts,
+                 const std::uint64_t* index, const double* speeds, OutputSet outputs,
+                 const Destination& to, double* film_parameter, std::size_t count,
+                 WorkCounts* work);
+};
 
-// A point alone: its λ, NaN where the kernels do not reach.
-double engine_point(const ContactWords& words, const ContactNumbers<double>& contact, double speed,
-                    OutputSet outputs, const Destination& to);
+// Those of the instruction set chosen at run time.
+const Kernels& engine();
 
-// Points of one contact, or of the contact index[i] of many; at most sharing_block. λ of each goes
-// to `film_parameter`, NaN where the kernels do not reach.
-void engine_points(const ContactWords& words, const ContactNumbers<double>* contacts,
-                   const std::uint64_t* index, std::span<const double> speeds, OutputSet outputs,
-                   const Destination& to, double* film_parameter, WorkCounts* work);
+// Are K and δ within the range of the kernels?
+bool is_within_engine(const SurfaceNumbers<double>& surface);
+
+// As the kernel does, with floors by the formula text beyond its range.
+void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
+             std::span<ContactNumbers<double>> contacts);
 
 }  // namespace tribo::detail

@@ -64,9 +64,9 @@ void MixedContacts::solve(std::span<const std::uint64_t> contact_of, std::span<c
           return words_[contact_of[i]] == words_[contact_of[j]];
         },
         [&](std::size_t first, std::size_t end) {
-          detail::engine_points(words_[contact_of[first]], numbers_.data(), &contact_of[first],
-                                speeds.subspan(first, end - first), outputs,
-                                detail::destination(points, first), lambda.data(), nullptr);
+          detail::engine().points(words_[contact_of[first]], numbers_.data(), &contact_of[first],
+                                  &speeds[first], outputs, detail::destination(points, first),
+                                  lambda.data(), end - first, nullptr);
           for (std::size_t i = first; i < end; ++i)
             if (std::isnan(lambda[i - first]))
               detail::store((*this)[contact_of[i]].solve(speeds[i], outputs), points, i);

@@ -50,8 +50,9 @@ void solve_points(const MixedContact<double>& contact, std::span<const double> s
   std::array<double, sharing_block> lambda;
   for (std::size_t start = 0; start < speeds.size(); start += lambda.size()) {
     const auto block = speeds.subspan(start, std::min(lambda.size(), speeds.size() - start));
-    detail::engine_points(contact.words(), &contact.numbers(), nullptr, block, outputs,
-                          detail::destination(points, first + start), lambda.data(), work);
+    detail::engine().points(contact.words(), &contact.numbers(), nullptr, block.data(), outputs,
+                            detail::destination(points, first + start), lambda.data(), block.size(),
+                            work);
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (!std::isnan(lambda[i])) continue;
       if (!wide) wide.emplace(contact.in<Wide>());

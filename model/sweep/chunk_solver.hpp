@@ -19,7 +19,7 @@ class ChunkSolver {
   ~ChunkSolver();
 
   // number: below plan.chunks(). The same bits wherever, whenever and beside whatever it is
-  // computed, on one instruction set.
+  // computed, with one arithmetic.
   Chunk solve(std::uint64_t number);
 
  private:

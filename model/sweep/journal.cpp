@@ -30,7 +30,7 @@ Bytes to_bytes(const JournalHeader& header) {
   Bytes bytes;
   put_text(bytes, header.version);
   put_text(bytes, header.digest);
-  put_text(bytes, header.instruction_set);
+  put_text(bytes, header.arithmetic);
   put(bytes, static_cast<std::uint64_t>(header.files.size()));
   for (const auto& [name, text] : header.files) {
     put_text(bytes, name);

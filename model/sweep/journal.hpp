@@ -21,11 +21,11 @@
 namespace tribo::sweep {
 
 // What a journal says of itself. Chunks of two journals go together if version, digest and
-// instruction set are the same.
+// arithmetic are the same.
 struct JournalHeader {
-  std::string version;          // of tribocheck
-  std::string digest;           // of the plan
-  std::string instruction_set;  // of the vector kernels, and of the C library's functions
+  std::string version;     // of tribocheck
+  std::string digest;      // of the plan
+  std::string arithmetic;  // of the vector kernels, and of the C library's functions
   // What the plan was made of: names and texts, so that a journal is enough to make the result.
   std::vector<std::pair<std::string, std::string>> files;
 
@@ -94,8 +94,8 @@ class JournalReader {
 class JournalSet {
  public:
   // Throws std::runtime_error where they do not go together: the text says which and why. With
-  // `any_instruction_set` those may differ.
-  JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks, bool any_instruction_set);
+  // `mixed_fma` those may differ.
+  JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks, bool mixed_fma);
 
   const JournalHeader& header() const { return readers_.front().header(); }
   bool has(std::uint64_t chunk) const { return places_[chunk].reader != none; }
@@ -104,7 +104,7 @@ class JournalSet {
   Bytes read(std::uint64_t chunk) const;
   // On which the chunks were computed: each once, in the alphabet's order. There are several only
   // where the user has allowed it.
-  std::string instruction_sets() const;
+  std::string arithmetics() const;
 
  private:
   static constexpr std::uint32_t none = 0xFFFFFFFF;

@@ -29,7 +29,7 @@ JournalHeader header_from(std::span<const std::byte> bytes) {
   JournalHeader header;
   header.version = from.take_text();
   header.digest = from.take_text();
-  header.instruction_set = from.take_text();
+  header.arithmetic = from.take_text();
   const auto files = from.take<std::uint64_t>();
   for (std::uint64_t i = 0; i < files; ++i) {
     std::string name = from.take_text();
@@ -163,8 +163,7 @@ Bytes JournalReader::read(const Record& record) const {
   return bytes;
 }
 
-JournalSet::JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks,
-                       bool any_instruction_set)
+JournalSet::JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks, bool mixed_fma)
     : readers_(std::move(readers)) {
   if (readers_.empty()) throw std::runtime_error("no journal is given");
   const JournalReader& first = readers_.front();
@@ -177,9 +176,9 @@ JournalSet::JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks,
     if (header.digest != ours.digest)
       throw std::runtime_error(reader.path() + " is of another sweep than " + first.path() +
                                " (digest " + header.digest + ", not " + ours.digest + ")");
-    if (!any_instruction_set && header.instruction_set != ours.instruction_set)
-      throw std::runtime_error(reader.path() + " was computed on " + header.instruction_set + ", " +
-                               first.path() + " on " + ours.instruction_set);
+    if (!mixed_fma && header.arithmetic != ours.arithmetic)
+      throw std::runtime_error(reader.path() + " was computed with " + header.arithmetic + ", " +
+                               first.path() + " with " + ours.arithmetic);
     for (const JournalReader::Record& record : reader.records())
       if (record.chunk >= chunks)
         throw std::runtime_error(reader.path() + " has chunk " + std::to_string(record.chunk) +
@@ -205,13 +204,13 @@ Bytes JournalSet::read(std::uint64_t chunk) const {
   return reader.read(reader.records()[place.record]);
 }
 
-std::string JournalSet::instruction_sets() const {
+std::string JournalSet::arithmetics() const {
   constexpr std::string_view between = "; ";
   std::set<std::string> sets;
   for (const Place& place : places_) {
     if (place.reader == none) continue;
     // A shard has those of all journals that it was made of.
-    std::string_view left = readers_[place.reader].header().instruction_set;
+    std::string_view left = readers_[place.reader].header().arithmetic;
     for (std::size_t end = 0; end != left.npos;) {
       end = left.find(between);
       sets.emplace(left.substr(0, end));

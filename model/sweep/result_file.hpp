@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The result of a sweep: an HDF5 file. Its bytes are a function of the plan and the chunks alone.
 //
-//   /                        attributes: format, tribocheck_version, sweep_digest, instruction_set
+//   /                        attributes: format, tribocheck_version, sweep_digest, arithmetic
 //   /<scene id>              attributes: scene (the sweep file's text), file, design, seed, draws,
 //                            cases, points, departure, columns (their names)
 //     speed                  [speeds] the scene's speeds, where operating points are asked
@@ -54,7 +54,7 @@ void write_result(const std::string& path, const SweepPlan& plan, const JournalS
 struct ResultIdentity {
   std::string version;
   std::string digest;
-  std::string instruction_set;
+  std::string arithmetic;
 };
 // Throws std::runtime_error where it is not a whole result of `tribocheck sweep`; the text says
 // why.

@@ -120,7 +120,7 @@ std::size_t length_of(hid_t dataset) {
 
 ResultIdentity identity_of(hid_t file) {
   return {read_text(file, "tribocheck_version"), read_text(file, "sweep_digest"),
-          read_text(file, "instruction_set")};
+          read_text(file, "arithmetic")};
 }
 
 std::vector<QuantileSketch::Bin> bins_from(std::span<const double> edges,

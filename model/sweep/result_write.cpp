@@ -332,7 +332,7 @@ void write_file(const std::string& path, const SweepPlan& plan, const JournalSet
   write_attribute(file, "format", result_format);
   write_attribute(file, "tribocheck_version", plan.version);
   write_attribute(file, "sweep_digest", plan.digest);
-  write_attribute(file, "instruction_set", chunks.instruction_sets());
+  write_attribute(file, "arithmetic", chunks.arithmetics());
   std::uint64_t written = 0;
   for (const SceneSweep& scene : plan.scenes) {
     SceneWriter writer(file, scene);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Journals are numbered by ranks, and by what they were computed on.
+// Journals are numbered by ranks, and by what they were computed with.
 std::string journal_of(const std::string& result, int number) {
   return result + ".journal-" + std::to_string(number);
 }
@@ -44,18 +44,18 @@ std::vector<std::string> journals_of(const std::string& result) {
 
 // Why a journal or result of another sweep is not this one's; empty if it is.
 std::string difference(const JournalHeader& mine, const std::string& version,
-                       const std::string& digest, const std::string& instruction_set, bool any) {
+                       const std::string& digest, const std::string& arithmetic, bool any) {
   if (version != mine.version)
     return "was computed by tribocheck " + version + ", this is " + mine.version;
   if (digest != mine.digest) return "is of another sweep: its files' texts are not these";
-  if (instruction_set != mine.instruction_set && !any)
-    return "was computed on " + instruction_set + ", this is " + mine.instruction_set +
-           ": other last digits; --any-instruction-set goes on all the same";
+  if (arithmetic != mine.arithmetic && !any)
+    return "was computed with " + arithmetic + ", this is " + mine.arithmetic +
+           ": other last digits; --mixed-fma goes on all the same";
   return {};
 }
 std::string difference(const JournalHeader& mine, const JournalReader& reader, bool any) {
   const JournalHeader& theirs = reader.header();
-  return difference(mine, theirs.version, theirs.digest, theirs.instruction_set, any);
+  return difference(mine, theirs.version, theirs.digest, theirs.arithmetic, any);
 }
 
 bool is_of_shard(const JournalReader& reader, const Shard& shard) {
@@ -149,7 +149,7 @@ class Starter {
     try {
       const ResultIdentity identity = identity_of_result(path);
       const std::string why = difference(header_, identity.version, identity.digest,
-                                         identity.instruction_set, settings_.any_instruction_set);
+                                         identity.arithmetic, settings_.mixed_fma);
       return why.empty() ? why : path + ' ' + why;
     } catch (const std::runtime_error& error) {
       return error.what();
@@ -159,7 +159,7 @@ class Starter {
   std::string of_shard(const std::string& path) const {
     try {
       const JournalReader reader(path);
-      std::string why = difference(header_, reader, settings_.any_instruction_set);
+      std::string why = difference(header_, reader, settings_.mixed_fma);
       if (!why.empty()) return path + ' ' + why;
       if (!is_of_shard(reader, *settings_.shard)) return path + " is another shard";
       std::vector<bool> there(plan_.chunks());
@@ -183,7 +183,7 @@ class Starter {
 
   // Why a journal is not gone on with; empty if it is.
   std::string refusal(const JournalReader& reader) const {
-    std::string why = difference(header_, reader, settings_.any_instruction_set);
+    std::string why = difference(header_, reader, settings_.mixed_fma);
     if (why.empty() && settings_.shard && !is_of_shard(reader, *settings_.shard))
       why = "is of another shard; --force throws it away";
     return why;
@@ -239,7 +239,7 @@ void write_shard(const std::string& path, const Shard& shard, const JournalSet& 
   PartFile part(path);
   {
     JournalHeader header = chunks.header();
-    header.instruction_set = chunks.instruction_sets();
+    header.arithmetic = chunks.arithmetics();
     Journal journal = Journal::create(part.path(), header);
     for (std::uint64_t chunk = 0; chunk < chunks.chunks(); ++chunk)
       if (shard.has(chunk)) journal.append(chunk, chunks.read(chunk));
@@ -283,13 +283,13 @@ class Run {
   }
 
   void agree_on_plan() {
-    const std::string mine = header_.digest + ' ' + header_.instruction_set;
+    const std::string mine = header_.digest + ' ' + header_.arithmetic;
     const std::string first = ranks_.from_first(mine);
     together([&] {
       if (first == mine) return;
       throw RunRefused("rank " + std::to_string(ranks_.rank()) +
-                       " reads other files than rank 0, or computes on another instruction set (" +
-                       header_.instruction_set + "); --instruction-set makes them the same");
+                       " reads other files than rank 0, or computes with another arithmetic (" +
+                       header_.arithmetic + "); --without-fma makes them the same");
     });
   }
 
@@ -331,12 +331,12 @@ class Run {
     });
   }
 
-  // What was begun on another instruction set stays as it is: a journal is of one.
+  // What was begun with another arithmetic stays as it is: a journal is of one.
   Journal open_journal() const {
     for (int number = ranks_.rank();; number += ranks_.count()) {
       const std::string path = journal_of(settings_.result, number);
       if (!fs::exists(path)) return Journal::create(path, header_);
-      if (JournalReader(path).header().instruction_set == header_.instruction_set)
+      if (JournalReader(path).header().arithmetic == header_.arithmetic)
         return Journal::resume(path);
     }
   }
@@ -348,11 +348,10 @@ class Run {
                                " were removed while it was computed; start it again");
     std::vector<JournalReader> readers = readable(paths, settings_);
     for (const JournalReader& reader : readers)
-      if (const std::string why = difference(header_, reader, settings_.any_instruction_set);
-          !why.empty())
+      if (const std::string why = difference(header_, reader, settings_.mixed_fma); !why.empty())
         throw std::runtime_error(reader.path() + ' ' + why +
                                  "; another process has put it there, and nothing is written");
-    const JournalSet chunks(std::move(readers), plan_.chunks(), settings_.any_instruction_set);
+    const JournalSet chunks(std::move(readers), plan_.chunks(), settings_.mixed_fma);
     std::uint64_t missing = 0;
     for (std::uint64_t chunk = 0; chunk < plan_.chunks(); ++chunk)
       if ((!settings_.shard || settings_.shard->has(chunk)) && !chunks.has(chunk)) ++missing;
@@ -444,7 +443,7 @@ void merge(const std::vector<std::string>& shards, RunSettings settings) {
     plan = plan_of(header);
     if (plan->digest != header.digest)
       throw RunRefused(shards.front() + " is of a sweep that this tribocheck lays out otherwise");
-    chunks.emplace(std::move(readers), plan->chunks(), settings.any_instruction_set);
+    chunks.emplace(std::move(readers), plan->chunks(), settings.mixed_fma);
   } catch (const std::runtime_error& error) {
     throw RunRefused(error.what());
   }

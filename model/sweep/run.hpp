@@ -33,9 +33,9 @@ struct RunSettings {
   std::string result;  // path of the HDF5 file, or of the shard
   int threads = 0;     // of each rank; 0: as many as the machine has, 1 under mpirun
   std::optional<Shard> shard;
-  bool resume = false;               // go on with journals that are there
-  bool force = false;                // throw away journals and the result that are there
-  bool any_instruction_set = false;  // go on with those of another arithmetic
+  bool resume = false;     // go on with journals that are there
+  bool force = false;      // throw away journals and the result that are there
+  bool mixed_fma = false;  // go on with those of another arithmetic
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
   std::function<bool()> stopped;                     // to end early, with what is computed kept

@@ -33,10 +33,10 @@ namespace {
 
 struct SweepArguments {
   std::vector<std::string> files;  // sweeps; of `merge` shards, of `show` results
-  std::string out, shard, pictures, instruction_set;
+  std::string out, shard, pictures;
   std::string format = "table";
   int threads = 0;
-  bool resume = false, force = false, any_instruction_set = false, estimate = false;
+  bool resume = false, force = false, without_fma = false, mixed_fma = false, estimate = false;
 };
 
 // --- Being stopped.
@@ -141,7 +141,7 @@ sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& p
   if (!arguments.shard.empty()) settings.shard = shard_of(arguments.shard);
   settings.resume = arguments.resume;
   settings.force = arguments.force;
-  settings.any_instruction_set = arguments.any_instruction_set;
+  settings.mixed_fma = arguments.mixed_fma;
   settings.progress = [&progress](const sweep::RunProgress& now) { progress.show(now); };
   settings.tell = [&progress, first_rank](std::string_view line) {
     progress.wipe();
@@ -151,18 +151,15 @@ sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& p
   return settings;
 }
 
-void choose_instruction_set(const std::string& wanted) {
-  if (wanted.empty() || use_instruction_set(wanted)) return;
-  std::string known;
+// To compute on the best instruction set without fused multiply-add.
+void leave_out_fma() {
   for (const std::string_view one : instruction_sets())
-    known += (known.empty() ? "" : ", ") + std::string(one);
-  throw sweep::RunRefused("--instruction-set: " + wanted +
-                          " is not allowed; allowed here: " + known);
+    if (use_instruction_set(one) && !is_fused()) return;
 }
 
 int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, OutputStream& output) {
   const bool first = ranks.rank() == 0;
-  choose_instruction_set(arguments.instruction_set);
+  if (arguments.without_fma) leave_out_fma();
   const auto plan = read_plan(arguments.files, first);
   const bool first_read = ranks.from_first(plan ? "read" : "") == "read";
   if (!ranks.everywhere(plan.has_value())) {
@@ -343,18 +340,18 @@ Command add_sweep(CLI::App& program) {
                 "throw away journals that are there, and replace a result by the new one")
       ->excludes(resume);
   app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
-  app->add_option("--instruction-set", arguments->instruction_set,
-                  "use this one; SSE4 gives the bits of machines without fused multiply-add");
-  app->add_flag("--any-instruction-set", arguments->any_instruction_set,
-                "go on with, or merge, chunks from machines whose last digits differ");
+  app->add_flag("--without-fma", arguments->without_fma,
+                "compute as a processor without fused multiply-add does, to the last digit");
+  app->add_flag("--mixed-fma", arguments->mixed_fma,
+                "with --resume: go on with what was computed with it, or without, as this is not");
 
   const auto merged = std::make_shared<SweepArguments>();
   CLI::App* merge = app->add_subcommand("merge", "put shards together");
   merge->add_option("SHARD", merged->files, "all shards of one sweep")->required();
   merge->add_option("-o,--out", merged->out, "the result, an HDF5 file")->required();
   merge->add_flag("--force", merged->force, "replace a result that is there");
-  merge->add_flag("--any-instruction-set", merged->any_instruction_set,
-                  "also shards from machines whose last digits differ");
+  merge->add_flag("--mixed-fma", merged->mixed_fma,
+                  "also shards of processors with and without fused multiply-add");
   add_output_options(*merge, *merged);
   merge->footer(footer_with_scenes(merge_footer));
 

@@ -179,7 +179,7 @@ std::string sweep_csv(const SweepResult& result) {
 std::string sweep_json(const SweepResult& result) {
   Json object{{"tribocheck_version", result.identity.version},
               {"sweep_digest", result.identity.digest},
-              {"instruction_set", result.identity.instruction_set},
+              {"arithmetic", result.identity.arithmetic},
               {"scenes", Json::array()}};
   for (const SceneResult& scene : result.scenes) object["scenes"].push_back(scene_json(scene));
   return object.dump(1) + '\n';

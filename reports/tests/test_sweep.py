@@ -440,8 +440,6 @@ class BadSweeps(SweepTest):
         self.assert_refused(run("sweep", path), "-o")
         self.assert_refused(run("sweep"), "SWEEP")
         self.assert_refused(run("sweep", path, "-o", self.path("x"), "--shard", "3/2"), "3/2")
-        self.assert_refused(run("sweep", path, "-o", self.path("x"), "--instruction-set", "MMX"),
-                            "MMX")
         self.assert_refused(run("sweep", self.path("none.toml"), "-o", self.path("x")), "none.toml")
         self.assert_refused(run("sweep", "show", path), "sweep.toml")
         self.assert_refused(run("sweep", "merge", path, "-o", self.path("x")), "sweep.toml")

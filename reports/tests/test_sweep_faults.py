@@ -277,10 +277,8 @@ class Damage(SweepTest):
         changed = self.resumed(self.journal.replace(b"0.1.0", b"0.0.9"))
         self.assert_refused(changed, "journal-0")  # its checksum does not hold either
 
-    def test_an_instruction_set_with_other_bits_is_refused_unless_asked_for(self):
-        sets = run("sweep", "sweep.toml", "-o", "x", "--instruction-set", "?").err
-        last = [name.strip() for name in sets.split("allowed here:")[1].split(",")][-1]
-        self.swept(SHORT, "--shard", "1/2", "--instruction-set", last, out="1.shard")
+    def test_an_arithmetic_with_other_bits_is_refused_unless_asked_for(self):
+        self.swept(SHORT, "--shard", "1/2", "--without-fma", out="1.shard")
         self.swept(SHORT, "--shard", "2/2", out="2.shard")
         merge = ["sweep", "merge", self.path("1.shard"), self.path("2.shard"), "-o",
                  self.path("merged.h5")]
@@ -290,24 +288,24 @@ class Damage(SweepTest):
             return
         other = "no FMA"
         self.assert_refused(run(*merge), other)
-        self.assertEqual(run(*merge, "--any-instruction-set").code, 0)
+        self.assertEqual(run(*merge, "--mixed-fma").code, 0)
         os.rename(self.path("1.shard"), self.path("out.h5.journal-0"))
-        self.assert_refused(self.sweep(SHORT, "--resume"), other, "--any-instruction-set")
-        went_on = self.sweep(SHORT, "--resume", "--any-instruction-set")
+        self.assert_refused(self.sweep(SHORT, "--resume"), other, "--mixed-fma")
+        went_on = self.sweep(SHORT, "--resume", "--mixed-fma")
         self.assertEqual(went_on.code, 0, went_on.err)
         # All on which it was computed are told: by what was gone on with, merged, or both.
         self.assertNotEqual(own, self.set_of("out.h5"))
         self.assertEqual(self.set_of("out.h5"), self.set_of("merged.h5"))
         for name in (own, other):
             self.assertIn(name, self.set_of("out.h5"))
-        self.swept(SHORT, "--shard", "1/2", "--instruction-set", last, out="x.shard.journal-0")
-        self.swept(SHORT, "--shard", "1/1", "--resume", "--any-instruction-set", out="x.shard")
+        self.swept(SHORT, "--shard", "1/2", "--without-fma", out="x.shard.journal-0")
+        self.swept(SHORT, "--shard", "1/1", "--resume", "--mixed-fma", out="x.shard")
         self.assertEqual(run("sweep", "merge", self.path("x.shard"), "--force", *merge[-2:]).code, 0)
         self.assertEqual(self.set_of("merged.h5"), self.set_of("out.h5"))
 
     def set_of(self, name):
         with opened(self.path(name)) as file:
-            return file.attrs["instruction_set"]
+            return file.attrs["arithmetic"]
 
     def test_a_result_that_is_damaged_anywhere_is_refused(self):
         draw = random.Random(17)

@@ -256,29 +256,29 @@ TEST(JournalSet, SaysWhatDoesNotGoTogether) {
   other.version = "0.2.0";
   EXPECT_EQ(error_with(other), b + " was computed by tribocheck 0.2.0, " + a + " by 0.1.0");
   other = header;
-  other.instruction_set = "AVX3_ZEN4";
-  EXPECT_EQ(error_with(other), b + " was computed on AVX3_ZEN4, " + a + " on AVX2");
+  other.arithmetic = "AVX3_ZEN4";
+  EXPECT_EQ(error_with(other), b + " was computed with AVX3_ZEN4, " + a + " with AVX2");
   EXPECT_NO_THROW(set_of({a, b}, 3, true));
   EXPECT_EQ(error_of([&] { set_of({}, 3); }), "no journal is given");
 }
 
-TEST(JournalSet, NamesEachInstructionSetOnceOfThoseThatComputedAChunk) {
+TEST(JournalSet, NamesEachArithmeticOnceOfThoseThatComputedAChunk) {
   const TemporaryFolder folder;
   std::vector<std::string> paths;
   const auto add = [&](const std::string& set, std::uint64_t first, std::uint64_t end) {
     JournalHeader other = header;
-    other.instruction_set = set;
+    other.arithmetic = set;
     paths.push_back(folder.file(std::to_string(paths.size())));
     Journal journal = Journal::create(paths.back(), other);
     append(journal, first, end);
   };
   add("SSE4, libm 2", 0, 2);
-  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "SSE4, libm 2");
+  EXPECT_EQ(set_of(paths, 9, true).arithmetics(), "SSE4, libm 2");
   add("AVX2, libm 2", 2, 3);
   add("NEON, libm 2", 0, 0);
-  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "AVX2, libm 2; SSE4, libm 2");
+  EXPECT_EQ(set_of(paths, 9, true).arithmetics(), "AVX2, libm 2; SSE4, libm 2");
   add("AVX2, libm 2; AVX3, libm 2", 3, 4);
-  EXPECT_EQ(set_of(paths, 9, true).instruction_sets(), "AVX2, libm 2; AVX3, libm 2; SSE4, libm 2");
+  EXPECT_EQ(set_of(paths, 9, true).arithmetics(), "AVX2, libm 2; AVX3, libm 2; SSE4, libm 2");
 }
 
 TEST(JournalSet, RefusesAChunkThatTheSweepDoesNotHave) {

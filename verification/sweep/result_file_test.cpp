@@ -89,7 +89,7 @@ TEST(ResultFile, GivesBackTheTextsOfScenes) {
   const SweepPlan plan = small_plan();
   EXPECT_EQ(result.identity.version, plan.version);
   EXPECT_EQ(result.identity.digest, plan.digest);
-  EXPECT_EQ(result.identity.instruction_set, "AVX2");
+  EXPECT_EQ(result.identity.arithmetic, "AVX2");
   ASSERT_EQ(result.scenes.size(), plan.scenes.size());
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     const SceneSweep& scene = plan.scenes[i];
