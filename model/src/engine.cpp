@@ -68,6 +68,9 @@ using One = hn::Vec<OneLane>;
 HWY_INLINE One of(double x) { return hn::Set(OneLane(), x); }
 
 double exponential_of(double x) { return hn::GetLane(exponential(OneLane(), of(x))); }
+void exponentials_of(const double* x, double* result, std::size_t count) {
+  transform(x, result, count, [](auto d, auto lanes) HWY_ATTR { return exponential(d, lanes); });
+}
 double logarithm_of(double x) { return hn::GetLane(logarithm(OneLane(), of(x))); }
 double power_of(double x, const Fraction& exponent) {
   return hn::GetLane(decimal_power(OneLane(), of(x), exponent));
@@ -309,6 +312,7 @@ const detail::Kernels& kernels() {
       .scaled_moments = scaled_moments,
       .log_moments = log_moments,
       .exponential = exponential_of,
+      .exponentials = exponentials_of,
       .logarithm = logarithm_of,
       .power = power_of,
       .surface = surface,

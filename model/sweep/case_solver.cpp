@@ -25,7 +25,8 @@ CaseSolver::CaseSolver(const SceneSweep& sweep) : sweep_(sweep), scene_(sweep.sc
          sweep.variables[speed_variable_].path != "speed")
     ++speed_variable_;
   if (sweep.outputs.empty()) return;
-  for (std::size_t i = 0; i < scene_.speeds.size(); ++i) speeds_.push_back(scene_.speeds[i]);
+  speeds_.resize(scene_.speeds.size());
+  scene_.speeds.fill(0, speeds_);
   for (const OutputInfo& info : output_infos)
     if (sweep.outputs.contains(info.output)) asked_.push_back(info.output);
   point_width_ = asked_.size() * speeds_.size();

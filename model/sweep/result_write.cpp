@@ -263,8 +263,8 @@ class SceneWriter {
 
   void write_speeds() const {
     const Speeds& speeds = scene_.scene.speeds;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < speeds.size(); ++i) values.push_back(speeds[i]);
+    std::vector<double> values(speeds.size());
+    speeds.fill(0, values);
     write_attribute(write_array(group_, "speed", values, {values.size()}), "unit", "m/s");
   }
 

@@ -31,7 +31,7 @@ void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress&
   OperatingPoints points;
   for (std::size_t first = 0; first < scene.speeds.size(); first += chunk) {
     speeds.resize(std::min(chunk, scene.speeds.size() - first));
-    for (std::size_t i = 0; i < speeds.size(); ++i) speeds[i] = scene.speeds[first + i];
+    scene.speeds.fill(first, speeds);
     points.resize(speeds.size(), outputs);
     solve_in_parallel(contact, speeds, outputs, points, threads);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -351,8 +351,9 @@ TEST(Requirements, MakeTheirItemHold) {
   for (const Requirement& one : ledger().requirements) {
     if (!one.factor) continue;
     ++found;
-    if (items()[one.item].has_surface)
+    if (items()[one.item].has_surface) {
       EXPECT_EQ(one.surface, name(items()[one.item].surface)) << items()[one.item].id;
+    }
     EXPECT_TRUE(is_close(one.value, one.paper_value * *one.factor, 1e-12, {}));
     PaperScenes changed = scenes();
     scale_all(changed, one.field, *one.factor);

@@ -4,10 +4,10 @@
 // hand out only scenes whose fields are in range; whoever fills one by hand answers for that.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,16 +39,12 @@ struct Speeds {
   bool empty() const { return size() == 0; }
   // The i-th speed; the first and the last of a range are `from` and `to` to the bit.
   double operator[](std::size_t i) const {
-    if (!list.empty()) return list[i];
-    if (i == 0) return from;
-    if (i + 1 == count) return to;
-    const double t = static_cast<double>(i) / static_cast<double>(count - 1);
-    if (spacing == Spacing::lin) return from * (1 - t) + to * t;
-    const double log_ratio = t * (std::log(to) - std::log(from));
-    if (log_ratio < 700) return from * std::exp(log_ratio);
-    const double root = std::exp(log_ratio / 2);  // its square may overflow, the speed does not
-    return from * root * root;
+    double speed;
+    fill(i, std::span(&speed, 1));
+    return speed;
   }
+  // Those from `first` on, as many as there is room for: with the same bits, and far faster.
+  void fill(std::size_t first, std::span<double> speeds) const;
 };
 
 struct Surface {

@@ -9,6 +9,7 @@
 // An implicit closure at constant flow needs one scalar root y(r) a point.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -270,12 +271,15 @@ template <class Visitor>
 void stribeck_curve(const MixedContact<double>& contact, double from, double to, std::size_t count,
                     OutputSet outputs, Visitor&& visit) {
   const Speeds range{{}, from, to, count, Spacing::log};
-  std::vector<double> speeds(count);
-  for (std::size_t i = 0; i < count; ++i) speeds[i] = range[i];
+  std::vector<double> speeds(std::min<std::size_t>(count, 512));  // at once, in the caches
   OperatingPoints points;
-  points.resize(count, outputs);
-  solve(contact, speeds, outputs, points);
-  for (std::size_t i = 0; i < count; ++i) visit(points[i]);
+  points.resize(speeds.size(), outputs);
+  for (std::size_t first = 0; first < count; first += speeds.size()) {
+    speeds.resize(std::min(speeds.size(), count - first));
+    range.fill(first, speeds);
+    solve(contact, speeds, outputs, points);
+    for (std::size_t i = 0; i < speeds.size(); ++i) visit(points[i]);
+  }
 }
 
 }  // namespace tribo
