@@ -209,7 +209,7 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
   if constexpr (Counter::counts) {
     work.add(Work::root_step, steps);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-      const auto surface = surface_at(i);
+      const auto& surface = surface_at(i);
       const auto film = load(d, film0 + i, count - i);
       const auto present = hn::FirstN(d, count - i);
       const auto is_film = hn::Ge(film, surface.film_from);
@@ -220,7 +220,7 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
   }
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const std::size_t left = count - i;
-    const auto contact = contact_at(i);
+    const auto& contact = contact_at(i);
     const auto root = not_below(load(d, lambda + i, left), contact.surface.floor);
     complete_root(d, words, contact, needs, load(d, speeds + i, left), load(d, film0 + i, left),
                   root, to, i, left, work);

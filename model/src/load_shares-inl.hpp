@@ -79,47 +79,62 @@ HWY_INLINE Shares<V> shares_at_root(D d, Order order, const detail::SurfaceNumbe
 // F_p(d_b + x)/F_p(d_b) − 1 at distances x above a floor, as its Taylor series: with Σ c_k x^k,
 // F″ = pF − dF′ gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}. For A > 3/4 and dx ≥ −4; 32
 // terms are enough there, as F_p(d_b + z) is at most F_p(d_b − ρ)e^{ρ²/2} for |z| = ρ.
+inline constexpr int floor_terms = 32;
+struct FloorFactors {
+  double of_earlier[floor_terms], of_sum[floor_terms];  // (p−k)/(k+1) and 1/(k+2)
+};
+constexpr FloorFactors floor_factors(double p) {
+  FloorFactors factors{};
+  for (int k = 0; k < floor_terms; ++k) {
+    factors.of_earlier[k] = (p - k) / (k + 1);
+    factors.of_sum[k] = 1.0 / (k + 2);
+  }
+  return factors;
+}
+inline constexpr FloorFactors floor_factors_5_2 = floor_factors(2.5);
+inline constexpr FloorFactors floor_factors_3_2 = floor_factors(1.5);
+
 template <class D>
 class FloorSeries {
  public:
   using V = hn::Vec<D>;
 
   HWY_INLINE FloorSeries(D d, Order order, const detail::SurfaceNumbers<V>& surface) : d_(d) {
-    const double p = 0.5 * twice(order);
+    const FloorFactors& factors =
+        order == Order::five_halves ? floor_factors_5_2 : floor_factors_3_2;
     V earlier = hn::Set(d, 1.0);
     V current = hn::Mul(surface.hazard, hn::Set(d, order == Order::five_halves ? -2.0 : -1.0));
-    for (int k = 0; k < terms; ++k) {
+    for (int k = 0; k < floor_terms; ++k) {
       c_[k] = current;
-      const V next = hn::Mul(hn::Sub(hn::Mul(earlier, hn::Set(d, (p - k) / (k + 1))),
+      const V next = hn::Mul(hn::Sub(hn::Mul(earlier, hn::Set(d, factors.of_earlier[k])),
                                      hn::Mul(surface.floor_argument, current)),
-                             hn::Set(d, 1.0 / (k + 2)));
+                             hn::Set(d, factors.of_sum[k]));
       earlier = current;
       current = next;
     }
   }
 
-  HWY_INLINE V change(V x) const {
-    V sum = c_[terms - 1];
-    for (int k = terms - 2; k >= 0; --k) sum = hn::MulAdd(sum, x, c_[k]);
-    return hn::Mul(sum, x);
-  }
-  HWY_INLINE V change_slope(V x) const {
-    V sum = hn::Mul(hn::Set(d_, double(terms)), c_[terms - 1]);
-    for (int k = terms - 2; k >= 0; --k)
-      sum = hn::MulAdd(sum, x, hn::Mul(hn::Set(d_, k + 1.0), c_[k]));
-    return sum;
+  struct Change {
+    V value, slope;
+  };
+  HWY_INLINE Change change(V x) const {
+    V sum = c_[floor_terms - 1], slope = hn::Zero(d_);
+    for (int k = floor_terms - 2; k >= 0; --k) {
+      slope = hn::MulAdd(slope, x, sum);
+      sum = hn::MulAdd(sum, x, c_[k]);
+    }
+    return {hn::Mul(sum, x), hn::MulAdd(slope, x, sum)};
   }
 
  private:
-  static constexpr int terms = 32;
   D d_;
-  V c_[terms];
+  V c_[floor_terms];
 };
 
 // 1 − A at a distance above the floor at which A > 3/4, and dx ≥ −4.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V fluid_near_floor(D d, Order order, const FloorSeries<D>& series, V distance) {
-  const V less = hn::Neg(series.change(distance));
+  const V less = hn::Neg(series.change(distance).value);
   if (order != Order::five_halves) return less;
   // 1 − √(1 − less)
   const V one = hn::Set(d, 1.0);
@@ -136,7 +151,8 @@ HWY_INLINE V distance_above_floor(D d, Order order, const FloorSeries<D>& series
   V x = hn::Neg(hn::Div(change, hn::Mul(hazard, hn::Set(d, doubled))));
   auto is_open = hn::And(hn::Gt(x, hn::Zero(d)), hn::Gt(hazard, hn::Zero(d)));
   for (int steps = 0; steps < 12 && !hn::AllFalse(d, is_open); ++steps) {
-    const V step = hn::Div(hn::Sub(change, series.change(x)), series.change_slope(x));
+    const auto there = series.change(x);
+    const V step = hn::Div(hn::Sub(change, there.value), there.slope);
     x = hn::IfThenElse(is_open, hn::Add(x, step), x);
     is_open = hn::And(is_open, hn::Gt(hn::Abs(step), hn::Mul(x, hn::Set(d, 0x1p-50))));
   }

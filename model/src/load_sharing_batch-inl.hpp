@@ -284,7 +284,7 @@ HWY_INLINE std::size_t roots_of_block(D d, Order order, const SurfaceAt& surface
   Travellers<D, one_surface> travellers(d, surface_at(0));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const std::size_t left = count - i;
-    const detail::SurfaceNumbers<V> surface = surface_at(i);
+    const detail::SurfaceNumbers<V>& surface = surface_at(i);
     const SharingInputs<V> in{surface.stiffness, surface.offset, load(d, flooded + i, left)};
     const auto start = root_start(d, surface, in);
     store(d, start.at.film_parameter, result + i, left);

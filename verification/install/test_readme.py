@@ -201,16 +201,18 @@ class Readme(unittest.TestCase):
         self.assertRegex(said, r" my_library_holds \.+ +Passed")
 
     def test_as_a_library(self):
-        for name, (text,) in {"CMakeLists.txt": blocks(PROJECT, "As a library", "cmake"),
-                              "app.cpp": blocks(PROJECT, "As a library", "cpp"),
-                              "scene.toml": blocks(PROJECT, "A scene", "toml")}.items():
+        one, million = blocks(PROJECT, "As a library", "cpp")
+        texts = {"CMakeLists.txt": blocks(PROJECT, "As a library", "cmake")[0], "one.cpp": one,
+                 "million.cpp": million, "scene.toml": blocks(PROJECT, "A scene", "toml")[0]}
+        for name, text in texts.items():
             (self.folder / name).write_text(text)
         script, = blocks(PROJECT, "As a library", "sh")
         self.sh(script)
-        said = self.sh("build/app")
-        self.assertRegex(said, r"^\d\.\d{4}e-08 m at 0.1 m/s\n$")
-        expected = re.search(r"// (\S+)\n}", (self.folder / "app.cpp").read_text())[1]
-        self.assertEqual(said.split()[0], expected)
+        for program, shown in {"one": r"m at 0\.1 m/s", "million": r"m at most, at 0\.\d{4} m/s"}.items():
+            said = self.sh(f"build/{program}")
+            self.assertRegex(said, rf"^\d\.\d{{4}}e-08 {shown}\n$")
+            expected = re.search(r"// (\S+)\n}", texts[f"{program}.cpp"])[1]
+            self.assertEqual(said.split()[0], expected)
 
 
 if __name__ == "__main__":
