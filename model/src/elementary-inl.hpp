@@ -28,8 +28,6 @@
 #define TRIBO_SLEEF_MANY(name, error) Sleef_finz_##name##d4_##error##avx2
 #elif HWY_TARGET == HWY_SSE4
 #define TRIBO_SLEEF_FEW(name, error) Sleef_cinz_##name##d2_##error##sse4
-#elif HWY_TARGET == HWY_SSSE3
-#define TRIBO_SLEEF_FEW(name, error) Sleef_cinz_##name##d2_##error##sse2
 #else
 #define TRIBO_SLEEF_ONE(name, error) Sleef_cinz_##name##d1_##error##purec
 #endif

@@ -46,7 +46,7 @@ SharingWork film_parameter(const LoadSharing<double>& sharing,
 double film_parameter(AsperityModel model, double stiffness, double offset,
                       double flooded_film_parameter);
 
-// The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SSSE3, …
+// The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SCALAR
 std::string_view instruction_set();
 // Has it fused multiply-add? All sets with it give the same bits, and all without it.
 bool is_fused();
