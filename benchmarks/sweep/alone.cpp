@@ -57,6 +57,7 @@ void Alone::prepare(std::span<const double> inputs) {
     contacts_.add(scene_);
     speeds_[i] = scene_.speeds[0];
   }
+  contacts_.prepare();
 }
 
 void Alone::solve_points(std::span<double> results) {
@@ -74,7 +75,6 @@ void Alone::find_onsets(std::span<double> results) {
     results[3 * i + 1] = found.film;
     results[3 * i + 2] = found.film_parameter;
   }
-  contacts_.prepare();
 }
 
 }  // namespace tribo::benchmarks
