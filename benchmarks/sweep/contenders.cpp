@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "alone.hpp"
+#include "support/temporary_folder.hpp"
 #include "sweep/cases.hpp"
 #include "sweep/chunk_solver.hpp"
 #include "sweep/compute.hpp"
@@ -38,22 +38,6 @@ constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
 constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins and ends with
 constexpr std::uint64_t chunks_in_turn = 8;        // that contenders of one thread go through
 constexpr std::uint64_t chunks_on_threads = 256;   // of an iteration
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "tribocheck-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_;
-};
 
 class NewJournal {
  public:

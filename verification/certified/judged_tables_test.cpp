@@ -3,7 +3,6 @@
 // more than the contract allows is found, and one by a little less is not.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "accuracy/accuracy.hpp"
 #include "accuracy/reference_table.hpp"
 #include "support/judge.hpp"
+#include "support/temporary_folder.hpp"
 #include "tribo/load_sharing.hpp"
 
 namespace tribo::verification {
@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 const fs::path exact = fs::path(TRIBOCHECK_SOURCE_DIR) / "reference/exact";
 
 std::string written(const std::string& name, const std::string& text) {
-  const fs::path path = fs::path(testing::TempDir()) / name;
-  std::ofstream(path) << text;
-  return path.string();
+  static const TemporaryFolder folder;
+  std::ofstream(folder.path() / name) << text;
+  return folder.file(name);
 }
 std::string content_of(const fs::path& path) {
   std::ostringstream text;
@@ -91,22 +91,21 @@ TEST(QuantityResult, HasPassedOnlyWithCasesAllWithinTheirBound) {
 // The certified tables, one of them changed.
 class ChangedTables : public testing::Test {
  protected:
-  void SetUp() override { fs::copy(exact, folder, fs::copy_options::recursive); }
-  void TearDown() override { fs::remove_all(folder); }
+  void SetUp() override { fs::copy(exact, folder.path(), fs::copy_options::recursive); }
 
   void change(const std::string& table, const std::string& from, const std::string& to) const {
     std::string text = content_of(exact / table);
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << from;
-    std::ofstream(folder / table) << text.replace(at, from.size(), to);
+    std::ofstream(folder.path() / table) << text.replace(at, from.size(), to);
   }
   QuantityResult of(const std::string& quantity) const {
-    const std::vector<QuantityResult> results = check_accuracy(folder.string());
+    const std::vector<QuantityResult> results = check_accuracy(folder.path().string());
     return *std::find_if(results.begin(), results.end(),
                          [&](const auto& one) { return one.quantity == quantity; });
   }
 
-  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("exact.{}", ::getpid());
+  const TemporaryFolder folder;
 };
 
 // A root whose value is moved so many times its bound, up and down: the model's own error is to one
@@ -151,7 +150,7 @@ TEST_F(ChangedTables, ANumberWhereTheValueIsUndefinedIsAnError) {
   });
   ASSERT_NE(row, rows.end());
   change("operating_point.csv", ',' + row->text("value") + ',', ",,");
-  const std::string said = refusal([&] { check_accuracy(folder.string()); });
+  const std::string said = refusal([&] { check_accuracy(folder.path().string()); });
   EXPECT_NE(said.find(row->text("id")), std::string::npos) << said;
 }
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -D BUILD_DIR=… -D SCRATCH=… -D VERSION=… -D SOURCE_DIR=… -P this
-set(prefix ${SCRATCH}/prefix)
-file(REMOVE_RECURSE ${SCRATCH})
+# cmake -D BUILD_DIR=… -D VERSION=… -D SOURCE_DIR=… -P this
+# A folder of its own for each run: .ci/test-elsewhere has two at a time. A failure leaves it to be looked at.
+execute_process(COMMAND mktemp --directory --tmpdir tribocheck-install-XXXXXX
+  OUTPUT_VARIABLE scratch OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+set(prefix ${scratch}/prefix)
 
 function(run)
   execute_process(COMMAND ${ARGV} OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE code)
@@ -47,3 +49,4 @@ run(${prefix}/bin/tribocheck --version)
 if(NOT output MATCHES "${VERSION}")
   message(FATAL_ERROR "the installed program calls itself: ${output}")
 endif()
+file(REMOVE_RECURSE ${scratch})

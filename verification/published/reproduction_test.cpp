@@ -15,6 +15,7 @@
 #include "reproduction/ledger_file.hpp"
 #include "support/judge.hpp"
 #include "support/sampler.hpp"
+#include "support/temporary_folder.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 
@@ -547,7 +548,8 @@ TEST(CommittedLedger, HasTheVerdictsAndNumbersThatComeOut) {
 }
 
 TEST(CommittedLedger, ChangesAreNamed) {
-  const std::string path = testing::TempDir() + "/ledger_changed.csv";
+  const TemporaryFolder folder;
+  const std::string path = folder.file("ledger_changed.csv");
   std::string text = ledger_csv(ledger(), ledger().readings, {});
   const auto change = [&](const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
@@ -563,13 +565,13 @@ TEST(CommittedLedger, ChangesAreNamed) {
       << changes.verdicts[0];
   ASSERT_EQ(changes.numbers.size(), 1U);
   EXPECT_TRUE(changes.numbers[0].starts_with("C1.rough, corrected: was 2.1")) << changes.numbers[0];
-  std::filesystem::remove(path);
 }
 
 // A number has moved from a millionth of it on; and an item that the committed ledger lacks is
 // told.
 TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
-  const std::string path = testing::TempDir() + "/ledger_moved.csv";
+  const TemporaryFolder folder;
+  const std::string path = folder.file("ledger_moved.csv");
   const std::string text = ledger_csv(ledger(), ledger().readings, {});
   const std::string start = "corrected,corrected,C1.rough,C1,";
   const std::size_t number = text.find(start) + start.size();
@@ -591,12 +593,12 @@ TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
   const LedgerChanges changes = changes_since(path, ledger(), ledger().readings, {});
   ASSERT_EQ(changes.verdicts.size(), 1U);
   EXPECT_EQ(changes.verdicts[0], "C2.rough, corrected: was not there");
-  std::filesystem::remove(path);
 }
 
 // What is wrong with a data file is one line that names it.
 TEST(PublishedFiles, AreRefusedByNameWhereTheyAreWrong) {
-  const std::string path = testing::TempDir() + "/claims_wrong.tsv";
+  const TemporaryFolder folder;
+  const std::string path = folder.file("claims_wrong.tsv");
   std::ifstream file(published + "/claims.tsv");
   const std::string good((std::istreambuf_iterator<char>(file)), {});
   const auto refused = [&](const std::string& from, const std::string& to, const std::string& why) {
@@ -621,7 +623,7 @@ TEST(PublishedFiles, AreRefusedByNameWhereTheyAreWrong) {
   refused("quantity\tsurface", "quantities\tsurface", "no column quantity");
   std::filesystem::remove(path);
   EXPECT_THROW(read_claims(path), std::runtime_error);
-  EXPECT_THROW(read_paper_scenes(testing::TempDir() + "/no_such_folder"), std::runtime_error);
+  EXPECT_THROW(read_paper_scenes(folder.file("no_such_folder")), std::runtime_error);
 }
 
 }  // namespace

@@ -9,20 +9,14 @@
 #include <thread>
 
 #include "scene/scene_text.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace tribo::scene_test {
 namespace {
 
 class SceneFile : public testing::Test {
  protected:
-  SceneFile() {
-    std::string name = (std::filesystem::temp_directory_path() / "tribocheck-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp " + name);
-    folder_ = name;
-  }
-  ~SceneFile() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(path(name), std::ios::binary) << text;
@@ -37,7 +31,7 @@ class SceneFile : public testing::Test {
     EXPECT_NE(line.find(part), std::string::npos) << line << "\nwanted: " << part;
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 // Makes a descriptor standard input for a while.
