@@ -23,8 +23,6 @@ extern "C" [[gnu::noinline]] void tribocheck_gate_pass(const std::function<void(
 namespace tribo::gates {
 namespace {
 
-std::string_view arithmetic() { return is_fused() ? "FMA" : "no FMA"; }
-
 struct Chosen {
   const Workload* workload;
   std::string set;

@@ -20,6 +20,7 @@
 
 #include "alone.hpp"
 #include "support/temporary_folder.hpp"
+#include "sweep/case_solver.hpp"
 #include "sweep/cases.hpp"
 #include "sweep/chunk_solver.hpp"
 #include "sweep/compute.hpp"
@@ -145,6 +146,19 @@ void draw(const Subject& subject, benchmark::State& state) {
   set_points(state, subject.cases());
 }
 
+// The sweep's own way from values to results.
+void solve_cases(const Subject& subject, benchmark::State& state) {
+  sweep::CaseSolver solver(subject.scene());
+  std::vector<double> results(subject.cases() * subject.scene().width());
+  std::uint64_t turn = 0;
+  for (const auto _ : state) {
+    solver.solve(subject.inputs(turn++), results);
+    benchmark::DoNotOptimize(results.data());
+    benchmark::ClobberMemory();
+  }
+  set_points(state, subject.cases());
+}
+
 // A step of Alone on one block, for which all steps have been taken.
 Contender stage(std::function<void(Alone&, const Subject&, std::span<double>)> step) {
   return [step = std::move(step)](const Subject& subject, benchmark::State& state) {
@@ -163,10 +177,14 @@ Contender stage(std::function<void(Alone&, const Subject&, std::span<double>)> s
 void sum_up(const Subject& subject, benchmark::State& state) {
   const std::span<const double> results = subject.results();
   const std::size_t width = subject.scene().width();
+  std::vector<double> column;
   for (const auto _ : state) {
     std::vector<sweep::ValueSummary> summaries(width);
-    for (std::size_t i = 0; i < results.size(); i += width)
-      for (std::size_t c = 0; c < width; ++c) summaries[c].add(results[i + c]);
+    for (std::size_t c = 0; c < width; ++c) {
+      column.clear();
+      for (std::size_t i = c; i < results.size(); i += width) column.push_back(results[i]);
+      summaries[c].add(column);
+    }
     benchmark::DoNotOptimize(summaries.data());
   }
   set_points(state, subject.cases());
@@ -296,6 +314,7 @@ void register_sweep(const Workload& workload) {
           }));
     }
   }
+  add(subject, "stage: cases", solve_cases);
   add(subject, "stage: sum up", sum_up);
   add(subject, "stage: pack points", pack);
   add(subject, "stage: journal of points", keep);

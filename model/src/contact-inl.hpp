@@ -30,10 +30,9 @@ HWY_INLINE V film_at_unit_speed(D d, const detail::SceneNumbers<V>& scene) {
   const V side = exponential(d, hn::Mul(hn::Set(d, -0.73), scene.ellipticity));
   const V constant =
       hn::Mul(hn::Set(d, 2.69), hn::Sub(hn::Set(d, 1.0), hn::Mul(hn::Set(d, 0.61), side)));
-  const V film = hn::Mul(
-      hn::Mul(hn::Mul(hn::Mul(radius, constant), decimal_power(d, speed_number, speed_exponent)),
-              decimal_power(d, material_number, material_exponent)),
-      decimal_power(d, load_number, load_exponent));
+  const V film = hn::Mul(hn::Mul(radius, constant),
+                         decimal_powers(d, speed_number, speed_exponent, material_number,
+                                        material_exponent, load_number, load_exponent));
   return hn::Div(film, scene.summit_height_sd);
 }
 

@@ -72,6 +72,9 @@ void exponentials_of(const double* x, double* result, std::size_t count) {
   transform(x, result, count, [](auto d, auto lanes) HWY_ATTR { return exponential(d, lanes); });
 }
 double logarithm_of(double x) { return hn::GetLane(logarithm(OneLane(), of(x))); }
+void logarithms_of(const double* x, double* result, std::size_t count) {
+  transform(x, result, count, [](auto d, auto lanes) HWY_ATTR { return logarithm(d, lanes); });
+}
 double power_of(double x, const Fraction& exponent) {
   return hn::GetLane(decimal_power(OneLane(), of(x), exponent));
 }
@@ -314,6 +317,7 @@ const detail::Kernels& kernels() {
       .exponential = exponential_of,
       .exponentials = exponentials_of,
       .logarithm = logarithm_of,
+      .logarithms = logarithms_of,
       .power = power_of,
       .surface = surface,
       .share = share,
@@ -458,6 +462,8 @@ SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const d
 }
 
 bool is_fused() { return detail::engine().is_fused; }
+
+std::string_view arithmetic() { return is_fused() ? "FMA" : "no FMA"; }
 
 std::string_view instruction_set() { return detail::engine().instruction_set(); }
 

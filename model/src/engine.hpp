@@ -32,10 +32,11 @@ struct Kernels {
   void (*moments)(Order n, const double* d, double* result, std::size_t count);
   void (*scaled_moments)(Order n, const double* d, double* result, std::size_t count);
   void (*log_moments)(Order n, const double* d, double* result, std::size_t count);
-  // e^x, of `count` too, ln x and x^{p/q}
+  // e^x and ln x, of `count` too, and x^{p/q}
   double (*exponential)(double x);
   void (*exponentials)(const double* x, double* result, std::size_t count);
   double (*logarithm)(double x);
+  void (*logarithms)(const double* x, double* result, std::size_t count);
   double (*power)(double x, const Fraction& exponent);
   // Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the distance of a fluid
   // share, a root with its steps, the shares at a root.

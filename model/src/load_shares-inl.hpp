@@ -76,10 +76,7 @@ HWY_INLINE Shares<V> shares_at_root(D d, Order order, const detail::SurfaceNumbe
   return {asperity, fluid};
 }
 
-// F_p(d_b + x)/F_p(d_b) − 1 at distances x above a floor, as its Taylor series: with Σ c_k x^k,
-// F″ = pF − dF′ gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}. For A > 3/4 and dx ≥ −4; 32
-// terms are enough there, as F_p(d_b + z) is at most F_p(d_b − ρ)e^{ρ²/2} for |z| = ρ.
-inline constexpr int floor_terms = 32;
+inline constexpr int floor_terms = 32;  // of FloorSeries
 struct FloorFactors {
   double of_earlier[floor_terms], of_sum[floor_terms];  // (p−k)/(k+1) and 1/(k+2)
 };
@@ -94,6 +91,9 @@ constexpr FloorFactors floor_factors(double p) {
 inline constexpr FloorFactors floor_factors_5_2 = floor_factors(2.5);
 inline constexpr FloorFactors floor_factors_3_2 = floor_factors(1.5);
 
+// F_p(d_b + x)/F_p(d_b) − 1 at distances x above a floor, as its Taylor series: with Σ c_k x^k,
+// F″ = pF − dF′ gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}. For A > 3/4 and dx ≥ −4; 32
+// terms are enough there, as F_p(d_b + z) is at most F_p(d_b − ρ)e^{ρ²/2} for |z| = ρ.
 template <class D>
 class FloorSeries {
  public:

@@ -178,13 +178,14 @@ class Travellers {
     });
     for_each_vector([&](std::size_t i) HWY_ATTR {
       const V w = hn::Load(d_, film_share_ + i);
-      const Step<D> step = sharing_step(
-          d_, hn::Load(d_, flooded_ + i), iterate(i), asperities_at(i), w,
-          is_by_floor(d_, iterate(i), asperities_at(i), w), hn::Load(d_, balance_ + i));
+      const Iterate<V> from = iterate(i);
+      const Asperities<V> at = asperities_at(i);
+      const Step<D> step = sharing_step(d_, hn::Load(d_, flooded_ + i), from, at, w,
+                                        is_by_floor(d_, from, at, w), hn::Load(d_, balance_ + i));
       hn::Store(step.base, d_, base_ + i);
       hn::Store(step.shift, d_, shift_ + i);
       hn::StoreMaskBits(d_, step.is_last, is_last_ + i);
-      const auto below = is_below_floor(d_, asperities_at(i), iterate(i));
+      const auto below = is_below_floor(d_, at, from);
       if (hn::AllFalse(d_, below))
         hn::Store(step.log_rise, d_, log_rise_ + i);
       else

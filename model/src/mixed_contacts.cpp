@@ -32,8 +32,13 @@ void MixedContacts::clear() {
 }
 
 void MixedContacts::add(const Scene& scene) {
-  words_.push_back(detail::words_of(scene));
-  scenes_.push_back(detail::numbers_of(scene));
+  add(detail::words_of(scene), detail::numbers_of(scene));
+}
+
+detail::SceneNumbers<double>& MixedContacts::add(const detail::ContactWords& words,
+                                                 const detail::SceneNumbers<double>& scene) {
+  words_.push_back(words);
+  return scenes_.emplace_back(scene);
 }
 
 void MixedContacts::prepare() {

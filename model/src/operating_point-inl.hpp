@@ -233,8 +233,9 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   const V relative = relative_shear_stress(d, words.fluid, contact, log_thickening,
                                            hn::Mul(contact.slide_roll_ratio, flooded.speed),
                                            hn::Mul(apart, contact.summit_height_sd));
-  const V most = hn::Div(hn::Mul(contact.eyring_stress, fluid_area), contact.mean_pressure);
-  const V fluid = hn::IfThenElseZero(hn::Gt(fluid_area, zero), hn::Mul(relative, most));
+  const V at_eyring_stress =
+      hn::Div(hn::Mul(contact.eyring_stress, fluid_area), contact.mean_pressure);
+  const V fluid = hn::IfThenElseZero(hn::Gt(fluid_area, zero), hn::Mul(relative, at_eyring_stress));
   put(Output::friction, hn::IfThenZeroElse(is_undefined, hn::Add(solid, fluid)));
   HWY_ALIGN double word[hn::MaxLanes(D())];
   hn::Store(hn::IfThenElseZero(is_undefined, one), d, word);

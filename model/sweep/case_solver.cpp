@@ -2,6 +2,8 @@
 #include "sweep/case_solver.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,13 +19,40 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t speeds_of_a_curve = 16;
 constexpr std::size_t cases_in_hand = 256;
 
+using Numbers = std::array<double, sizeof(detail::SceneNumbers<double>) / sizeof(double)>;
+
+Numbers numbers_of(const Scene& scene) { return std::bit_cast<Numbers>(detail::numbers_of(scene)); }
+
+// Which of a contact's numbers a variable is, seen from what two of its values change; none where
+// they change something else too.
+std::optional<std::size_t> place_of(const Variable& variable, Scene scene) {
+  const double least = variable.is_drawn() ? variable.distribution.least() : variable.grid.front();
+  const double greatest =
+      variable.is_drawn() ? variable.distribution.greatest() : variable.grid.back();
+  variable.store(scene, least);
+  const detail::ContactWords words = detail::words_of(scene);
+  Numbers numbers = numbers_of(scene);
+  variable.store(scene, greatest);
+  const Numbers others = numbers_of(scene);
+  const auto place = std::mismatch(numbers.begin(), numbers.end(), others.begin()).first;
+  if (place == numbers.end() || *place != least || !(words == detail::words_of(scene))) return {};
+  *place = greatest;
+  if (numbers != others) return {};
+  return static_cast<std::size_t>(place - numbers.begin());
+}
+
 }  // namespace
 
-CaseSolver::CaseSolver(const SceneSweep& sweep) : sweep_(sweep), scene_(sweep.scene) {
+CaseSolver::CaseSolver(const SceneSweep& sweep)
+    : sweep_(sweep),
+      scene_(sweep.scene),
+      words_(detail::words_of(scene_)),
+      numbers_(detail::numbers_of(scene_)) {
   contact_of_.reserve(cases_in_hand);
   while (speed_variable_ < sweep.variables.size() &&
          sweep.variables[speed_variable_].path != "speed")
     ++speed_variable_;
+  find_places();
   if (sweep.outputs.empty()) return;
   speeds_.resize(scene_.speeds.size());
   scene_.speeds.fill(0, speeds_);
@@ -64,6 +93,15 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
   }
 }
 
+void CaseSolver::find_places() {
+  for (std::size_t v = 0; v < sweep_.variables.size(); ++v) {
+    const std::optional<std::size_t> place =
+        v == speed_variable_ ? 0 : place_of(sweep_.variables[v], scene_);
+    if (!place) return places_.clear();
+    places_.push_back(*place);
+  }
+}
+
 // Cases that differ in their speed alone share what is prepared.
 bool CaseSolver::is_contact_of(std::span<const double> values) const {
   for (std::size_t v = 0; v < values.size(); ++v)
@@ -74,8 +112,14 @@ bool CaseSolver::is_contact_of(std::span<const double> values) const {
 void CaseSolver::add(std::span<const double> values) {
   if (contacts_.size() == 0 || !is_contact_of(values)) {
     prepared_ = values;
-    for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
-    contacts_.add(scene_);
+    if (places_.empty()) {
+      for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
+      contacts_.add(scene_);
+    } else {
+      auto* const numbers = reinterpret_cast<double*>(&contacts_.add(words_, numbers_));
+      for (std::size_t v = 0; v < values.size(); ++v)
+        if (v != speed_variable_) numbers[places_[v]] = values[v];
+    }
   }
   contact_of_.push_back(contacts_.size() - 1);
 }

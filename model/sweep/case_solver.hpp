@@ -26,6 +26,7 @@ class CaseSolver {
 
  private:
   bool is_contact_of(std::span<const double> values) const;
+  void find_places();
   void add(std::span<const double> values);  // one more case in hand
   // Of the one contact, at the cases' speeds.
   void solve_speeds(std::span<const double> speeds, std::span<double> results);
@@ -37,6 +38,11 @@ class CaseSolver {
 
   const SceneSweep& sweep_;
   Scene scene_;
+  // What a contact needs of the scene, and where each variable goes in it, the speed nowhere: empty
+  // where a variable is more than one of these numbers (a closure, say) and goes through the scene.
+  detail::ContactWords words_;
+  detail::SceneNumbers<double> numbers_;
+  std::vector<std::size_t> places_;
   std::size_t speed_variable_ = 0;  // its place; past the last: it does not vary
   // Where the speed alone varies and no onset is asked.
   std::optional<MixedContact<double>> only_contact_;

@@ -12,7 +12,6 @@ CaseGenerator::CaseGenerator(const SceneSweep& sweep)
   if (drawn_ == 0) return;
   // With sensitivity one point of twice the dimensions gives A and B.
   points_.emplace(sweep.design, drawn_ * sweep.cases_kept_per_group(), sweep.draws, sweep.seed);
-  normals_.resize(drawn_);
 }
 
 void CaseGenerator::groups(std::uint64_t first, std::span<double> values) {
@@ -62,12 +61,14 @@ void CaseGenerator::quantiles(Rows<const double> unit, Rows<double> values, std:
                                           {values.first + v, values.stride}, count);
     return;
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t v = 0; v < drawn_; ++v) normals_[v] = standard_normal(unit[i][v]);
-    correlate(sweep_.correlation_root, normals_);
-    for (std::size_t v = 0; v < drawn_; ++v)
-      values[i][v] = variables[v].distribution.quantile_of_normal(normals_[v]);
-  }
+  normals_.resize(count * drawn_);
+  for (std::size_t i = 0; i < count; ++i) std::copy_n(unit[i], drawn_, &normals_[i * drawn_]);
+  standard_normals(normals_);
+  for (std::size_t i = 0; i < count; ++i)
+    correlate(sweep_.correlation_root, std::span(normals_).subspan(i * drawn_, drawn_));
+  for (std::size_t v = 0; v < drawn_; ++v)
+    variables[v].distribution.quantiles_of_normals({&normals_[v], drawn_},
+                                                   {values.first + v, values.stride}, count);
 }
 
 void CaseGenerator::mix(std::span<double> group) const {

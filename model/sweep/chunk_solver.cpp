@@ -86,10 +86,11 @@ class ChunkInHand {
     std::size_t at = 0;
     for (std::size_t c = 0; c < sweep_.columns.size(); ++c)
       for (std::size_t j = 0; j < sweep_.columns[c].width; ++j, ++at) {
-        ValueSummary& summary = chunk_.summaries[c][j];
+        of_column_.clear();
         for (std::size_t group = 0; group < results.size(); group += group_size)
           for (std::size_t row = 0; row < kept; ++row)
-            summary.add(results[group + row * width + at]);
+            of_column_.push_back(results[group + row * width + at]);
+        chunk_.summaries[c][j].add(of_column_);
         if (!sweep_.sensitivity) continue;
         for (std::size_t g = 0; g < results.size() / group_size; ++g)
           add_sensitivity(first + g, c, j, at, results.subspan(g * group_size, group_size),
@@ -110,7 +111,7 @@ class ChunkInHand {
 
   const SceneSweep& sweep_;
   Chunk& chunk_;
-  std::vector<double> of_column_;
+  std::vector<double> of_column_;  // or of a group of it
 };
 
 }  // namespace

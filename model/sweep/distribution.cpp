@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "src/engine.hpp"
 #include "sweep/correlation.hpp"
 #include "sweep/design.hpp"
+#include "tribo/gaussian_moment.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -17,8 +19,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_part = 1e-300;
 
-double part_above(double z) { return std::erfc(z * (std::numbers::sqrt2 / 2)) / 2; }
+constexpr std::size_t block = 256;  // numbers that are worked on at a time
+
+double part_above(double z) { return gaussian_moment(Order::zero, z); }
 double part_below(double z) { return part_above(-z); }
+
+// Digits to spare, so that what is made of a logarithm loses nothing.
+using Wide = boost::multiprecision::cpp_bin_float_quad;
 
 std::string shortest(double value) {
   std::array<char, 32> digits{};
@@ -36,10 +43,10 @@ Distribution Distribution::uniform(double from, double to) {
 }
 
 Distribution Distribution::log_uniform(double from, double to) {
-  // In long double, so that the product with u loses nothing: exp would make much of it.
-  const long double width = std::log(static_cast<long double>(to) / from);
+  // In two parts, so that the product with u loses nothing: exp would make much of it.
+  const Wide width = log(Wide(to) / from);
   Distribution d(DistributionKind::log_uniform, from, static_cast<double>(width), from, to);
-  d.second_rest_ = static_cast<double>(width - d.second_);
+  d.second_rest_ = static_cast<double>(Wide(width - d.second_));
   return d;
 }
 
@@ -52,8 +59,8 @@ Distribution Distribution::normal(double mean, double sd, double from, double to
 Distribution Distribution::log_normal(double median, double log_sd, double from, double to) {
   Distribution d(DistributionKind::log_normal, median, log_sd, from, to);
   const auto z = [&](double x) {
-    const long double ratio = static_cast<long double>(x) / median;
-    return static_cast<double>(std::log(ratio) / log_sd);
+    if (std::isinf(x)) return x;
+    return static_cast<double>(Wide(log(Wide(x) / median) / log_sd));
   };
   d.truncate(from > 0 ? z(from) : -infinity, z(to));
   return d;
@@ -73,55 +80,97 @@ void Distribution::truncate(double from, double to) {
     throw std::invalid_argument("its bounds are too far out: next to nothing lies within");
 }
 
-double Distribution::value_at(double z) const {
-  const double value =
-      kind_ == DistributionKind::normal ? first_ + second_ * z : first_ * std::exp(second_ * z);
-  return std::clamp(value, from_, to_);
-}
-
-double Distribution::truncated(double u, double one_minus_u) const {
-  const double below = below_from_ + u * between_;
-  if (below < 0.5) return below > 0 ? value_at(standard_normal(below)) : from_;
-  const double above = above_to_ + one_minus_u * between_;
-  return above > 0 ? value_at(-standard_normal(above)) : to_;
-}
-
-// Calls use(f) with the f of this distribution that is its quantile().
-template <class Use>
-auto Distribution::with_quantile(Use use) const {
-  switch (kind_) {
-    case DistributionKind::uniform:
-      return use([first = first_, width = second_, to = to_](double u) {
-        return std::min(first + width * u, to);
-      });
-    case DistributionKind::log_uniform:
-      return use([d = *this](double u) {
-        const double log_ratio = d.second_ * u;
-        const double rest = std::fma(d.second_, u, -log_ratio) + d.second_rest_ * u;
-        return std::clamp(d.first_ * (std::exp(log_ratio) * (1 + rest)), d.from_, d.to_);
-      });
-    default:
-      if (below_from_ == 0 && above_to_ == 0)
-        return use([d = *this](double u) { return d.value_at(standard_normal(u)); });
-      return use([d = *this](double u) { return d.truncated(u, 1 - u); });
+void Distribution::take_quantiles(std::span<double> numbers) const {
+  if (kind_ == DistributionKind::uniform) {
+    for (double& number : numbers) number = std::min(first_ + second_ * number, to_);
+  } else if (kind_ == DistributionKind::log_uniform) {
+    std::array<double, block> rest;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const double u = numbers[i];
+      numbers[i] = second_ * u;
+      rest[i] = std::fma(second_, u, -numbers[i]) + second_rest_ * u;
+    }
+    detail::engine().exponentials(numbers.data(), numbers.data(), numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      numbers[i] = std::clamp(first_ * (numbers[i] * (1 + rest[i])), from_, to_);
+  } else if (is_truncated()) {
+    take_truncated(
+        numbers, [](double u) { return u; }, [](double u) { return 1 - u; });
+  } else {
+    standard_normals(numbers);
+    take_values(numbers);
   }
 }
 
-double Distribution::quantile(double u) const {
-  return with_quantile([u](const auto& quantile) { return quantile(u); });
+// Each number's part of the normal between the bounds is below(number), and above(number) is the
+// rest. By the tail that is the smaller, whose digits are all there.
+template <class Below, class Above>
+void Distribution::take_truncated(std::span<double> numbers, const Below& below,
+                                  const Above& above) const {
+  std::array<bool, block> is_upper;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double lower = below_from_ + below(numbers[i]) * between_;
+    is_upper[i] = !(lower < 0.5);
+    numbers[i] = is_upper[i] ? above_to_ + above(numbers[i]) * between_ : lower;
+  }
+  standard_normals(numbers);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (is_upper[i]) numbers[i] = -numbers[i];
+  take_values(numbers);
 }
 
-void Distribution::quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const {
-  with_quantile([&](const auto& quantile) {
-    for (std::size_t i = 0; i < count; ++i) *values[i] = quantile(*u[i]);
-  });
+void Distribution::take_values(std::span<double> normals) const {
+  if (kind_ == DistributionKind::log_normal) {
+    for (double& z : normals) z *= second_;
+    detail::engine().exponentials(normals.data(), normals.data(), normals.size());
+    for (double& e : normals) e = std::clamp(first_ * e, from_, to_);
+  } else {
+    for (double& z : normals) z = std::clamp(first_ + second_ * z, from_, to_);
+  }
+}
+
+namespace {
+
+// use(some) of numbers that lie side by side, and that it changes in place.
+template <class Use>
+void in_blocks(Rows<const double> from, Rows<double> to, std::size_t count, const Use& use) {
+  std::array<double, block> numbers;
+  for (std::size_t first = 0; first < count; first += block) {
+    const std::span some(numbers.data(), std::min(block, count - first));
+    for (std::size_t i = 0; i < some.size(); ++i) some[i] = *from[first + i];
+    use(some);
+    for (std::size_t i = 0; i < some.size(); ++i) *to[first + i] = some[i];
+  }
+}
+
+}  // namespace
+
+double Distribution::quantile(double u) const {
+  double value = 0;
+  quantiles({&u, 1}, {&value, 1}, 1);
+  return value;
 }
 
 double Distribution::quantile_of_normal(double z) const {
-  if (kind_ == DistributionKind::uniform || kind_ == DistributionKind::log_uniform)
-    return quantile(part_below(z));
-  if (below_from_ == 0 && above_to_ == 0) return value_at(z);
-  return truncated(part_below(z), part_above(z));
+  double value = 0;
+  quantiles_of_normals({&z, 1}, {&value, 1}, 1);
+  return value;
+}
+
+void Distribution::quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const {
+  in_blocks(u, values, count, [this](std::span<double> numbers) { take_quantiles(numbers); });
+}
+
+void Distribution::quantiles_of_normals(Rows<const double> z, Rows<double> values,
+                                        std::size_t count) const {
+  in_blocks(z, values, count, [this](std::span<double> numbers) {
+    if (is_normal() && !is_truncated()) return take_values(numbers);
+    if (!is_normal()) {
+      for (double& number : numbers) number = part_below(number);
+      return take_quantiles(numbers);
+    }
+    take_truncated(numbers, part_below, part_above);
+  });
 }
 
 double Distribution::least() const { return quantile(least_unit_number); }
@@ -129,12 +178,11 @@ double Distribution::greatest() const { return quantile(1 - least_unit_number); 
 
 std::string Distribution::text() const {
   std::string text(name(kind_));
-  if (kind_ == DistributionKind::uniform || kind_ == DistributionKind::log_uniform)
-    return text + " from " + shortest(from_) + " to " + shortest(to_);
-  const bool is_normal = kind_ == DistributionKind::normal;
-  text += (is_normal ? ", mean " : ", median ") + shortest(first_);
-  text += (is_normal ? ", sd " : ", log_sd ") + shortest(second_);
-  const bool has_from = from_ > (is_normal ? -infinity : 0);
+  if (!is_normal()) return text + " from " + shortest(from_) + " to " + shortest(to_);
+  const bool has_mean = kind_ == DistributionKind::normal;
+  text += (has_mean ? ", mean " : ", median ") + shortest(first_);
+  text += (has_mean ? ", sd " : ", log_sd ") + shortest(second_);
+  const bool has_from = from_ > (has_mean ? -infinity : 0);
   const bool has_to = to_ < infinity;
   if (has_from || has_to) text += ",";
   if (has_from) text += " from " + shortest(from_);

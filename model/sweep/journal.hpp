@@ -25,7 +25,7 @@ namespace tribo::sweep {
 struct JournalHeader {
   std::string version;     // of tribocheck
   std::string digest;      // of the plan
-  std::string arithmetic;  // of the vector kernels, and of the C library's functions
+  std::string arithmetic;  // "FMA" or "no FMA"
   // What the plan was made of: names and texts, so that a journal is enough to make the result.
   std::vector<std::pair<std::string, std::string>> files;
 

@@ -95,9 +95,9 @@ double QuantileSketch::most_memory(double values) {
   return growth * (std::min(values, all_pages) * sizeof(Page) + all_pages * sizeof(std::uint32_t));
 }
 
-void QuantileSketch::add(double value) {
-  ++count_of(bin_of(value));
-  ++count_;
+void QuantileSketch::add(std::span<const double> values) {
+  for (const double value : values) ++count_of(bin_of(value));
+  count_ += values.size();
 }
 
 void QuantileSketch::merge(const QuantileSketch& other) {

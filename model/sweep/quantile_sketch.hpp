@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sweep/bytes.hpp"
@@ -23,7 +24,7 @@ class QuantileSketch {
   static constexpr double relative_error = 0x1p-11;
   static constexpr std::int32_t greatest_bin = 2046 * 1024;  // of the greatest finite number
 
-  void add(double value);  // finite
+  void add(std::span<const double> values);  // finite
   void merge(const QuantileSketch& other);
 
   std::uint64_t count() const { return count_; }

@@ -8,7 +8,7 @@
 
 namespace tribo::sweep {
 
-inline constexpr std::string_view result_format = "tribocheck sweep 1";
+inline constexpr std::string_view result_format = "tribocheck sweep 2";
 
 // "onset.film_maximum.speed" lies at onset/film_maximum/speed.
 inline std::string path_of_column(std::string name) {

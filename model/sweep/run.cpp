@@ -7,11 +7,11 @@
 #include <system_error>
 #include <utility>
 
-#include "sweep/arithmetic.hpp"
 #include "sweep/compute.hpp"
 #include "sweep/needs.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
+#include "tribo/batch.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::sweep {
@@ -411,7 +411,7 @@ void check_is_no_input(const std::string& output, const std::vector<std::string>
 }  // namespace
 
 JournalHeader header_of(const SweepPlan& plan) {
-  JournalHeader header{plan.version, plan.digest, arithmetic(), {}};
+  JournalHeader header{plan.version, plan.digest, std::string(arithmetic()), {}};
   for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
   return header;
 }

@@ -70,8 +70,7 @@ void SensitivitySums::add(std::span<const double> values, double nominal) {
     return;
   }
   const double of_a = values[0], of_b = values[1];
-  both.add(of_a);
-  both.add(of_b);
+  both.add(values.first(2));
   const double constant = std::isfinite(nominal) ? nominal : 0;
   for (std::size_t i = 0; i < variables; ++i) {
     const double change = values[2 + i] - of_a;

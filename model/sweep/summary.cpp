@@ -2,7 +2,10 @@
 #include "sweep/summary.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/binomial.hpp>
+#include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 namespace tribo::sweep {
@@ -31,7 +34,42 @@ Ranks ranks_of(double n, double p) {
   return {std::floor(centre - reach), std::ceil(centre + reach)};
 }
 
+// use(lane, value) of each value, with so many lanes side by side that an addition need not wait
+// for the one before it.
+constexpr std::size_t lanes = 8;
+template <class Use>
+void in_lanes(std::span<const double> values, const Use& use) {
+  std::size_t first = 0;
+  for (; first + lanes <= values.size(); first += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) use(lane, values[first + lane]);
+  for (std::size_t i = first; i < values.size(); ++i) use(i - first, values[i]);
+}
+
 }  // namespace
+
+void Moments::add(std::span<const double> values) {
+  if (values.empty()) return;
+  const auto n = static_cast<double>(values.size());
+  const double origin = values[0];  // so that equal values have their mean exactly
+  std::array<double, lanes> distances{}, rests{}, squares{}, least, greatest;
+  least.fill(origin);
+  greatest.fill(origin);
+  in_lanes(values, [&](std::size_t lane, double value) {
+    distances[lane] += value - origin;
+    least[lane] = std::min(least[lane], value);
+    greatest[lane] = std::max(greatest[lane], value);
+  });
+  const double mean = origin + std::accumulate(distances.begin(), distances.end(), 0.0) / n;
+  in_lanes(values, [&](std::size_t lane, double value) {
+    const double rest = value - mean;
+    rests[lane] += rest;
+    squares[lane] += rest * rest;
+  });
+  const double rest = std::accumulate(rests.begin(), rests.end(), 0.0) / n;
+  const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
+  merge({values.size(), mean + rest, std::max(sum - n * rest * rest, 0.0), std::ranges::min(least),
+         std::ranges::max(greatest)});
+}
 
 void Moments::merge(const Moments& other) {
   if (other.count == 0) return;
@@ -61,6 +99,21 @@ Moments Moments::read(ByteReader& from) {
   for (double* const number : {&moments.mean, &moments.squares, &moments.least, &moments.greatest})
     *number = from.take<double>();
   return moments;
+}
+
+void ValueSummary::add(std::span<const double> values) {
+  const auto is_defined = [](double value) { return std::isfinite(value); };
+  if (std::all_of(values.begin(), values.end(), is_defined)) {
+    moments.add(values);
+    sketch.add(values);
+    return;
+  }
+  std::vector<double> defined;
+  defined.reserve(values.size());
+  std::copy_if(values.begin(), values.end(), std::back_inserter(defined), is_defined);
+  undefined += values.size() - defined.size();
+  moments.add(defined);
+  sketch.add(defined);
 }
 
 void ValueSummary::merge(const ValueSummary& other) {

@@ -14,8 +14,8 @@
 
 namespace tribo::sweep {
 
-// Count, mean and sum of squared distances from it, by the updates of Welford (1962) and of Chan,
-// Golub and LeVeque (1983), which do not cancel.
+// Count, mean and sum of squared distances from it, by the corrected two-pass algorithm and the
+// update of parts of Chan, Golub and LeVeque (1983), neither of which cancels.
 struct Moments {
   std::uint64_t count = 0;
   double mean = 0;
@@ -23,14 +23,7 @@ struct Moments {
   double least = std::numeric_limits<double>::infinity();
   double greatest = -std::numeric_limits<double>::infinity();
 
-  void add(double value) {
-    ++count;
-    const double from_old = value - mean;
-    mean += from_old / static_cast<double>(count);
-    squares += from_old * (value - mean);
-    if (value < least) least = value;
-    if (value > greatest) greatest = value;
-  }
+  void add(std::span<const double> values);  // finite
   void merge(const Moments& other);
   void write(Bytes& to) const;
   static Moments read(ByteReader& from);
@@ -48,14 +41,8 @@ struct ValueSummary {
   QuantileSketch sketch;
   std::uint64_t undefined = 0;
 
-  void add(double value) {
-    if (!std::isfinite(value)) {
-      ++undefined;
-      return;
-    }
-    moments.add(value);
-    sketch.add(value);
-  }
+  // The bits of the moments rest on which values come together.
+  void add(std::span<const double> values);
   void merge(const ValueSummary& other);
   void write(Bytes& to) const;
   static ValueSummary read(ByteReader& from);

@@ -78,7 +78,7 @@ TEST_F(SceneFile, IsJsonByNameOrByItsFirstSign) {
 }
 
 TEST_F(SceneFile, IsRefusedIfItIsNoRegularFile) {
-  expect_refused(folder_.string(), "is a directory");
+  expect_refused(folder_.path().string(), "is a directory");
   expect_refused("/dev/null", "is not a regular file");
   expect_refused("/dev/zero", "is not a regular file");
   ASSERT_EQ(::mkfifo(path("fifo.toml").c_str(), 0600), 0);
@@ -121,7 +121,7 @@ TEST_F(SceneFile, OfStandardInputIsNotReadBeyondTheLimit) {
 }
 
 TEST_F(SceneFile, OfADirectoryAsStandardInputIsRefused) {
-  const int directory = ::open(folder_.c_str(), O_RDONLY);
+  const int directory = ::open(folder_.path().c_str(), O_RDONLY);
   ASSERT_GE(directory, 0);
   const StandardInput redirected(directory);
   expect_refused("-", "Is a directory");

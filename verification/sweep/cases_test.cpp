@@ -255,7 +255,9 @@ TEST(ChunkSolver, SumsUpEveryCaseOnce) {
       ValueSummary merged, expected;
       for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk)
         merged.merge(solver.solve(chunk).summaries[c][j]);
-      for (std::size_t i = 0; i < 5000; ++i) expected.add(results[i * sweep.width() + at + j]);
+      std::vector<double> values;
+      for (std::size_t i = 0; i < 5000; ++i) values.push_back(results[i * sweep.width() + at + j]);
+      expected.add(values);
       EXPECT_EQ(merged.moments.count, expected.moments.count);
       EXPECT_EQ(merged.undefined, expected.undefined);
       EXPECT_EQ(merged.moments.least, expected.moments.least);

@@ -5,6 +5,7 @@
 
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -49,6 +50,9 @@ TEST(StandardNormal, IsOdd) {
     const double u = sweep::unit_number(words());
     EXPECT_EQ(standard_normal(u), -standard_normal(1 - u)) << describe({{"u", u}});
   }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(standard_normal(0), -infinity);
+  EXPECT_EQ(standard_normal(1), infinity);
 }
 
 // Of k random directions in n dimensions, by their cosines.

@@ -47,7 +47,7 @@ std::vector<std::vector<double>> samples() {
 
 QuantileSketch sketch_of(const std::vector<double>& values) {
   QuantileSketch sketch;
-  for (const double value : values) sketch.add(value);
+  sketch.add(values);
   return sketch;
 }
 
@@ -120,7 +120,7 @@ TEST(QuantileSketch, MergedInAnyOrderHasTheSameBytes) {
     for (int i = 0; i < 5; ++i) {
       std::shuffle(values.begin(), values.end(), words);
       std::vector<QuantileSketch> parts(1 + words() % 5);
-      for (const double value : values) parts[words() % parts.size()].add(value);
+      for (const double value : values) parts[words() % parts.size()].add(std::span(&value, 1));
       QuantileSketch whole;
       for (const QuantileSketch& part : parts) whole.merge(part);
       EXPECT_EQ(bytes_of(whole), expected);

@@ -42,10 +42,12 @@ void expect_same(double a, double b) {
 
 // Of all cases at once.
 ValueSummary summary_of(const SceneSweep& scene, std::size_t column, std::size_t value) {
-  const std::vector<double> values = small_cases(scene).columns[column];
+  const std::vector<double> all = small_cases(scene).columns[column];
+  std::vector<double> values;
+  for (std::size_t i = value; i < all.size(); i += scene.columns[column].width)
+    values.push_back(all[i]);
   ValueSummary summary;
-  for (std::size_t i = value; i < values.size(); i += scene.columns[column].width)
-    summary.add(values[i]);
+  summary.add(values);
   return summary;
 }
 

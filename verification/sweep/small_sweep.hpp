@@ -151,8 +151,12 @@ inline Chunk small_chunk(const SceneSweep& scene, std::uint64_t number, std::uin
   for (std::size_t c = 0; c < scene.columns.size(); ++c) {
     const std::size_t width = scene.columns[c].width;
     auto& summaries = chunk.summaries.emplace_back(width);
-    for (std::size_t i = first; i < std::min<std::size_t>(first + count, scene.cases()); ++i)
-      for (std::size_t s = 0; s < width; ++s) summaries[s].add(cases.columns[c][i * width + s]);
+    for (std::size_t s = 0; s < width; ++s) {
+      std::vector<double> values;
+      for (std::size_t i = first; i < std::min<std::size_t>(first + count, scene.cases()); ++i)
+        values.push_back(cases.columns[c][i * width + s]);
+      summaries[s].add(values);
+    }
     if (!scene.sensitivity) continue;
     auto& sensitivities = chunk.sensitivities.emplace_back(width);
     for (std::size_t s = 0; s < width; ++s)

@@ -65,14 +65,15 @@ TEST(Moments, AreThoseOfTwoPassesHoweverTheValuesAreSplit) {
   for (const double mean : {0.0, 1.0, -1e3, 1e6, 1e9}) {
     const std::vector<double> values = normals(10000, mean, 1, 2);
     Moments at_once;
-    for (const double value : values) at_once.add(value);
+    at_once.add(values);
     expect_moments(at_once, values, "at once");
     for (int i = 0; i < 20; ++i) {
       Moments merged;
       for (std::size_t at = 0; at < values.size();) {
         const std::size_t end = std::min<std::size_t>(at + words() % 3000, values.size());
         Moments part;
-        for (; at < end; ++at) part.add(values[at]);
+        part.add(std::span(values).subspan(at, end - at));
+        at = end;
         merged.merge(part);
       }
       expect_moments(merged, values, "in parts");
@@ -83,7 +84,7 @@ TEST(Moments, AreThoseOfTwoPassesHoweverTheValuesAreSplit) {
 TEST(Moments, OfEqualValuesAreExact) {
   for (const double value : {0.1, -7e-9, 1e300, 0.0}) {
     Moments part, whole;
-    for (int i = 0; i < 1000; ++i) part.add(value);
+    part.add(std::vector(1000, value));
     for (int i = 0; i < 7; ++i) whole.merge(part);
     EXPECT_EQ(whole.mean, value);
     EXPECT_EQ(whole.sd(), 0);
@@ -94,16 +95,16 @@ TEST(Moments, OfEqualValuesAreExact) {
 TEST(Moments, OfFewerThanTwoValuesHaveNoSd) {
   Moments moments;
   EXPECT_EQ(std::isnan(moments.sd()), true);
-  moments.add(3);
+  moments.add(std::vector{3.0});
   EXPECT_EQ(std::isnan(moments.sd()), true);
   EXPECT_EQ(moments.mean, 3);
-  moments.add(5);
+  moments.add(std::vector{5.0});
   EXPECT_EQ(moments.sd(), std::sqrt(2.0));
 }
 
 ValueSummary summary_of(const std::vector<double>& values) {
   ValueSummary summary;
-  for (const double value : values) summary.add(value);
+  summary.add(values);
   return summary;
 }
 
@@ -213,7 +214,9 @@ TEST(Quantiles, IntervalsHoldTheDistributionsQuantileIn95Of100Sweeps) {
     std::array<int, levels.size()> held{};
     for (std::uint64_t i = 0; i < sweeps; ++i) {
       ValueSummary summary;
-      for (const double z : normals(n, 0, 1, i)) summary.add(std::exp(0.5 * z));
+      std::vector<double> values = normals(n, 0, 1, i);
+      for (double& value : values) value = std::exp(0.5 * value);
+      summary.add(values);
       for (std::size_t k = 0; k < levels.size(); ++k) {
         const double exact = std::exp(0.5 * sweep::standard_normal(levels[k]));
         const Quantile quantile = quantile_of(summary, levels[k]);

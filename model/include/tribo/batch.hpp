@@ -50,6 +50,8 @@ double film_parameter(AsperityModel model, double stiffness, double offset,
 std::string_view instruction_set();
 // Has it fused multiply-add? All sets with it give the same bits, and all without it.
 bool is_fused();
+// "FMA" or "no FMA": what results and journals name it.
+std::string_view arithmetic();
 // Those that this machine has, the best first. GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA
 // in the environment switches sets off, for this library as for the C library.
 std::span<const std::string_view> instruction_sets();

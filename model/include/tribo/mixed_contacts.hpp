@@ -18,6 +18,9 @@ class MixedContacts {
   void clear();
   // The scene's fields must be in range. A contact is there once prepare() was called after it.
   void add(const Scene& scene);
+  // The numbers of the contact that was added may be changed until the next is added or prepared.
+  detail::SceneNumbers<double>& add(const detail::ContactWords& words,
+                                    const detail::SceneNumbers<double>& scene);
   void prepare();
 
   // That were added.

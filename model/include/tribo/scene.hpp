@@ -43,7 +43,8 @@ struct Speeds {
     fill(i, std::span(&speed, 1));
     return speed;
   }
-  // Those from `first` on, as many as there is room for: with the same bits, and far faster.
+  // The speeds in m/s from number `first` on, as many as there is room for, with the bits of [] and
+  // far faster; first + speeds.size() ≤ size().
   void fill(std::size_t first, std::span<double> speeds) const;
 };
 
