@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "src/input_text.hpp"
-#include "src/scene_entries.hpp"
-#include "src/scene_schema.hpp"
-#include "src/scene_text.hpp"
+#include "scene/entries.hpp"
+#include "scene/input_text.hpp"
+#include "scene/schema.hpp"
+#include "scene/text.hpp"
 #include "sweep/correlation.hpp"
 #include "sweep/layout.hpp"
 #include "sweep/sensitivity.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "src/scene_schema.hpp"
-#include "src/scene_value_text.hpp"
+#include "scene/schema.hpp"
+#include "scene/value_text.hpp"
 
 namespace tribo::sweep {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/scene_entries.hpp"
+#include "scene/entries.hpp"
 
 namespace tribo::sweep {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "src/scene_schema.hpp"
-#include "src/scene_text.hpp"
-#include "src/scene_value_text.hpp"
+#include "scene/schema.hpp"
+#include "scene/text.hpp"
+#include "scene/value_text.hpp"
 #include "sweep/table_reader.hpp"
 
 namespace tribo::sweep {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "src/scene_entries.hpp"
+#include "scene/entries.hpp"
 #include "sweep/plan.hpp"
 
 namespace tribo::sweep {

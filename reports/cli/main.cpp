@@ -19,7 +19,7 @@
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "protocol/line_reader.hpp"
-#include "src/scene_schema.hpp"
+#include "scene/schema.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::cli {

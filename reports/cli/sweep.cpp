@@ -18,7 +18,7 @@
 #include "messages.hpp"
 #include "report/sweep_pictures.hpp"
 #include "report/sweep_tables.hpp"
-#include "src/scene_schema.hpp"
+#include "scene/schema.hpp"
 #include "sweep/compute.hpp"
 #include "sweep/journal.hpp"
 #include "sweep/plan_reader.hpp"

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <span>
 
-#include "src/scene_entries.hpp"
-#include "src/scene_schema.hpp"
+#include "scene/entries.hpp"
+#include "scene/schema.hpp"
 
 namespace tribo::protocol {
 namespace {

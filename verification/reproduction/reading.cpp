@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-#include "src/scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace tribo::reproduction {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene_text.hpp"
+#include "scene/text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "scene_entries.hpp"
+#include "scene/entries.hpp"
 
 namespace tribo::scene_detail {
 

@@ -8,10 +8,10 @@
 #include <span>
 #include <utility>
 
-#include "scene_entries.hpp"
-#include "scene_schema.hpp"
-#include "scene_text.hpp"
-#include "scene_value_text.hpp"
+#include "scene/entries.hpp"
+#include "scene/schema.hpp"
+#include "scene/text.hpp"
+#include "scene/value_text.hpp"
 
 namespace tribo::scene_detail {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "input_text.hpp"
+#include "scene/input_text.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "scene_entries.hpp"
+#include "scene/entries.hpp"
 
 namespace tribo::scene_detail {
 namespace {

@@ -3,12 +3,12 @@
 //
 // The plausible ranges are wide on purpose: they are there to catch a slip of unit (mm for m, GPa
 // for Pa) or of a power of ten, not to judge a design.
-#include "scene_schema.hpp"
+#include "scene/schema.hpp"
 
 #include <algorithm>
 #include <array>
 
-#include "scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace tribo {
 namespace scene_detail {

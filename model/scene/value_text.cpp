@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene_value_text.hpp"
+#include "scene/value_text.hpp"
 
-#include "scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace tribo::scene_detail {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene_entries.hpp"
+#include "scene/entries.hpp"
 
 #include <algorithm>
 
-#include "scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace tribo {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene_toml_screen.hpp"
+#include "scene/toml_screen.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace tribo::scene_detail {
 namespace {

@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "scene_entries.hpp"
-#include "scene_schema.hpp"
-#include "scene_text.hpp"
+#include "scene/entries.hpp"
+#include "scene/schema.hpp"
+#include "scene/text.hpp"
 
 namespace tribo {
 namespace scene_detail {

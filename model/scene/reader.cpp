@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes from files and standard input.
+#include "scene/entries.hpp"
+#include "scene/input_text.hpp"
 #include "tribo/scene_reader.hpp"
-
-#include "input_text.hpp"
-#include "scene_entries.hpp"
 
 namespace tribo {
 namespace {

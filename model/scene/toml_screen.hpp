@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene_entries.hpp"
+#include "scene/entries.hpp"
 
 namespace tribo::scene_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// TOML to entries, by toml++ 3.3, which gets to see screened text only (scene_toml_screen.hpp).
+// TOML to entries, by toml++ 3.3, which gets to see screened text only (toml_screen.hpp).
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #define TOML_MAX_NESTED_VALUES 32
@@ -22,10 +22,10 @@
 #include <tuple>
 #include <utility>
 
-#include "scene_entries.hpp"
-#include "scene_schema.hpp"
-#include "scene_text.hpp"
-#include "scene_toml_screen.hpp"
+#include "scene/entries.hpp"
+#include "scene/schema.hpp"
+#include "scene/text.hpp"
+#include "scene/toml_screen.hpp"
 
 namespace tribo {
 namespace scene_detail {
