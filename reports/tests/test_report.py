@@ -395,7 +395,7 @@ class Failures(unittest.TestCase):
         done = report("--out", self.path / "out", cwd=self.path)
         self.assertIn(done.returncode, (0, 2))
         if done.returncode == 2:
-            self.assert_refused(done, "reports/gnuplot")
+            self.assert_refused(done, "reports/page/gnuplot")
 
     def test_scenes_folder_that_is_none(self):
         self.assert_refused(report("--scenes", self.path / "none", "--out", self.path / "out"),
@@ -404,7 +404,7 @@ class Failures(unittest.TestCase):
     def test_default_folders_are_the_projects(self):
         project = self.path / "project"
         shutil.copytree(PUBLISHED, project / "reference/published")
-        shutil.copytree(ROOT / "reports/gnuplot", project / "reports/gnuplot")
+        shutil.copytree(ROOT / "reports/page/gnuplot", project / "reports/page/gnuplot")
         (project / "deep/below").mkdir(parents=True)
         done = report(cwd=project / "deep/below")
         self.assertEqual(done.returncode, 0, done.stderr)

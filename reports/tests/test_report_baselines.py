@@ -25,7 +25,7 @@ class Baselines(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.project = pathlib.Path(self.folder.name) / "project"
         for part in ("reference/published", "reference/exact", "reference/baselines",
-                     "reports/gnuplot"):
+                     "reports/page/gnuplot"):
             shutil.copytree(ROOT / part, self.project / part)
         (self.project / "empty").mkdir()
 

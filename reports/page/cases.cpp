@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/cases.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "page/report_error.hpp"
+#include "tribo/onset.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::report {
+namespace {
+
+std::string stem_of(std::string_view surface, AsperityModel model) {
+  return fmt::format("{}{}", surface, model == AsperityModel::greenwood_tripp ? "" : "_gw");
+}
+
+// What the report needs of a scene beyond what every scene has; empty if it is all there.
+std::string missing_for_report(const Scene& scene, AsperityModel model) {
+  if (scene.closures.asperity != model)
+    return fmt::format(
+        "closures.asperity: the report needs {} here",
+        model == AsperityModel::greenwood_tripp ? "greenwood_tripp" : "greenwood_williamson");
+  if (!has_friction_inputs(scene))
+    return "the report needs lubricant.eyring_stress and friction.boundary_coefficient";
+  const auto span = detail::speed_span(scene.speeds);
+  if (!(span.low < span.high)) return "speed: the report needs a range of speeds";
+  return {};
+}
+
+class CaseReader {
+ public:
+  explicit CaseReader(const ReportPlaces& places) : places_(places) {}
+
+  void read(std::string_view surface, AsperityModel model) {
+    const std::filesystem::path path = places_.scenes / (stem_of(surface, model) + ".toml");
+    SceneReading reading = read_scene(path.string(), SceneUse::speeds);
+    for (const InputProblem& warning : reading.warnings) result.warnings.push_back(warning.line());
+    for (const InputProblem& error : reading.errors) problems.push_back(error.line());
+    if (!reading.scene) return;
+    const std::string missing = missing_for_report(*reading.scene, model);
+    if (!missing.empty()) problems.push_back(fmt::format("{}: {}", path.string(), missing));
+    result.cases.push_back({surface, model, places_.shown(path), std::move(*reading.scene)});
+  }
+
+  ReadCases result;
+  std::vector<std::string> problems;
+
+ private:
+  const ReportPlaces& places_;
+};
+
+}  // namespace
+
+std::string Case::stem() const { return stem_of(surface, model); }
+
+ReadCases read_cases(const ReportPlaces& places) {
+  CaseReader reader(places);
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const std::string_view surface : surfaces) reader.read(surface, model);
+  if (!reader.problems.empty()) throw ReportError(std::move(reader.problems));
+  return std::move(reader.result);
+}
+
+const Case& find_case(const std::vector<Case>& cases, std::string_view surface,
+                      AsperityModel model) {
+  return *std::find_if(cases.begin(), cases.end(), [&](const Case& one) {
+    return one.surface == surface && one.model == model;
+  });
+}
+
+}  // namespace tribo::report

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/data_files.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "page/number_text.hpp"
+#include "page/observations.hpp"
+#include "tribo/version.hpp"
+
+namespace tribo::report {
+namespace {
+
+std::string header(std::string_view what, std::string_view made_from) {
+  return fmt::format("# {}\n# tribocheck {}, from {}\n", what, version, made_from);
+}
+
+constexpr std::string_view undefined_note =
+    "# film is 0 where it has collapsed; friction is NaN where it is undefined: collapsed, and no "
+    "floor keeps the faces apart\n";
+
+std::string point_columns() {
+  std::string text = "speed [m/s]";
+  for (const OutputInfo& output : output_infos)
+    text += output.unit.empty() ? fmt::format("\t{}", output.name)
+                                : fmt::format("\t{} [{}]", output.name, output.unit);
+  return text;
+}
+
+// The columns of point_columns().
+std::string cells(const Point& point) {
+  const double friction =
+      point.friction_undefined ? std::numeric_limits<double>::quiet_NaN() : point.friction;
+  std::string text = exact(point.speed);
+  for (const double value : {point.film_flooded, point.film, point.separation, point.film_parameter,
+                             point.asperity_load_share, point.fluid_load_share,
+                             point.real_area_ratio, point.summit_count, friction})
+    text += '\t' + exact(value);
+  return fmt::format("{}\t{}\t{}", text, name(point.regime), name(point.inlet));
+}
+
+std::string curve_text(const std::vector<Point>& points) {
+  std::string text = fmt::format("{}# {}\n", undefined_note, point_columns());
+  for (const Point& point : points) text += cells(point) + '\n';
+  return text;
+}
+
+DataFile curve_file(const SolvedCase& solved) {
+  return {fmt::format("data/curve_{}.tsv", solved.source.stem()),
+          header("Stribeck curve", solved.source.file) + curve_text(solved.curve)};
+}
+
+DataFile slope_file(const SlopeCurve& curve, const TwoSlopes& slopes) {
+  return {
+      fmt::format("data/figure_04_{}.tsv", curve.name),
+      header("Film against speed", fmt::format("{}: {}", slopes.base->source.file, curve.change)) +
+          curve_text(curve.points)};
+}
+
+// gnuplot reads the blocks between pairs of blank lines by index.
+DataFile guide_file(const TwoSlopes& slopes) {
+  std::string text =
+      header("Lines of constant slope beside the curves of Figure 4", slopes.base->source.file);
+  text += "# speed [m/s]\tfilm [m]\tslope of ln film in ln speed\n";
+  for (const GuideLine& line : slopes.guides) {
+    for (std::size_t i = 0; i < line.speeds.size(); ++i)
+      text += fmt::format("{}\t{}\t{}\n", exact(line.speeds[i]), exact(line.films[i]),
+                          exact(line.slope));
+    text += "\n\n";
+  }
+  return {"data/figure_04_guides.tsv", text};
+}
+
+// Film maxima of the curves of Figure 4 but the paper's own, which is in marks.tsv.
+DataFile slope_marks_file(const TwoSlopes& slopes) {
+  std::string text = header("Onset of starvation (film_maximum) on the curves of Figure 4",
+                            slopes.base->source.file);
+  text += fmt::format("# curve\t{}\n", point_columns());
+  for (const SlopeCurve& curve : slopes.curves)
+    if (curve.at_onset && curve.name != "paper")
+      text += fmt::format("{}\t{}\n", curve.name, cells(*curve.at_onset));
+  return {"data/figure_04_marks.tsv", text};
+}
+
+DataFile ratio_file(const Findings& findings) {
+  const SolvedCase &gt = findings.gt("smooth"), &gw = findings.gw("smooth");
+  std::string text = header("Film with GW over film with GT, up to the collapse",
+                            fmt::format("{} and {}", gw.source.file, gt.source.file));
+  text += "# speed [m/s]\tfilm with GW/film with GT\n";
+  for (const RatioPoint& point : ratios(gw, gt, &Point::film))
+    text += fmt::format("{}\t{}\n", exact(point.speed), exact(point.ratio));
+  return {"data/figure_11_ratio.tsv", text};
+}
+
+std::string mark(std::string_view event, const SolvedCase& solved,
+                 const std::optional<Point>& point) {
+  if (!point) return {};
+  return fmt::format("{}\t{}\t{}\t{}\n", event, solved.source.surface, solved.source.short_model(),
+                     cells(*point));
+}
+
+std::optional<Point> at_reported_onset(const SolvedCase& solved, const ReportedValues& reported) {
+  const auto row = reported.find("onset_speed", solved.source.surface, solved.source.short_model());
+  if (!row) return std::nullopt;
+  return solved.contact.solve(row->value);
+}
+
+DataFile marks_file(const Findings& findings) {
+  std::string text = header(
+      "Points to mark: the lowest speed, the onset speed that the paper reports, the onset of "
+      "starvation (film_maximum) and the collapse of the film where they lie within the speeds",
+      "the scenes of the curves and " + findings.reported.file());
+  text += fmt::format("{}# event\tsurface\tmodel\t{}\n", undefined_note, point_columns());
+  for (const SolvedCase& one : findings.solved)
+    text += mark("slowest", one, one.slowest) +
+            mark("reported", one, at_reported_onset(one, findings.reported)) +
+            mark("onset", one, one.at_onset) + mark("collapse", one, one.at_collapse);
+  return {"data/marks.tsv", text};
+}
+
+std::string or_nan(const std::optional<double>& value) { return value ? exact(*value) : "NaN"; }
+
+std::string comparison_line(const ComparisonTable& table, const ComparisonRow& row) {
+  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", table.quantity, row.surface, row.model,
+                     row.criterion.empty() ? "-" : row.criterion, or_nan(row.computed),
+                     row.reported ? exact(row.reported->value) : "NaN", or_nan(row.factor()),
+                     row.in_words);
+}
+
+DataFile comparison_file(const std::vector<ComparisonTable>& tables,
+                         const std::string& reported_file) {
+  std::string text = header(
+      "Computed beside reported; speeds in m/s, film parameters and shares "
+      "without a unit",
+      "the scenes of the curves and " + reported_file);
+  text += "# NaN: no such onset, or no number in the paper\n";
+  text +=
+      "# quantity\tsurface\tmodel\tcriterion\tcomputed\treported\tcomputed/reported\tin words\n";
+  for (const ComparisonTable& table : tables)
+    for (const ComparisonRow& row : table.rows) text += comparison_line(table, row);
+  return {"data/comparison.tsv", text};
+}
+
+}  // namespace
+
+std::vector<DataFile> data_files(const Findings& findings,
+                                 const std::vector<ComparisonTable>& tables) {
+  std::vector<DataFile> files;
+  for (const SolvedCase& one : findings.solved) files.push_back(curve_file(one));
+  for (const SlopeCurve& curve : findings.slopes.curves)
+    if (curve.name != "paper") files.push_back(slope_file(curve, findings.slopes));
+  files.push_back(guide_file(findings.slopes));
+  files.push_back(slope_marks_file(findings.slopes));
+  files.push_back(ratio_file(findings));
+  files.push_back(marks_file(findings));
+  files.push_back(comparison_file(tables, findings.reported.file()));
+  return files;
+}
+
+}  // namespace tribo::report

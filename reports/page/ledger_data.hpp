@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the figures of the ledger are drawn from, and the ledger itself, as .tsv and .csv.
+#pragma once
+
+#include <vector>
+
+#include "page/data_file.hpp"
+#include "reproduction/ledger.hpp"
+
+namespace tribo::report {
+
+DataFile ledger_surfaces_data(const reproduction::Ledger& ledger);
+DataFile ledger_law_data(const reproduction::Ledger& ledger);
+DataFile ledger_scores_data(const reproduction::Ledger& ledger);
+
+}  // namespace tribo::report

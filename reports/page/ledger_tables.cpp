@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/ledger_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "page/ledger_cells.hpp"
+#include "page/number_text.hpp"
+#include "page/typeset.hpp"
+
+namespace tribo::report {
+using namespace reproduction;
+using namespace ledger_cells;
+
+TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
+                        const std::vector<std::string>& claims) {
+  TextTable table{
+      fmt::format("The numbers and comparisons that decide, under the reading “{}”", reading.name),
+      {"part of claim", "what is computed", "the paper", "computed", "against the paper",
+       "verdict"},
+      {false, false, true, true, false, false},
+      {},
+      "The verdict on a claim is the worst of its parts'. A number is reproduced within "
+      "half a unit of its last printed digit, else within 10 %, else to the order of "
+      "magnitude (a factor √10: “order only”); a comparison, where it holds at all speeds "
+      "compared; in part, where at half of them (logarithmically) or more."};
+  for (std::size_t i = 0; i < ledger.items.size(); ++i) {
+    const Item& item = ledger.items[i];
+    if (!is_wanted(claims, item.claim)) continue;
+    const ItemResult& result = reading.results[i];
+    table.rows.push_back({item.id, typeset(item.label), asked(item), computed(item, result),
+                          against_the_paper(item, result), verdict(result)});
+  }
+  return table;
+}
+
+TextTable statement_table(const Ledger& ledger, const std::vector<std::string>& claims) {
+  TextTable table{"The parts of the claims, and how each is computed",
+                  {"part of claim", "the paper says", "printed", "place", "computed as"},
+                  {false, false, false, false, false},
+                  {},
+                  "From `reference/published/claims.tsv`."};
+  for (const Item& item : ledger.items)
+    if (is_wanted(claims, item.claim))
+      table.rows.push_back(
+          {item.id, typeset(item.statement), item.printed, item.place, typeset(item.computed_as)});
+  return table;
+}
+
+std::string verdict_sentence(const Ledger& ledger, const NamedReading& reading) {
+  const auto with = [&](Verdict least, Verdict most) {
+    return std::count_if(reading.verdicts.begin(), reading.verdicts.end(),
+                         [&](Verdict one) { return one >= least && one <= most; });
+  };
+  return fmt::format("{} of the paper's {} claims are reproduced, {} partly, {} not",
+                     with(Verdict::reproduced, Verdict::reproduced), ledger.claims.size(),
+                     with(Verdict::within_ten_percent, Verdict::in_part),
+                     with(Verdict::not_reproduced, Verdict::not_reproduced));
+}
+
+TextTable verdict_table(const Ledger& ledger, const std::vector<NamedReading>& readings,
+                        const std::vector<std::string>& claims) {
+  TextTable table{"What the paper claims, and whether it is reproduced under each reading",
+                  {"claim", "the paper says"},
+                  {false, false},
+                  {},
+                  {}};
+  for (const NamedReading& reading : readings) {
+    table.headings.push_back(reading.name);
+    table.is_number.push_back(false);
+  }
+  table.headings.emplace_back("of all readings");
+  table.is_number.push_back(true);
+  for (std::size_t k = 0; k < ledger.claims.size(); ++k) {
+    if (!is_wanted(claims, ledger.claims[k])) continue;
+    std::vector<std::string> cells{ledger.claims[k], typeset(ledger.statements[k])};
+    for (const NamedReading& reading : readings)
+      cells.emplace_back(reading.verdicts[k] == Verdict::reproduced       ? "yes"
+                         : reading.verdicts[k] == Verdict::not_reproduced ? "no"
+                                                                          : "partly");
+    cells.push_back(percent(ledger.claim_parts[k]));
+    table.rows.push_back(std::move(cells));
+  }
+  table.note = fmt::format(
+      "GT: contact by Greenwood and Tripp; GW: by Greenwood and Williamson. Of all readings: how "
+      "many of the {} reproduce the claim.",
+      grouped(reading_count()));
+  if (is_wanted(claims, ledger.claims.front()) && ledger.claim_parts.front() == 0)
+    table.note += fmt::format(" {}: {}", ledger.claims.front(), no_reading_sentence);
+  return table;
+}
+
+TextTable readings_table(const Ledger& ledger, const std::vector<NamedReading>& readings) {
+  TextTable table{"The readings: what each puts in the place of a misprint",
+                  {"reading", "claims reproduced", "where it departs from the corrected reading"},
+                  {false, true, false},
+                  {},
+                  "What the switches mean: `tribocheck reproduce --section switches`."};
+  for (const NamedReading& reading : readings) {
+    const std::string where = departures(reading.reading);
+    std::string text = where == "corrected" ? "nowhere: all misprints mended, as the model has it"
+                       : where == reading.name ? "as its name says"
+                                               : fmt::format("`{}`", where);
+    for (const RankedGroup& group : ledger.ranking.best)
+      if (reading.name.starts_with("best ") && group.representative == reading.reading &&
+          group.ties > 1)
+        text += fmt::format("; {} more reproduce the same claims: they differ in {}",
+                            group.ties - 1, group.free);
+    table.rows.push_back(
+        {reading.name, fmt::format("{} of {}", reading.score, ledger.claims.size()), text});
+  }
+  return table;
+}
+
+TextTable ranking_table(const Ledger& ledger) {
+  const Ranking& ranking = ledger.ranking;
+  TextTable table{"How many readings reproduce how many claims",
+                  {"claims reproduced", "readings", "part of all", "among them"},
+                  {true, true, true, false},
+                  {},
+                  {}};
+  for (std::size_t score = ranking.histogram.size(); score-- > 0;) {
+    const std::size_t readings = ranking.histogram[score];
+    if (readings == 0) continue;
+    std::string named;
+    for (const NamedReading& reading : ledger.readings)
+      if (reading.score == static_cast<int>(score))
+        named += (named.empty() ? "" : ", ") + reading.name;
+    table.rows.push_back(
+        {std::to_string(score), grouped(readings),
+         percent(static_cast<double>(readings) / static_cast<double>(reading_count())),
+         named.empty() ? no_entry : named});
+  }
+  const Standing corrected = standing(ranking, ledger.readings.front().score);
+  table.note = fmt::format(
+      "There are {} readings: every combination of the {} switches. One drawn at random reproduces "
+      "{} claims (standard deviation {}). {} readings reproduce more than the corrected one, and "
+      "{} "
+      "others as many: agreeing with more of the paper is not being more right. A claim that "
+      "nearly "
+      "all readings reproduce tells nothing about which one the authors used.",
+      grouped(reading_count()), switch_count, rounded(ranking.mean_score, 3),
+      rounded(ranking.score_sd, 2), grouped(corrected.above), grouped(corrected.equal - 1));
+  return table;
+}
+
+TextTable switch_table() {
+  TextTable table{
+      "The switches of a reading",
+      {"switch", "misprint", "choices, the corrected one first", "literal", "what it changes"},
+      {false, false, false, false, false},
+      {},
+      "`tribocheck reproduce --reading speed=sum,inlet=printed_exponents` shows one."};
+  for (std::size_t i = 0; i < switch_count; ++i) {
+    const SwitchInfo& one = info(static_cast<Switch>(i));
+    std::string choices;
+    for (const std::string_view choice : one.choices)
+      choices += fmt::format("{}`{}`", choices.empty() ? "" : ", ", choice);
+    table.rows.push_back({fmt::format("`{}`", one.name), std::string(one.errata), choices,
+                          fmt::format("`{}`", one.choices[one.literal]), typeset(one.meaning)});
+  }
+  return table;
+}
+
+}  // namespace tribo::report

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ledger of the paper's claims (verification/reproduction) as tables, for page and command
+// line.
+#pragma once
+
+#include <vector>
+
+#include "page/text_table.hpp"
+#include "reproduction/ledger.hpp"
+
+namespace tribo::report {
+
+// One reading, part by part; `claims` names those to show, all if empty.
+TextTable reading_table(const reproduction::Ledger& ledger,
+                        const reproduction::NamedReading& reading,
+                        const std::vector<std::string>& claims = {});
+// What each part of a claim says, where, and how it is computed.
+TextTable statement_table(const reproduction::Ledger& ledger,
+                          const std::vector<std::string>& claims = {});
+// "10 of the paper's 17 claims are reproduced, 2 partly, 5 not"
+std::string verdict_sentence(const reproduction::Ledger& ledger,
+                             const reproduction::NamedReading& reading);
+inline constexpr const char* no_reading_sentence =
+    "no combination of interpretations gives all three speeds.";
+// Each claim in a sentence with its verdict under each reading, and how many of all readings
+// reproduce it.
+TextTable verdict_table(const reproduction::Ledger& ledger,
+                        const std::vector<reproduction::NamedReading>& readings,
+                        const std::vector<std::string>& claims = {});
+// What the readings are.
+TextTable readings_table(const reproduction::Ledger& ledger,
+                         const std::vector<reproduction::NamedReading>& readings);
+
+TextTable ranking_table(const reproduction::Ledger& ledger);
+TextTable switch_table();
+TextTable identification_table(const reproduction::Ledger& ledger);
+std::vector<TextTable> argument_tables(const reproduction::Ledger& ledger);
+// Of each failing item the single-input changes that would make it hold.
+std::vector<TextTable> requirement_tables(const reproduction::Ledger& ledger,
+                                          const std::vector<std::string>& claims = {});
+TextTable departure_table(const reproduction::Ledger& ledger);
+TextTable uncertainty_table(const reproduction::Ledger& ledger);
+TextTable errata_table(const reproduction::Ledger& ledger);
+TextTable independent_table(const reproduction::Ledger& ledger);
+
+}  // namespace tribo::report

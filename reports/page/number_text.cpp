@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace tribo::report {
+namespace {
+
+std::string superscript(int number) {
+  constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
+                                                    "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char sign : fmt::format("{}", number)) {
+    if (sign == '-')
+      text += "⁻";
+    else
+      text += digits[static_cast<std::size_t>(sign - '0')];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string exact(double value) { return std::isnan(value) ? "NaN" : fmt::format("{}", value); }
+
+std::string rounded(double value, int digits) {
+  if (!std::isfinite(value)) return fmt::format("{}", value);
+  if (value < 0) return "−" + rounded(-value, digits);
+  const std::string scientific = fmt::format("{:.{}e}", value, digits - 1);
+  const std::size_t split = scientific.find('e');
+  const int exponent = std::stoi(scientific.substr(split + 1));
+  if (exponent >= -4 && exponent < 6)
+    return fmt::format("{:.{}f}", value, exponent < digits ? digits - 1 - exponent : 0);
+  return fmt::format("{} × 10{}", scientific.substr(0, split), superscript(exponent));
+}
+
+std::string unrounded(double value) {
+  int digits = 1;
+  while (digits < 17 && std::stod(fmt::format("{:.{}e}", value, digits - 1)) != value) ++digits;
+  return rounded(value, digits);
+}
+
+std::string grouped(std::uint64_t count) {
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && digits.size() > 4 && (digits.size() - i) % 3 == 0) text += "\u202F";
+    text += digits[i];
+  }
+  return text;
+}
+
+}  // namespace tribo::report

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of a sweep's result: which of them there are follows from what the sweep holds.
+//
+//   onset_distribution    histograms of the onset speed by each criterion, a lane each
+//   sensitivity_<column>  Sobol indices of a scalar column, the greatest on top
+//   film_map              the film over speed and one field, where a scene is a grid of that field
+//                         alone, has three speeds or more and keeps its points
+//   curve_band_<column>   median and 95 % band of an output over speed, where fields are drawn
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "page/data_file.hpp"
+#include "page/figure.hpp"
+#include "page/project_files.hpp"
+#include "sweep/result_file.hpp"
+
+namespace tribo::report {
+
+struct SweepPictures {
+  std::vector<Figure> figures;
+  std::vector<DataFile> data;  // that they are drawn from
+};
+
+// `path`: of the result, from which kept points are read where a picture needs them.
+SweepPictures sweep_pictures(const sweep::SweepResult& result, const std::string& path);
+
+// Draws them into a folder, which is made where it is missing, as SVG and PNG, with their data
+// beside. Gives the paths of the pictures; told(line) hears why one could not be drawn.
+std::vector<std::string> draw_sweep_pictures(const sweep::SweepResult& result,
+                                             const std::string& path, const std::string& folder,
+                                             const std::function<void(std::string_view)>& told);
+
+}  // namespace tribo::report

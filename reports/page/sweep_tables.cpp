@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/sweep_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "page/number_text.hpp"
+#include "page/sweep_values.hpp"
+
+namespace tribo::report {
+namespace {
+
+using sweep::ColumnResult;
+using sweep::SceneResult;
+using sweep::SweepResult;
+
+constexpr std::size_t most_speeds = 11;
+constexpr int digits = 4;  // a quantile has three and a half
+
+std::string number(double value, double factor = 1) {
+  return std::isnan(value) ? "–" : rounded(factor * value, digits);
+}
+std::string code(std::string_view name) { return fmt::format("`{}`", name); }
+
+// The places of at most eleven values, the first and the last among them.
+std::vector<std::size_t> chosen(std::size_t width) {
+  std::vector<std::size_t> places(std::min(width, most_speeds));
+  if (width <= most_speeds)
+    std::iota(places.begin(), places.end(), std::size_t{0});
+  else
+    for (std::size_t i = 0; i < most_speeds; ++i)
+      places[i] = (i * (width - 1) + (most_speeds - 1) / 2) / (most_speeds - 1);
+  return places;
+}
+
+bool has_speeds(const SceneResult& scene) {
+  return std::any_of(scene.columns.begin(), scene.columns.end(),
+                     [](const ColumnResult& column) { return column.values.size() > 1; });
+}
+
+std::string speed_text(const SceneResult& scene, const ColumnResult& column, std::size_t i) {
+  return column.values.size() > 1 && i < scene.speeds.size()
+             ? fmt::format("{:.{}g}", scene.speeds[i], digits)
+             : "–";
+}
+
+// For a caption.
+std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
+  return with_speed && scene.speeds.size() > most_speeds
+             ? fmt::format("; {} of {} speeds, evenly chosen", most_speeds, scene.speeds.size())
+             : "";
+}
+
+TextTable number_table(const SceneResult& scene) {
+  const bool with_speed = has_speeds(scene);
+  TextTable table{fmt::format("{}: {} cases, {} points{}", scene.id, grouped(scene.cases),
+                              grouped(scene.points), chosen_speeds(scene, with_speed)),
+                  {"column", "unit", "speed, m/s", "cases", "undefined", "mean", "sd", "2.5 %",
+                   "50 %", "97.5 %"},
+                  {false, false, true, true, true, true, true, true, true, true},
+                  {},
+                  ""};
+  for (const ColumnResult& column : scene.columns) {
+    if (!column.words.empty()) continue;
+    const ReadableUnit unit = readable_unit(column);
+    for (const std::size_t i : chosen(column.values.size())) {
+      const ColumnResult::Value& value = column.values[i];
+      table.rows.push_back(
+          {code(column.name), unit.name.empty() ? "–" : unit.name, speed_text(scene, column, i),
+           grouped(value.count), grouped(value.undefined), number(value.mean, unit.factor),
+           number(value.sd, unit.factor), number(quantile(value, 0.025).value, unit.factor),
+           number(quantile(value, 0.5).value, unit.factor),
+           number(quantile(value, 0.975).value, unit.factor)});
+    }
+  }
+  if (!with_speed) {
+    constexpr std::ptrdiff_t at = 2;
+    table.headings.erase(table.headings.begin() + at);
+    table.is_number.erase(table.is_number.begin() + at);
+    for (auto& row : table.rows) row.erase(row.begin() + at);
+  }
+  return table;
+}
+
+TextTable word_table(const SceneResult& scene, const ColumnResult& column) {
+  const bool with_speed = column.values.size() > 1;
+  TextTable table{fmt::format("{}: {}, part of the cases in per cent{}", scene.id,
+                              code(column.name), chosen_speeds(scene, with_speed)),
+                  {},
+                  {},
+                  {},
+                  ""};
+  if (with_speed) table.headings.emplace_back("speed, m/s");
+  table.headings.emplace_back("cases");
+  for (const std::string& word : column.words) table.headings.push_back(word + ", %");
+  table.is_number.assign(table.headings.size(), true);
+  for (const std::size_t i : chosen(column.values.size())) {
+    const ColumnResult::Value& value = column.values[i];
+    std::vector<std::string> row;
+    if (with_speed) row.push_back(speed_text(scene, column, i));
+    row.push_back(grouped(value.count));
+    for (const std::uint64_t count : word_counts(value, column.words.size()))
+      row.push_back(value.count == 0 ? "–"
+                                     : fmt::format("{:.2f}", 100 * static_cast<double>(count) /
+                                                                 static_cast<double>(value.count)));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+using Columns = std::vector<const ColumnResult*>;
+
+// Those of one onset in one table, single ones by threes.
+std::vector<Columns> in_tables(const SceneResult& scene) {
+  constexpr std::size_t most_columns = 3;
+  std::vector<Columns> tables;
+  for (const ColumnResult& column : scene.columns) {
+    if (column.values.size() != 1 || !column.words.empty() ||
+        column.values.front().sensitivity.total.empty())
+      continue;
+    const bool is_next =
+        !tables.empty() && tables.back().size() < most_columns &&
+        split_name(tables.back().front()->name).first == split_name(column.name).first;
+    if (!is_next) tables.emplace_back();
+    tables.back().push_back(&column);
+  }
+  return tables;
+}
+
+// Would all of a variable's indices be shown as 0.000?
+bool is_nothing(const Columns& columns, std::size_t variable) {
+  constexpr double shown_from = 0.0005;
+  return std::all_of(columns.begin(), columns.end(), [variable](const ColumnResult* column) {
+    const sweep::SobolIndices& indices = column->values.front().sensitivity;
+    return std::max(std::abs(indices.total[variable].high),
+                    std::abs(indices.first_order[variable].high)) < shown_from;
+  });
+}
+
+TextTable index_table(const SceneResult& scene, const Columns& columns) {
+  const std::string_view prefix = split_name(columns.front()->name).first;
+  TextTable table{fmt::format("{}: Sobol indices{} ± 1.96 standard errors", scene.id,
+                              prefix.empty() ? "" : " of " + code(prefix)),
+                  {"variable"},
+                  {false},
+                  {},
+                  "The part of the variance that a variable brings, alone and with all others."};
+  for (const ColumnResult* const column : columns)
+    for (const char* const kind : {"first order", "total"}) {
+      table.headings.push_back(fmt::format("{}, {}", split_name(column->name).second, kind));
+      table.is_number.push_back(true);
+    }
+  const auto& totals = columns.front()->values.front().sensitivity.total;
+  std::vector<std::size_t> order(scene.sensitivity_variables.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return totals[a].value > totals[b].value; });
+  std::size_t left_out = 0;
+  for (const std::size_t v : order) {
+    if (is_nothing(columns, v)) {
+      ++left_out;
+      continue;
+    }
+    std::vector<std::string> row{code(scene.sensitivity_variables[v])};
+    for (const ColumnResult* const column : columns) {
+      const sweep::SobolIndices& indices = column->values.front().sensitivity;
+      row.push_back(with_error(indices.first_order[v]));
+      row.push_back(with_error(indices.total[v]));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  if (left_out > 0) table.caption += fmt::format("; {} variables at 0.000 left out", left_out);
+  // A group is left out where one of its cases has no such value.
+  const std::uint64_t all = scene.cases / 2,
+                      used = columns.front()->values.front().sensitivity.groups;
+  if (used < all)
+    table.caption += fmt::format("; {} of {} groups have it", grouped(used), grouped(all));
+  return table;
+}
+
+}  // namespace
+
+std::vector<TextTable> sweep_tables(const SweepResult& result) {
+  std::vector<TextTable> tables;
+  for (const SceneResult& scene : result.scenes) {
+    if (TextTable numbers = number_table(scene); !numbers.rows.empty())
+      tables.push_back(std::move(numbers));
+    for (const ColumnResult& column : scene.columns)
+      if (!column.words.empty()) tables.push_back(word_table(scene, column));
+    for (const Columns& columns : in_tables(scene)) tables.push_back(index_table(scene, columns));
+  }
+  return tables;
+}
+
+}  // namespace tribo::report

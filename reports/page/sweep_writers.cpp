@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "page/number_text.hpp"
+#include "page/sweep_tables.hpp"
+#include "page/sweep_values.hpp"
+
+namespace tribo::report {
+namespace {
+
+using sweep::ColumnResult;
+using sweep::SceneResult;
+using sweep::SweepResult;
+
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char sign : text) {
+    if (sign == '"') quoted += '"';
+    quoted += sign;
+  }
+  return quoted + '"';
+}
+std::string csv_number(double value) { return std::isnan(value) ? "" : exact(value); }
+
+// All variables of all scenes, all words of all columns: each once.
+void add_new(std::vector<std::string>& to, const std::vector<std::string>& texts) {
+  for (const std::string& text : texts)
+    if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
+}
+
+struct CsvColumns {
+  std::vector<std::string> words, variables;
+
+  explicit CsvColumns(const SweepResult& result) {
+    for (const SceneResult& scene : result.scenes) {
+      add_new(variables, scene.sensitivity_variables);
+      for (const ColumnResult& column : scene.columns) add_new(words, column.words);
+    }
+  }
+
+  std::string head() const {
+    std::string text = "scene,column,unit,speed_index,speed,count,undefined,mean,sd,least,greatest";
+    for (const double level : sweep::quantile_levels)
+      text += fmt::format(",quantile_{0},quantile_{0}_low,quantile_{0}_high", level);
+    for (const std::string& word : words) text += ",count_" + word;
+    for (const std::string& variable : variables)
+      for (const char* const kind : {"first_order", "total"})
+        text += csv_cells({fmt::format("{}:{}", kind, variable),
+                           fmt::format("{}_low:{}", kind, variable),
+                           fmt::format("{}_high:{}", kind, variable)});
+    return text + '\n';
+  }
+
+  std::string row(const SceneResult& scene, const ColumnResult& column, std::size_t i) const {
+    const ColumnResult::Value& value = column.values[i];
+    const bool at_speed = column.values.size() > 1 && i < scene.speeds.size();
+    std::string text =
+        csv_text(scene.id) +
+        csv_cells({column.name, column.unit, std::to_string(i),
+                   at_speed ? exact(scene.speeds[i]) : "", std::to_string(value.count),
+                   std::to_string(value.undefined), csv_number(value.mean), csv_number(value.sd),
+                   csv_number(value.least), csv_number(value.greatest)});
+    for (const double level : sweep::quantile_levels) {
+      const sweep::Quantile& one = quantile(value, level);
+      text += csv_cells({csv_number(one.value), csv_number(one.low), csv_number(one.high)});
+    }
+    const auto counts = word_counts(value, column.words.size());
+    for (const std::string& word : words) {
+      const auto found = std::find(column.words.begin(), column.words.end(), word);
+      const auto place = static_cast<std::size_t>(found - column.words.begin());
+      text += csv_cells({place < counts.size() ? std::to_string(counts[place]) : ""});
+    }
+    const auto& own = scene.sensitivity_variables;
+    for (const std::string& variable : variables) {
+      const auto place =
+          static_cast<std::size_t>(std::find(own.begin(), own.end(), variable) - own.begin());
+      for (const auto* const list : {&value.sensitivity.first_order, &value.sensitivity.total})
+        text += place < list->size()
+                    ? csv_cells({csv_number((*list)[place].value), csv_number((*list)[place].low),
+                                 csv_number((*list)[place].high)})
+                    : ",,,";
+    }
+    return text + '\n';
+  }
+
+ private:
+  static std::string csv_cells(const std::vector<std::string>& cells) {
+    std::string text;
+    for (const std::string& cell : cells) text += ',' + csv_text(cell);
+    return text;
+  }
+};
+
+using Json = nlohmann::ordered_json;
+
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+template <class T>
+Json with_ends(const T& one) {
+  return {{"value", json_number(one.value)},
+          {"low", json_number(one.low)},
+          {"high", json_number(one.high)}};
+}
+
+Json histogram_json(const std::vector<sweep::QuantileSketch::Bin>& bins) {
+  Json edges = Json::array(), counts = Json::array();
+  for (const auto& bin : bins) {
+    edges.push_back(bin.low);
+    counts.push_back(bin.count);
+  }
+  if (!bins.empty()) edges.push_back(bins.back().high);
+  return {{"edges", edges}, {"counts", counts}};
+}
+
+Json value_json(const SceneResult& scene, const ColumnResult& column, std::size_t i) {
+  const ColumnResult::Value& value = column.values[i];
+  Json object = Json::object();
+  if (column.values.size() > 1 && i < scene.speeds.size()) object["speed"] = scene.speeds[i];
+  object["count"] = value.count;
+  object["undefined"] = value.undefined;
+  if (!column.words.empty()) {
+    const auto counts = word_counts(value, column.words.size());
+    for (std::size_t w = 0; w < counts.size(); ++w) object["words"][column.words[w]] = counts[w];
+    return object;
+  }
+  object["mean"] = json_number(value.mean);
+  object["sd"] = json_number(value.sd);
+  object["least"] = json_number(value.least);
+  object["greatest"] = json_number(value.greatest);
+  object["quantiles"] = Json::array();
+  for (std::size_t q = 0; q < value.quantiles.size(); ++q) {
+    Json one{{"level", sweep::quantile_levels[q]}};
+    one.update(with_ends(value.quantiles[q]));
+    object["quantiles"].push_back(std::move(one));
+  }
+  object["histogram"] = histogram_json(value.histogram);
+  const sweep::SobolIndices& indices = value.sensitivity;
+  if (indices.total.empty()) return object;
+  object["sensitivity"] = {{"groups", indices.groups}, {"variables", Json::object()}};
+  for (std::size_t v = 0; v < indices.total.size(); ++v)
+    object["sensitivity"]["variables"][scene.sensitivity_variables[v]] = {
+        {"first_order", with_ends(indices.first_order[v])}, {"total", with_ends(indices.total[v])}};
+  return object;
+}
+
+Json scene_json(const SceneResult& scene) {
+  Json object{{"id", scene.id},         {"file", scene.file},      {"design", scene.design},
+              {"seed", scene.seed},     {"draws", scene.draws},    {"cases", scene.cases},
+              {"points", scene.points}, {"inputs", Json::array()}, {"columns", Json::array()}};
+  for (const sweep::InputResult& input : scene.inputs)
+    object["inputs"].push_back({{"path", input.path},
+                                {"unit", input.unit},
+                                {"meaning", input.meaning},
+                                {"varies", input.varies}});
+  for (const ColumnResult& column : scene.columns) {
+    Json one{{"name", column.name}, {"unit", column.unit}, {"values", Json::array()}};
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+      one["values"].push_back(value_json(scene, column, i));
+    object["columns"].push_back(std::move(one));
+  }
+  return object;
+}
+
+}  // namespace
+
+std::string sweep_csv(const SweepResult& result) {
+  const CsvColumns columns(result);
+  std::string text = columns.head();
+  for (const SceneResult& scene : result.scenes)
+    for (const ColumnResult& column : scene.columns)
+      for (std::size_t i = 0; i < column.values.size(); ++i) text += columns.row(scene, column, i);
+  return text;
+}
+
+std::string sweep_json(const SweepResult& result) {
+  Json object{{"tribocheck_version", result.identity.version},
+              {"sweep_digest", result.identity.digest},
+              {"arithmetic", result.identity.arithmetic},
+              {"scenes", Json::array()}};
+  for (const SceneResult& scene : result.scenes) object["scenes"].push_back(scene_json(scene));
+  return object.dump(1) + '\n';
+}
+
+}  // namespace tribo::report

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "page/markup.hpp"
+
+namespace tribo::report {
+namespace {
+
+// Signs of UTF-8 text; the report's own texts have none that are wide or combining.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
+}
+
+std::string padded(const std::string& text, std::size_t to, bool right) {
+  const std::string blanks(to - std::min(to, width(text)), ' ');
+  return right ? blanks + text : text + blanks;
+}
+
+// Words, with what belongs together: "5 × 10⁻⁶", "± 2 %".
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  bool joins = false;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, end - from);
+    from = end + 1;
+    if (!words.empty() && (joins || word == "×" || word == "%"))
+      words.back() += ' ' + word;
+    else
+      words.push_back(word);
+    joins = word == "×" || word == "±" || word == "≥" || word == "<";
+  }
+  return words;
+}
+
+std::size_t longest_word(const std::string& text) {
+  std::size_t longest = 0;
+  for (const std::string& word : words_of(text)) longest = std::max(longest, width(word));
+  return longest;
+}
+
+// The rows of a table without markup, its headings first.
+std::vector<std::vector<std::string>> plain_cells(const TextTable& table) {
+  std::vector<std::vector<std::string>> cells{table.headings};
+  cells.insert(cells.end(), table.rows.begin(), table.rows.end());
+  for (auto& row : cells)
+    for (std::string& cell : row) cell = to_plain(cell);
+  return cells;
+}
+
+constexpr std::size_t gap = 2;
+
+std::size_t total_of(const std::vector<std::size_t>& widths) {
+  return std::accumulate(widths.begin(), widths.end(), gap * (widths.size() - 1));
+}
+
+// Each column is as wide as its cells, or, where that is more than `most` together, narrower: first
+// headings are wrapped at words, then the widest texts; numbers never are.
+std::vector<std::size_t> column_widths(const TextTable& table,
+                                       const std::vector<std::vector<std::string>>& cells,
+                                       std::size_t most) {
+  const std::size_t columns = table.headings.size();
+  std::vector<std::size_t> widths(columns), with_whole_cells(columns), least(columns);
+  for (std::size_t r = 0; r < cells.size(); ++r)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const std::size_t whole = width(cells[r][i]), word = longest_word(cells[r][i]);
+      widths[i] = std::max(widths[i], whole);
+      with_whole_cells[i] = std::max(with_whole_cells[i], r == 0 ? word : whole);
+      least[i] = std::max(least[i], r == 0 || !table.is_number[i] ? word : whole);
+    }
+  for (const auto& floor : {with_whole_cells, least})
+    while (total_of(widths) > most) {
+      std::size_t widest = columns;
+      for (std::size_t i = 0; i < columns; ++i)
+        if (widths[i] > floor[i] && (widest == columns || widths[i] > widths[widest])) widest = i;
+      if (widest == columns) break;
+      --widths[widest];
+    }
+  return widths;
+}
+
+std::string plain_row(const std::vector<std::string>& cells, const TextTable& table,
+                      const std::vector<std::size_t>& widths) {
+  std::vector<std::vector<std::string>> lines;  // of each cell
+  std::size_t height = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    lines.push_back(wrapped(cells[i], widths[i]));
+    height = std::max(height, lines.back().size());
+  }
+  std::string text;
+  for (std::size_t at = 0; at < height; ++at) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      line += std::string(i == 0 ? 0 : gap, ' ') +
+              padded(at < lines[i].size() ? lines[i][at] : "", widths[i], table.is_number[i]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text;
+}
+
+// A row whose cells do not fit beside each other: below each other, each behind its heading.
+std::string stacked_row(const std::vector<std::string>& headings,
+                        const std::vector<std::string>& cells, std::size_t most) {
+  const TextTable line{{}, {}, {false, false}, {}, {}};
+  std::size_t widest = 0;
+  for (const std::string& heading : headings) widest = std::max(widest, width(heading));
+  std::string text = cells[0] + '\n';
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    text += plain_row({"  " + headings[i], cells[i]}, line,
+                      {gap + widest, most - std::min(most, widest + 2 * gap)});
+  return text;
+}
+
+// Numbers are set to the right; texts get a column that is wide enough to read.
+std::string column_class(const TextTable& table, std::size_t column) {
+  if (table.is_number[column]) return " class=\"number\"";
+  std::size_t longest = 0;
+  for (const auto& row : table.rows) longest = std::max(longest, width(to_plain(row[column])));
+  constexpr std::size_t word = 24, line = 60, paragraph = 200;
+  return longest <= word        ? " class=\"word\""
+         : longest <= line      ? " class=\"line\""
+         : longest <= paragraph ? " class=\"prose\""
+                                : " class=\"list\"";
+}
+
+std::string html_row(const std::vector<std::string>& cells, const std::vector<std::string>& classes,
+                     bool is_heading) {
+  std::string line = "<tr>";
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool is_header = is_heading || i == 0;
+    line += fmt::format("<{0}{1}{2}>{3}</{0}>", is_header ? "th" : "td",
+                        is_heading  ? " scope=\"col\""
+                        : is_header ? " scope=\"row\""
+                                    : "",
+                        classes[i], to_html(cells[i]));
+  }
+  return line + "</tr>\n";
+}
+
+std::string markdown_row(const std::vector<std::string>& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += ' ' + to_markdown(cell) + " |";
+  return line + '\n';
+}
+
+}  // namespace
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
+  if (width(text) <= most) return {text};
+  std::vector<std::string> lines;
+  for (const std::string& word : words_of(text))
+    if (lines.empty() || width(lines.back()) + 1 + width(word) > most)
+      lines.push_back(word);
+    else
+      lines.back() += ' ' + word;
+  return lines;
+}
+
+std::string plain_table(const TextTable& table, std::size_t most) {
+  std::string text;
+  for (const std::string& line : wrapped(to_plain(table.caption), most)) text += line + '\n';
+  if (table.rows.empty()) return text;
+  const auto cells = plain_cells(table);
+  const std::vector<std::size_t> widths = column_widths(table, cells, most);
+  const bool fits = total_of(widths) <= most;
+  for (std::size_t r = fits ? 0 : 1; r < cells.size(); ++r)
+    text += fits ? plain_row(cells[r], table, widths) : stacked_row(cells[0], cells[r], most);
+  return text;
+}
+
+std::string html_table(const TextTable& table) {
+  if (table.rows.empty())
+    return fmt::format("<p class=\"note\"><strong>{}.</strong> {}</p>\n", to_html(table.caption),
+                       to_html(table.note));
+  constexpr std::size_t many_rows = 25;  // scrolled under their headings
+  std::vector<std::string> classes;
+  for (std::size_t i = 0; i < table.headings.size(); ++i) classes.push_back(column_class(table, i));
+  const bool is_long = table.rows.size() > many_rows;
+  std::string text = fmt::format(
+      "<div class=\"scroll{3}\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n<table>\n"
+      "<caption><span>{1}{4}</span></caption>\n<thead>\n{2}</thead>\n<tbody>\n",
+      escape_html(to_plain(table.caption)), to_html(table.caption),
+      html_row(table.headings, classes, true), is_long ? " long" : "",
+      is_long ? fmt::format(" ({} rows)", table.rows.size()) : "");
+  for (const auto& row : table.rows) text += html_row(row, classes, false);
+  text += "</tbody>\n</table>\n</div>\n";
+  if (!table.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", to_html(table.note));
+  return text;
+}
+
+std::string markdown_table(const TextTable& table) {
+  if (table.rows.empty())
+    return fmt::format("**{}.** {}\n", to_markdown(table.caption), to_markdown(table.note));
+  std::string rule = "|";
+  for (const bool is_number : table.is_number) rule += is_number ? " ---: |" : " --- |";
+  std::string text = fmt::format("**{}**\n\n{}{}\n", to_markdown(table.caption),
+                                 markdown_row(table.headings), rule);
+  for (const auto& row : table.rows) text += markdown_row(row);
+  if (!table.note.empty()) text += fmt::format("\n{}\n", to_markdown(table.note));
+  return text;
+}
+
+}  // namespace tribo::report

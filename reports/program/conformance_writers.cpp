@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance_writers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "page/markup.hpp"
+#include "table.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using namespace conformance;
+
+std::string margin(double part_of_bound) {
+  return std::isfinite(part_of_bound) ? fmt::format("{:.3g}", part_of_bound) : "no number";
+}
+std::string error(double relative) {
+  return std::isfinite(relative) ? fmt::format("{:.2g}", relative) : "-";
+}
+
+bool has_numbers(const QuantityVerdict& one) { return one.held + one.failed > 0; }
+
+std::size_t count(const ConformanceResult& result, Status status) {
+  return static_cast<std::size_t>(
+      std::count_if(result.quantities.begin(), result.quantities.end(),
+                    [&](const QuantityVerdict& one) { return one.status == status; }));
+}
+
+// Does it fail, and did so when the baseline was written?
+bool failed_already(const SubjectVerdict& verdict, const QuantityVerdict& one) {
+  if (!verdict.changes) return false;
+  const std::vector<std::string>& known = verdict.changes->failed_already;
+  return std::find(known.begin(), known.end(), one.quantity) != known.end();
+}
+
+std::string status_text(const SubjectVerdict& verdict, const QuantityVerdict& one) {
+  return failed_already(verdict, one) ? "failed as before" : std::string(name(one.status));
+}
+
+// "complete", "partial", "failed", "nothing"; with a baseline "no worse", "worse".
+std::string overall(const SubjectVerdict& verdict) {
+  if (verdict.changes && !verdict.changes->worse.empty()) return "worse";
+  if (!verdict.missing.empty()) return "failed";
+  return verdict.changes ? "no worse" : std::string(name(verdict.result.overall));
+}
+
+std::string headword(const SubjectVerdict& verdict) {
+  if (verdict.changes && !verdict.changes->worse.empty())
+    return "FAILED, worse than " + verdict.baseline;
+  if (!verdict.missing.empty()) return "FAILED";
+  if (verdict.changes) return "PASSED, no worse than " + verdict.baseline;
+  constexpr std::array<const char*, 4> words{"COMPLETE", "PARTIAL", "FAILED", "NOTHING"};
+  return words[static_cast<std::size_t>(verdict.result.overall)];
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// What broke the protocol, and what a user should know of the run.
+std::vector<std::string> remarks(const ConformanceResult& result) {
+  std::vector<std::string> lines;
+  if (result.violation_count > 0)
+    lines.push_back(fmt::format("The protocol was broken {} times:", result.violation_count));
+  for (const std::string& one : result.violations) lines.push_back("  " + one);
+  if (result.violation_count > result.violations.size()) lines.emplace_back("  …");
+  if (result.answers_at_end_of_input)
+    lines.emplace_back(
+        "It answers when its input ends only: it should flush its output after each line.");
+  if (result.starts > 1)
+    lines.push_back(
+        fmt::format("It was started {} times, as it died or did not answer.", result.starts));
+  if (!result.last_errors.empty() && result.overall != Overall::complete) {
+    std::string tail = result.last_errors;
+    while (tail.ends_with('\n')) tail.pop_back();
+    const std::size_t line = tail.rfind('\n');
+    lines.push_back("The last it wrote to stderr: " +
+                    (line == std::string::npos ? tail : tail.substr(line + 1)));
+  }
+  return lines;
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+std::vector<std::string> texts(const std::vector<Finding>& changes) {
+  std::vector<std::string> all;
+  all.reserve(changes.size());
+  for (const Finding& one : changes) all.push_back(one.text);
+  return all;
+}
+
+}  // namespace
+
+std::vector<Finding> failures(const SubjectVerdict& verdict) {
+  const ConformanceResult& result = verdict.result;
+  std::vector<Finding> all;
+  if (verdict.changes) {
+    all = verdict.changes->worse;
+  } else {
+    for (const QuantityVerdict& one : result.quantities)
+      if (one.status == Status::failed)
+        all.push_back(
+            {one.quantity, fmt::format("{} of {}: {}", one.failed, one.asked, one.first_reason)});
+    if (result.violation_count > 0) all.push_back({"protocol", result.violations.front()});
+    if (result.overall == Overall::nothing)
+      all.push_back({"anything", "no quantity is offered, so that nothing is tested"});
+  }
+  for (const Finding& missing : verdict.missing)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Finding& one) { return one.quantity == missing.quantity; }))
+      all.push_back(missing);
+  return all;
+}
+
+std::string summary(const SubjectVerdict& verdict) {
+  const ConformanceResult& result = verdict.result;
+  std::string text = headword(verdict);
+  text += fmt::format(": {} of {} quantities held", count(result, Status::held),
+                      result.quantities.size());
+  const auto add = [&](std::size_t n, const std::string& what) {
+    if (n > 0) text += fmt::format(", {} {}", n, what);
+  };
+  const std::vector<std::string> then =
+      verdict.changes ? verdict.changes->failed_already : std::vector<std::string>{};
+  add(count(result, Status::partly_held), "held in part");
+  add(count(result, Status::failed) - then.size(), "failed");
+  add(then.size(), fmt::format("failed as before ({})", joined(then)));
+  add(count(result, Status::not_offered), "not offered");
+  std::vector<std::string> missing;
+  for (const Finding& one : verdict.missing) missing.push_back(one.quantity);
+  if (!missing.empty()) text += "; required, but not held: " + joined(missing);
+  return text + fmt::format(" (tolerance: {}).", result.tolerance);
+}
+
+void append_subject_table(Text& to, const SubjectVerdict& verdict) {
+  const std::vector<ColumnHead> heads{
+      {"quantity", "", 36}, {"asked", "", 6},        {"held", "", 6},     {"failed", "", 6},
+      {"skipped", "", 7},   {"worst_error", "", 11}, {"of_bound", "", 9}, {"verdict", "", 16}};
+  append_heads(to, heads);
+  for (const QuantityVerdict& one : verdict.result.quantities) {
+    const std::string cells[] = {one.quantity,
+                                 std::to_string(one.asked),
+                                 std::to_string(one.held),
+                                 std::to_string(one.failed),
+                                 std::to_string(one.skipped),
+                                 has_numbers(one) ? error(one.worst_relative) : "",
+                                 has_numbers(one) ? margin(one.worst_part_of_bound) : "",
+                                 status_text(verdict, one)};
+    for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
+    append(to, "\n");
+  }
+  for (const QuantityVerdict& one : verdict.result.quantities)
+    if (one.status == Status::failed)
+      append(to, "\n" + one_line(fmt::format("{}: {}", one.quantity, one.first_reason)));
+  append(to, "\n");
+  for (const Diagnosis& one : verdict.diagnoses)
+    append(to, fmt::format("\nDiagnosis: {}\n", one.text));
+  for (const std::string& line : remarks(verdict.result)) append(to, line + "\n");
+  if (verdict.changes)
+    for (const Finding& one : verdict.changes->worse)
+      append(to, "Worse than the baseline: " + one_line(one.text) + "\n");
+  append(to, "\n" + summary(verdict) + "\n");
+}
+
+void append_subject_json(Text& to, const SubjectVerdict& verdict) {
+  using Json = nlohmann::ordered_json;
+  const ConformanceResult& result = verdict.result;
+  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+  Json all{{"subject", result.subject},
+           {"tolerance", result.tolerance},
+           {"overall", overall(verdict)},
+           {"summary", summary(verdict)},
+           {"quantities", Json::array()},
+           {"diagnoses", Json::array()},
+           {"violation_count", result.violation_count},
+           {"violations", result.violations},
+           {"starts", result.starts},
+           {"answers_at_end_of_input", result.answers_at_end_of_input},
+           {"last_errors", result.last_errors}};
+  for (const QuantityVerdict& one : result.quantities)
+    all["quantities"].push_back({{"quantity", one.quantity},
+                                 {"status", name(one.status)},
+                                 {"asked", one.asked},
+                                 {"held", one.held},
+                                 {"failed", one.failed},
+                                 {"skipped", one.skipped},
+                                 {"worst_relative_error", number(one.worst_relative)},
+                                 {"worst_part_of_bound", number(one.worst_part_of_bound)},
+                                 {"worst_case", one.worst_case},
+                                 {"reason", one.first_reason}});
+  for (const Diagnosis& one : verdict.diagnoses)
+    all["diagnoses"].push_back({{"quantity", one.quantity},
+                                {"mistakes", one.mistakes},
+                                {"explained", one.explained},
+                                {"wrong", one.wrong},
+                                {"text", one.text}});
+  if (verdict.changes)
+    all["baseline"] = {{"file", verdict.baseline},
+                       {"worse", texts(verdict.changes->worse)},
+                       {"better", texts(verdict.changes->better)},
+                       {"failed_already", verdict.changes->failed_already}};
+  append(to, all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
+  const auto cell = [](const std::string& text) {
+    std::string safe = report::to_markdown(one_line(text));
+    return safe;
+  };
+  append(to, fmt::format("### tribocheck: {}\n\n", cell(summary(verdict))));
+  append(to,
+         "| quantity | verdict | held | failed | skipped | worst error | of its bound |\n"
+         "|---|---|---:|---:|---:|---:|---:|\n");
+  for (const QuantityVerdict& one : verdict.result.quantities)
+    append(to, fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", one.quantity,
+                           one.status == Status::failed && !failed_already(verdict, one)
+                               ? "**FAILED**"
+                               : status_text(verdict, one),
+                           one.held, one.failed, one.skipped,
+                           has_numbers(one) ? error(one.worst_relative) : "",
+                           has_numbers(one) ? margin(one.worst_part_of_bound) : ""));
+  append(to, "\n");
+  for (const Diagnosis& one : verdict.diagnoses)
+    append(to, fmt::format("- **Diagnosis.** {}\n", cell(one.text)));
+  for (const std::string& line : remarks(verdict.result)) append(to, "- " + cell(line) + "\n");
+  if (!verdict.changes) return;
+  for (const Finding& one : verdict.changes->worse)
+    append(to, "- **Worse than the baseline.** " + cell(one.text) + "\n");
+  for (const Finding& one : verdict.changes->better)
+    append(to, "- Better than the baseline: " + cell(one.text) + "\n");
+}
+
+std::string subject_junit(const SubjectVerdict& verdict) {
+  const auto text = [](const std::string& plain) {
+    std::string safe;
+    for (const char c : report::escape_html(plain))  // XML knows no other control signs
+      safe += static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n' ? c : '?';
+    return safe;
+  };
+  const ConformanceResult& result = verdict.result;
+  const std::vector<Finding> failed = failures(verdict);
+  std::string xml;
+  std::size_t tests = 0, skipped = 0;
+  const auto add = [&](const std::string& quantity, const char* kind, const std::string& message) {
+    ++tests;
+    xml += fmt::format("  <testcase classname=\"conformance\" name=\"{}\"", text(quantity));
+    xml += *kind == '\0' ? "/>\n"
+                         : fmt::format("><{} message=\"{}\"/></testcase>\n", kind, text(message));
+  };
+  for (const QuantityVerdict& one : result.quantities) {
+    const auto why = std::find_if(failed.begin(), failed.end(), [&](const Finding& failure) {
+      return failure.quantity == one.quantity;
+    });
+    const bool before = failed_already(verdict, one);
+    skipped += why == failed.end() && (before || one.status == Status::not_offered) ? 1 : 0;
+    if (why != failed.end())
+      add(one.quantity, "failure", why->text);
+    else if (before)
+      add(one.quantity, "skipped",
+          fmt::format("failed as before ({}): {} of {}: {}", verdict.baseline, one.failed,
+                      one.asked, one.first_reason));
+    else if (one.status == Status::not_offered)
+      add(one.quantity, "skipped", one.first_reason);
+    else
+      add(one.quantity, "", "");
+  }
+  for (const Finding& one : failed)  // of no quantity
+    if (std::none_of(result.quantities.begin(), result.quantities.end(),
+                     [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
+      add(one.quantity, "failure", one.text);
+  if (result.violation_count == 0) add("protocol", "", "");
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n"
+      "{}</testsuite>\n",
+      tests, failed.size(), skipped, xml);
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck init: writes a solver that speaks the protocol already and skips everything. The
+// languages are the rows of templates/languages.tsv whose template is there.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "page/project_files.hpp"
+#include "page/report_error.hpp"
+#include "shell.hpp"
+
+namespace tribo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InitArguments {
+  std::string what;
+  std::string language;
+  std::string out;  // empty: the template's own name, in the current folder
+  bool force = false;
+};
+
+struct Language {
+  std::string name;
+  std::string file;     // name of the template
+  std::string program;  // the interpreter or compiler
+  std::string package;  // of Debian, that has it
+  // Makes {library} of {file}, with the folder {include} of tribocheck_plugin.h; without {library}
+  // it is the subject's command itself.
+  std::string command;
+};
+
+std::vector<Language> read_languages(const fs::path& templates) {
+  std::vector<Language> languages;
+  std::ifstream table(templates / "languages.tsv");
+  std::string line;
+  std::getline(table, line);  // the heads
+  while (std::getline(table, line)) {
+    std::istringstream cells(line);
+    Language row;
+    std::getline(cells, row.name, '\t');
+    std::getline(cells, row.file, '\t');
+    std::getline(cells, row.program, '\t');
+    std::getline(cells, row.package, '\t');
+    std::getline(cells, row.command, '\t');
+    std::error_code ignored;
+    if (fs::is_regular_file(templates / row.file, ignored)) languages.push_back(row);
+  }
+  return languages;
+}
+
+const Language* find_language(const std::vector<Language>& languages, const std::string& name) {
+  for (const Language& language : languages)
+    if (language.name == name) return &language;
+  return nullptr;
+}
+
+std::string names_of(const std::vector<Language>& languages) {
+  std::string text;
+  for (const Language& language : languages) text += (text.empty() ? "" : ", ") + language.name;
+  return text;
+}
+
+std::optional<std::string> read_text(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) return std::nullopt;
+  return text;
+}
+
+// 0, or an errno. Without `force` a file that is there is left alone: EEXIST.
+int write_new_file(const std::string& path, const std::string& text, bool force) {
+  std::FILE* file = std::fopen(path.c_str(), force ? "w" : "wx");
+  if (file == nullptr) return errno;
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const int why_not = written ? 0 : errno;
+  if (std::fclose(file) != 0 && written) return errno;
+  return why_not;
+}
+
+std::string with(std::string text, std::string_view mark, const std::string& word) {
+  const std::size_t place = text.find(mark);
+  return place == std::string::npos ? text : text.replace(place, mark.size(), shell_word(word));
+}
+
+// This program as a user's shell finds it.
+std::string own_name() {
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  std::error_code ignored;
+  return fs::equivalent(found_by_shell("tribocheck"), self, ignored) ? "tribocheck" : self.string();
+}
+
+// What to type next: it builds a library, and puts the solver to the tests.
+std::string next_line(const Language& language, const fs::path& include, const std::string& out) {
+  const std::string file = out.starts_with('-') ? "./" + out : out;  // is no option
+  const std::string verify = shell_word(own_name()) + " verify ";
+  const std::string command = with(language.command, "{file}", file);
+  if (command.find("{library}") == std::string::npos)
+    return verify + "--subject " + shell_word(command);
+  const fs::path path(file);
+  const std::string library =
+      (path.parent_path() / ("lib" + path.stem().string() + ".so")).string();
+  return with(with(command, "{include}", include.string()), "{library}", library) + " && " +
+         verify + "--plugin " + shell_word(library);
+}
+
+int init(const InitArguments& arguments, OutputStream& output) {
+  const report::ReportPlaces places = report::usual_places();
+  const fs::path& templates = places.templates;
+  const std::vector<Language> languages = read_languages(templates);
+  if (languages.empty()) {
+    complain("templates not found; run in the project, or install tribocheck: make install");
+    return exit_bad;
+  }
+  const Language* language = find_language(languages, arguments.language);
+  if (language == nullptr) {
+    complain(fmt::format("--language: no template for {}; allowed: {}", arguments.language,
+                         names_of(languages)));
+    return exit_bad;
+  }
+  const std::optional<std::string> text = read_text(templates / language->file);
+  if (!text) {
+    complain((templates / language->file).string() + ": cannot be read");
+    return exit_failed;
+  }
+  const std::string out = arguments.out.empty() ? language->file : arguments.out;
+  const int why_not = write_new_file(out, *text, arguments.force);
+  if (why_not == EEXIST) {
+    complain(out + ": is there already; --force overwrites it");
+    return exit_bad;
+  }
+  if (why_not != 0) {
+    complain(fmt::format("{}: {}", out, std::strerror(why_not)));
+    return exit_failed;
+  }
+  append(output.text(),
+         fmt::format("{}: written\nnext:\n  {}\n", out, next_line(*language, places.include, out)));
+  output.flush();
+  if (found_by_shell(language->program).empty())
+    complain(fmt::format(
+        "no program {} is on PATH, and the line above needs it; on Debian: apt-get install {}",
+        language->program, language->package));
+  return exit_done;
+}
+
+int init_or_complain(const InitArguments& arguments, OutputStream& output) {
+  try {
+    return init(arguments, output);
+  } catch (const report::ReportError& error) {
+    for (const std::string& line : error.lines()) complain(line);
+  }
+  return exit_bad;
+}
+
+constexpr const char* init_footer =
+    R"(The file answers every question of `tribocheck verify` with a skip until you fill in what you have;
+until then the verdict is NOTHING, and the exit code 1. Its comments say what each function is and in
+which units. The line that is printed builds it, where it has to be built, and puts it to the tests. A
+language without a template is answered with a list of those that have one.
+
+Example:
+  tribocheck init subject --language python --out my_solver.py
+  tribocheck verify --subject "python3 my_solver.py")";
+
+}  // namespace
+
+Command add_init(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("init", "a solver of your own to start from");
+  app->footer(init_footer);
+  const auto arguments = std::make_shared<InitArguments>();
+  app->add_option("what", arguments->what, "subject: a solver for `verify --subject`")
+      ->required()
+      ->check(CLI::IsMember({"subject"}));
+  app->add_option("--language", arguments->language, "language of the solver")->required();
+  app->add_option("--out", arguments->out, "file to write (default: solver.py, solver.m, …)");
+  app->add_flag("--force", arguments->force, "overwrite the file if it is there");
+  return {app, [arguments](OutputStream& output) { return init_or_complain(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

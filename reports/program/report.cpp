@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck report: the paper's scenes solved, its figures redrawn, one page, and a table.
+#include "page/report.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "page/report_error.hpp"
+
+namespace tribo::cli {
+namespace {
+
+// One line on stderr that each step overwrites, where a person watches.
+class StepLine {
+ public:
+  StepLine() : watched_(::isatty(STDERR_FILENO) != 0) {}
+  StepLine(const StepLine&) = delete;
+  StepLine& operator=(const StepLine&) = delete;
+  ~StepLine() { show(""); }
+  void show(std::string_view step) const {
+    if (!watched_) return;
+    const std::string line = fmt::format("\r{}\033[K", step);
+    std::fwrite(line.data(), 1, line.size(), stderr);
+  }
+
+ private:
+  bool watched_;
+};
+
+report::Report written_report(const report::ReportOptions& options) {
+  const StepLine steps;
+  return report::write_report(options, [&](std::string_view step) { steps.show(step); });
+}
+
+int tell(const report::Report& done, OutputStream& output) {
+  for (const std::string& line : done.warnings) complain("warning: " + line);
+  for (const std::string& line : done.undrawn) complain(line);
+  append(output.text(), done.tables);
+  append(output.text(), done.verdict);
+  append(output.text(),
+         fmt::format("The page: {}/index.html ({} files in all, data and pictures among them)\n",
+                     done.folder, done.written.size()));
+  output.flush();
+  return done.undrawn.empty() ? exit_done : exit_failed;
+}
+
+int write_report(const report::ReportOptions& options, OutputStream& output) {
+  try {
+    return tell(written_report(options), output);
+  } catch (const report::ReportError& error) {
+    for (const std::string& line : error.lines()) complain(line);
+    return exit_bad;
+  }
+}
+
+constexpr const char* report_footer =
+    R"(Reads rough.toml, medium.toml, smooth.toml, their _gw.toml twins and claims.tsv, and writes
+index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg and *.png. Shows what
+reference/exact and reference/baselines have, and says what is missing. The folders' defaults lie in
+the project that the current folder, or else the program, is part of.
+Exit code 1: figures are missing, because gnuplot is or because it failed.
+
+Example:
+  tribocheck report --out my_report
+  tribocheck report --out my_claims --section claims)";
+
+}  // namespace
+
+Command add_report(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "report", "the paper's figures and onsets recomputed: a page, pictures, data");
+  app->footer(report_footer);
+  const auto options = std::make_shared<report::ReportOptions>();
+  app->add_option("--out", options->out, "folder to write to (default: reports/out)");
+  app->add_option("--section", options->sections,
+                  "only this section, by its id (claims, sweep, gates, …); may be repeated")
+      ->allow_extra_args(false);
+  app->add_option("--scenes", options->scenes,
+                  "folder of the scenes (default: reference/published)");
+  app->add_option("--commit", options->commit, "what was built, for the page to tell");
+  return {app, [options](OutputStream& output) { return write_report(*options, output); }};
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck reproduce: which of the paper's numbers come out, under which reading.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "accuracy/reference_table.hpp"
+#include "bad_input.hpp"
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "page/ledger_json.hpp"
+#include "page/ledger_tables.hpp"
+#include "page/markup.hpp"
+#include "page/project_files.hpp"
+#include "reproduction/ledger_file.hpp"
+#include "table.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using namespace reproduction;
+using report::TextTable;
+
+struct ReproduceArguments {
+  std::string published;  // empty: reference/published of the project
+  std::string ledger;     // empty: reference/baselines/ledger.csv; none: no comparison
+  std::string format = "table";
+  std::vector<std::string> claims, readings, sections;
+};
+
+constexpr const char* section_names[] = {"claims",      "statements",   "ranking",     "switches",
+                                         "identified",  "requirements", "uncertainty", "errata",
+                                         "independent", "all"};
+
+// What --reading asks for: named ones, and readings given by their switches.
+struct Asked {
+  std::vector<std::string> names;
+  std::vector<Reading> readings;
+
+  bool everything() const { return names.empty() && readings.empty(); }
+  bool has(const NamedReading& one) const {
+    const std::string_view name =
+        one.name.starts_with("best ") ? "best" : std::string_view(one.name);
+    return std::find(names.begin(), names.end(), name) != names.end() ||
+           std::find(readings.begin(), readings.end(), one.reading) != readings.end();
+  }
+};
+Asked asked_readings(const std::vector<std::string>& arguments) {
+  Asked asked;
+  for (const std::string& argument : arguments) {
+    if (argument == "corrected" || argument == "literal" || argument == "best") {
+      asked.names.push_back(argument);
+      continue;
+    }
+    Reading reading = corrected_reading();
+    std::size_t from = 0;
+    while (from <= argument.size()) {
+      const std::size_t comma = std::min(argument.find(',', from), argument.size());
+      set_switch(reading, argument.substr(from, comma - from));
+      from = comma + 1;
+    }
+    asked.readings.push_back(reading);
+  }
+  return asked;
+}
+
+// The readings to show, each once, in the ledger's order; all of them when none were asked for.
+std::vector<NamedReading> columns(const Ledger& ledger, const Asked& asked) {
+  if (asked.everything()) return ledger.readings;
+  std::vector<NamedReading> chosen;
+  for (const NamedReading& reading : ledger.readings)
+    if (asked.has(reading)) chosen.push_back(reading);
+  return chosen;
+}
+
+// Before anything is computed.
+void check_claims(const std::string& published, const std::vector<std::string>& asked) {
+  if (asked.empty()) return;
+  const std::vector<std::string> known = claim_names(read_claims(published + "/claims.tsv"));
+  for (const std::string& claim : asked)
+    if (std::find(known.begin(), known.end(), claim) == known.end())
+      throw std::invalid_argument(
+          fmt::format("--claim: {} is not one of {}", claim, fmt::join(known, ", ")));
+}
+
+class Sections {
+ public:
+  Sections(const Ledger& ledger, const std::vector<NamedReading>& readings,
+           const ReproduceArguments& arguments)
+      : ledger_(ledger), readings_(readings), arguments_(arguments) {}
+
+  std::vector<TextTable> tables() const {
+    std::vector<TextTable> made;
+    const auto add = [&](std::vector<TextTable> more) {
+      for (TextTable& one : more) made.push_back(std::move(one));
+    };
+    const std::vector<std::string>& claims = arguments_.claims;
+    if (wants("claims")) {
+      add({report::verdict_table(ledger_, readings_, claims),
+           report::readings_table(ledger_, readings_)});
+      // Unless readings were asked for, the corrected one in detail is enough.
+      const std::size_t detailed = arguments_.readings.empty() ? 1 : readings_.size();
+      for (std::size_t i = 0; i < detailed; ++i)
+        add({report::reading_table(ledger_, readings_[i], claims)});
+    }
+    if (wants("statements")) add({report::statement_table(ledger_, claims)});
+    if (wants("ranking")) add({report::ranking_table(ledger_)});
+    if (wants("switches")) add({report::switch_table()});
+    if (wants("identified")) {
+      add({report::identification_table(ledger_)});
+      add(report::argument_tables(ledger_));
+    }
+    if (wants("requirements")) {
+      add(report::requirement_tables(ledger_, claims));
+      // Of the claim that it is about.
+      if (claims.empty() || std::find(claims.begin(), claims.end(), "C1") != claims.end())
+        add({report::departure_table(ledger_)});
+    }
+    if (wants("uncertainty")) add({report::uncertainty_table(ledger_)});
+    if (wants("errata")) add({report::errata_table(ledger_)});
+    if (wants("independent")) add({report::independent_table(ledger_)});
+    return made;
+  }
+
+ private:
+  bool wants(std::string_view section) const {
+    const std::vector<std::string>& asked = arguments_.sections;
+    if (asked.empty()) {
+      // One claim is asked about in depth: what it says, and what would have to be true.
+      if (!arguments_.claims.empty())
+        return section == "claims" || section == "statements" || section == "requirements";
+      return section == "claims" || section == "ranking";
+    }
+    return std::any_of(asked.begin(), asked.end(),
+                       [&](const std::string& one) { return one == "all" || one == section; });
+  }
+
+  const Ledger& ledger_;
+  const std::vector<NamedReading>& readings_;
+  const ReproduceArguments& arguments_;
+};
+
+// Of a terminal its own width, from 80 to 100 signs; else 100.
+std::size_t line_width() {
+  constexpr std::size_t least = 80, most = 100;
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return most;
+  return std::clamp<std::size_t>(size.ws_col, least, most);
+}
+
+void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
+           const ReproduceArguments& arguments, OutputStream& output) {
+  Text& to = output.text();
+  if (arguments.format == "json")
+    return append(to, report::ledger_json(ledger, readings, arguments.claims).dump(1) + "\n");
+  if (arguments.format == "csv") return append(to, ledger_csv(ledger, readings, arguments.claims));
+  const NamedReading& corrected = ledger.readings.front();
+  append(to, report::verdict_sentence(ledger, corrected) + " (misprints mended).\n");
+  const std::size_t width = line_width();
+  for (const TextTable& table : Sections(ledger, readings, arguments).tables()) {
+    append(to, "\n");
+    if (arguments.format == "markdown") {
+      append(to, report::markdown_table(table));
+      continue;
+    }
+    append(to, report::plain_table(table, width));
+    if (table.note.empty()) continue;
+    for (const std::string& line : report::wrapped(report::to_plain(table.note), width))
+      append(to, line + "\n");
+  }
+}
+
+int compare(const Ledger& ledger, const std::vector<NamedReading>& readings,
+            const ReproduceArguments& arguments, const std::string& path) {
+  if (path == "none") return exit_done;
+  const LedgerChanges changes = changes_since(path, ledger, readings, arguments.claims);
+  for (const std::string& line : changes.numbers) complain("number moved: " + line);
+  for (const std::string& line : changes.verdicts) complain("verdict changed: " + line);
+  return changes.verdicts.empty() ? exit_done : exit_failed;
+}
+
+int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
+  return answered_or_complained([&] {
+    const report::ReportPlaces places = report::find_places({});
+    LedgerOptions options;
+    options.published = arguments.published.empty() ? places.scenes.string() : arguments.published;
+    const Asked asked = asked_readings(arguments.readings);
+    options.asked = asked.readings;
+    check_claims(options.published, arguments.claims);
+    const std::string committed = arguments.ledger.empty()
+                                      ? (places.reference / "baselines" / "ledger.csv").string()
+                                      : arguments.ledger;
+    if (committed != "none") verification::read_reference_table(committed);
+    const Ledger ledger = make_ledger(options);
+    const std::vector<NamedReading> readings = columns(ledger, asked);
+    write(ledger, readings, arguments, output);
+    output.flush();
+    return compare(ledger, readings, arguments, committed);
+  });
+}
+
+constexpr const char* reproduce_footer =
+    R"(Every claim of the paper, computed and judged, under the corrected reading, the literal one, the few of
+all combinations that reproduce most claims, or one of your own. The verdicts are held against
+reference/baselines/ledger.csv. Exit code 1: a verdict changed; stderr names it.
+
+Example:
+  tribocheck reproduce
+  tribocheck reproduce --claim C1
+  tribocheck reproduce --reading inlet=printed_exponents,speed=sum
+  tribocheck reproduce --section all --format markdown > ledger.md)";
+
+}  // namespace
+
+Command add_reproduce(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "reproduce", "the paper's claims, each computed under each reading, with verdicts");
+  app->footer(reproduce_footer);
+  const auto arguments = std::make_shared<ReproduceArguments>();
+  app->add_option("--claim", arguments->claims, "only this claim, C1 to C17; may be repeated");
+  app->add_option("--reading", arguments->readings,
+                  "corrected, literal, best, or SWITCH=CHOICE,… departing from corrected; may be "
+                  "repeated (see --section switches)");
+  app->add_option("--section", arguments->sections,
+                  "what tables to write (default: claims and ranking); may be repeated")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(std::begin(section_names), std::end(section_names))));
+  app->add_option("--format", arguments->format,
+                  "how to write it (default: table); json has all sections, csv the claims")
+      ->check(CLI::IsMember({"table", "json", "csv", "markdown"}));
+  app->add_option("--published", arguments->published,
+                  "folder of claims, errata, inputs and scenes (default: reference/published)");
+  app->add_option("--ledger", arguments->ledger,
+                  "committed ledger to compare with, or none (default: "
+                  "reference/baselines/ledger.csv)");
+  return {app, [arguments](OutputStream& output) { return reproduce(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck sweep: many cases of a scene, on many threads and machines.
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "example_scenes.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "page/sweep_pictures.hpp"
+#include "page/sweep_tables.hpp"
+#include "scene/schema.hpp"
+#include "sweep/compute.hpp"
+#include "sweep/journal.hpp"
+#include "sweep/plan_reader.hpp"
+#include "sweep/result_file.hpp"
+#include "sweep/run.hpp"
+#include "sweep_estimate.hpp"
+#include "sweep_progress.hpp"
+#include "tribo/batch.hpp"
+
+namespace tribo::cli {
+namespace {
+
+struct SweepArguments {
+  std::vector<std::string> files;  // sweeps; of `merge` shards, of `show` results
+  std::string out, shard, pictures;
+  std::string format = "table";
+  int threads = 0;
+  bool resume = false, force = false, without_fma = false, mixed_fma = false, estimate = false;
+};
+
+// --- Being stopped.
+
+std::atomic<int> stop_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+// The second of them ends the process at once; what was computed is in the journal all the same.
+extern "C" void on_stop_signal(int signal) {
+  stop_signal = signal;
+  std::signal(signal, SIG_DFL);
+}
+
+void watch_for_stop() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_stop_signal);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit shows as a failed write
+}
+
+// --- Reading.
+
+std::optional<sweep::SweepPlan> read_plan(const std::vector<std::string>& files, bool told) {
+  std::vector<sweep::SceneSweep> scenes;
+  bool good = true;
+  for (const std::string& file : files) {
+    sweep::SweepReading reading = sweep::read_sweep(file);
+    if (told) {
+      for (const InputProblem& warning : reading.warnings) complain("warning: " + warning.line());
+      for (const InputProblem& error : reading.errors) complain(error.line());
+    }
+    good = good && reading.sweep;
+    if (reading.sweep) scenes.push_back(std::move(*reading.sweep));
+  }
+  if (!good) return std::nullopt;
+  return sweep::make_plan(std::move(scenes));
+}
+
+sweep::Shard shard_of(const std::string& text) {
+  sweep::Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto part = std::from_chars(text.data(), end, shard.part);
+  if (part.ec == std::errc() && part.ptr != end && *part.ptr == '/') {
+    const auto parts = std::from_chars(part.ptr + 1, end, shard.parts);
+    if (parts.ec == std::errc() && parts.ptr == end && shard.part >= 1 &&
+        shard.part <= shard.parts && shard.parts <= 1'000'000)
+      return shard;
+  }
+  throw sweep::RunRefused("--shard: " + text +
+                          " is not allowed; allowed: I/N, as 2/8: the second of eight parts");
+}
+
+// --- What a result holds, told.
+
+void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
+  if (format == "json") return append(to, report::sweep_json(result));
+  if (format == "csv") return append(to, report::sweep_csv(result));
+  bool first = true;
+  for (const report::TextTable& table : report::sweep_tables(result)) {
+    if (!first) append(to, "\n");
+    first = false;
+    append(to, report::plain_table(table));
+  }
+}
+
+bool is_shard_or_journal(const std::string& path) {
+  try {
+    const sweep::JournalReader reader(path);
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+void show_result(const SweepArguments& arguments, const std::string& path, OutputStream& output) {
+  const sweep::SweepResult result = sweep::read_result(path);
+  write_result(result, arguments.format, output.text());
+  output.flush();
+  if (arguments.pictures.empty()) return;
+  for (const std::string& picture : report::draw_sweep_pictures(
+           result, path, arguments.pictures, [](std::string_view line) { complain(line); }))
+    complain("drew " + picture);
+}
+
+// --- The three commands.
+
+// The output is not to take the place of what it is made from, and nor are the files beside it.
+// Why it would; empty if it does not.
+std::string own_input(const SweepArguments& arguments) {
+  std::error_code none;
+  for (const std::string& file : arguments.files)
+    for (const char* const ending : {"", ".part", ".lock"})
+      if (std::filesystem::equivalent(file, arguments.out + ending, none))
+        return "-o " + arguments.out + ": " + file +
+               " is read, and would be replaced; allowed: another file";
+  return {};
+}
+
+sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& progress,
+                               bool first_rank) {
+  sweep::RunSettings settings;
+  settings.result = arguments.out;
+  settings.threads = arguments.threads;
+  if (!arguments.shard.empty()) settings.shard = shard_of(arguments.shard);
+  settings.resume = arguments.resume;
+  settings.force = arguments.force;
+  settings.mixed_fma = arguments.mixed_fma;
+  settings.progress = [&progress](const sweep::RunProgress& now) { progress.show(now); };
+  settings.tell = [&progress, first_rank](std::string_view line) {
+    progress.wipe();
+    if (first_rank) complain(line);
+  };
+  settings.stopped = [] { return stop_signal != 0; };
+  return settings;
+}
+
+// To compute on the best instruction set without fused multiply-add.
+void leave_out_fma() {
+  for (const std::string_view one : instruction_sets())
+    if (use_instruction_set(one) && !is_fused()) return;
+}
+
+int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, OutputStream& output) {
+  const bool first = ranks.rank() == 0;
+  if (arguments.without_fma) leave_out_fma();
+  const auto plan = read_plan(arguments.files, first);
+  const bool first_read = ranks.from_first(plan ? "read" : "") == "read";
+  if (!ranks.everywhere(plan.has_value())) {
+    if (!plan && !first && first_read) read_plan(arguments.files, true);
+    return exit_bad;
+  }
+  if (arguments.estimate) {
+    if (first) append_estimate(output.text(), *plan, arguments.threads);
+    return exit_done;
+  }
+  const std::string refusal = first ? own_input(arguments) : "";
+  if (!refusal.empty()) complain(refusal);
+  if (!ranks.everywhere(refusal.empty())) return exit_bad;
+  SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));
+  sweep::RunSettings settings = settings_of(arguments, progress, first);
+  settings.finished = [&] {
+    progress.wipe();
+    if (!settings.shard) show_result(arguments, arguments.out, output);
+  };
+  watch_for_stop();
+  const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
+  progress.wipe();
+  if (stop_signal != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal;
+  return end == sweep::RunEnd::done ? exit_done : exit_failed;
+}
+
+// What goes wrong on the way is bad usage, or a failure that the journals survive.
+template <class Step>
+int told(Step&& step) {
+  try {
+    return step();
+  } catch (const sweep::OtherRankFailed&) {
+    return exit_failed;
+  } catch (const std::invalid_argument& refused) {
+    complain(refused.what());
+    return exit_bad;
+  }
+}
+
+// "sweep show" for `sweep shwo`: no file, and nearly the name of a subcommand; else empty.
+std::string subcommand_meant(const SweepArguments& arguments) {
+  if (arguments.files.empty() || std::filesystem::exists(arguments.files.front())) return {};
+  constexpr std::array<std::string_view, 2> names{"merge", "show"};
+  const std::string_view meant = scene_detail::nearest_choice(arguments.files.front(), names);
+  return meant.empty() ? "" : "sweep " + std::string(meant);
+}
+
+// More threads than this are of no use, and each takes memory.
+void cap_threads(int& threads) {
+  const int most = 16 * sweep::thread_count(0);
+  if (threads <= most) return;
+  complain(fmt::format("warning: --threads {} is more than is of use here; {} are taken", threads,
+                       most));
+  threads = most;
+}
+
+int run_sweep(SweepArguments& arguments, OutputStream& output) {
+  if (const std::string meant = subcommand_meant(arguments); !meant.empty()) {
+    complain("unknown command \"sweep " + printable(arguments.files.front()) +
+             "\", and there is no such file; did you mean " + meant + "?");
+    return exit_bad;
+  }
+  cap_threads(arguments.threads);
+  if (arguments.files.empty() || (arguments.out.empty() && !arguments.estimate)) {
+    complain(arguments.files.empty()
+                 ? "sweep: no SWEEP.toml is given (see --help)"
+                 : "sweep: -o is missing: the file for the result (see --help)");
+    return exit_bad;
+  }
+  return told([&] {
+    const sweep::Ranks ranks;
+    return told([&] { return run_on_rank(arguments, ranks, output); });
+  });
+}
+
+int merge_shards(const SweepArguments& arguments, OutputStream& output) {
+  return told([&] {
+    if (const std::string refusal = own_input(arguments); !refusal.empty())
+      throw sweep::RunRefused(refusal);
+    watch_for_stop();
+    SweepProgress progress(0);
+    sweep::RunSettings settings = settings_of(arguments, progress, true);
+    settings.finished = [&] {
+      progress.wipe();
+      show_result(arguments, arguments.out, output);
+    };
+    sweep::merge(arguments.files, settings);
+    return exit_done;
+  });
+}
+
+int show_results(const SweepArguments& arguments, OutputStream& output) {
+  return told([&] {
+    const std::string& path = arguments.files.front();
+    try {
+      show_result(arguments, path, output);
+    } catch (const OutputFailed&) {
+      throw;
+    } catch (const std::runtime_error& unreadable) {
+      if (!is_shard_or_journal(path)) throw std::invalid_argument(unreadable.what());
+      throw std::invalid_argument(
+          path +
+          ": this is a shard or journal of a sweep; make a result of it first: of all shards by "
+          "`tribocheck sweep merge`, of a journal by `tribocheck sweep --resume`");
+    }
+    return exit_done;
+  });
+}
+
+// --- The command line.
+
+constexpr const char* footer_start =
+    R"(A sweep is a scene in TOML with, in place of any number or word:
+  [1e-8, 2e-8], ["eyring", "limiting"]                    a grid: each value with all others
+  { from = 1e-8, to = 1e-7, count = 9, spacing = "lin" }  likewise; "log" unless told
+  { distribution = "uniform", from = 0.01, to = 0.03 }    also "log_uniform"
+  { distribution = "normal", mean = 0.02, sd = 0.001 }    with from and to: truncated
+  { distribution = "log_normal", median = 0.02, log_sd = 0.1 }  likewise
+  { printed = "0.0202" }                                  uniform, half a last digit to both sides
+and, if anything is not as it should be, a table [sweep] with
+)";
+constexpr const char* footer_end =
+    R"(Completed chunks go to OUT.journal-0 (of other ranks -1, …) at once: after a crash or Ctrl-C --resume
+goes on there, and ends in the same file to the bit. The same for any number of threads and ranks:
+  mpirun -n 4 tribocheck sweep SWEEP.toml -o SWEEP.h5
+and, without MPI, for shards, which any machine may compute, and which are then merged.
+Exit code 0: done; 1: failed, what is computed is kept; 2: bad usage or input; 130: stopped by Ctrl-C.
+
+Example:
+  tribocheck sweep reference/published/sweeps/onset_smooth.toml -o smooth.h5 --pictures pictures
+  tribocheck sweep reference/published/sweeps/film_map.toml --estimate
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 1/2 -o first.shard
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 2/2 -o second.shard
+  tribocheck sweep merge first.shard second.shard -o film_map.h5)";
+
+constexpr const char* merge_footer = R"(Example:
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 1/2 -o first.shard
+  tribocheck sweep reference/published/sweeps/film_map.toml --shard 2/2 -o second.shard
+  tribocheck sweep merge first.shard second.shard -o film_map.h5)";
+
+constexpr const char* show_footer = R"(Example:
+  tribocheck sweep reference/published/sweeps/film_map.toml -o film_map.h5
+  tribocheck sweep show film_map.h5 --format csv)";
+
+std::string footer() {
+  std::string text = footer_start;
+  for (const sweep::SweepField& field : sweep::sweep_fields())
+    text += fmt::format("  {:<12} {}\n{:15}allowed: {}; default: {}\n", field.name, field.meaning,
+                        "", field.allowed, field.default_text);
+  return text + footer_end;
+}
+
+void add_output_options(CLI::App& app, SweepArguments& arguments) {
+  app.add_option("--format", arguments.format, "of the summaries on stdout (default: table)")
+      ->check(CLI::IsMember({"table", "csv", "json"}));
+  app.add_option("--pictures", arguments.pictures,
+                 "draw what there is to draw into this folder, as SVG and PNG (needs gnuplot)");
+}
+
+}  // namespace
+
+Command add_sweep(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "sweep", "many cases of scenes: grids, uncertain inputs, sensitivities");
+  app->footer(footer_with_scenes(footer()));
+  const auto arguments = std::make_shared<SweepArguments>();
+  app->add_option("SWEEP", arguments->files, "sweep files in TOML; - is stdin");
+  app->add_option("-o,--out", arguments->out, "the result, an HDF5 file (with --shard a shard)");
+  add_output_options(*app, *arguments);
+  app->add_option("--threads", arguments->threads,
+                  "threads of each process (default: all the machine has; under mpirun 1)")
+      ->check(CLI::Range(1, 4096));
+  app->add_flag("--estimate", arguments->estimate,
+                "only say how many points, how long, how much memory and how large a file");
+  CLI::Option* const resume =
+      app->add_flag("--resume", arguments->resume, "go on with what a stopped run has left");
+  app->add_flag("--force", arguments->force,
+                "throw away journals that are there, and replace a result by the new one")
+      ->excludes(resume);
+  app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
+  app->add_flag("--without-fma", arguments->without_fma,
+                "compute as a processor without fused multiply-add does, to the last digit");
+  app->add_flag("--mixed-fma", arguments->mixed_fma,
+                "with --resume: go on with what was computed with it, or without, as this is not");
+
+  const auto merged = std::make_shared<SweepArguments>();
+  CLI::App* merge = app->add_subcommand("merge", "put shards together");
+  merge->add_option("SHARD", merged->files, "all shards of one sweep")->required();
+  merge->add_option("-o,--out", merged->out, "the result, an HDF5 file")->required();
+  merge->add_flag("--force", merged->force, "replace a result that is there");
+  merge->add_flag("--mixed-fma", merged->mixed_fma,
+                  "also shards of processors with and without fused multiply-add");
+  add_output_options(*merge, *merged);
+  merge->footer(footer_with_scenes(merge_footer));
+
+  const auto shown = std::make_shared<SweepArguments>();
+  CLI::App* show = app->add_subcommand("show", "tell what a result holds, and draw it");
+  show->add_option("RESULT", shown->files, "a result, an HDF5 file")->required()->expected(1);
+  add_output_options(*show, *shown);
+  show->footer(footer_with_scenes(show_footer));
+
+  return {app, [=](OutputStream& output) {
+            if (merge->parsed()) return merge_shards(*merged, output);
+            if (show->parsed()) return show_results(*shown, output);
+            return run_sweep(*arguments, output);
+          }};
+}
+
+}  // namespace tribo::cli

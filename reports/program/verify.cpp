@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck verify: this model against the certified tables of reference/exact, or somebody
+// else's.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "accuracy/accuracy.hpp"
+#include "bad_input.hpp"
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "page/pending_file.hpp"
+#include "page/project_files.hpp"
+#include "table.hpp"
+#include "verify_subject.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using verification::QuantityResult;
+
+struct VerifyArguments {
+  std::string reference;  // empty: reference/exact of the project
+  std::string format = "table";
+  std::string junit;  // empty: none
+  SubjectArguments subject;
+};
+
+const char* verdict(const QuantityResult& result) { return result.passed() ? "held" : "FAILED"; }
+
+// "24", "32 × condition", or the greater of both, as the contract has it.
+std::string allowed(const QuantityResult& result) {
+  if (result.allowed_ulp_per_condition == 0) return fmt::format("{}", result.allowed_ulp);
+  return fmt::format("{} or {} × cond.", result.allowed_ulp, result.allowed_ulp_per_condition);
+}
+
+// "COMPLETE: 24 of 24 quantities held, in 5230 cases."
+std::string summary(const std::vector<QuantityResult>& results) {
+  std::size_t held = 0, cases = 0;
+  std::string failed;
+  for (const QuantityResult& one : results) {
+    cases += one.cases;
+    if (one.passed())
+      ++held;
+    else
+      failed += (failed.empty() ? "" : ", ") + one.quantity;
+  }
+  return fmt::format("{}: {} of {} quantities held, in {} cases{}.",
+                     failed.empty() ? "COMPLETE" : "FAILED", held, results.size(), cases,
+                     failed.empty() ? "" : "; failed: " + failed);
+}
+
+void append_table(Text& to, const std::vector<QuantityResult>& results) {
+  const std::vector<ColumnHead> heads{
+      {"quantity", "", 36},       {"cases", "", 6},
+      {"worst_error", "ulp", 11}, {"worst_error/condition", "ulp", 11},
+      {"allowed", "ulp", 20},     {"of_bound", "%", 8},
+      {"worst_row", "", 9},       {"verdict", "", 7}};
+  append_heads(to, heads);
+  for (const QuantityResult& r : results) {
+    const std::string cells[] = {r.quantity,
+                                 std::to_string(r.cases),
+                                 fmt::format("{:.3g}", r.worst_ulp),
+                                 fmt::format("{:.3g}", r.worst_ulp_per_condition),
+                                 allowed(r),
+                                 fmt::format("{:.3g}", 100 * r.worst_part_of_bound),
+                                 r.worst_row,
+                                 verdict(r)};
+    for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
+    append(to, "\n");
+  }
+  append(to, "\n" + summary(results) + "\n");
+}
+
+void append_json(Text& to, const std::vector<QuantityResult>& results) {
+  append(to, "[");
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const QuantityResult& r = results[i];
+    // No error above infinity in JSON: a result that is no number is off by null.
+    const auto number = [](double x) { return x <= 1e300 ? fmt::format("{}", x) : "null"; };
+    append(to, fmt::format("{}\n{{\"quantity\": \"{}\", \"cases\": {}, \"worst_ulp\": {}, "
+                           "\"worst_ulp_per_condition\": {}, "
+                           "\"allowed_ulp\": {}, \"allowed_ulp_per_condition\": {}, "
+                           "\"worst_row\": \"{}\", \"passed\": {}}}",
+                           i == 0 ? "" : ",", r.quantity, r.cases, number(r.worst_ulp),
+                           number(r.worst_ulp_per_condition), r.allowed_ulp,
+                           r.allowed_ulp_per_condition, r.worst_row, r.passed()));
+  }
+  append(to, "\n]\n");
+}
+
+std::string junit_text(const std::vector<QuantityResult>& results) {
+  const auto failures =
+      std::count_if(results.begin(), results.end(), [](const auto& r) { return !r.passed(); });
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\">\n",
+      results.size(), failures);
+  for (const QuantityResult& r : results) {
+    text += fmt::format("  <testcase classname=\"accuracy\" name=\"{}\"", r.quantity);
+    text += r.passed() ? "/>\n"
+                       : fmt::format(
+                             "><failure message=\"row {}: {:.3g} times the bound\"/>"
+                             "</testcase>\n",
+                             r.worst_row, r.worst_part_of_bound);
+  }
+  return text + "</testsuite>\n";
+}
+
+int verify(const VerifyArguments& arguments, OutputStream& output) {
+  if (!arguments.subject.command.empty() || !arguments.subject.plugin.empty()) {
+    SubjectArguments subject = arguments.subject;
+    subject.exact = arguments.reference;
+    subject.format = arguments.format;
+    subject.junit = arguments.junit;
+    return verify_subject(subject, output);
+  }
+  if (arguments.format == "markdown") {
+    complain("--format markdown is for --subject and --plugin");
+    return exit_bad;
+  }
+  return answered_or_complained([&] {
+    const std::vector<QuantityResult> results =
+        verification::check_accuracy(report::reference_tables(arguments.reference).string());
+    if (arguments.format == "json")
+      append_json(output.text(), results);
+    else
+      append_table(output.text(), results);
+    if (!arguments.junit.empty()) report::write_file(arguments.junit, junit_text(results));
+    output.flush();
+    const bool all_held = std::all_of(results.begin(), results.end(),
+                                      [](const QuantityResult& r) { return r.passed(); });
+    return all_held ? exit_done : exit_failed;
+  });
+}
+
+constexpr const char* verify_footer =
+    R"(Each row of reference/exact holds a value that ball arithmetic encloses. An error may be as large as
+the function's contract allows: so many units in the last place, or so many times the condition number.
+Exit code 1: a contract was broken.
+
+With --subject or --plugin somebody else's solver is put to the tests: the same values as function-level
+cases and operating points, and the paper's scenes. A subject is a program that reads a line of JSON and
+writes one (README.md of verification/conformance says how; `tribocheck init subject` writes a start); a
+plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
+it skips. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than that file says; 1:
+something failed, or it offers nothing; 2: it cannot be started.
+
+Example:
+  tribocheck verify --junit verify.xml
+  tribocheck verify --subject 'python3 my_solver.py'
+  tribocheck verify --plugin ./libmine.so --tolerance strict --baseline mine.json)";
+
+}  // namespace
+
+Command add_verify(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "verify", "this model, or your own, against certified reference values");
+  app->footer(verify_footer);
+  const auto arguments = std::make_shared<VerifyArguments>();
+  app->add_option("--reference", arguments->reference,
+                  "folder of the tables (default: reference/exact)");
+  app->add_option("--format", arguments->format, "how to write the results (default: table)")
+      ->check(CLI::IsMember({"table", "json", "markdown"}));
+  app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
+  SubjectArguments& subject = arguments->subject;
+  // An empty one, as an unset variable gives it, is not a wish for our own model.
+  const CLI::Validator not_empty(
+      [](const std::string& text) { return text.empty() ? "nothing is given" : std::string(); },
+      "");
+  CLI::Option* const command = app->add_option("--subject", subject.command,
+                                               "command line of a program that answers JSON lines")
+                                   ->check(not_empty);
+  CLI::Option* const plugin =
+      app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions")
+          ->check(not_empty);
+  plugin->excludes(command);
+  const auto of_subject = [&](CLI::Option* option) {
+    option->group("Subjects");
+    return option;
+  };
+  of_subject(command);
+  of_subject(plugin);
+  of_subject(
+      app->add_option("--tolerance", subject.tolerance,
+                      "strict (the certified contracts), engineering (1e-6 of the value, times its "
+                      "condition; the default), or a file of lines QUANTITY RELATIVE"));
+  of_subject(app->add_option("--sample", subject.sample, "at most so many cases of each function")
+                 ->check(CLI::PositiveNumber));
+  of_subject(
+      app->add_option("--case-timeout", subject.case_timeout, "seconds for one case (default: 10)")
+          ->check(CLI::Range(0.01, 1e5)));
+  of_subject(app->add_option("--timeout", subject.timeout, "seconds for all of them (default: 600)")
+                 ->check(CLI::Range(0.01, 1e6)));
+  of_subject(app->add_option("--require", subject.required,
+                             "a quantity that has to be held whole; may be repeated"));
+  of_subject(app->add_option("--baseline", subject.baseline,
+                             "fail only on what is worse than this file says"));
+  CLI::Option* const update = of_subject(app->add_flag("--update-baseline", subject.update_baseline,
+                                                       "write what is better to the baseline"));
+  update->needs("--baseline");
+  of_subject(app->add_flag("--force", subject.force, "with --update-baseline: what is worse, too"))
+      ->needs(update);
+  return {app, [arguments](OutputStream& output) { return verify(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

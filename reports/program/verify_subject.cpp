@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify_subject.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "bad_input.hpp"
+#include "conformance_writers.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "page/pending_file.hpp"
+#include "page/project_files.hpp"
+#include "progress.hpp"
+#include "shell.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using namespace conformance;
+
+// A plug-in is asked through a process of its own, so that it cannot take the run with it.
+std::string command_of(const SubjectArguments& arguments) {
+  if (arguments.plugin.empty()) return arguments.command;
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  return "exec " + shell_word(self) + " plugin-host " + shell_word(arguments.plugin);
+}
+
+// Before it is started: a program that is not there is no solver that fails.
+void check_startable(const SubjectArguments& arguments) {
+  if (!arguments.plugin.empty()) return;
+  if (const std::optional<std::string> why_not = why_not_startable(arguments.command))
+    throw std::invalid_argument("--subject: " + *why_not);
+}
+
+// After it: what only the shell can tell (126 and 127), or the process that loads the plug-in (2).
+void check_started(const SubjectArguments& arguments, const Conversation& conversation) {
+  const int code = conversation.exit_code_without_answer;
+  const bool of_plugin = !arguments.plugin.empty() && code == exit_bad;
+  if (code != 126 && code != 127 && !of_plugin) return;
+  std::string why = conversation.last_errors;
+  while (why.ends_with('\n')) why.pop_back();
+  why.erase(0, why.rfind('\n') + 1);
+  const std::string own_prefix = "tribocheck: ";
+  if (of_plugin && why.starts_with(own_prefix)) why.erase(0, own_prefix.size());
+  throw std::invalid_argument(
+      fmt::format("{}: {}", of_plugin ? "--plugin" : "--subject: it cannot be started", why));
+}
+
+// --reference DIR of a copy of reference/ has the paper's scenes beside it.
+CaseSources sources_of(const SubjectArguments& arguments) {
+  const report::ReportPlaces places = report::usual_places();
+  const std::filesystem::path exact = report::reference_tables(arguments.exact);
+  if (std::filesystem::is_directory(places.scenes)) return {exact.string(), places.scenes.string()};
+  return {exact.string(), (exact / "../published").lexically_normal().string()};
+}
+
+Tolerance tolerance_of(const std::string& text, const std::vector<Case>& cases) {
+  if (text == "strict") return strict_tolerance();
+  if (text == "engineering") return engineering_tolerance();
+  return read_tolerance(text, cases);
+}
+
+void check_required(const SubjectArguments& arguments, const ConformanceResult& result) {
+  for (const std::string& wanted : arguments.required)
+    if (std::none_of(result.quantities.begin(), result.quantities.end(),
+                     [&](const QuantityVerdict& one) { return one.quantity == wanted; }))
+      throw std::invalid_argument(fmt::format("--require: {} is no quantity of the table", wanted));
+}
+
+// The quantities that were asked for by name and are not held.
+std::vector<Finding> missing_of(const SubjectArguments& arguments,
+                                const ConformanceResult& result) {
+  std::vector<Finding> missing;
+  for (const QuantityVerdict& one : result.quantities) {
+    const bool wanted = std::find(arguments.required.begin(), arguments.required.end(),
+                                  one.quantity) != arguments.required.end();
+    if (!wanted || one.status == Status::held) continue;
+    missing.push_back(
+        {one.quantity, fmt::format("required, but {}: {}", name(one.status), one.quantity)});
+  }
+  return missing;
+}
+
+void write(Text& to, const SubjectVerdict& verdict, const std::string& format) {
+  if (format == "json")
+    append_subject_json(to, verdict);
+  else if (format == "markdown")
+    append_subject_markdown(to, verdict);
+  else
+    append_subject_table(to, verdict);
+}
+
+// Compares with the baseline, and writes it anew where that was asked for.
+void use_baseline(const SubjectArguments& arguments, SubjectVerdict& verdict) {
+  if (arguments.baseline.empty()) return;
+  const nlohmann::json before = read_conformance_baseline(arguments.baseline);
+  try {
+    if (!before.is_null()) verdict.changes = compare(verdict.result, before);
+  } catch (const std::runtime_error& error) {
+    if (!arguments.force)
+      throw std::runtime_error(fmt::format("{}: {}", arguments.baseline, error.what()));
+  } catch (const nlohmann::json::exception& error) {
+    if (!arguments.force)
+      throw std::runtime_error(
+          fmt::format("{}: no baseline: {}", arguments.baseline, error.what()));
+  }
+  if (before.is_null() && !arguments.update_baseline)
+    throw std::runtime_error(fmt::format(
+        "{}: there is no such baseline; --update-baseline writes it", arguments.baseline));
+  if (!arguments.update_baseline) return;
+  const nlohmann::json after =
+      baseline_of(verdict.result, arguments.force ? nlohmann::json(nullptr) : before);
+  report::write_file(arguments.baseline, after.dump(1) + "\n");
+  if (before.is_null()) complain("baseline written: " + arguments.baseline);
+  if (!verdict.changes) return;
+  for (const Finding& one : verdict.changes->better) complain("baseline improved: " + one.text);
+  for (const Finding& one : verdict.changes->worse)
+    complain((arguments.force ? "baseline lowered: " : "baseline kept: ") + one.text);
+  if (arguments.force) verdict.changes = compare(verdict.result, after);
+}
+
+int verify(const SubjectArguments& arguments, OutputStream& output) {
+  check_startable(arguments);
+  std::vector<Case> cases = read_cases(sources_of(arguments));
+  const Tolerance tolerance = tolerance_of(arguments.tolerance, cases);
+  cases = cases_for(std::move(cases), tolerance);
+  if (arguments.sample > 0) cases = sampled(std::move(cases), arguments.sample);
+
+  const auto milliseconds = [](double seconds) {
+    return std::chrono::milliseconds(static_cast<long long>(1000 * seconds));
+  };
+  const Limits limits{milliseconds(arguments.case_timeout), milliseconds(arguments.timeout)};
+  SubjectVerdict verdict;
+  {
+    Progress progress(cases.size(), {"cases", 1, true});
+    const Conversation conversation =
+        ask(command_of(arguments), cases, limits, [&](std::size_t) { progress.step(); });
+    check_started(arguments, conversation);
+    verdict.result = judge(arguments.plugin.empty() ? arguments.command : arguments.plugin, cases,
+                           conversation, tolerance);
+    verdict.diagnoses = diagnose(cases, conversation, tolerance);
+  }
+  check_required(arguments, verdict.result);
+  verdict.missing = missing_of(arguments, verdict.result);
+  verdict.baseline = arguments.baseline;
+  use_baseline(arguments, verdict);
+  write(output.text(), verdict, arguments.format);
+  output.flush();
+  if (!arguments.junit.empty()) report::write_file(arguments.junit, subject_junit(verdict));
+  for (const Finding& one : verdict.missing) complain(one.text);
+  return failures(verdict).empty() ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+int verify_subject(const SubjectArguments& arguments, OutputStream& output) {
+  return answered_or_complained([&] { return verify(arguments, output); });
+}
+
+}  // namespace tribo::cli
