@@ -62,7 +62,7 @@ stress: ## hold ten million random points to long double: writes reference/basel
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target model_stress
-	build/release/verification/model_stress --points 10000000 --seed 2 --threads $$(nproc) \
+	build/release/verification/tests/model_stress --points 10000000 --seed 2 --threads $$(nproc) \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" \
 	  --out reference/baselines/stress.json
 
@@ -89,13 +89,13 @@ fuzz-short: ## run each fuzz target on a fixed number of inputs; some 20 s a tar
 	@.ci/deps build check
 	cmake --preset fuzz
 	cmake --build --preset fuzz
-	verification/stress/fuzz/run build/fuzz
+	verification/tests/stress/fuzz/run build/fuzz
 
 fuzz: ## run each fuzz target for FUZZ_SECONDS (default 600): half an hour
 	@.ci/deps build check
 	cmake --preset fuzz
 	cmake --build --preset fuzz
-	verification/stress/fuzz/run build/fuzz $(FUZZ_SECONDS)
+	verification/tests/stress/fuzz/run build/fuzz $(FUZZ_SECONDS)
 
 debug: ## build with g++ and its sanitizers, and run the quick tests (.ci/run does so with clang)
 	@.ci/deps build test

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "gates/workloads.hpp"
-#include "support/scenes.hpp"
+#include "tests/support/scenes.hpp"
 #include "tribo/operating_points.hpp"
 #include "tribo/stribeck_walk.hpp"
 

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "alone.hpp"
-#include "support/temporary_folder.hpp"
 #include "sweep/case_solver.hpp"
 #include "sweep/cases.hpp"
 #include "sweep/chunk_solver.hpp"
@@ -28,6 +27,7 @@
 #include "sweep/packed_values.hpp"
 #include "sweep/run.hpp"
 #include "sweep/summary.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "workloads.hpp"
 
 namespace tribo::benchmarks {

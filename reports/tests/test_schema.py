@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The JSON Schema and the program judge the same scenes alike.
 
-verification/scene holds the schema file to the reader's table of fields; here a validator that knows
+verification/tests/scene holds the schema file to the reader's table of fields; here a validator that knows
 nothing of that table and the real program are given one corpus of good and bad scenes, as JSON and
 as TOML. What a schema cannot say has a test of its own.
 """

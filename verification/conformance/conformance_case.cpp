@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "accuracy/reference_table.hpp"
-#include "support/sampler.hpp"
+#include "sampling/sampler.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene_reader.hpp"
 

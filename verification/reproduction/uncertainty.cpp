@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "support/philox.hpp"
+#include "sampling/philox.hpp"
 
 namespace tribo::reproduction {
 namespace {

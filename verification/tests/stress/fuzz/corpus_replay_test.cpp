@@ -16,7 +16,7 @@ namespace tribo::fuzz {
 namespace {
 
 const std::filesystem::path folder =
-    std::filesystem::path(TRIBOCHECK_SOURCE_DIR) / "verification/stress/fuzz";
+    std::filesystem::path(TRIBOCHECK_SOURCE_DIR) / "verification/tests/stress/fuzz";
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -183,7 +183,7 @@ class Readme(unittest.TestCase):
         self.make_baseline()
         text, = blocks(CONFORMANCE, "As a gate in your CI", "cmake")
         (self.folder / "CMakeLists.txt").write_text(text)
-        shutil.copy(ROOT / "verification/install/my_library.c", self.folder)
+        shutil.copy(ROOT / "verification/tests/install/my_library.c", self.folder)
         script = blocks(CONFORMANCE, "As a gate in your CI", "sh")[1]
         said = self.sh(script)
         for test in ("my_solver", "my_library_holds"):

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/sampler.hpp"
+#include "sampling/sampler.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::verification {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "reproduction/ledger_file.hpp"
+#include "sampling/sampler.hpp"
 #include "support/judge.hpp"
-#include "support/sampler.hpp"
 #include "support/temporary_folder.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"

@@ -6,8 +6,8 @@
 
 #include <vector>
 
+#include "sampling/philox.hpp"
 #include "support/judge.hpp"
-#include "support/philox.hpp"
 #include "tribo/asperity_contact.hpp"
 #include "tribo/hertz.hpp"
 

@@ -14,8 +14,8 @@
 #include <string>
 #include <string_view>
 
+#include "sampling/sampler.hpp"
 #include "support/case_count.hpp"
-#include "support/sampler.hpp"
 
 namespace tribo::verification {
 

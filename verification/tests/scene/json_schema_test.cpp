@@ -158,7 +158,7 @@ Json schema_of_table() {
       {"description",
        "One contact, its lubricant, its supply of oil and the speeds it is asked at. SI units."},
       {"$comment",
-       "Built from scene_fields() by verification/scene/json_schema_test.cpp. What a schema "
+       "Built from scene_fields() by verification/tests/scene/json_schema_test.cpp. What a schema "
        "cannot say: speed is required but for onset; speed.to is above speed.from; numbers are "
        "finite in double and do not vanish."},
       {"type", "object"},

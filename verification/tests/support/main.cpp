@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // main of every test program. A test that compares nothing passes for GoogleTest; so each test's
 // comparisons that held are counted (the linker sends testing::AssertionSuccess() through here, see
-// verification/CMakeLists.txt) and printed. EXPECT_TRUE of a plain bool is not counted.
+// verification/tests/CMakeLists.txt) and printed. EXPECT_TRUE of a plain bool is not counted.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
