@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "tribo/batch.hpp"
+#include "tribo/elementary.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine.cpp"
@@ -462,6 +463,13 @@ SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const d
 }
 
 bool is_fused() { return detail::engine().is_fused; }
+
+void exponential(std::span<const double> x, std::span<double> result) {
+  detail::engine().exponentials(x.data(), result.data(), x.size());
+}
+void logarithm(std::span<const double> x, std::span<double> result) {
+  detail::engine().logarithms(x.data(), result.data(), x.size());
+}
 
 std::string_view arithmetic() { return is_fused() ? "FMA" : "no FMA"; }
 

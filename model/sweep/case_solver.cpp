@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "src/operating_points_arrays.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::sweep {

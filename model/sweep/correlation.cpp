@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "src/engine.hpp"
+#include "tribo/elementary.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -130,7 +130,8 @@ void standard_normals(std::span<double> units) {
       places[count++] = static_cast<std::uint16_t>(i);
       some[i] = from_middle;
     }
-    detail::engine().logarithms(tails.data(), tails.data(), count);
+    const std::span of_tails(tails.data(), count);
+    logarithm(of_tails, of_tails);
     for (std::size_t k = 0; k < count; ++k) {
       const double r = std::sqrt(-tails[k]);
       const double z = std::isfinite(r) ? normal_of_tail(r) : infinity;

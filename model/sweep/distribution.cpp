@@ -8,9 +8,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "src/engine.hpp"
 #include "sweep/correlation.hpp"
 #include "sweep/design.hpp"
+#include "tribo/elementary.hpp"
 #include "tribo/gaussian_moment.hpp"
 
 namespace tribo::sweep {
@@ -90,7 +90,7 @@ void Distribution::take_quantiles(std::span<double> numbers) const {
       numbers[i] = second_ * u;
       rest[i] = std::fma(second_, u, -numbers[i]) + second_rest_ * u;
     }
-    detail::engine().exponentials(numbers.data(), numbers.data(), numbers.size());
+    exponential(numbers, numbers);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       numbers[i] = std::clamp(first_ * (numbers[i] * (1 + rest[i])), from_, to_);
   } else if (is_truncated()) {
@@ -122,7 +122,7 @@ void Distribution::take_truncated(std::span<double> numbers, const Below& below,
 void Distribution::take_values(std::span<double> normals) const {
   if (kind_ == DistributionKind::log_normal) {
     for (double& z : normals) z *= second_;
-    detail::engine().exponentials(normals.data(), normals.data(), normals.size());
+    exponential(normals, normals);
     for (double& e : normals) e = std::clamp(first_ * e, from_, to_);
   } else {
     for (double& z : normals) z = std::clamp(first_ + second_ * z, from_, to_);

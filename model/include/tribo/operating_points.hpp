@@ -35,6 +35,21 @@ struct OperatingPoints {
   OperatingPoint<double> operator[](std::size_t i) const;
 };
 
+// Calls visit(output, member) for each member of a structure of points, or of one point, that holds
+// numbers.
+template <class Points, class Visitor>
+void for_each_number(Points& points, Visitor&& visit) {
+  visit(Output::film_flooded, points.film_flooded);
+  visit(Output::film, points.film);
+  visit(Output::separation, points.separation);
+  visit(Output::film_parameter, points.film_parameter);
+  visit(Output::asperity_load_share, points.asperity_load_share);
+  visit(Output::fluid_load_share, points.fluid_load_share);
+  visit(Output::real_area_ratio, points.real_area_ratio);
+  visit(Output::summit_count, points.summit_count);
+  visit(Output::friction, points.friction);
+}
+
 // All outputs of a set at speeds in m/s, into points [first, first + speeds.size()) of a structure
 // that has been given room for them. Error: operating_point_contract; a point's bits depend on
 // nothing but its scene and speed. Allocates nothing, so that threads may fill parts of one
