@@ -19,7 +19,7 @@ const std::vector<Row>& certified_rows() {
     std::vector<Row> all;
     for (const auto& row :
          verification::read_reference_table(TRIBOCHECK_REFERENCE "/exact/gaussian_moment.csv"))
-      all.push_back({static_cast<Order>(static_cast<int>(row.number("twice_n"))),
+      all.push_back({static_cast<Order>(static_cast<int>(2 * row.number("order"))),
                      row.number("argument"), row.number("high"), row.number("low")});
     return all;
   }();

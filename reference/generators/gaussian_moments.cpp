@@ -49,10 +49,10 @@ Table gaussian_moments() {
   table.header = {"gaussian_moment",
                   "F_n(d) = int_d^inf (s-d)^n exp(-s^2/2)/sqrt(2 pi) ds",
                   "dimensionless",
-                  "n = 0, 1/2, 1, 3/2, 2, 5/2 (column twice_n = 2n), d in [-40, 40]",
+                  "order n = 0, 1/2, 1, 3/2, 2, 5/2; argument d in [-40, 40]",
                   "confluent hypergeometric functions (Arb)",
                   "rigorous Gauss-Legendre quadrature with a bounded tail (Arb)",
-                  "id,twice_n,argument,value,high,low,condition,region"};
+                  "id,order,argument,value,high,low,condition,region"};
   int number = 0;
   for (int twice_n = 0; twice_n < 6; ++twice_n)
     for (const Argument& at : arguments())
@@ -60,7 +60,7 @@ Table gaussian_moments() {
         const Ball d(at.value);
         const Ball value = moment_by_hypergeometric(twice_n, d);
         return Row{id,
-                   {std::to_string(twice_n), hexfloat(at.value)},
+                   {hexfloat(0.5 * twice_n), hexfloat(at.value)},
                    value,
                    moment_by_quadrature(twice_n, d),
                    condition(twice_n, d, value),

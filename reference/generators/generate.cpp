@@ -27,6 +27,7 @@ constexpr Named tables[] = {{"gaussian_moment.csv", tribo::reference::gaussian_m
                             {"starvation_ratio.csv", tribo::reference::starvation_ratios},
                             {"onset_constant.csv", tribo::reference::onset_constants},
                             {"hertz_point.csv", tribo::reference::hertz_contacts},
+                            {"hamrock_dowson_central.csv", tribo::reference::flooded_films},
                             {"operating_point.csv", tribo::reference::operating_points}};
 
 std::string sha256(const std::string& text) {

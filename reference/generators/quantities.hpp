@@ -21,6 +21,7 @@ Table load_sharing_roots();
 Table starvation_ratios();
 Table onset_constants();
 Table hertz_contacts();
+Table flooded_films();
 Table operating_points();
 
 }  // namespace tribo::reference

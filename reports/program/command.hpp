@@ -18,6 +18,7 @@ Command add_solve(CLI::App& program);
 Command add_curve(CLI::App& program);
 Command add_onset(CLI::App& program);
 Command add_stream(CLI::App& program);
+Command add_functions(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);

@@ -39,6 +39,43 @@ def value(function, **arguments):
     return answer["value"]
 
 
+class Listed(unittest.TestCase):
+    """`tribocheck functions`: what it lists is what `stream` answers."""
+
+    def test_each_function_has_a_line(self):
+        listed = run("functions")
+        self.assertEqual((listed.code, listed.err), (0, ""))
+        self.assertEqual([line.split()[0] for line in listed.out.splitlines()], list(GOOD))
+
+    def test_json_has_the_arguments_that_stream_takes(self):
+        for entry in json.loads(run("functions", "--format", "json").out):
+            name = entry["name"]
+            self.assertEqual({one["name"] for one in entry["parameters"]}, set(GOOD[name]))
+            self.assertEqual({one["name"] for one in entry["parameters"] if "default" in one},
+                             set(GOOD[name]) & OPTIONAL)
+            self.assertEqual({one["name"] for one in entry["parameters"] if "words" in one}, set(GOOD[name]) & WORDS)
+            answer, = ask(json.dumps(entry["example"]))
+            self.assertEqual(list(answer), ["id"] + [one["name"] for one in entry["results"]])
+            for one in entry["parameters"]:
+                least, greatest = one.get("physical", (0, 1))
+                self.assertLess(least, greatest, (name, one["name"]))
+
+    def test_one_is_told_with_its_source_and_an_example_that_is_answered(self):
+        for name in GOOD:
+            told = run("functions", name)
+            self.assertEqual((told.code, told.err), (0, ""))
+            for part in (*GOOD[name], "Source: ", "allowed: ", "Error of this model: at most "):
+                self.assertIn(part, told.out)
+            question, shown = told.out.splitlines()[-2:]
+            self.assertEqual(ask(question), [json.loads(shown)])
+
+    def test_a_misspelt_one_is_refused_with_the_nearest(self):
+        for name, said in (("load_sharin", "did you mean load_sharing?"), ("x", "lists all")):
+            refused = run("functions", name)
+            self.assertEqual((refused.code, refused.out), (2, ""))
+            self.assertIn(said, refused.err)
+
+
 class Values(unittest.TestCase):
     def assert_close(self, found, expected, relative=1e-13):
         self.assertTrue(math.isclose(found, expected, rel_tol=relative), (found, expected))

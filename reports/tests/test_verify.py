@@ -14,8 +14,8 @@ from program import ENVIRONMENT, PROGRAM, TIMEOUT, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 EXACT = ROOT / "reference/exact"
-TABLES = ("gaussian_moment", "load_sharing", "starvation_ratio", "onset_constant", "hertz_point",
-          "operating_point")
+TABLES = ("gaussian_moment", "hertz_point", "hamrock_dowson_central", "starvation_ratio", "load_sharing",
+          "onset_constant", "operating_point")
 
 
 def rows_of(path):

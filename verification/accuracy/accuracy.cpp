@@ -8,25 +8,31 @@
 #include <stdexcept>
 
 #include "accuracy/reference_table.hpp"
+#include "catalogue/catalogue.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::verification {
 namespace {
 
-// The position of a word in a list; the enumerations of scene.hpp have these orders.
-template <class Enum, std::size_t N>
-Enum parse(const std::string& word, const std::array<const char*, N>& words) {
+double place_of(std::string_view word, std::span<const std::string_view> words) {
   const auto found = std::find(words.begin(), words.end(), word);
   if (found == words.end()) throw std::runtime_error(fmt::format("unknown word {}", word));
-  return static_cast<Enum>(found - words.begin());
+  return static_cast<double>(found - words.begin());
+}
+// The enumerations of scene.hpp have these orders.
+template <std::size_t N>
+using Words = std::array<std::string_view, N>;
+template <class Enum, std::size_t N>
+Enum parse(const std::string& word, const Words<N>& words) {
+  return static_cast<Enum>(static_cast<int>(place_of(word, words)));
 }
 AsperityModel asperity_of(const ReferenceRow& row) {
   return parse<AsperityModel>(row.text("asperity"),
-                              std::array{"greenwood_tripp", "greenwood_williamson"});
+                              Words<2>{"greenwood_tripp", "greenwood_williamson"});
 }
 StarvationClosure closure_of(const std::string& word) {
   return parse<StarvationClosure>(
-      word, std::array{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"});
+      word, Words<4>{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"});
 }
 
 class Judge {
@@ -54,30 +60,29 @@ class Judge {
   QuantityResult result_;
 };
 
-QuantityResult moments(const std::string& folder) {
-  Judge judge("gaussian_moment", gaussian_moment_contract);
-  for (const ReferenceRow& row : read_reference_table(folder + "/gaussian_moment.csv"))
-    judge.add(row, gaussian_moment(static_cast<Order>(static_cast<int>(row.number("twice_n"))),
-                                   row.number("argument")));
-  return judge.result();
+// A function at the arguments that stand in its table, in columns named as its parameters. Of
+// several results a row has one, named in the column output.
+double value_at(const catalogue::Function& function, const ReferenceRow& row) {
+  catalogue::Arguments arguments{};
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const catalogue::Parameter& parameter = function.parameters[i];
+    const auto words = parameter.words();
+    arguments[i] =
+        words.empty() ? row.number(parameter.name) : place_of(row.text(parameter.name), words);
+  }
+  catalogue::Results results{};
+  function.value(arguments, results);
+  if (function.results.size() == 1) return results[0];
+  std::vector<std::string_view> names;
+  for (const catalogue::Result& result : function.results) names.push_back(result.name);
+  return results[static_cast<std::size_t>(place_of(row.text("output"), names))];
 }
 
-QuantityResult roots(const std::string& folder) {
-  Judge judge("load_sharing", load_sharing_contract);
-  for (const ReferenceRow& row : read_reference_table(folder + "/load_sharing.csv"))
-    judge.add(row,
-              LoadSharing<double>(asperity_of(row), row.number("stiffness"), row.number("offset"))
-                  .solve(row.number("flooded_film_parameter"))
-                  .film_parameter);
-  return judge.result();
-}
-
-QuantityResult film_ratios(const std::string& folder) {
-  Judge judge("starvation_ratio", starvation_ratio_contract);
-  for (const ReferenceRow& row : read_reference_table(folder + "/starvation_ratio.csv"))
-    judge.add(row,
-              starvation_ratio(closure_of(row.text("closure")), row.number("flooded_over_inlet"),
-                               row.number("damiens_exponent")));
+QuantityResult of_function(const std::string& folder, const catalogue::Function& function) {
+  Judge judge(std::string(function.name), function.contract);
+  for (const ReferenceRow& row :
+       read_reference_table(fmt::format("{}/{}.csv", folder, function.name)))
+    judge.add(row, value_at(function, row));
   return judge.result();
 }
 
@@ -97,20 +102,6 @@ QuantityResult onset_constants(const std::string& folder) {
   return judge.result();
 }
 
-QuantityResult hertz_contacts(const std::string& folder) {
-  Judge judge("hertz_point", hertz_contract);
-  for (const ReferenceRow& row : read_reference_table(folder + "/hertz_point.csv")) {
-    const HertzPoint<double> hertz = hertz_point(
-        row.number("load"), row.number("effective_modulus"), row.number("reduced_radius"));
-    const std::string& output = row.text("output");
-    judge.add(row, output == "radius"          ? hertz.radius
-                   : output == "mean_pressure" ? hertz.mean_pressure
-                   : output == "peak_pressure" ? hertz.peak_pressure
-                                               : hertz.approach);
-  }
-  return judge.result();
-}
-
 Scene scene_of(const ReferenceRow& row) {
   Scene scene;
   scene.load = row.number("load");
@@ -123,12 +114,12 @@ Scene scene_of(const ReferenceRow& row) {
                      row.number("eyring_stress")};
   scene.supply = {
       parse<SupplyKind>(row.text("supply_kind"),
-                        std::array{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"}),
+                        Words<4>{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"}),
       row.number("supply")};
   scene.friction = {
       row.number("boundary_coefficient"), row.number("slide_roll_ratio"),
-      parse<FluidShear>(row.text("fluid"), std::array{"eyring", "limiting"}),
-      parse<ViscosityLaw>(row.text("viscosity_law"), std::array{"barus", "ambient", "roelands"})};
+      parse<FluidShear>(row.text("fluid"), Words<2>{"eyring", "limiting"}),
+      parse<ViscosityLaw>(row.text("viscosity_law"), Words<3>{"barus", "ambient", "roelands"})};
   scene.closures = {asperity_of(row), closure_of(row.text("starvation")),
                     row.number("damiens_exponent")};
   return scene;
@@ -161,8 +152,10 @@ std::vector<QuantityResult> operating_points(const std::string& folder) {
 }  // namespace
 
 std::vector<QuantityResult> check_accuracy(const std::string& folder) {
-  std::vector<QuantityResult> results{moments(folder), roots(folder), film_ratios(folder),
-                                      onset_constants(folder), hertz_contacts(folder)};
+  std::vector<QuantityResult> results;
+  for (const catalogue::Function& function : catalogue::functions())
+    results.push_back(of_function(folder, function));
+  results.push_back(onset_constants(folder));
   for (QuantityResult& result : operating_points(folder)) results.push_back(std::move(result));
   return results;
 }

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "accuracy/reference_table.hpp"
-#include "sampling/sampler.hpp"
+#include "catalogue/catalogue.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -34,102 +34,33 @@ bool is_tiny(const Expected& one) {
   return one.word.empty() && !one.is_undefined && std::abs(one.high) < least_of_engineering;
 }
 
-std::vector<Case> moments(const std::string& folder) {
+// The certified rows of a function. Of several results a row has one, and those of the same
+// arguments follow each other.
+std::vector<Case> cases_of(const std::string& folder, const catalogue::Function& function) {
   std::vector<Case> cases;
-  for (const ReferenceRow& row : read_reference_table(folder + "/gaussian_moment.csv")) {
-    const Expected value = expected("value", row);
-    cases.push_back({row.text("id"),
-                     "gaussian_moment",
-                     {{"function", "gaussian_moment"},
-                      {"order", row.number("twice_n") / 2},
-                      {"argument", row.number("argument")}},
-                     gaussian_moment_contract,
-                     {value},
-                     is_tiny(value)});
-  }
-  return cases;
-}
-
-std::vector<Case> roots(const std::string& folder) {
-  std::vector<Case> cases;
-  for (const ReferenceRow& row : read_reference_table(folder + "/load_sharing.csv")) {
-    const Expected value = expected("value", row);
-    cases.push_back({row.text("id"),
-                     "load_sharing",
-                     {{"function", "load_sharing"},
-                      {"asperity", row.text("asperity")},
-                      {"flooded_film_parameter", row.number("flooded_film_parameter")},
-                      {"stiffness", row.number("stiffness")},
-                      {"offset", row.number("offset")}},
-                     load_sharing_contract,
-                     {value},
-                     row.text("region") == "extreme" || is_tiny(value)});
-  }
-  return cases;
-}
-
-std::vector<Case> film_ratios(const std::string& folder) {
-  std::vector<Case> cases;
-  for (const ReferenceRow& row : read_reference_table(folder + "/starvation_ratio.csv"))
-    cases.push_back({row.text("id"),
-                     "starvation_ratio",
-                     {{"function", "starvation_ratio"},
-                      {"closure", row.text("closure")},
-                      {"flooded_over_inlet", row.number("flooded_over_inlet")},
-                      {"damiens_exponent", row.number("damiens_exponent")}},
-                     starvation_ratio_contract,
-                     {expected("value", row)},
-                     row.text("region") == "far"});
-  return cases;
-}
-
-// A row an output: those of one contact follow each other.
-std::vector<Case> hertz_contacts(const std::string& folder) {
-  std::vector<Case> cases;
-  for (const ReferenceRow& row : read_reference_table(folder + "/hertz_point.csv")) {
-    json inputs{{"function", "hertz_point"},
-                {"load", row.number("load")},
-                {"effective_modulus", row.number("effective_modulus")},
-                {"reduced_radius", row.number("reduced_radius")}};
-    if (cases.empty() || cases.back().inputs != inputs)
-      cases.push_back(
-          {row.text("id"), "hertz_point", std::move(inputs), hertz_contract, {}, false});
-    cases.back().expected.push_back(expected(row.text("output"), row));
-  }
-  return cases;
-}
-
-// The film formula in long double, 64 bits of mantissa, for seeded contacts.
-std::vector<Case> films() {
-  std::vector<Case> cases;
-  verification::Sampler sampler(17);
-  for (int i = 0; i < 60; ++i) {
-    const double speed = sampler.log_uniform(1e-4, 30), load = sampler.log_uniform(0.1, 1e4);
-    const double viscosity = sampler.log_uniform(1e-3, 1), alpha = sampler.log_uniform(5e-9, 4e-8);
-    const double modulus = sampler.log_uniform(1e10, 5e11);
-    const double radius = sampler.log_uniform(1e-3, 0.3);
-    const double ellipticity = i % 3 == 0 ? sampler.uniform(1, 8) : 1.0;
-    const long double film = hamrock_dowson_central<long double>(speed, viscosity, alpha, load,
-                                                                 modulus, radius, ellipticity);
-    const auto high = static_cast<double>(film);
-    cases.push_back({fmt::format("film{:04}", i),
-                     "hamrock_dowson_central",
-                     {{"function", "hamrock_dowson_central"},
-                      {"speed", speed},
-                      {"viscosity", viscosity},
-                      {"pressure_viscosity", alpha},
-                      {"load", load},
-                      {"effective_modulus", modulus},
-                      {"reduced_radius", radius},
-                      {"ellipticity", ellipticity}},
-                     Contract{20, 0},
-                     {{"value",
-                       high,
-                       static_cast<double>(film - static_cast<long double>(high)),
-                       1,
-                       false,
-                       {}}},
-                     false});
+  const std::string name(function.name);
+  for (const ReferenceRow& row :
+       read_reference_table(fmt::format("{}/{}.csv", folder, function.name))) {
+    json inputs{{"function", name}};
+    for (const catalogue::Parameter& parameter : function.parameters) {
+      json& argument = inputs[std::string(parameter.name)];
+      if (parameter.words_of.empty())
+        argument = row.number(parameter.name);
+      else
+        argument = row.text(parameter.name);
+    }
+    const bool has_one = function.results.size() == 1;
+    if (has_one || cases.empty() || cases.back().inputs != inputs)
+      cases.push_back({row.text("id"),
+                       name,
+                       std::move(inputs),
+                       function.contract,
+                       {},
+                       row.text("region") == "extreme" || row.text("region") == "far"});
+    Case& last = cases.back();
+    last.expected.push_back(expected(has_one ? "value" : row.text("output"), row));
+    // The film of a collapsed inlet is 0 in every program.
+    if (row.text("region") != "collapsed") last.is_extreme |= is_tiny(last.expected.back());
   }
   return cases;
 }
@@ -268,10 +199,13 @@ std::string quantity_name(const Case& asked, const Expected& expected) {
 
 std::vector<Case> read_cases(const CaseSources& sources) {
   std::vector<Case> all;
-  for (std::vector<Case> part :
-       {hertz_contacts(sources.exact), films(), film_ratios(sources.exact), moments(sources.exact),
-        roots(sources.exact), paper_points(sources.published), operating_points(sources.exact)})
+  const auto add = [&](std::vector<Case> part) {
     for (Case& one : part) all.push_back(std::move(one));
+  };
+  for (const catalogue::Function& function : catalogue::functions())
+    add(cases_of(sources.exact, function));
+  add(paper_points(sources.published));
+  add(operating_points(sources.exact));
   return all;
 }
 

@@ -20,7 +20,6 @@
 namespace tribo::conformance {
 namespace {
 
-using protocol::FunctionArguments;
 using protocol::FunctionCall;
 using protocol::Question;
 
@@ -29,15 +28,15 @@ Enum enum_at(double place) {
   return static_cast<Enum>(static_cast<int>(place));
 }
 
-void fill(MomentCase& to, const FunctionArguments& a) { to = {a[0], a[1]}; }
-void fill(HertzCase& to, const FunctionArguments& a) { to = {a[0], a[1], a[2]}; }
-void fill(FilmCase& to, const FunctionArguments& a) {
+void fill(MomentCase& to, const catalogue::Arguments& a) { to = {a[0], a[1]}; }
+void fill(HertzCase& to, const catalogue::Arguments& a) { to = {a[0], a[1], a[2]}; }
+void fill(FilmCase& to, const catalogue::Arguments& a) {
   to = {a[0], a[1], a[2], a[3], a[4], a[5], a[6]};
 }
-void fill(StarvationCase& to, const FunctionArguments& a) {
+void fill(StarvationCase& to, const catalogue::Arguments& a) {
   to = {enum_at<StarvationClosure>(a[0]), a[1], a[2]};
 }
-void fill(SharingCase& to, const FunctionArguments& a) {
+void fill(SharingCase& to, const catalogue::Arguments& a) {
   to = {enum_at<AsperityModel>(a[0]), a[1], a[2], a[3]};
 }
 template <class Case>
@@ -59,7 +58,7 @@ OutputSet asked_outputs(const Question& question) {
 // What a question is about, by a name that messages use.
 std::string_view subject_of(const Question& question) {
   const auto* call = std::get_if<FunctionCall>(&question);
-  return call == nullptr ? "operating_point" : protocol::name(call->function);
+  return call == nullptr ? "operating_point" : call->function->name;
 }
 
 // Questions of one kind in a row go to the solver together, once no complete line is waiting. What
@@ -111,25 +110,19 @@ class Server {
   void answer_waiting() {
     if (waiting_.empty()) return;
     if (const auto* call = std::get_if<FunctionCall>(&waiting_[0]))
-      answer_calls(call->function);
+      answer_calls(call->function->name);
     else
       answer_by(solver_.operating_point);
     waiting_.clear();
   }
 
-  void answer_calls(protocol::Function function) {
-    switch (function) {
-      case protocol::Function::gaussian_moment:
-        return answer_by(solver_.gaussian_moment);
-      case protocol::Function::hertz_point:
-        return answer_by(solver_.hertz_point);
-      case protocol::Function::hamrock_dowson_central:
-        return answer_by(solver_.hamrock_dowson_central);
-      case protocol::Function::starvation_ratio:
-        return answer_by(solver_.starvation_ratio);
-      case protocol::Function::load_sharing:
-        return answer_by(solver_.load_sharing);
-    }
+  void answer_calls(std::string_view function) {
+    if (function == "gaussian_moment") return answer_by(solver_.gaussian_moment);
+    if (function == "hertz_point") return answer_by(solver_.hertz_point);
+    if (function == "hamrock_dowson_central") return answer_by(solver_.hamrock_dowson_central);
+    if (function == "starvation_ratio") return answer_by(solver_.starvation_ratio);
+    if (function == "load_sharing") return answer_by(solver_.load_sharing);
+    skip_waiting();
   }
 
   template <class Case, class Result>

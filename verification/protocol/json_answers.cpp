@@ -27,6 +27,17 @@ void append_error(Text& to, std::optional<std::string_view> id, std::string_view
   to.push_back('\n');
 }
 
+void append_function_answer(Text& to, const FunctionCall& call) {
+  if (call.mistake) return append_error(to, call.id, call.mistake->field, call.mistake->message);
+  catalogue::Results results{};
+  call.function->value(call.arguments, results);
+  AnswerObject answer(to, call.id);
+  for (std::size_t i = 0; i < call.function->results.size(); ++i)
+    answer.number(call.function->results[i].name, results[i]);
+  answer.close();
+  to.push_back('\n');
+}
+
 void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id) {
   const MixedContact<double> contact(scene);
   const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));

@@ -6,9 +6,12 @@
 //   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²), E_HD = 2E*.
 #pragma once
 
+#include "tribo/contract.hpp"
 #include "tribo/real.hpp"
 
 namespace tribo {
+
+inline constexpr Contract film_contract{20, 0};
 
 // The exponents of U, G and W.
 inline constexpr Fraction speed_exponent{67, 100};
@@ -36,7 +39,7 @@ T hamrock_dowson_constant(const T& ellipticity) {
 
 // h₀ in m. speed u in m/s (entrainment, the mean of the two surfaces), viscosity η₀ in Pa·s,
 // pressure_viscosity α in 1/Pa, load F in N, effective_modulus E* in Pa, reduced_radius R in m,
-// ellipticity k; all > 0. Error: 20 ε relative.
+// ellipticity k; all > 0. Error: film_contract.
 template <class T>
 T hamrock_dowson_central(const T& speed, const T& viscosity, const T& pressure_viscosity,
                          const T& load, const T& effective_modulus, const T& reduced_radius,

@@ -136,7 +136,7 @@ TEST_F(ChangedTables, AValueBeyondTheContractIsFoundAndOneWithinIsNot) {
 
 // An input that is no number makes an answer that is none.
 TEST_F(ChangedTables, AnAnswerThatIsNoNumberFails) {
-  change("gaussian_moment.csv", "\nm0399,0,0x1.286acd28p+3,", "\nm0399,0,nan,");
+  change("gaussian_moment.csv", "\nm0399,0x0p+0,0x1.286acd28p+3,", "\nm0399,0x0p+0,nan,");
   const QuantityResult result = of("gaussian_moment");
   EXPECT_EQ(result.passed(), false);
   EXPECT_EQ(result.worst_row, "m0399");

@@ -20,7 +20,7 @@ std::vector<Row> rows() {
   std::vector<Row> result;
   for (const ReferenceRow& row :
        read_reference_table(TRIBOCHECK_SOURCE_DIR "/reference/exact/gaussian_moment.csv"))
-    result.push_back({static_cast<Order>(static_cast<int>(row.number("twice_n"))),
+    result.push_back({static_cast<Order>(static_cast<int>(2 * row.number("order"))),
                       row.number("argument"), Reference(row.text("value"))});
   return result;
 }

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be asked, as data: each function of the model by its name, with its parameters and
+// results, what it promises of its error, and where it comes from. The lines of `tribocheck
+// stream`, `tribocheck functions`, the model's own check against certified values and the cases
+// that other solvers are asked follow from it.
+//
+// A function is added by its header in include/tribo, one entry in catalogue.cpp, and one function
+// of reference/generators that makes its certified values, reference/exact/<name>.csv, in columns
+// named as the parameters.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "tribo/contract.hpp"
+
+namespace tribo::catalogue {
+
+enum class Range : std::uint8_t { above_zero, not_below_zero, any, half_order };
+// "a number above 0"
+std::string_view text_of(Range range);
+bool is_in_range(double number, Range range);
+
+struct Parameter {
+  std::string_view name;  // "reduced_radius"
+  std::string_view meaning;
+  std::string_view unit = "";       // SI; empty: dimensionless
+  Range range = Range::above_zero;  // of numbers: what is legal
+  double least = 0, greatest = 0;   // of numbers: what a contact on earth has
+  std::string_view words_of =
+      "";  // the field of a scene whose words the argument may be; empty: a number
+  std::optional<double> default_value = {};
+
+  // The words in the order of their enumeration in scene.hpp; none where the argument is a number.
+  std::span<const std::string_view> words() const;
+};
+
+struct Result {
+  std::string_view name;  // "value" where it is the only one
+  std::string_view meaning;
+  std::string_view unit = "";
+};
+
+inline constexpr std::size_t most_parameters = 8, most_results = 4;
+using Arguments = std::array<double, most_parameters>;
+using Results = std::array<double, most_results>;
+
+struct Function {
+  std::string_view name;  // "hamrock_dowson_central"
+  std::string_view meaning;
+  std::string_view equation;
+  std::string_view source;  // who, when, where, which equation; what is mended in it
+  std::span<const Parameter> parameters;
+  std::span<const Result> results;
+  // The results at arguments in the order of the parameters, each legal; of a word, its place.
+  void (*value)(const Arguments& arguments, Results& results);
+  Contract contract;
+  Arguments example;
+};
+
+std::span<const Function> functions();
+const Function* find(std::string_view name);  // null where there is no such function
+
+}  // namespace tribo::catalogue

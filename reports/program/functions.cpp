@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck functions: what can be asked of `stream`, and of other people's solvers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "catalogue/catalogue.hpp"
+#include "command.hpp"
+#include "exit_code.hpp"
+#include "messages.hpp"
+#include "protocol/json_answers.hpp"
+#include "scene/schema.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using catalogue::Function;
+using catalogue::Parameter;
+using nlohmann::ordered_json;
+
+struct FunctionsArguments {
+  std::string name;  // empty: all
+  std::string format = "text";
+};
+
+std::string unit_text(std::string_view unit) { return unit.empty() ? "-" : std::string(unit); }
+
+std::string allowed(const Parameter& parameter) {
+  if (parameter.words_of.empty()) return std::string(catalogue::text_of(parameter.range));
+  std::string text;
+  for (const std::string_view word : parameter.words())
+    text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+// What a contact on earth has: "1e-06 to 100".
+std::string physical(const Parameter& parameter) {
+  return fmt::format("{:g} to {:g}", parameter.least, parameter.greatest);
+}
+
+ordered_json example_of(const Function& function) {
+  ordered_json line{{"function", function.name}};
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const Parameter& parameter = function.parameters[i];
+    ordered_json& argument = line[std::string(parameter.name)];
+    if (parameter.words_of.empty())
+      argument = function.example[i];
+    else
+      argument = parameter.words()[static_cast<std::size_t>(function.example[i])];
+  }
+  return line;
+}
+
+std::string answer_to(const ordered_json& question) {
+  protocol::Text text;
+  std::vector<InputProblem> warnings;
+  protocol::append_answer(text, question.dump(), 1, warnings);
+  return {text.data(), text.size()};
+}
+
+// "1 ulp", "4 ulp or 8.5 ulp × condition"
+std::string contract_text(const Contract& contract) {
+  std::string text = fmt::format("{} ulp", contract.ulp);
+  if (contract.ulp_per_condition > 0)
+    text += fmt::format(" or {} ulp × condition, whichever is more", contract.ulp_per_condition);
+  return text;
+}
+
+void describe(const Function& function, OutputStream& output) {
+  std::string text =
+      fmt::format("{}: {}\n  {}\n\n", function.name, function.meaning, function.equation);
+  text += "Arguments:\n";
+  for (const Parameter& parameter : function.parameters) {
+    text += fmt::format("  {:<24}{:<8}{}\n", parameter.name, unit_text(parameter.unit),
+                        parameter.meaning);
+    text += fmt::format("  {:<24}{:<8}allowed: {}", "", "", allowed(parameter));
+    if (parameter.default_value) text += fmt::format(" (default: {})", *parameter.default_value);
+    text += '\n';
+    if (parameter.words_of.empty())
+      text += fmt::format("  {:<24}{:<8}of contacts on earth: {}\n", "", "", physical(parameter));
+  }
+  text += "\nResults:\n";
+  for (const catalogue::Result& result : function.results)
+    text += fmt::format("  {:<24}{:<8}{}\n", result.name, unit_text(result.unit), result.meaning);
+  text += fmt::format("\nError of this model: at most {}.\nSource: {}.\n",
+                      contract_text(function.contract), function.source);
+  const ordered_json example = example_of(function);
+  text += fmt::format("\nExample, a line to `tribocheck stream` and its answer:\n  {}\n  {}",
+                      example.dump(), answer_to(example));
+  append(output.text(), text);
+}
+
+void list(OutputStream& output) {
+  for (const Function& function : catalogue::functions())
+    append(output.text(), fmt::format("{:<24}{}\n", function.name, function.meaning));
+}
+
+ordered_json json_of(const Function& function) {
+  ordered_json parameters = ordered_json::array(), results = ordered_json::array();
+  for (const Parameter& parameter : function.parameters) {
+    ordered_json one{
+        {"name", parameter.name}, {"meaning", parameter.meaning}, {"unit", parameter.unit}};
+    if (parameter.words_of.empty()) {
+      one["allowed"] = catalogue::text_of(parameter.range);
+      one["physical"] = {parameter.least, parameter.greatest};
+    } else {
+      one["words"] = parameter.words();
+    }
+    if (parameter.default_value) one["default"] = *parameter.default_value;
+    parameters.push_back(std::move(one));
+  }
+  for (const catalogue::Result& result : function.results)
+    results.push_back({{"name", result.name}, {"meaning", result.meaning}, {"unit", result.unit}});
+  return {{"name", function.name},
+          {"meaning", function.meaning},
+          {"equation", function.equation},
+          {"source", function.source},
+          {"parameters", parameters},
+          {"results", results},
+          {"contract",
+           {{"ulp", function.contract.ulp},
+            {"ulp_per_condition", function.contract.ulp_per_condition}}},
+          {"example", example_of(function)}};
+}
+
+int unknown(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Function& function : catalogue::functions()) names.push_back(function.name);
+  const std::string_view nearest = scene_detail::nearest_choice(name, names);
+  complain(fmt::format("there is no function \"{}\"; {}", printable(name),
+                       nearest.empty() ? std::string("`tribocheck functions` lists all")
+                                       : fmt::format("did you mean {}?", nearest)));
+  return exit_bad;
+}
+
+int show(const FunctionsArguments& arguments, OutputStream& output) {
+  const Function* one = nullptr;
+  if (!arguments.name.empty()) {
+    one = catalogue::find(arguments.name);
+    if (one == nullptr) return unknown(arguments.name);
+  }
+  if (arguments.format == "json") {
+    ordered_json all = ordered_json::array();
+    for (const Function& function : catalogue::functions())
+      if (one == nullptr || one == &function) all.push_back(json_of(function));
+    append(output.text(), (one == nullptr ? all : all[0]).dump(2) + '\n');
+  } else if (one != nullptr) {
+    describe(*one, output);
+  } else {
+    list(output);
+  }
+  return exit_done;
+}
+
+constexpr const char* functions_footer =
+    R"(A function is asked by a line of JSON to `tribocheck stream`; `tribocheck verify` holds the model's
+answers to certified values, and with --subject those of another solver.
+
+Example:
+  tribocheck functions
+  tribocheck functions load_sharing
+  tribocheck functions --format json | jq -r '.[].name')";
+
+}  // namespace
+
+Command add_functions(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("functions", "list the functions that can be asked");
+  app->footer(functions_footer);
+  const auto arguments = std::make_shared<FunctionsArguments>();
+  app->add_option("NAME", arguments->name, "all about this one (default: a list of all)");
+  app->add_option("--format", arguments->format, "text or json (default: text)")
+      ->check(CLI::IsMember({"text", "json"}));
+  return {app, [arguments](OutputStream& output) { return show(*arguments, output); }};
+}
+
+}  // namespace tribo::cli
