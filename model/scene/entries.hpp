@@ -32,6 +32,8 @@ struct Entry {
   Value value;
   std::vector<Value> elements;  // of a list
   std::vector<Entry> inner = {};
+  // The field of the path (schema.hpp), where whoever made the entry has looked it up already.
+  std::optional<std::size_t> field = {};
 };
 
 inline constexpr std::size_t max_depth = 16;      // of lists and tables within each other

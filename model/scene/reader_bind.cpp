@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the flat list of entries to a Scene: first every entry finds its field, then every field
 // of the schema takes its value, then come the rules that look at several fields.
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
@@ -17,6 +18,25 @@ namespace tribo::scene_detail {
 namespace {
 
 bool is_whole(double number) { return std::trunc(number) == number; }
+
+// Fields that the rules below name, looked up once.
+struct NamedFields {
+  std::size_t speed = field_at("speed"), speed_from = field_at("speed.from");
+  std::size_t speed_to = field_at("speed.to"), outputs = field_at("outputs");
+  std::bitset<field_count> of_speed, of_supply;  // those of the tables of these names
+
+  NamedFields() {
+    for (std::size_t field = 0; field < field_count; ++field) {
+      const std::string_view section = section_of(scene_fields()[field].path);
+      of_speed.set(field, section == "speed");
+      of_supply.set(field, section == "supply");
+    }
+  }
+};
+const NamedFields& named() {
+  static const NamedFields fields;
+  return fields;
+}
 
 class SceneBinder {
  public:
@@ -41,7 +61,7 @@ class SceneBinder {
   void place(const Entry& entry) {
     if (entry.value.kind == ValueKind::table && is_section(entry.path))
       place_section(entry);
-    else if (const auto field = find_field(entry.path))
+    else if (const auto field = entry.field ? entry.field : find_field(entry.path))
       place_field(entry, *field);
     else if (is_section(entry.path))
       refuse_section(entry);
@@ -51,10 +71,9 @@ class SceneBinder {
 
   void place_section(const Entry& entry) {
     // A table may be written in pieces in TOML, never in JSON; both parsers give it one entry.
-    for (const std::string_view seen : sections_)
-      if (seen == entry.path) return problems_.error(entry.path, "given twice");
-    sections_.push_back(entry.path);
-    if (entry.path == "speed") place_field(entry, field_at("speed"));
+    if (has_section(entry.path)) return problems_.error(entry.path, "given twice");
+    sections_[section_count_++] = entry.path;
+    if (entry.path == "speed") place_field(entry, named().speed);
   }
 
   void place_field(const Entry& entry, std::size_t field) {
@@ -123,7 +142,7 @@ class SceneBinder {
   void miss(std::size_t field) {
     const FieldInfo& info = scene_fields()[field];
     bool needed = info.required;
-    if (section_of(info.path) == "speed") needed = needed && speed_is_table();
+    if (named().of_speed[field]) needed = needed && speed_is_table();
     if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset;
     if (needed) report_missing(field, "");
   }
@@ -203,7 +222,7 @@ class SceneBinder {
   // --- Speeds.
 
   bool speed_is_table() const {
-    const Entry* speed = given_[field_at("speed")];
+    const Entry* speed = given_[named().speed];
     return speed != nullptr && speed->value.kind == ValueKind::table;
   }
 
@@ -211,8 +230,8 @@ class SceneBinder {
     const ValueKind kind = entry.value.kind;
     if (use_ == SceneUse::one_speed && kind != ValueKind::number) {
       problems_.error("speed", what_came(entry.value) + "; allowed: one number above 0, in m/s");
-      explained_.set(field_at("speed.from"));
-      explained_.set(field_at("speed.to"));
+      explained_.set(named().speed_from);
+      explained_.set(named().speed_to);
       return;
     }
     if (kind == ValueKind::table) {
@@ -241,7 +260,7 @@ class SceneBinder {
 
   std::optional<double> speed_of(const FieldInfo& info, const Value& value, std::size_t i) {
     if (number_fault(info, value).empty()) return value.number;  // no name is made for good ones
-    const FieldInfo& element = scene_fields()[field_at("speed.from")];
+    const FieldInfo& element = scene_fields()[named().speed_from];
     return number_of(element, value, element_name("speed", i));
   }
 
@@ -264,20 +283,20 @@ class SceneBinder {
   void take_outputs(const FieldInfo& info, const Entry& entry) {
     if (entry.value.kind != ValueKind::list) return refuse(info, "outputs", what_came(entry.value));
     if (entry.elements.empty()) return refuse(info, "outputs", "the list is empty");
-    for (std::size_t i = 0; i < entry.elements.size(); ++i)
-      take_output(info, entry.elements[i], element_name("outputs", i));
+    for (std::size_t i = 0; i < entry.elements.size(); ++i) take_output(info, entry.elements[i], i);
   }
 
-  void take_output(const FieldInfo& info, const Value& value, const std::string& name) {
-    if (value.kind != ValueKind::text) return refuse(info, name, what_came(value));
-    const auto output = output_by_name(value.text);
-    if (!output) return refuse_output(info, value, name);
-    if (scene_.outputs.contains(*output))
-      return problems_.error(name, value_text(value) + " is given twice; allowed: each once");
+  void take_output(const FieldInfo& info, const Value& value, std::size_t i) {
+    const auto output = value.kind == ValueKind::text ? output_by_name(value.text) : std::nullopt;
+    if (!output || scene_.outputs.contains(*output))
+      return refuse_output(info, value, element_name("outputs", i));
     scene_.outputs.insert(*output);
   }
 
   void refuse_output(const FieldInfo& info, const Value& value, const std::string& name) {
+    if (value.kind != ValueKind::text) return refuse(info, name, what_came(value));
+    if (output_by_name(value.text))
+      return problems_.error(name, value_text(value) + " is given twice; allowed: each once");
     std::array<std::string_view, output_infos.size()> names;
     for (std::size_t i = 0; i < names.size(); ++i) names[i] = output_infos[i].name;
     problems_.error(name, value_text(value) + " is not known; allowed: " + allowed_text(info) +
@@ -286,7 +305,7 @@ class SceneBinder {
 
   // Outputs that were asked for need their inputs; without a list, those with inputs are computed.
   void check_outputs() {
-    const bool asked = given_[field_at("outputs")] != nullptr;
+    const bool asked = given_[named().outputs] != nullptr;
     if (!asked) scene_.outputs = OutputSet::all();
     for (std::size_t field = 0; field < field_count; ++field) {
       const FieldInfo& info = scene_fields()[field];
@@ -304,9 +323,8 @@ class SceneBinder {
   void check_supply() {
     std::string_view first;
     for (std::size_t field = 0; field < field_count; ++field) {
-      if (given_[field] == nullptr) continue;
+      if (given_[field] == nullptr || !named().of_supply[field]) continue;
       const std::string_view path = scene_fields()[field].path;
-      if (section_of(path) != "supply") continue;
       if (!first.empty())
         problems_.error(path, "given beside " + std::string(first) + "; allowed: exactly one of " +
                                   names_in("supply"));
@@ -319,9 +337,8 @@ class SceneBinder {
   }
 
   bool has_section(std::string_view name) const {
-    for (const std::string_view seen : sections_)
-      if (seen == name) return true;
-    return false;
+    const auto end = sections_.begin() + static_cast<std::ptrdiff_t>(section_count_);
+    return std::find(sections_.begin(), end, name) != end;
   }
 
   // Roelands' law has ln η₀ + 9.67 below a fraction line; that is 0 at η₀ = 6.31499e-5 Pa·s.
@@ -361,7 +378,8 @@ class SceneBinder {
   std::array<const Entry*, field_count> given_{};
   std::bitset<field_count> explained_;  // an error already says why the field is not there
   bool supply_explained_ = false;
-  std::vector<std::string_view> sections_;
+  std::array<std::string_view, section_count> sections_;  // the tables that were given
+  std::size_t section_count_ = 0;
 };
 
 }  // namespace

@@ -261,8 +261,8 @@ constexpr std::array<std::size_t, field_count> by_path = [] {
   return places;
 }();
 
-constexpr std::array<Words, 7> sections{"bodies", "closures", "friction", "lubricant",
-                                        "speed",  "supply",   "surface"};
+constexpr std::array<Words, section_count> sections{"bodies", "closures", "friction", "lubricant",
+                                                    "speed",  "supply",   "surface"};
 
 std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 

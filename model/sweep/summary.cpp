@@ -51,24 +51,25 @@ void Moments::add(std::span<const double> values) {
   if (values.empty()) return;
   const auto n = static_cast<double>(values.size());
   const double origin = values[0];  // so that equal values have their mean exactly
-  std::array<double, lanes> distances{}, rests{}, squares{}, least, greatest;
-  least.fill(origin);
-  greatest.fill(origin);
+  std::array<double, lanes> distances{}, lowest, highest;
+  lowest.fill(origin);
+  highest.fill(origin);
   in_lanes(values, [&](std::size_t lane, double value) {
     distances[lane] += value - origin;
-    least[lane] = std::min(least[lane], value);
-    greatest[lane] = std::max(greatest[lane], value);
+    lowest[lane] = std::min(lowest[lane], value);
+    highest[lane] = std::max(highest[lane], value);
   });
-  const double mean = origin + std::accumulate(distances.begin(), distances.end(), 0.0) / n;
+  const double near_mean = origin + std::accumulate(distances.begin(), distances.end(), 0.0) / n;
+  std::array<double, lanes> rests{}, squared_rests{};
   in_lanes(values, [&](std::size_t lane, double value) {
-    const double rest = value - mean;
+    const double rest = value - near_mean;
     rests[lane] += rest;
-    squares[lane] += rest * rest;
+    squared_rests[lane] += rest * rest;
   });
   const double rest = std::accumulate(rests.begin(), rests.end(), 0.0) / n;
-  const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
-  merge({values.size(), mean + rest, std::max(sum - n * rest * rest, 0.0), std::ranges::min(least),
-         std::ranges::max(greatest)});
+  const double sum = std::accumulate(squared_rests.begin(), squared_rests.end(), 0.0);
+  merge({values.size(), near_mean + rest, std::max(sum - n * rest * rest, 0.0),
+         std::ranges::min(lowest), std::ranges::max(highest)});
 }
 
 void Moments::merge(const Moments& other) {

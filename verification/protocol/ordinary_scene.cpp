@@ -64,7 +64,7 @@ class OrdinaryReader {
     if (!scene_detail::is_section(name)) return false;
     Entry* const entry = next_entry();
     if (entry == nullptr) return false;
-    entry->path = name;
+    set_path(*entry, "", name);
     entry->value.kind = ValueKind::table;
     for (const auto& [inner_name, inner] : section)
       if (!take_field(name, inner_name, inner)) return false;
@@ -74,16 +74,28 @@ class OrdinaryReader {
   bool take_field(std::string_view section, std::string_view name, const dom::element& element) {
     Entry* const entry = next_entry();
     if (entry == nullptr) return false;
-    entry->path = section;
-    if (!section.empty()) entry->path += '.';
-    entry->path += name;
-    if (!scene_detail::find_field(entry->path)) return false;
+    set_path(*entry, section, name);
+    if (!entry->field) return false;
     dom::array list;
     if (element.get(list) != simdjson::SUCCESS) return take_value(element, entry->value);
     entry->value.kind = ValueKind::list;
     for (const dom::element& part : list)
       if (!take_value(part, entry->elements.emplace_back())) return false;
     return true;
+  }
+
+  // Lines of one program have the same names in the same order: mostly this path and its field are
+  // there from the line before.
+  static void set_path(Entry& entry, std::string_view section, std::string_view name) {
+    const std::string_view path = entry.path;
+    const std::size_t start = section.empty() ? 0 : section.size() + 1;
+    if (path.size() == start + name.size() && path.substr(start) == name &&
+        path.starts_with(section) && (start == 0 || path[start - 1] == '.'))
+      return;
+    entry.path = section;
+    if (!section.empty()) entry.path += '.';
+    entry.path += name;
+    entry.field = scene_detail::find_field(entry.path);
   }
 
   bool take_value(const dom::element& element, Value& value) {

@@ -11,11 +11,11 @@ namespace tribo::protocol {
 
 Question read_question(std::string_view line, std::size_t number) {
   const std::string source = fmt::format("line {}", number);
-  if (std::optional<SceneReading> reading = read_ordinary_scene(line, source))
-    return *std::move(reading);
-  // Most of the others are scenes too: only those that may call a function are parsed for one.
+  // Only a line that may call a function is parsed for a call.
   if (line.find("\"function\"") != std::string_view::npos)
     if (std::optional<FunctionCall> call = read_function_call(line)) return *std::move(call);
+  if (std::optional<SceneReading> reading = read_ordinary_scene(line, source))
+    return *std::move(reading);
   return parse_scene_json(line, source, SceneUse::one_speed);
 }
 
