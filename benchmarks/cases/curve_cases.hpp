@@ -20,7 +20,7 @@ std::vector<double> curve_speeds(std::size_t count);
 // in long double.
 Errors judge(const CurveContender& contender, std::size_t count = 200);
 
-// These at both jobs.
+// Each contender at both jobs, curve_200 and points_1e6.
 std::vector<Measured> jobs_of(const std::vector<CurveContender>& contenders);
 
 }  // namespace tribo::benchmarks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Stribeck curve of 200 points, and a million operating points of one scene (fewer for the
-// others: the time is a point's).
+// A Stribeck curve of 200 points, and a million operating points of one scene. The contenders of
+// other families solve fewer points there: times are per point.
 #include <memory>
 
 #include "cases/curve_cases.hpp"

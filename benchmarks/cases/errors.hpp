@@ -10,8 +10,8 @@ namespace tribo::benchmarks {
 struct Errors {
   std::size_t judged = 0;
   std::size_t failures = 0;    // no number, or off by more than failed_beyond
-  std::size_t no_numbers = 0;  // of these
-  double max_ulp = 0;          // of those that are numbers, as the next two
+  std::size_t no_numbers = 0;  // failures without a number
+  double max_ulp = 0;          // over the answers that are numbers, like the next two
   double p99_ulp = 0;
   double mean_ulp = 0;
 };

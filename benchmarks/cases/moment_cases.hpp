@@ -14,11 +14,11 @@ namespace tribo::benchmarks {
 // d spread evenly over (0, 6), in a seeded random order.
 std::vector<double> moment_arguments(std::size_t count);
 
-// Over the certified rows (reference/exact) of the contender's order with from < d < to that it
-// claims.
+// The errors over the certified rows (reference/exact) of the contender's order with from < d < to,
+// within the range that the contender claims.
 Errors judge(const MomentContender& contender, double from = 0, double to = 6);
 
-// These at the job of their order.
+// Each contender at the job of its order.
 std::vector<Measured> jobs_of(const std::vector<MomentContender>& contenders);
 
 }  // namespace tribo::benchmarks

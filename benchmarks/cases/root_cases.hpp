@@ -34,7 +34,7 @@ const StoredRootCases& certified_root_cases(RootJob job);
 
 Errors judge(const RootContender& contender, RootJob job);
 
-// These at the job.
+// Each contender at this job.
 std::vector<Measured> jobs_of(const std::vector<RootContender>& contenders, RootJob job);
 
 }  // namespace tribo::benchmarks

@@ -47,7 +47,8 @@ struct GaussKronrodPow {
   }
 };
 
-// To a finite end: its abscissas reach far enough out for u·u·√u to overflow.
+// The integral gets a finite upper end: on an infinite range the abscissas of this rule are so
+// large that u·u·√u overflows.
 template <class Count>
 struct TanhSinh {
   double tolerance;

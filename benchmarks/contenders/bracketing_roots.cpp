@@ -87,7 +87,8 @@ std::vector<RootContender> bracketing_roots(Settings settings) {
     add_slow(on_load_balance("GSL", fmt::format("Brent + QAGIU {:.0e} sqrt", tolerance), by_root,
                              Brent{tolerance}));
   }
-  // As the paper writes it and one would first: the root two digits finer than the quadrature.
+  // The equation in the paper's form, which one would also try first. The root is two digits finer
+  // than the quadrature.
   for (const double tolerance : chosen(settings, {1e-10}, {1e-3, 1e-6, 1e-8, 1e-10})) {
     const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, tolerance};
     add_slow(on_film(

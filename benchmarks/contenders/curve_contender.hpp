@@ -16,7 +16,7 @@ namespace tribo::benchmarks {
 struct CurveContender {
   std::string family;
   std::string name;
-  // Fills points that have room.
+  // Fills `points`, which the caller has resized.
   std::function<void(const Scene& scene, std::span<const double> speeds, OperatingPoints& points)>
       run;
   bool is_slow;  // tens of microseconds a point

@@ -12,7 +12,7 @@
 
 namespace tribo::benchmarks {
 
-// What GSL calls, of an integrand that is an object.
+// The function that GSL calls, made from an integrand that is an object.
 template <class Integrand>
 gsl_function gsl_view(Integrand& integrand) {
   return {[](double s, void* object) { return (*static_cast<Integrand*>(object))(s); }, &integrand};

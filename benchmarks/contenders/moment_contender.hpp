@@ -32,7 +32,7 @@ struct MomentContender {
   MomentBatch run;
   MomentBatch counted;  // the same, counting its integrand in Counted; empty: it has none
   Range claimed{};
-  // CPU time of the last call, where it was spent in another process; empty: here.
+  // CPU time of the last call, if another process did the work; empty: this process does it.
   std::function<double()> own_seconds{};
 };
 

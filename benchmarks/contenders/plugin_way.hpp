@@ -13,7 +13,7 @@
 
 namespace tribo::benchmarks {
 
-// Each asks the plug-in for one case, to find out whether it offers this.
+// These functions first ask the plug-in for one case, to see whether it offers the quantity.
 std::vector<MomentContender> plugin_moments(const conformance::Plugin& plugin);
 std::vector<RootContender> plugin_roots(const conformance::Plugin& plugin);
 // Those that offer film, load share of the asperities and friction.

@@ -33,14 +33,15 @@ struct RootContender {
   std::string name;
   // Makes what is kept between calls, from the surface of the first case.
   std::function<RootRun(const RootCases&)> prepare;
-  // Moments evaluated over these cases; a pair with its derivative counts once. Empty: none.
+  // How many moments these cases take; a moment with its derivative counts once. Empty: moments are
+  // not counted.
   std::function<double(const RootCases&)> evaluations;
   bool is_slow = false;                   // tens of microseconds a case, or more
   std::function<double()> own_seconds{};  // CPU time of the last call, where not spent here
 };
 
-// Those that take a surface a case, and those for one surface (all cases have the same K and δ).
-// Ours last.
+// Contenders that take a new surface in each case, and contenders for one surface (all cases have
+// the same K and δ). Our own come last.
 std::vector<RootContender> wide_root_contenders(Settings settings = Settings::usual);
 std::vector<RootContender> one_surface_root_contenders(Settings settings = Settings::usual);
 

@@ -33,7 +33,8 @@ class LoadBalance {
   const Moment& moment_;
 };
 
-// The same as the paper writes it, h = h₀(1−A)^−0.14, a film above which h is too large.
+// The same equation as the paper writes it, h = h₀(1−A)^−0.14; the residual is positive where h is
+// too small.
 template <class Count, class Moment>
 class FilmBalance {
  public:
@@ -71,7 +72,7 @@ Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
   return bracket;
 }
 
-// The bracket that one thinks of: from λ₀ to where the roughness is far below.
+// The bracket that one would choose first: from λ₀ to a film far above the roughness.
 template <class Residual>
 Bracket bracket_over_roughness(const RootCase& root_case, const Residual& residual) {
   const double high = root_case.flooded + root_case.offset + 8;

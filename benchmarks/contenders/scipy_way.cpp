@@ -12,7 +12,8 @@
 namespace tribo::benchmarks {
 namespace {
 
-// Started when first asked. Throws std::runtime_error where there is no Python with SciPy.
+// The process starts with the first question. Throws std::runtime_error if there is no Python with
+// SciPy.
 class Scipy {
  public:
   nlohmann::json ask(std::string_view function,

@@ -28,7 +28,8 @@ struct Chosen {
   std::string set;
 };
 
-// Each workload, on each instruction set where it has several, or on one; `only`: of this name.
+// Each workload, and a vector workload on each instruction set. `only` selects a workload by name,
+// `set` an instruction set; if empty, all are selected.
 std::vector<Chosen> chosen(const std::string& only, const std::string& set) {
   std::vector<Chosen> all;
   for (const Workload& workload : workloads()) {

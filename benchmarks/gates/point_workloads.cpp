@@ -21,7 +21,7 @@ std::vector<double> speeds() {
   return all;
 }
 
-// Without work to prepare: that is a scene's, not a point's.
+// The contacts are made outside the timed pass: this work belongs to a scene, not to a point.
 std::vector<MixedContact<double>> contacts() {
   std::vector<MixedContact<double>> all;
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})

@@ -28,7 +28,7 @@ Workloads point_workloads();  // operating points and curves
 
 // All of them.
 const Workloads& workloads();
-// std::exp over an array: what times are set beside.
+// std::exp over an array: the times of the workloads are compared with its time.
 void run_control();
 
 }  // namespace tribo::gates

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sweep cannot do without, as one would write it for these outputs and no others: scenes
-// prepared, points solved and onsets found. Its inputs are there beforehand, and its
-// results are kept nowhere.
+// The work that no sweep can avoid, written for these outputs alone: scenes are prepared, points
+// solved and onsets found. The inputs are made beforehand, and the results are not stored.
 #pragma once
 
 #include <span>

@@ -216,8 +216,8 @@ void keep(const Subject& subject, benchmark::State& state) {
 
 // --- All threads.
 
-// By Linux' own account, of this thread since it began: the time it was ready while others had the
-// processors. 0 where the system keeps none.
+// How long this thread, since its start, was ready to run but waited for a processor, as Linux
+// counts it. 0 if the system does not count it.
 double seconds_kept_waiting() {
   std::ifstream file("/proc/thread-self/schedstat");
   double running = 0, waiting = 0;
@@ -238,7 +238,7 @@ class UndisturbedTime {
     seconds_ += std::chrono::duration<double>(Clock::now() - start.time).count() -
                 (seconds_kept_waiting() - start.waited);
   }
-  // As they end together, whoever was disturbed least does most.
+  // All threads end at about the same time, as a thread that is disturbed less takes more chunks.
   double seconds(int threads) const { return seconds_ / threads; }
   bool has_begun() {
     const std::lock_guard lock(mutex_);

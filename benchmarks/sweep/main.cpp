@@ -75,7 +75,7 @@ class Table : public benchmark::BenchmarkReporter {
 }  // namespace
 
 int main(int count, char** arguments) {
-  // Those given come later, and hold.
+  // The user's options come after these options, so they win.
   std::vector<std::string> options{arguments[0], "--benchmark_repetitions=9",
                                    "--benchmark_enable_random_interleaving=true",
                                    "--benchmark_min_time=0.05"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What asking for chunks takes: rank 0 answers and computes nothing, the others ask and compute
-// nothing. So few chunks are left that each answer holds one, as in the last seconds of a sweep.
-// Started by mpirun with two ranks or more; a line a rank, with tabs.
+// How long it takes to ask for chunks: rank 0 only answers and the other ranks only ask; no rank
+// computes. So few chunks are left that each answer holds one chunk, as in the last seconds of a
+// sweep. Started by mpirun with two ranks or more; each rank prints one line with tabs.
 #include "sweep/ranks.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +55,8 @@ int main() {
       if (seconds >= least_asked_seconds) asked.push_back(seconds);
     }
   };
-  // Of each rank but the first in a round: two chunks, no more chunks, and that it leaves.
+  // Messages of each rank but the first in a round: two chunks, one that no chunks are left, and
+  // one that the rank leaves.
   const std::uint64_t chunks = 2 * (static_cast<std::uint64_t>(ranks.count()) - 1);
   const std::uint64_t messages = rounds * 2 * chunks;
   double wall = 0, cpu = 0;

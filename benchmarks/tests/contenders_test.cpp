@@ -44,8 +44,8 @@ bool is_of_another_set_than_the_best(const std::string& name) {
                      [&](std::string_view set) { return name.ends_with(set); });
 }
 
-// Of contenders that differ in their instruction set alone, the cases of the best set count: the
-// manifest of checks is the same on every machine. All of them are held.
+// Contenders that differ only in their instruction set are all checked, but only the cases of the
+// best set are counted, so that the manifest of checks is the same on every machine.
 template <class Contender, class Visitor>
 void on_each(const std::vector<Contender>& contenders, Visitor&& visit) {
   for (const Contender& contender : contenders) {

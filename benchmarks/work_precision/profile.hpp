@@ -11,8 +11,8 @@
 
 namespace tribo::benchmarks {
 
-// solver, tau, fraction; over the certified rows of the wide job; of all contenders, and of others
-// besides.
+// Rows of solver, tau and fraction, over the certified cases of the wide job. The solvers are the
+// contenders without SciPy and the batches, and then `others`.
 Rows performance_profile(const Effort& effort, const std::vector<RootContender>& others = {});
 
 }  // namespace tribo::benchmarks

@@ -7,7 +7,7 @@
 
 namespace tribo::scene_detail {
 
-// Fills `text`; what comes back is why it could not, "" if it could. `what` is what the file should
+// Fills `text`; returns "", or why `text` could not be filled. `what` names what the file should
 // hold: "a scene".
 std::string read_input_text(const std::string& path, std::string_view what, std::string& text);
 

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::json;
 
 struct Overflow {
-  std::size_t number;  // the how-manieth number of the text, from 0
+  std::size_t number;  // the place of the number among all numbers of the text, from 0
   std::string written;
 };
 

@@ -5,9 +5,10 @@
 #define TOML_MAX_NESTED_VALUES 32
 #include <toml++/impl/forward_declarations.h>
 // Two macros of toml++ are replaced before it uses them:
-// - it assumes of signs what it only checks later: "[=]" trips an assertion in a debug build and is
-//   undefined behaviour with clang's __builtin_assume. Without the assumptions it reports an error;
-// - its tests for non-ASCII blanks call "unreachable" what is merely no blank, as the é of a=+"é".
+// - toml++ assumes properties of characters that it checks only later: "[=]" trips an assertion in
+//   a debug build and is undefined behaviour with clang's __builtin_assume. Without the assumptions
+//   toml++ reports an error;
+// - its tests for non-ASCII blanks call every other character "unreachable", as the é of a=+"é".
 #undef TOML_ASSERT_ASSUME
 #define TOML_ASSERT_ASSUME(expr) static_assert(true)
 #undef TOML_UNREACHABLE

@@ -18,7 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
 
-// Numbers of a row, and the first of them: T stands in it that often and nothing else.
+// How many numbers a row has, and a pointer to the first: a row holds these numbers of type T and
+// nothing else.
 template <template <class> class Numbers>
 inline constexpr std::size_t row_length = sizeof(Numbers<double>) / sizeof(double);
 template <template <class> class Numbers, class T>
@@ -36,7 +37,7 @@ template <template <class> class Numbers, class T, class Function>
 HWY_INLINE auto transformed(const Numbers<T>& row, Function&& function) {
   using Result = decltype(function(row_begin(row)[0]));
   Numbers<Result> result;
-  // Unrolled, rows stay in registers, and of a number that nobody asks for nothing is loaded.
+  // If the loop is unrolled, rows stay in registers, and numbers that nobody uses are not loaded.
 #pragma GCC unroll 64
   for (std::size_t k = 0; k < row_length<Numbers>; ++k)
     row_begin(result)[k] = function(row_begin(row)[k]);
@@ -53,8 +54,7 @@ HWY_INLINE auto first_lane(const Numbers& numbers) {
   return transformed(numbers, [](auto x) HWY_ATTR { return hn::GetLane(x); });
 }
 
-// Of each lane the row whose number is `index`, in rows of `stride` doubles of which it is the
-// start.
+// For each lane the row that begins `index` times `stride` doubles behind `base`.
 template <template <class> class Numbers, class D>
 HWY_INLINE Numbers<hn::Vec<D>> rows_of(D d, const double* base, Integers<D> index,
                                        std::size_t stride = row_length<Numbers>) {

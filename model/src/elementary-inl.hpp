@@ -17,10 +17,11 @@
 #define TRIBO_ELEMENTARY
 #endif
 
-// For a lane or two, and for a whole vector; sleef.h declares those of the compiler's default
-// instruction set alone. Its functions of one double round in the current rounding mode where those
-// of vectors round to nearest, and lose digits in other modes; Highway's targets without
-// instructions of their own have nothing else.
+// SLEEF's functions for one or two lanes (FEW), for a whole vector (MANY), and for one double
+// (ONE). sleef.h declares only those of the compiler's default instruction set. The functions of
+// one double round in the current rounding mode, and lose digits in modes other than to nearest;
+// the functions of vectors always round to nearest. The other targets of Highway have only the
+// functions of one double.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
 #define TRIBO_SLEEF_FEW(name, error) Sleef_finz_##name##d2_##error##avx2128
 #define TRIBO_SLEEF_MANY(name, error) Sleef_finz_##name##d8_##error##avx512f

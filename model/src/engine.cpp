@@ -379,8 +379,9 @@ const Names& names() {
 // Before main, and so before any kernel is chosen.
 [[maybe_unused]] const Names& found_before_main = names();
 
-// kernel(first, count, roots), which returns its steps, for each block: the result may stand where
-// an argument stood. What it leaves is NaN, and falls to Newton's method, newton(index).
+// Calls kernel(first, count, roots), which returns its steps, for each block. The results go
+// through a buffer, so that they may overwrite an argument. A root that the kernel leaves is NaN,
+// and is left to Newton's method, newton(index).
 template <class Kernel, class Newton>
 SharingWork in_blocks(std::size_t count, std::span<double> film_parameter, const Kernel& kernel,
                       const Newton& newton) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine's kernels as plain functions. What they leave to the formula text, beyond their range,
-// is NaN.
+// The engine's kernels as plain functions. Beyond their range they return NaN, and leave the point
+// to the formula text.
 #pragma once
 
 #include <array>
@@ -49,13 +49,14 @@ struct Kernels {
                               double flooded_film_parameter);
   LoadShares<double> (*shares_at_root)(Order order, const SurfaceNumbers<double>& surface,
                                        double flooded_film_parameter, double film_parameter);
-  // Roots of one surface and of as many as there are points, at most sharing_block; their steps.
+  // Roots of one surface for all points, and of one surface for each point; at most sharing_block
+  // points. They return the number of steps.
   std::size_t (*roots_of_one)(Order order, const SurfaceNumbers<double>& surface,
                               const double* flooded, double* film_parameter, std::size_t count);
   std::size_t (*roots_of_many)(Order order, const double* stiffness, const double* offset,
                                const double* flooded, double* film_parameter, std::size_t count);
-  // Contacts of one asperity model, prepared from scenes; without a floor that holds where K or δ
-  // is beyond the kernels' range.
+  // Prepares contacts of one asperity model from scenes. Where K or δ is beyond the kernels' range,
+  // the floor that this gives is not valid.
   void (*prepare)(AsperityModel model, const SceneNumbers<double>* scenes,
                   ContactNumbers<double>* contacts, std::size_t count);
   // λ₀ at a speed, the inlet at a film, and the outputs from both.
@@ -82,7 +83,7 @@ const Kernels& engine();
 // Are K and δ within the range of the kernels?
 bool is_within_engine(const SurfaceNumbers<double>& surface);
 
-// As the kernel does, with floors by the formula text beyond its range.
+// Like the kernel `prepare`; beyond its range the floors come from the formula text.
 void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts);
 

@@ -218,7 +218,7 @@ HWY_INLINE V times_gaussian(D d, Sum<V> s, V x, double part = 0.5) {
   const auto whole = hn::Sub(hn::BitCast(bits, shifted), hn::BitCast(bits, shifter));
   const V r = hn::Add(hn::NegMulAdd(k, step_high, half_square),
                       hn::NegMulAdd(k, step_low, hn::Mul(hn::Set(d, part), square.low)));
-  // e^{−r} − 1, |r| < 0.0028, and what the power of two is short of
+  // p = e^{−r} − 1, |r| < 0.0028, plus the relative rounding error of the power of two, power[1]
   V power[2];
   load_rows(d, powers_of_two[0], hn::And(whole, hn::Set(bits, std::uint64_t{powers_a_binade - 1})),
             power);

@@ -31,7 +31,7 @@ HWY_INLINE V share_at(D d, Order order, V stiffness, V argument) {
   const V at_zero = is_root ? hn::Sqrt(product) : product;
   const auto above_zero = hn::Gt(argument, hn::Zero(d));
   if (hn::AllFalse(d, above_zero)) return at_zero;
-  // e^{−q x²/2} is 0 from 60 on, in GW from 40 on: a subnormal A needs a K of 1e300.
+  // From this limit on A is set to 0: e^{−q x²/2} is below the least double there.
   const V limit = hn::Set(d, is_root ? 56.0 : 40.0);
   const V value = times_gaussian(d, Sum<V>{at_zero, hn::Zero(d)}, hn::Min(hn::Abs(argument), limit),
                                  is_root ? 0.25 : 0.5);
@@ -64,7 +64,7 @@ HWY_INLINE Shares<V> shares_at_root(D d, Order order, const detail::SurfaceNumbe
                              hn::Mul(log_fluid, hn::Set(d, residual)));
   const V rough = exponential(d, log_fluid);
   const V correction = hn::Mul(rough, hn::Div(short_of, exponent));
-  // λ₀ = λ = 0 and the like
+  // The correction is left out where it is NaN or not small, as for λ₀ = λ = 0.
   const V fluid =
       hn::IfThenElse(hn::Lt(hn::Abs(correction), one), hn::Add(rough, correction), rough);
   const auto is_little = hn::Lt(fluid, hn::Set(d, 0.5));

@@ -8,16 +8,17 @@
 //   the floor's form   g = ln(1 − w) − ln A, where A > w and λ|d ln A/dλ| A/(1 − A) > p
 //
 // both increase, and each is nearly straight where it is taken, so that steps of fourth order reach
-// the root in one to three from
-//   λ₀                   where A(λ₀) < 1 and not next to it,
-//   just above the floor where not: there ln A = −h(λ − λ_b), and 1 − w hardly changes.
-// The floor is the surface's. Where A(0) is hardly below 1 there is none, but the same pole just
-// below 0: it is found to a few digits from A and its derivatives at λ₀.
+// the root in one to three steps from
+//   λ₀                   where A(λ₀) < 1 and λ₀ is not next to a floor,
+//   just above the floor elsewhere: there ln A = −h(λ − λ_b), and 1 − w hardly changes.
+// The floor is the one of the surface. Where A(0) is hardly below 1 there is no floor, but the same
+// pole of ln(1 − A) lies just below 0: A and its derivatives at λ₀ give it to a few digits.
 //
-// A step is the last where its estimate says that it is off by less than 2^−55 in y. Off by 1.09 of
-// its estimate is the worst that was seen; analytic.SharingStep allows twice. No iterate falls
-// below λ₀, and a lane that is not there after max_sharing_steps is left to Newton's method on the
-// convex form, which rises to the root from wherever it starts left of it.
+// A step is the last one where the estimate of its error in y is below 2^−55. The greatest error
+// of 39 000 random steps was 1.09 times its estimate; in the 2400 steps of analytic.SharingStep no
+// error exceeds its estimate. No iterate falls below λ₀. A lane that has not reached its root after
+// max_sharing_steps is left to Newton's method on the convex form, which rises to the root from any
+// start left of the root.
 #include <hwy/highway.h>
 
 #include <limits>
@@ -100,8 +101,8 @@ HWY_INLINE Iterate<V> above_floor(D d, V floor, V hazard, V flooded) {
   return {times_exp(d, floor, further), hn::Add(log_rise, further)};
 }
 
-// A start from a λ₀ below the floor: where ln A, continued from there as a parabola, is 0, but not
-// beyond δ + √(2 ln K F_p(0)), which no floor passes; and from there a little above.
+// A start for a λ₀ below the floor. It lies a little above the zero of ln A, continued from λ₀ as a
+// parabola; this zero is taken as no greater than δ + √(2 ln K F_p(0)), which no floor exceeds.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, const SharingInputs<V>& in,
                                        const Asperities<V>& at) {
@@ -215,7 +216,7 @@ HWY_INLINE Step<D> sharing_step(D d, V flooded, const Iterate<V>& from, const As
           hn::And(hn::Lt(reach2, hn::Set(d, 0x1p-4)), hn::Lt(estimate, hn::Set(d, 0x1p-55)))};
 }
 
-// λ = λ₀ hardly above a floor or below it: a jump, not a step.
+// Is λ still λ₀, and hardly above a floor or below it? Then a jump is made, and no step.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterate<V>& now) {
   const V near = hn::Set(d, sharing_pole_nearness);
@@ -224,8 +225,8 @@ HWY_INLINE hn::Mask<D> is_below_floor(D d, const Asperities<V>& at, const Iterat
                  hn::Eq(now.log_rise, hn::Zero(d)));
 }
 
-// A vector of points to their roots; NaN where one is not there in max_sharing_steps. `steps` is of
-// the slowest lane.
+// The roots of a vector of points; NaN where a root is not reached in max_sharing_steps. `steps` is
+// the number of steps of the slowest lane.
 template <class V>
 struct Roots {
   V film_parameter;

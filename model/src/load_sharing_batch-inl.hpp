@@ -94,8 +94,8 @@ HWY_INLINE hn::Vec<D> compressed([[maybe_unused]] D d, hn::Vec<D> value, hn::Mas
 #endif
 }
 
-// Up to sharing_block points on their way to the root. Those that are there leave, and the others
-// close ranks, so that no lane waits for another.
+// Up to sharing_block points on their way to the root. Points that have reached their root leave,
+// and the others move together, so that no lane waits for another.
 template <class D, bool one_surface>
 class Travellers {
  public:
@@ -274,8 +274,9 @@ HWY_INLINE RootStart<D> root_start(D d, const detail::SurfaceNumbers<V>& surface
   return start;
 }
 
-// At most sharing_block roots at λ₀; surface_at(i) has the numbers of the surfaces of the vector of
-// points that starts at i. NaN: left to Newton's method. The steps they took.
+// At most sharing_block roots at λ₀; surface_at(i) gives the numbers of the surfaces of the vector
+// of points that starts at i. A root that is left to Newton's method is NaN. Returns the number of
+// steps.
 template <class D, bool one_surface, class SurfaceAt>
 HWY_INLINE std::size_t roots_of_block(D d, Order order, const SurfaceAt& surface_at,
                                       const double* flooded, double* result, std::size_t count) {

@@ -113,8 +113,8 @@ HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>
       is_high, hn::Mul(hn::Mul(factor, hn::Div(of_load, surface.stiffness)), ratio), value);
 }
 
-// Is A < 2^−54, half an ulp of 1 − A? By the bound of sharing_film_from, which is A < 2^−54 p, p =
-// 1/0.14, and falls as e^{−d²/4}.
+// Is A < 2^−54, half an ulp of 1 − A? This follows from the bound at film_from, where A < 2^−54 p,
+// p = 1/0.14: beyond it the bound falls as e^{−d²/4}.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const detail::SurfaceNumbers<V>& surface,
                                              V film) {
@@ -123,7 +123,7 @@ HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const detail::SurfaceNumbers<V
   return hn::And(hn::Gt(x, hn::Zero(d)), hn::Gt(hn::Mul(x, x), beyond));
 }
 
-// What of a set of outputs needs which part of the way.
+// Which parts of the computation a set of outputs needs.
 struct Needs {
   explicit Needs(OutputSet outputs, SupplyKind supply)
       : is_starved(supply != SupplyKind::flooded),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which instruction sets this process may use: those that the processor has, and that the C library
-// has not been told to leave alone. GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA switches
-// them off for the C library's functions and for ours alike, so that one machine can run what
-// another one would.
+// The instruction sets that this process may use: those of the processor, except those that the C
+// library has been told not to use. GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA switches
+// them off for the functions of the C library and for ours alike, so that one machine can run the
+// code that another machine would run.
 #pragma once
 
 #include <cstdint>

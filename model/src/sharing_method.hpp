@@ -18,14 +18,14 @@ inline constexpr double sharing_p = 50.0 / 7;
 // and 2 ln 2 are rounded up.
 inline constexpr double free_square = 141.1, free_square_slope = 1.3863;
 
-// Where it may be used: nothing in it overflows or loses digits. Beyond, the formula text in long
-// double.
+// The range in which the engine's root may be used: nothing in it overflows or loses digits. Beyond
+// this range the formula text in long double is used.
 inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiffness = 1e300;
 inline constexpr double sharing_greatest_offset = 40;
 inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;
 
-// The floor, the pole of ln(1 − A), is near where its distance in ln λ, (1 − A)/(A |d ln A/d ln
-// λ|), is below 1 over this: a step from λ₀ would be as short.
+// The floor, the pole of ln(1 − A), counts as near where its distance in ln λ, (1 − A)/(A |d ln A/d
+// ln λ|), is below 1/sharing_pole_nearness: a step from λ₀ would be as short as this distance.
 inline constexpr double sharing_pole_nearness = 64;
 
 // A step in y = ln(λ/λ₀) at most halves λ, or makes it 3.3 times. Only next to a critical

@@ -48,8 +48,9 @@ HWY_INLINE InverseRatio<V> inverse_ratio(D d, StarvationClosure closure, V x) {
   return {value, hn::Div(hn::MulAdd(y, y_slope, hn::Mul(term, term_slope)), value)};
 }
 
-// √ψ of an implicit closure at 1/r = g: multiplicative steps of Halley's kind, of third order for a
-// power of x, which 1/r nearly is, from the greater of its two terms alone.
+// √ψ of an implicit closure at 1/r = g, by multiplicative steps of Halley's kind. They are of third
+// order for a power of x, and 1/r is nearly such a power. The start is from the greater of the two
+// terms of 1/r alone.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
   const V one = hn::Set(d, 1.0);
@@ -63,7 +64,8 @@ HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
     short_inlet = hn::Sqrt(hn::Div(g, hn::Set(d, linear_slope)));
   }
   V x = hn::Min(long_inlet, short_inlet);
-  // Where x³ outgrows a double, or y its inverse power, one term is all to every digit.
+  // Near where x³, or the inverse power of y, overflows a double, one term of 1/r is all to every
+  // digit.
   auto is_open = hn::And(hn::Gt(x, hn::Set(d, 1e-40)), hn::Lt(x, hn::Set(d, 1e90)));
   for (int steps = 0; steps < 30 && !hn::AllFalse(d, is_open); ++steps) {
     const InverseRatio<V> at = inverse_ratio(d, closure, x);

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-// From so many speeds on, a case's own points fill a batch; below, those of many cases share one.
+// With this many speeds or more, the points of one case fill a batch; with fewer speeds, the points
+// of many cases share a batch.
 constexpr std::size_t speeds_of_a_curve = 16;
 constexpr std::size_t cases_in_hand = 256;
 
@@ -22,8 +23,8 @@ using Numbers = std::array<double, sizeof(detail::SceneNumbers<double>) / sizeof
 
 Numbers numbers_of(const Scene& scene) { return std::bit_cast<Numbers>(detail::numbers_of(scene)); }
 
-// Which of a contact's numbers a variable is, seen from what two of its values change; none where
-// they change something else too.
+// The place, among a contact's numbers, of the number that a variable sets, found by trying two
+// values of the variable. Nothing where the variable changes anything else.
 std::optional<std::size_t> place_of(const Variable& variable, Scene scene) {
   const double least = variable.is_drawn() ? variable.distribution.least() : variable.grid.front();
   const double greatest =
@@ -146,8 +147,8 @@ void CaseSolver::solve_few_speeds(std::span<const double> variables, std::span<d
   put_points(results, cases);
 }
 
-// The points of so many cases, those of a case in a row: output o of a case's point j goes to
-// o·speeds + j of the case's part of the results.
+// Copies the points of `cases` cases, which lie case after case, to the results: output o of point
+// j of a case goes to place o·speeds + j of that case's results.
 void CaseSolver::put_points(std::span<double> results, std::size_t cases) const {
   const std::size_t speeds = points_.size() / cases, width = results.size() / cases;
   std::size_t column = 0;
@@ -172,8 +173,8 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases) const 
     put([&](std::size_t i) { return static_cast<double>(points_.inlet[i]); });
 }
 
-// Of the inlet's onsets, which rest on the closure alone, there are new ones only with another
-// closure.
+// Computes the inlet's onsets. They depend on the closure (with its exponent) alone, so that they
+// are computed anew only when the closure changes.
 void CaseSolver::prepare_inlet(const MixedContact<double>& contact) {
   const bool is_known = !inlet_onsets_.empty() && contact.closure() == inlet_closure_ &&
                         contact.damiens_exponent() == inlet_exponent_;

@@ -28,7 +28,7 @@ class CaseSolver {
   bool is_contact_of(std::span<const double> values) const;
   void find_places();
   void add(std::span<const double> values);  // one more case in hand
-  // Of the one contact, at the cases' speeds.
+  // The results of the only contact, at the speeds of the cases.
   void solve_speeds(std::span<const double> speeds, std::span<double> results);
   void put_points(std::span<double> results, std::size_t cases) const;
   void solve_few_speeds(std::span<const double> variables, std::span<double> results);
@@ -38,12 +38,13 @@ class CaseSolver {
 
   const SceneSweep& sweep_;
   Scene scene_;
-  // What a contact needs of the scene, and where each variable goes in it, the speed nowhere: empty
-  // where a variable is more than one of these numbers (a closure, say) and goes through the scene.
+  // What a contact needs of the scene, and the place of each variable among the numbers (not used
+  // for the speed). places_ is empty where some variable is more than one of these numbers (a
+  // closure, say); then all variables go through the scene.
   detail::ContactWords words_;
   detail::SceneNumbers<double> numbers_;
   std::vector<std::size_t> places_;
-  std::size_t speed_variable_ = 0;  // its place; past the last: it does not vary
+  std::size_t speed_variable_ = 0;  // number of the variable `speed`; past the last: none
   // Where the speed alone varies and no onset is asked.
   std::optional<MixedContact<double>> only_contact_;
   MixedContacts contacts_;                         // of the cases in hand

@@ -30,7 +30,7 @@ void CaseGenerator::groups(std::uint64_t first, std::span<double> values) {
   for (std::size_t i = 0; i < count; ++i) mix(values.subspan(i * group_size, group_size));
 }
 
-// The same draws for each set of grid values: what changes with the grid is not hidden by chance.
+// Each set of grid values gets the same draws, so that chance does not hide the effect of the grid.
 void CaseGenerator::draw(std::uint64_t group, std::size_t count) {
   if (drawn_ == 0 || count == 0) return;
   const std::size_t dimensions = unit_.size() / count;
@@ -52,7 +52,7 @@ void CaseGenerator::take_from_grids(std::uint64_t group, std::span<double> value
   }
 }
 
-// Field by field: what a distribution is asked for, it is asked for many times.
+// Field by field, so that each distribution is asked for many quantiles at once.
 void CaseGenerator::quantiles(Rows<const double> unit, Rows<double> values, std::size_t count) {
   const auto variables = std::span(sweep_.variables).subspan(grids_);
   if (sweep_.correlation_root.empty()) {

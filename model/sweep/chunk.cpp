@@ -8,7 +8,7 @@ namespace {
 
 void put_count(Bytes& to, std::size_t count) { put(to, static_cast<std::uint64_t>(count)); }
 
-// A count is not believed before what it counts is there: nothing is reserved.
+// Reserves no memory by the count, which may be false: elements are added as they are read.
 template <class Take>
 auto take_list(ByteReader& from, Take&& take) {
   std::vector<decltype(take(from))> list;

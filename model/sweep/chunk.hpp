@@ -18,7 +18,7 @@ struct Chunk {
   // Where the scene keeps points: its variables in their order, then its columns; each with the
   // room of a whole chunk, even where the last one has fewer cases.
   std::vector<PackedValues> values;
-  // Of each column, of each of its values a case: columns[c][i], i < width.
+  // summaries[c][i]: the summary of value i < width (of each case) of column c.
   std::vector<std::vector<ValueSummary>> summaries;
   // With sensitivity: likewise, in the blocks that the chunk touches.
   std::vector<std::vector<std::map<std::uint32_t, SensitivitySums>>> sensitivities;

@@ -15,7 +15,7 @@ class ChunkQueue {
  public:
   explicit ChunkQueue(std::vector<std::uint64_t> pending) : pending_(std::move(pending)) {}
 
-  // The next ones, at most `most`; none where all are taken, or after stop().
+  // The next chunks, at most `most`; none where all chunks are taken, or after stop().
   std::vector<std::uint64_t> take(std::size_t most) {
     const std::lock_guard lock(mutex_);
     const std::size_t some = stopped_ ? 0 : std::min(most, pending_.size() - next_);

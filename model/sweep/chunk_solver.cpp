@@ -26,8 +26,8 @@ struct ChunkSolver::OfScene {
       if (!std::isfinite(value)) value = 0;
   }
 
-  // Puts those of the block's cases that are kept where they belong, from group `first` of the
-  // chunk.
+  // Copies the kept cases of the block to their places in the chunk, from group `first` of the
+  // chunk on.
   void keep(std::uint64_t first) {
     const std::size_t rows = sweep.cases_per_group(), kept_rows = sweep.cases_kept_per_group();
     const std::size_t variables = sweep.variables.size(), width = sweep.width();

@@ -15,8 +15,9 @@ namespace tribo::sweep {
 // How many threads `threads` means, of which 0 is as many as the machine has.
 int thread_count(int threads);
 
-// Computes what next() gives, on so many threads, until it gives nothing. keep(chunk) is called by
-// any of them, by several at once; what it throws ends the work and is thrown on.
+// Computes the chunks that next() gives, on `threads` threads, until it gives no more. Any of these
+// threads calls keep(chunk), several of them at once; an exception of keep() ends the work and is
+// thrown on.
 void compute(const SweepPlan& plan, int threads, const NextChunk& next,
              const std::function<void(const Chunk&)>& keep);
 

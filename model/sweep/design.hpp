@@ -31,8 +31,8 @@ inline constexpr std::size_t most_dimensions = 100;
 // Not for two threads at once: each has its own.
 class UnitPoints {
  public:
-  // design: any but factorial. `points` is how many there are in all; a Latin hypercube is of them,
-  // at most 2⁴⁸. Throws std::invalid_argument.
+  // design: any but factorial. points: the number of points in all; a Latin hypercube is made for
+  // exactly this number, which is at most 2⁴⁸. Throws std::invalid_argument.
   UnitPoints(Design design, std::size_t dimensions, std::uint64_t points, std::uint64_t seed);
   UnitPoints(UnitPoints&&) noexcept;
   UnitPoints& operator=(UnitPoints&&) noexcept;

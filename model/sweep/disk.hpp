@@ -52,7 +52,8 @@ inline Descriptor open_file(const std::string& path, int flags, const std::strin
   return file;
 }
 
-// Likewise: the size of an open file, and as many of its bytes as there are, up to the room.
+// The size of an open file, and as many of its bytes as there are, up to the size of `room`. Both
+// throw as open_file() does.
 inline std::uint64_t size_of(int file, const std::string& what) {
   struct stat status {};
   if (::fstat(file, &status) != 0) throw std::runtime_error(what + ": " + error_text(errno));

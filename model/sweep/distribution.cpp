@@ -102,8 +102,8 @@ void Distribution::take_quantiles(std::span<double> numbers) const {
   }
 }
 
-// Each number's part of the normal between the bounds is below(number), and above(number) is the
-// rest. By the tail that is the smaller, whose digits are all there.
+// below(number) is the part of the normal between the bounds that lies below the wanted value, and
+// above(number) is the rest. The value is computed from the smaller tail, which has all its digits.
 template <class Below, class Above>
 void Distribution::take_truncated(std::span<double> numbers, const Below& below,
                                   const Above& above) const {
@@ -131,7 +131,8 @@ void Distribution::take_values(std::span<double> normals) const {
 
 namespace {
 
-// use(some) of numbers that lie side by side, and that it changes in place.
+// Copies the numbers block by block to places side by side, calls use(some), which changes them in
+// place, and copies them back.
 template <class Use>
 void in_blocks(Rows<const double> from, Rows<double> to, std::size_t count, const Use& use) {
   std::array<double, block> numbers;

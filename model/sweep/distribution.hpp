@@ -28,15 +28,15 @@ struct Rows {
   T* operator[](std::size_t row) const { return first + row * stride; }
 };
 
-// from < to bound all four; for the two normal ones they truncate, and may be infinite. No value
-// that comes out is beyond them.
+// The bounds from < to hold for all four kinds. They truncate the two normal kinds, and may be
+// infinite there. No value lies beyond the bounds.
 class Distribution {
  public:
   Distribution() = default;
   static Distribution uniform(double from, double to);
   static Distribution log_uniform(double from, double to);  // 0 < from
-  // These two throw std::invalid_argument if the bounds are on one side and so far out (37 sd) that
-  // the part of the whole normal beyond the nearer one is less than 1e-300.
+  // normal() and log_normal() throw std::invalid_argument if both bounds are on one side and so far
+  // out (37 sd) that the part of the whole normal beyond the nearer bound is less than 1e-300.
   static Distribution normal(double mean, double sd, double from, double to);
   // ln x has this sd around ln median; 0 < median, 0 <= from.
   static Distribution log_normal(double median, double log_sd, double from, double to);

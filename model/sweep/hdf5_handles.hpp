@@ -15,9 +15,9 @@
 
 namespace tribo::sweep::hdf5 {
 
-// Closing is when the last bytes of what was open are written, so that a close that fails is a
-// write that failed. Destructors cannot throw it: the first failure in this thread is kept until it
-// is taken.
+// HDF5 writes the last bytes of an object when the object is closed, so that a close that fails is
+// a write that failed. Destructors cannot throw this failure: the first one in this thread is kept
+// until take_failed_close() takes it.
 void note_failed_close() noexcept;
 std::optional<std::string> take_failed_close();
 
@@ -51,7 +51,7 @@ struct Error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Of each call that returns a number below zero when it fails.
+// Checks the result of a call that returns a number below zero when it fails.
 template <class T>
 T checked(T result) {
   if (result < 0) throw Error();

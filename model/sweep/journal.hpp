@@ -40,8 +40,8 @@ class Journal {
  public:
   // Makes a new one; fails if there is a file already.
   static Journal create(const std::string& path, const JournalHeader& header);
-  // Opens one to go on, behind its last whole record. What follows that is cut off; damage before
-  // it stays, so that no whole record behind it is lost.
+  // Opens a journal to go on behind its last whole record. What follows that record is cut off.
+  // Damage before it is left as it is, so that no whole record behind the damage is lost.
   static Journal resume(const std::string& path);
 
   // Any thread may call.
@@ -93,8 +93,8 @@ class JournalReader {
 // All chunks of some journals of one sweep, by number.
 class JournalSet {
  public:
-  // Throws std::runtime_error where they do not go together: the text says which and why. With
-  // `mixed_fma` those may differ.
+  // Throws std::runtime_error where the journals do not go together: the text says which and why.
+  // With `mixed_fma` their arithmetics may differ.
   JournalSet(std::vector<JournalReader> readers, std::uint64_t chunks, bool mixed_fma);
 
   const JournalHeader& header() const { return readers_.front().header(); }
@@ -102,8 +102,8 @@ class JournalSet {
   std::uint64_t count() const { return count_; }
   std::uint64_t chunks() const { return places_.size(); }
   Bytes read(std::uint64_t chunk) const;
-  // On which the chunks were computed: each once, in the alphabet's order. There are several only
-  // where the user has allowed it.
+  // The arithmetics with which the chunks were computed: each once, in the alphabet's order. There
+  // are several only where the user has allowed it.
   std::string arithmetics() const;
 
  private:

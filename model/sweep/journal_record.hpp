@@ -7,9 +7,10 @@
 //   checksum  8 bytes; XXH3 of number, size and the rest, with the seed of the journal
 //   the bytes
 //
-// The first two records are the header, twice, so that no one damaged place makes a journal
-// unreadable; their seed is 0. The other records' seed is the header's checksum, so that those of
-// another sweep are none here. After damage the next whole record is looked for by its magic.
+// The header is written twice, as the first two records, so that one damaged place cannot make a
+// journal unreadable; the seed of these two records is 0. The seed of the other records is the
+// header's checksum, so that records of another sweep do not count as records of this journal.
+// After damage the next whole record is found by its magic.
 #pragma once
 
 #include <array>

@@ -35,9 +35,10 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
   return columns;
 }
 
-// Long enough that a record's bytes and its place in the file are little beside it, short enough
-// that little is lost with it: some 256 chunks of at least 1024 points, later of 65536, and some
-// 4096 of those that are longer still. A chunk of kept points has at most some 131072 numbers.
+// A chunk is long enough that the overhead of its record and of its place in the file is small, and
+// short enough that little is lost with it: a sweep has about 256 chunks of 1024 to 65536 points; a
+// greater sweep has more chunks of 65536 points; the greatest have about 4096 chunks of more points
+// each, up to 2²⁰. A chunk of kept points has at most some 131072 numbers.
 std::uint64_t groups_a_chunk(const SceneSweep& sweep, std::uint64_t points) {
   constexpr std::uint64_t least = 1024, usual = 65536, most = 1 << 20, most_numbers = 1 << 17;
   std::uint64_t chunk_points = std::clamp(points / 256, least, usual);

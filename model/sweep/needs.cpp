@@ -111,7 +111,8 @@ Sample sample_of(const SweepPlan& plan, double seconds) {
           sum.record / count,        sum.chunk_memory / count,  memory_of(merged)};
 }
 
-// Nearly all grows with the number of speeds in a straight line: by two of them, to all.
+// Nearly all needs grow in a straight line with the number of speeds: two samples, at `few` and at
+// `some` speeds, are extrapolated to all speeds.
 Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
   constexpr std::size_t few = 32, some = 128;
   constexpr double seconds = 0.1;
@@ -128,8 +129,9 @@ Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
           reach(&Sample::chunk_memory),  reach(&Sample::merged_memory)};
 }
 
-// --- What is known without a sample. What is called measured was, with HDF5 1.10.8; that the sums
-// of all this are within 1.5 times of what a sweep takes is for test_sweep.Estimates to hold.
+// --- What is known without a sample. Numbers with the word "measured" were measured with HDF5
+// 1.10.8. test_sweep.Estimates checks that the sums of all this are within 1.5 times of what a
+// sweep takes.
 
 constexpr double program_memory = 25e6;  // before it does anything, with its libraries; measured
 
@@ -165,7 +167,7 @@ double reading_memory(const SceneSweep& scene) {
   return width * value + 8 * numbers_of_summary * static_cast<double>(widest(scene));
 }
 
-// What a scene's chunks add to the file and the journal, whose bytes of a chunk these are.
+// Adds the bytes of a scene to the file and the journal. kept, record: bytes of one chunk there.
 void add_files(Needs& needs, const SceneSweep& scene, double kept, double record) {
   constexpr double in_index = 75;  // bytes of HDF5's for each chunk of a dataset, measured
   const auto chunks = static_cast<double>(scene.chunks);
@@ -224,7 +226,7 @@ double number_in(const char* path) {
 
 double memory_there_is() {
   double least = number_in("/proc/meminfo", "MemAvailable:", 1024);
-  // Of a container: what it may have, without what it has that is no cache of files.
+  // In a container: its limit of memory, less its used memory that is no cache of files.
   const double most = number_in("/sys/fs/cgroup/memory.max");
   const double used = number_in("/sys/fs/cgroup/memory.stat", "anon", 1);
   if (std::isfinite(most) && std::isfinite(used)) least = std::min(least, most - used);
@@ -247,7 +249,8 @@ Needs needs_of(const SweepPlan& plan, int threads) {
   double computing = 0, writing = 0, reading = 0;
   for (const SceneSweep& scene : plan.scenes) {
     const Sample sample = at_all_speeds(scene, scene.chunk_groups);
-    // The more cases, the more different values; a chunk may be of one alone.
+    // Summaries grow with the number of different values, and a chunk may have one case alone: this
+    // sample takes chunks of up to 256 groups.
     const double merged =
         scene.chunk_groups >= sampled_groups
             ? sample.merged_memory

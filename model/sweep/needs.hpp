@@ -19,12 +19,12 @@ struct Needs {
 // threads: as those of a run.
 Needs needs_of(const SweepPlan& plan, int threads);
 
-// More than needs_of(), from the plan alone; of seconds nothing.
+// At least as much as needs_of(), from the plan alone; seconds are not estimated.
 Needs most_needs(const SweepPlan& plan, int threads);
 
-// Why a sweep has no room in this machine's memory, or on the disk of its result; empty if it has,
-// or if that cannot be known. Looks closely only where it could be. there: bytes of its journals
-// that are on the disk already.
+// Why a sweep has no room in this machine's memory, or on the disk of its result; empty if it has
+// room, or if that cannot be known. Calls needs_of() only where most_needs() does not fit. there:
+// bytes of its journals that are on the disk already.
 std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result,
                          double there);
 

@@ -7,8 +7,8 @@ namespace tribo::sweep {
 
 namespace fs = std::filesystem;
 
-// Who holds the lock removes its file before letting it go. So whoever locks a file that has lost
-// its name meanwhile has locked nothing, and begins again.
+// A process that holds the lock removes the lock's file before it releases the lock. So a process
+// that locks a file which has lost its name meanwhile has locked nothing, and begins again.
 OutputLock::OutputLock(const std::string& output) : path_(output + ".lock") {
   do {
     file_ = open_file(path_, O_RDWR | O_CREAT | O_NOFOLLOW, "cannot write " + output);

@@ -15,8 +15,8 @@ struct RunRefused : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-// A lock (flock) on the file OUTPUT.lock, which is there only while somebody has it or was killed
-// with it. Who finds it taken is refused.
+// A lock (flock) on the file OUTPUT.lock. The file is there only while a process holds the lock, or
+// after such a process was killed. A process that finds the lock taken is refused.
 class OutputLock {
  public:
   // Throws RunRefused where another process has it, std::runtime_error where it cannot be made.
@@ -36,8 +36,8 @@ class OutputLock {
   Descriptor file_;
 };
 
-// What a path leads to, behind symbolic links; the last of them may lead to nothing yet. Throws
-// RunRefused where that is there and is no regular file.
+// The file that a path leads to, behind symbolic links; this file need not be there yet. Throws
+// RunRefused where it is there and is no regular file.
 std::string output_behind_links(const std::string& path);
 
 }  // namespace tribo::sweep

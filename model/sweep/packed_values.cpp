@@ -44,8 +44,9 @@ void shuffle(std::span<const double> values, std::span<std::byte> planes) {
 
 enum class Method : std::uint8_t { stored, huffman, matches };
 
-// Would a Huffman code for its bytes save less than about 0.2 bits of 8? Judged by Σp² of a sample,
-// in integers, so that all machines come to the same; 256 n is what chance adds to n² for n bytes.
+// Would a Huffman code for the bytes of a plane save less than about 0.2 bits of 8? Judged by Σp²
+// of a sample, in integers, so that all machines decide alike. For n bytes that are spread evenly,
+// 256 Σc² of their counts c is n², plus about 256 n by chance.
 bool is_spread_evenly(std::span<const std::byte> plane) {
   constexpr std::size_t runs = 16, run = 64;
   std::array<std::uint32_t, 256> counts{};
@@ -83,7 +84,7 @@ bool has_matches(std::span<const std::byte> bytes, std::size_t step) {
   return matches * 4 > length;
 }
 
-// `may_repeat`: do whole values? Where they do not, bytes that are spread evenly hold no matches.
+// `may_repeat`: do whole values repeat? If not, bytes that are spread evenly hold no matches.
 Method method_for(std::span<const std::byte> plane, bool may_repeat) {
   const bool is_even = is_spread_evenly(plane);
   if (is_even && !may_repeat) return Method::stored;

@@ -58,7 +58,7 @@ struct SceneSweep {
   std::string text;  // the whole of it
   Scene scene;       // with nominal values
 
-  std::vector<Variable> variables;  // grids first, each in the file's order
+  std::vector<Variable> variables;  // grids first, each kind in the schema's order
   Design design = Design::sobol;    // of the drawn ones
   std::uint64_t draws = 1;          // for each set of grid values; of each matrix with sensitivity
   std::uint64_t seed = 1;

@@ -68,7 +68,7 @@ std::string_view allowed(std::string_view name) {
   return "";
 }
 
-// What a field's place in the list of entries has to do with its variable.
+// A variable, and the place of its field in the list of entries.
 struct VariedEntry {
   std::size_t entry;
   Variable variable;
@@ -235,8 +235,8 @@ class SweepBinder {
                     "not empty and not \".\"");
   }
 
-  // The ends of what a variable takes have to be legal by themselves: legal numbers have no gaps.
-  // Of whole numbers all have to.
+  // The least and the greatest value of a variable have to be legal: then so are all values
+  // between, as legal numbers have no gaps. Of whole numbers all values have to be legal.
   void check_extremes() {
     for (const VariedEntry& varied : varied_) {
       const Variable& variable = varied.variable;

@@ -136,8 +136,8 @@ std::vector<QuantileSketch::Bin> QuantileSketch::bins() const {
   return bins;
 }
 
-// The number of bins; of each its distance from the one before (of the first: from below the least
-// there is) and its count.
+// Writes the number of bins, then the distance of each bin from the bin before it, and its count.
+// The distance of the first bin is from the bin number just below the least possible one.
 void QuantileSketch::write(Bytes& to) const {
   std::uint64_t size = 0;
   each_bin([&](std::int32_t, std::uint64_t) { ++size; });

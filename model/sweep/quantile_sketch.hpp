@@ -66,7 +66,7 @@ class QuantileSketch {
   void each_bin(Use use) const;  // use(bin, count), ascending, of those that are not empty
 
   std::int32_t first_page_ = 0;        // its place is places_[0]
-  std::vector<std::uint32_t> places_;  // of a page in pages_, and 1; 0: not there
+  std::vector<std::uint32_t> places_;  // 1 + the place of a page in pages_; 0: no page
   std::vector<Page> pages_;
   std::uint64_t count_ = 0;
 };

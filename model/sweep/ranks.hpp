@@ -18,8 +18,9 @@ using NextChunk = std::function<std::optional<std::uint64_t>()>;
 
 class Ranks {
  public:
-  // Joins the others if mpirun started this process. Throws std::invalid_argument if it did and
-  // this was built without MPI. One at a time in a process, and of MPI one ever.
+  // Joins the other processes if mpirun started this process. Throws std::invalid_argument if
+  // mpirun did and this program was built without MPI. A process may have one Ranks at a time; with
+  // MPI, only one in all its life.
   Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
@@ -34,10 +35,10 @@ class Ranks {
   // Is it so on every rank? Waits for all.
   bool everywhere(bool mine) const;
 
-  // Runs compute(next) on every rank; returns when all ranks have left it. `queue` is that of rank
-  // 0, the others' are not looked at. tick() is called some times a second, on rank 0 with the
-  // number of chunks that other ranks have computed so far. stopped(): hand out no more. False if
-  // any rank's compute threw; what this rank's threw is thrown on.
+  // Runs compute(next) on every rank; returns when all ranks have left it. Only the `queue` of rank
+  // 0 is used. tick() is called some times a second, on rank 0 with the number of chunks that other
+  // ranks have computed so far. Once stopped() is true, no more chunks are handed out. Rank 0 gets
+  // false if compute threw on another rank; an exception of this rank's compute is thrown on.
   bool share(ChunkQueue& queue, const std::function<void(const NextChunk&)>& compute,
              const std::function<void(std::uint64_t)>& tick,
              const std::function<bool()>& stopped) const;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many processes, with MPI. A rank that has nothing left asks rank 0 with one message of three
-// numbers, and gets a list of chunks: as many as it computed in the last quarter of a second, and
-// never more than its share of half of what is left. At the end it says that it leaves.
+// Many processes, with MPI. A rank that has no chunks left asks rank 0 with one message of three
+// numbers, and gets a list of chunks: as many as it computes in a quarter of a second, but no more
+// than an equal share of half of the chunks that are left (at least one). At the end the rank says
+// that it leaves.
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 

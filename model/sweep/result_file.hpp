@@ -21,7 +21,7 @@
 // doubles, NaN where undefined. Words are places of one byte in the list of the attribute `words`,
 // counted from 0; not HDF5's enumerations, which Octave cannot read. Where points are not kept,
 // there are no outputs, and inputs are of length 0. Every dataset has HDF5's checksums
-// (fletcher32), and the file ends in one of all of it (result_seal.hpp), which HDF5 passes over.
+// (fletcher32). The file ends in a checksum of the whole file (result_seal.hpp); HDF5 ignores it.
 #pragma once
 
 #include <array>

@@ -19,12 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Journals are numbered by ranks, and by what they were computed with.
+// The path of a journal. Its number is the rank, plus a multiple of the number of ranks where the
+// journals before it are of another arithmetic.
 std::string journal_of(const std::string& result, int number) {
   return result + ".journal-" + std::to_string(number);
 }
 
-// Those that are there.
+// The journals that are there for a result.
 std::vector<std::string> journals_of(const std::string& result) {
   const fs::path path(result);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -78,8 +79,9 @@ void remove_all(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) fs::remove(path);
 }
 
-// Those that can be read. What has no readable head is of no use to anybody; beside journals that
-// can be read it is removed, but alone it may be something else.
+// The journals that can be read. A file without a readable head is of no use to anybody. Beside
+// journals that can be read it is removed; but alone it may be something else, and the run is
+// refused (an empty file is removed).
 std::vector<JournalReader> readable(const std::vector<std::string>& paths,
                                     const RunSettings& settings) {
   std::vector<JournalReader> readers;
@@ -331,7 +333,7 @@ class Run {
     });
   }
 
-  // What was begun with another arithmetic stays as it is: a journal is of one.
+  // A journal that was begun with another arithmetic stays as it is: a journal has one arithmetic.
   Journal open_journal() const {
     for (int number = ranks_.rank();; number += ranks_.count()) {
       const std::string path = journal_of(settings_.result, number);

@@ -103,7 +103,7 @@ SensitivitySums SensitivitySums::read(ByteReader& from) {
   sums.both = Moments::read(from);
   sums.left_out = from.take<std::uint64_t>();
   const auto variables = from.take<std::uint32_t>();
-  // One by one: a number that is not true runs out of bytes before it runs out of memory.
+  // One by one: if the number of variables is false, the bytes run out before the memory does.
   for (std::uint32_t i = 0; i < variables; ++i) sums.first_order.push_back(from.take<double>());
   for (std::uint32_t i = 0; i < variables; ++i) sums.total.push_back(from.take<double>());
   return sums;

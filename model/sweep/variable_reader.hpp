@@ -9,8 +9,8 @@
 
 namespace tribo::sweep {
 
-// Does an entry of a scene's field vary? A table or list does, but for `speed`, where only a
-// distribution does, and for `outputs`.
+// Does an entry of a scene's field vary? A table or list does, but not for `outputs`. For `speed`
+// the caller has to check, too, that it is a distribution or a printed number.
 bool varies(const scene_detail::Entry& entry);
 
 // The variable, without `nominal`'s range checked; nothing where an error was reported.

@@ -51,8 +51,8 @@ std::string measured_when(const Json& baseline);
 // The first twelve digits, and what stands after the hash: “0123456789ab and changes”.
 std::string short_commit(const std::string& commit);
 
-// What `fill` makes of a section and a baseline; a section that is excused where there is none, or
-// one of another shape.
+// The section that `fill` makes from a baseline. If the baseline is missing or has another shape,
+// the section is excused.
 template <class Fill>
 Section from_baseline(const Section& empty, const ReportPlaces& places, std::string_view file,
                       Fill&& fill) {

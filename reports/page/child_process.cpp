@@ -49,7 +49,7 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-// No input, and what is heard into the pipe.
+// The child gets no input, and the stream that is heard is led into the pipe.
 class Redirections {
  public:
   Redirections(Heard heard, int pipe) {

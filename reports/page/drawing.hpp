@@ -28,8 +28,9 @@ class Draughtsman {
   Draughtsman(const ReportPlaces& places, const std::function<void(std::string_view)>& progress)
       : places_(places), progress_(progress) {}
 
-  // Leaves its pictures in figures/ and its SVG in the figure, or neither. Empty: it is drawn; else
-  // why not. Once gnuplot was not found no other figure is tried.
+  // Writes the pictures to figures/ and the SVG into the figure, or does neither. Returns an empty
+  // text, or the reason why the figure is not drawn. If gnuplot was not found, later figures are
+  // not tried.
   std::string draw(Figure& figure);
 
   bool gnuplot_is_there() const { return gnuplot_is_there_; }

@@ -100,7 +100,7 @@ TextTable baseline_table(const Json& baseline) {
   return table;
 }
 
-// Of the same program against itself, by the gate of time; empty: it was not held.
+// A sentence on the same program against itself, by the gate of time; empty: no such measurement.
 std::string same_time(const Json& ledger) {
   for (const Json& row : ledger.at("same_program"))
     if (row.at("gate") == "time" && row.at("greatest_ratio").is_number())

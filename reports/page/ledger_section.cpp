@@ -98,7 +98,7 @@ std::vector<Figure> claim_figures(const Ledger& ledger) {
           data, "Load share of the asperities at the lowest speed")};
 }
 
-// Did a verdict change? Where there is no committed ledger that is not known.
+// Did a verdict change? Without a committed ledger this is not known.
 void compare_with_committed(Section& section, const Ledger& ledger, const ReportPlaces& places) {
   const std::string path = (places.reference / "baselines" / "ledger.csv").string();
   try {

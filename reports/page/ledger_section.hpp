@@ -9,8 +9,9 @@
 
 namespace tribo::report {
 
-// Claims and verdicts; readings and what identifies them; what would have to be true; how sure;
-// misprints and independent numbers. Excused where its data cannot be read.
+// Sections on claims and verdicts; on readings and what identifies them; on what would have to be
+// true; on how sure the numbers are, with independent numbers; on misprints. One excused section if
+// the data cannot be read.
 std::vector<Section> ledger_sections(const ReportPlaces& places);
 
 }  // namespace tribo::report

@@ -68,7 +68,7 @@ std::string render(std::string_view markup, Dialect dialect) {
     else
       text += dialect.sign(sign);
   }
-  // What was left open would swallow the text that follows.
+  // Markup that is still open is closed here; otherwise it would cover the text that follows.
   for (const Toggle* toggle : {&dialect.code, &dialect.subscript, &dialect.superscript})
     text += toggle->end();
   return text;

@@ -35,7 +35,7 @@ std::string speed_column(std::string_view criterion) {
   return fmt::format("onset.{}.speed", criterion);
 }
 
-// What the section rests on: for each surface, by its place.
+// The data of this section. A surface is given by its index in surface_names.
 struct Swept {
   sweep::SweepPlan plan;
   sweep::SweepResult result;
@@ -224,7 +224,7 @@ std::string carriers(const Swept& all) {
   return text;
 }
 
-// The print-precision draws of the ledger against these, by film_maximum.
+// The print-precision draws of the ledger, compared with the draws of this sweep by film_maximum.
 struct Agreement {
   double farthest = 0;       // of 2.5 %, 50 %, 97.5 % on all surfaces: part of the value
   double in_deviations = 0;  // the greatest distance in standard deviations of sampling

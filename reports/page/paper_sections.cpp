@@ -15,7 +15,8 @@
 namespace tribo::report {
 namespace {
 
-// The rows that the verdict tells of: one criterion, where a quantity is read by several.
+// Does the verdict count this row? It needs a reported number; of several onset criteria only
+// film_maximum counts.
 bool is_told(const ComparisonRow& row) {
   return row.reported &&
          (row.criterion.empty() || row.criterion == name(OnsetCriterion::film_maximum));

@@ -33,7 +33,8 @@ struct ReportPlaces {
 // beside it. Throws ReportError where there is no current folder.
 ReportPlaces usual_places();
 
-// The same with what `options` names; scenes and scripts are there. Throws ReportError.
+// usual_places() with the folders that `options` names. Throws ReportError if the folder of the
+// scenes or of the gnuplot scripts does not exist.
 ReportPlaces find_places(const ReportOptions& options);
 
 // The folder of the certified tables: the one given, or reference/exact of the project where that

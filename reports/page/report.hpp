@@ -20,7 +20,7 @@ struct Report {
   std::vector<std::string> undrawn;   // why figures are missing; empty when all are there
 };
 
-// `progress` hears what begins. Throws ReportError.
+// `progress` is called with the name of each step that begins. Throws ReportError.
 Report write_report(const ReportOptions& options,
                     const std::function<void(std::string_view)>& progress);
 

@@ -47,8 +47,8 @@ struct Section {
   std::vector<NotRun> not_run = {};
 };
 
-// A section whose source cannot be used: it says so in its place, in the verdict and under what did
-// not run.
+// A section whose source cannot be used. It says so in its own text, in its verdict and in the list
+// of what did not run.
 Section excused(Section empty, const std::string& why, const std::string& how_to);
 
 // `fill` adds to the section what it is to show; what it throws excuses the section.

@@ -26,7 +26,7 @@ std::vector<double> speeds_of(const SolvedCase& one) {
   return all;
 }
 
-// Steps of the roots, with one at least for each that is λ₀ or λ_b without a step.
+// The steps of all roots; a root that is λ₀ or λ_b without a step counts as one step.
 std::uint64_t steps_of_all(const MixedContact<double>& contact, const std::vector<double>& speeds) {
   OutputSet film;
   film.insert(Output::film_flooded);
@@ -53,8 +53,8 @@ struct Saved {
   double greatest = 0;
 };
 
-// Moments, of the root, the shares and the outputs, and starvation ratios that were computed; and
-// what the same set would take if every root took a step.
+// A row of the table: root steps, skipped work, and the part of the moments that is saved, compared
+// with all outputs when every root takes a step or more.
 std::vector<std::string> skip_row(const SolvedCase& one, const std::vector<double>& speeds,
                                   std::uint64_t all_steps, const Asked& asked, Saved& saved) {
   OperatingPoints points;

@@ -7,8 +7,8 @@
 
 namespace tribo::report {
 
-// `holds` is false at `low` or the answer is `low`; it holds from some speed on, up to `high`.
-// None if it does not hold at `high`. 0 < low ≤ high.
+// `holds` must be false up to some speed and true from there to `high`. The answer is `low` if
+// `holds` is true there, and empty if `holds` is false at `high`. 0 < low ≤ high.
 template <class Predicate>
 std::optional<double> first_speed(double low, double high, Predicate&& holds) {
   if (holds(low)) return low;

@@ -81,7 +81,7 @@ std::optional<SweepPicture> curve_band(const sweep::SweepResult& result, std::st
       speeds.take(scene.speeds[i]);
       curves += exact(scene.speeds[i]);
       for (const double level : {0.025, 0.5, 0.975}) {
-        // What the few that are left have in common is not what the scene does.
+        // Where most cases have no value, the quantiles of the rest do not describe the scene.
         const bool is_of_few = value.undefined > value.count;
         const double at = is_of_few ? std::nan("") : unit.factor * quantile(value, level).value;
         values.take(at);
@@ -121,8 +121,9 @@ std::vector<std::size_t> thinned(std::size_t count, std::size_t most) {
   return places;
 }
 
-// Where the parabola through the greatest value and its neighbours is highest, all in logarithms;
-// NaN where an end is greatest, or a neighbour has no film.
+// The speed where the parabola through the greatest value and its neighbours is highest, all in
+// logarithms. NaN if the greatest value is at an end; if a neighbour has no film, the speed of the
+// greatest value itself.
 double speed_of_greatest(std::span<const double> speeds, std::span<const double> films) {
   const auto at =
       static_cast<std::size_t>(std::max_element(films.begin(), films.end()) - films.begin());

@@ -105,7 +105,7 @@ std::string missing(const ColumnResult::Value& value) {
                      rounded(100 * static_cast<double>(value.undefined) / all, 2));
 }
 
-// Where in its own outline a median stands.
+// The height of the outline at a speed, as a part of the greatest height of the outline.
 double height_at(const ColumnResult::Value& value, double speed) {
   double greatest = 0, here = 0;
   for (const auto& bin : bins_of(value)) {

@@ -25,7 +25,7 @@ struct ReportedOnset {
   double value, low, high;  // m/s; the ends are what rounds to the value
 };
 
-// Nothing where the result has none of it.
+// Each picture is empty if the result does not hold its data.
 std::optional<SweepPicture> onset_distribution(const sweep::SweepResult& result,
                                                const std::vector<ReportedOnset>& reported = {});
 std::optional<SweepPicture> sensitivity(const sweep::SweepResult& result, std::string_view column);
@@ -35,10 +35,11 @@ std::optional<SweepPicture> film_map(const sweep::SceneResult& scene, const std:
 
 namespace sweep_picture {
 
-// Below the report's folder, or that of the pictures.
+// Below the report's folder. Pictures without a report have their data beside them instead.
 inline constexpr const char* data_folder = "data/sweep";
 
-// Of each scene, in their order. Okabe and Ito's; the paper's surfaces have those of its figures.
+// The colour of each scene, from the palette of Okabe and Ito. The paper's surfaces have the same
+// colours as in its figures.
 std::vector<std::uint32_t> colours(const sweep::SweepResult& result);
 std::uint32_t pale(std::uint32_t colour);
 

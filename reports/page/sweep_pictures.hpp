@@ -28,8 +28,9 @@ struct SweepPictures {
 // `path`: of the result, from which kept points are read where a picture needs them.
 SweepPictures sweep_pictures(const sweep::SweepResult& result, const std::string& path);
 
-// Draws them into a folder, which is made where it is missing, as SVG and PNG, with their data
-// beside. Gives the paths of the pictures; told(line) hears why one could not be drawn.
+// Draws the pictures as SVG and PNG into a folder, with their data beside them; makes the folder if
+// it is missing. Returns the paths of the pictures; told(line) gets the reason why a picture could
+// not be drawn.
 std::vector<std::string> draw_sweep_pictures(const sweep::SweepResult& result,
                                              const std::string& path, const std::string& folder,
                                              const std::function<void(std::string_view)>& told);

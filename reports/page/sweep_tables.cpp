@@ -115,7 +115,8 @@ TextTable word_table(const SceneResult& scene, const ColumnResult& column) {
 
 using Columns = std::vector<const ColumnResult*>;
 
-// Those of one onset in one table, single ones by threes.
+// Puts columns into tables of at most three. Columns of one onset share a table, and so do columns
+// that belong to no onset.
 std::vector<Columns> in_tables(const SceneResult& scene) {
   constexpr std::size_t most_columns = 3;
   std::vector<Columns> tables;

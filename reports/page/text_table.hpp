@@ -18,8 +18,8 @@ struct TextTable {
 };
 
 inline constexpr std::size_t any_width = 1'000'000;
-// In lines of at most so many signs, as far as its words let: texts and headings are wrapped, or
-// the cells of a row set below each other. Without the note.
+// The table in lines of at most `most` signs, if its words are short enough: texts and headings are
+// wrapped, or the cells of a row are set below each other. The note is left out.
 std::string plain_table(const TextTable& table, std::size_t most = any_width);
 // A text in lines of at most so many signs.
 std::vector<std::string> wrapped(const std::string& text, std::size_t most);

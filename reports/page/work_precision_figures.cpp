@@ -142,7 +142,7 @@ Figure figure(Kind&& kind, const std::string& where) {
            in_gnuplot(kind.title), where, kind.height}};
 }
 
-// What is counted for a job; null where nothing is.
+// Are evaluations counted in this job for any family but ours?
 bool has_evaluations(const Json& baseline, const std::string& job) {
   for (const Json& row : baseline.at("error_against_work"))
     if (row.at("job") == job && row.at("family") != "tribocheck" &&

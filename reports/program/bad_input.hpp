@@ -12,8 +12,8 @@
 
 namespace tribo::cli {
 
-// What `run` returns; exit_bad, with what it threw said, where its input cannot be used. A result
-// that cannot be written is not the input's fault and passes through.
+// Returns what `run` returns. If the input cannot be used, prints what `run` threw and returns
+// exit_bad. An OutputFailed passes through: a result that cannot be written is not bad input.
 template <class Run>
 int answered_or_complained(Run&& run) {
   try {

@@ -114,7 +114,7 @@ std::string contenders_text(const fs::path& program) {
                      fmt::join(families, ", "));
 }
 
-// Runs the contenders; an exit code where that failed, which has been said.
+// Runs the contenders. If that fails, the reason is printed and an exit code is returned.
 std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   const fs::path program = bench_program();
   if (program.empty())

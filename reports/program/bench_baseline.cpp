@@ -45,7 +45,7 @@ json environment_json() {
   return {{"processor", report::processor_name()}, {"compiler", report::compiler_name()}};
 }
 
-// Of what a row counts and how far off it is: which way it changed.
+// Whether the evaluations, failures and greatest error of a row became better or worse.
 void compare_work(const BenchRow& row, const json& before, BenchChanges& changes) {
   const auto was = [&](const char* field) {
     const json& value = before.at(field);

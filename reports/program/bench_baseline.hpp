@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What `tribocheck bench` measured before, in a file that somebody commits: a gate for their CI.
-// Work and accuracy are held on any machine; time, over the control's of the same run, only where
-// processor and compiler are the baseline's.
+// Work and accuracy are compared on any machine. Times are divided by the control's time of the
+// same run, and compared only if processor and compiler are the same as in the baseline.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -19,8 +19,9 @@ struct SubjectVerdict {
   std::vector<conformance::Finding> missing;            // of --require, and not held
 };
 
-// What makes the exit code 1: with a baseline what is worse than it, otherwise what failed, or that
-// nothing is offered; and what is missing. All formats say the same of it.
+// The reasons for exit code 1. With a baseline: all that is worse than the baseline. Without one:
+// all that failed, or that nothing is offered. In both cases also all that is missing. All formats
+// report the same reasons.
 std::vector<conformance::Finding> failures(const SubjectVerdict& verdict);
 
 void append_subject_table(Text& to, const SubjectVerdict& verdict);

@@ -40,8 +40,8 @@ struct Language {
   std::string file;     // name of the template
   std::string program;  // the interpreter or compiler
   std::string package;  // of Debian, that has it
-  // Makes {library} of {file}, with the folder {include} of tribocheck_plugin.h; without {library}
-  // it is the subject's command itself.
+  // The command that builds {library} from {file}; {include} is the folder of tribocheck_plugin.h.
+  // Without {library} it is the command of the subject itself.
   std::string command;
 };
 

@@ -112,8 +112,9 @@ int run(int count, char** arguments, OutputStream& output) {
   return exit_code;
 }
 
-// A file that is opened while stdin, stdout or stderr is closed would become it, and be overwritten
-// by what is written there. In its place comes something that fails as a closed one does.
+// If stdin, stdout or stderr is closed, a file that is opened later would get its number, and
+// output would overwrite the file. Each closed stream is replaced by a descriptor on which reading
+// or writing fails, as on a closed stream.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;

@@ -120,7 +120,7 @@ class Sections {
     }
     if (wants("requirements")) {
       add(report::requirement_tables(ledger_, claims));
-      // Of the claim that it is about.
+      // The departure table is about claim C1.
       if (claims.empty() || std::find(claims.begin(), claims.end(), "C1") != claims.end())
         add({report::departure_table(ledger_)});
     }
@@ -148,7 +148,7 @@ class Sections {
   const ReproduceArguments& arguments_;
 };
 
-// Of a terminal its own width, from 80 to 100 signs; else 100.
+// The width of the terminal, but at least 80 and at most 100 signs; 100 without a terminal.
 std::size_t line_width() {
   constexpr std::size_t least = 80, most = 100;
   winsize size{};

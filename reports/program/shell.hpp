@@ -14,8 +14,8 @@ std::string shell_word(const std::string& text);
 // Empty where it finds none.
 std::string found_by_shell(const std::string& program);
 
-// Why the program that a command line starts with cannot be started, and what to do; nothing where
-// it can, or where the line starts with what only the shell can read, as a variable.
+// Why the program at the start of a command line cannot be started, and what to do. Empty if it can
+// be started, or if only the shell can read the start of the line, such as a variable.
 std::optional<std::string> why_not_startable(const std::string& command);
 
 }  // namespace tribo::cli

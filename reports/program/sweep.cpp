@@ -121,8 +121,8 @@ void show_result(const SweepArguments& arguments, const std::string& path, Outpu
 
 // --- The three commands.
 
-// The output is not to take the place of what it is made from, and nor are the files beside it.
-// Why it would; empty if it does not.
+// The output and the files beside it must not replace a file that is read. Returns the reason why
+// they would; empty if they do not.
 std::string own_input(const SweepArguments& arguments) {
   std::error_code none;
   for (const std::string& file : arguments.files)

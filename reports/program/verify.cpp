@@ -81,7 +81,7 @@ void append_json(Text& to, const std::vector<QuantityResult>& results) {
   append(to, "[");
   for (std::size_t i = 0; i < results.size(); ++i) {
     const QuantityResult& r = results[i];
-    // No error above infinity in JSON: a result that is no number is off by null.
+    // JSON has no infinity: the error of a result that is no number is written as null.
     const auto number = [](double x) { return x <= 1e300 ? fmt::format("{}", x) : "null"; };
     append(to, fmt::format("{}\n{{\"quantity\": \"{}\", \"cases\": {}, \"worst_ulp\": {}, "
                            "\"worst_ulp_per_condition\": {}, "

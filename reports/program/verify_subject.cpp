@@ -28,14 +28,15 @@ std::string command_of(const SubjectArguments& arguments) {
   return "exec " + shell_word(self) + " plugin-host " + shell_word(arguments.plugin);
 }
 
-// Before it is started: a program that is not there is no solver that fails.
+// Checked before the start: a program that does not exist is bad input, not a solver that fails.
 void check_startable(const SubjectArguments& arguments) {
   if (!arguments.plugin.empty()) return;
   if (const std::optional<std::string> why_not = why_not_startable(arguments.command))
     throw std::invalid_argument("--subject: " + *why_not);
 }
 
-// After it: what only the shell can tell (126 and 127), or the process that loads the plug-in (2).
+// Checked after the run: only the shell (exit codes 126 and 127) or the process that loads the
+// plug-in (2) can tell that the subject did not start.
 void check_started(const SubjectArguments& arguments, const Conversation& conversation) {
   const int code = conversation.exit_code_without_answer;
   const bool of_plugin = !arguments.plugin.empty() && code == exit_bad;
@@ -49,7 +50,8 @@ void check_started(const SubjectArguments& arguments, const Conversation& conver
       fmt::format("{}: {}", of_plugin ? "--plugin" : "--subject: it cannot be started", why));
 }
 
-// --reference DIR of a copy of reference/ has the paper's scenes beside it.
+// The paper's scenes are in their usual place, or else beside the folder of --reference, as in a
+// copy of reference/.
 CaseSources sources_of(const SubjectArguments& arguments) {
   const report::ReportPlaces places = report::usual_places();
   const std::filesystem::path exact = report::reference_tables(arguments.exact);

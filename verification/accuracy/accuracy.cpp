@@ -60,8 +60,8 @@ class Judge {
   QuantityResult result_;
 };
 
-// A function at the arguments that stand in its table, in columns named as its parameters. Of
-// several results a row has one, named in the column output.
+// The value of a function at the arguments of a row; the columns have the names of the parameters.
+// Of a function with several results, a row has the one that its column `output` names.
 double value_at(const catalogue::Function& function, const ReferenceRow& row) {
   catalogue::Arguments arguments{};
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {

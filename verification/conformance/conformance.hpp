@@ -15,8 +15,8 @@ namespace tribo::conformance {
 struct Tolerance {
   std::string name;                        // "strict", "engineering", or the file
   bool is_strict = false;                  // the certified contract of each function
-  double relative = 0;                     // else so much of the value, times its condition
-  std::map<std::string, double> quantity;  // and for these so much
+  double relative = 0;                     // if not strict: relative error, times the condition
+  std::map<std::string, double> quantity;  // other relative errors, by quantity
 };
 Tolerance strict_tolerance();
 // 1e-6, and nothing asked that is beyond engineering (Case::is_extreme): for code that uses
@@ -73,7 +73,7 @@ struct ConformanceResult {
 ConformanceResult judge(std::string subject, const std::vector<Case>& cases,
                         const Conversation& conversation, const Tolerance& tolerance);
 
-// The cases of a tolerance: engineering leaves out what is extreme.
+// The cases that a tolerance asks for: all but the strict one leave out the extreme cases.
 std::vector<Case> cases_for(std::vector<Case> cases, const Tolerance& tolerance);
 
 }  // namespace tribo::conformance

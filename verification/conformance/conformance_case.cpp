@@ -34,8 +34,8 @@ bool is_tiny(const Expected& one) {
   return one.word.empty() && !one.is_undefined && std::abs(one.high) < least_of_engineering;
 }
 
-// The certified rows of a function. Of several results a row has one, and those of the same
-// arguments follow each other.
+// The certified cases of a function. If the function has several results, each row holds one of
+// them, and the rows of the same arguments follow each other.
 std::vector<Case> cases_of(const std::string& folder, const catalogue::Function& function) {
   std::vector<Case> cases;
   const std::string name(function.name);

@@ -109,7 +109,7 @@ class Asker {
     if (waited > (at_once_ ? limits_.all_cases : limits_.one_case)) late();
   }
 
-  // A line of output belongs to the case that it names. Cases asked before that one go without.
+  // An output line answers the case whose id it has. Earlier cases that still wait get no answer.
   void hear(const std::string& line) {
     json answer = json::parse(line, nullptr, false);
     if (answer.is_discarded() || !answer.is_object()) return hear_garbage(line);
@@ -147,8 +147,8 @@ class Asker {
     settle(Outcome::answered, std::move(answer), {});
   }
 
-  // No JSON. With the id of the next case in it, it is that case's answer; and so it is once there
-  // is as much of it as was asked.
+  // A line that is no JSON object. It counts as the answer to the next case if it has the id of
+  // that case, or if there are already as many such lines as waiting cases.
   void hear_garbage(const std::string& line) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
     const bool is_for_next =

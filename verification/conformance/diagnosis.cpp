@@ -47,8 +47,8 @@ std::vector<Entry> entries_of(const std::string& function, const std::vector<Cas
   return entries;
 }
 
-// What a function's cases fall into, of which one alone may be wrong: the orders of the moments,
-// the closures, the asperity models. Empty: it is one.
+// The group of a case, as one group of a function's cases may be wrong alone: an order of the
+// moments, a closure or an asperity model. Empty: the function has no groups.
 std::string group_of(const Case& asked) {
   if (asked.function == "gaussian_moment")
     return fmt::format("order {}", asked.inputs.at("order").get<double>());
@@ -73,7 +73,7 @@ struct Fit {
 // Over all entries, or one group of them.
 Fit fit(const Mistake& mistake, const std::vector<Entry>& entries, const std::string& group) {
   Fit made{&mistake, 0, 0, {}};
-  // One that is not consistent shows it soon.
+  // The loop ends early if the mistake is clearly not consistent.
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Entry& one = entries[i];
     if (!group.empty() && group_of(*one.asked) != group) continue;
@@ -234,7 +234,7 @@ class Diagnoser {
     std::vector<std::size_t> rest;
     for (std::size_t i = 0; i < entries_.size(); ++i)
       if (entries_[i].is_wrong && !entries_[i].is_explained) rest.push_back(i);
-    // A few that a named mistake does not give, for its neighbourhood of a border, are no news.
+    // After a named mistake, a few other wrong answers, such as near a border, are no news.
     if (rest.empty() ||
         (!found_.empty() && static_cast<double>(rest.size()) <= few * static_cast<double>(wrong_)))
       return;

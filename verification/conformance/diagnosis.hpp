@@ -19,9 +19,9 @@ struct Diagnosis {
   std::string text;                   // one sentence or two
 };
 
-// For each function that failed. A mistake is named where it gives at least 98 in 100 of the
-// answers that it would change, three at least, and none that it would leave alone are wrong for
-// another reason without being told.
+// A diagnosis of each function that failed. A mistake is named if it would change at least three
+// answers and gives at least 98 in 100 of them. Other wrong answers are described too, unless a
+// mistake is named and they are at most 3 in 100 of the wrong answers.
 std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversation& conversation,
                                 const Tolerance& tolerance);
 

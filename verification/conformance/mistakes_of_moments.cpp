@@ -62,7 +62,7 @@ double moment_about_zero(double order, double d) {
   return sum * h;
 }
 
-// The mistake of a formula for one order, or the model's own value for others.
+// The mistake of a fit for one order, between `from` and `to`; elsewhere it says nothing.
 template <class Wrong>
 Mistake fit(double order, double from, double to, std::string name, std::string text,
             Wrong&& wrong) {

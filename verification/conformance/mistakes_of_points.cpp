@@ -24,8 +24,8 @@ FilmInputs film_inputs(const Scene& s) {
           s.bodies.ellipticity};
 }
 
-// The film formula times a factor: by the speed, with the sliding speed and the supply left as they
-// are.
+// Multiplies the film formula by a factor: changes the speed, but keeps the sliding speed and the
+// supply as they are.
 void scale_film(Scene& scene, double factor) {
   const double by = std::pow(factor, 1 / 0.67);
   for (double& speed : scene.speeds.list) speed *= by;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plug-in as a solver, and as a process that answers JSON lines, so that what it does to its
-// process it does to nobody else's.
+// A plug-in as a solver, and as a process that answers JSON lines, so that a plug-in can break only
+// its own process.
 #pragma once
 
 #include <string>

@@ -29,8 +29,9 @@ struct PluginRefused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Loads it for the rest of the process; what it runs as it is loaded, runs here. A path without a
-// slash is a file in the working directory. Throws PluginRefused.
+// Loads the library for the rest of the process; code that the library runs while it is loaded,
+// runs in this process. A path without a slash is a file in the working directory. Throws
+// PluginRefused.
 Plugin load_plugin(const std::string& path);
 
 }  // namespace tribo::conformance

@@ -67,7 +67,7 @@ Mistake with_inlet(const WrongInlet& wrong) {
             inlet.film_ratio = *other;
             inlet.collapsed = *other == 0;
             const Point point = contact.complete(flooded, inlet, OutputSet::all());
-            // Near a floor the shares rest on the right ratio.
+            // Near a floor complete() takes the shares from the right closure, not from `other`.
             const bool is_of_shares = field != "film" && field != "film_parameter" &&
                                       field != "film_flooded" && field != "separation";
             if (is_of_shares && contact.sharing().has_floor()) return std::nullopt;

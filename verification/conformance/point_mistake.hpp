@@ -13,11 +13,12 @@ namespace tribo::conformance {
 
 // The point of a scene that was changed.
 Mistake changed(std::string name, std::string text, std::function<void(Scene&)> change);
-// Likewise; `change` gives the factor that takes the change out of the number of summits.
+// Likewise; `change` returns a factor for the number of summits that undoes the change there.
 Mistake changed_with_count(std::string name, std::string text,
                            std::function<double(Scene&)> change);
 
-// With another film behind the inlet, and another film where the load is shared (films alone).
+// Mistakes with a wrong film ratio of the inlet, and with a wrong film of load sharing (only for
+// the outputs film and film_flooded).
 Mistake with_inlet(const WrongInlet& wrong);
 Mistake with_sharing(const WrongSharing& wrong);
 

@@ -56,9 +56,9 @@ struct SharingCase {
   double offset;                  // δ
 };
 
-// A number in a result that is not finite says something: NaN that this result is not offered, an
-// infinity that there is none at this point. The only result of a function is always offered: NaN
-// there is an error.
+// A number in a result that is not finite has a meaning. NaN: this result is not offered. Infinity:
+// this result is undefined at this point. A function with only one result always offers it: there
+// NaN is an error.
 inline constexpr double not_offered = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double undefined_here = std::numeric_limits<double>::infinity();
 
@@ -129,8 +129,8 @@ struct Solver {
   Batch<Scene, PointResult> operating_point;
 };
 
-// A function of one case as one of several. It returns a result, a NoResult or an Answer; what it
-// throws is the reason why the case failed.
+// Makes a function of several cases from a function of one case, which returns a result, a NoResult
+// or an Answer. If it throws, the case failed with the message as the reason.
 template <class Function>
 auto each(Function function) {
   return [function = std::move(function)](auto cases, auto answers) {
@@ -150,8 +150,8 @@ int serve(const Solver& solver);
 // The same with answers to a descriptor, for who has used take_stdout() before.
 int serve(const Solver& solver, int answers);
 
-// A copy of stdout, which from then on leads to stderr, or nowhere where that is closed. −1 where
-// there is no stdout.
+// Returns a copy of stdout, or −1 if there is no stdout. From then on stdout leads to stderr, or
+// nowhere if stderr is closed.
 int take_stdout();
 
 }  // namespace tribo::conformance

@@ -173,7 +173,8 @@ SubjectProcess::Event SubjectProcess::next_line(std::string& line,
     if (take_line(line)) return line.size() > longest_line ? Event::too_long_line : Event::line;
     if (received_.size() > longest_line) return Event::too_long_line;
     if (output_ < 0) return Event::end_of_output;
-    // A grandchild may hold its stdout open: what is there is read, no more is waited for.
+    // A grandchild may keep the stdout of the ended child open: the output that is there is read,
+    // but no more is waited for.
     const bool was_gone = has_ended();
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
     if (left.count() <= 0 && !was_gone) return Event::nothing;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Somebody else's program as a child: lines go to its stdin, lines come from its stdout, its stderr
-// is kept in mind. POSIX spawn and poll. It has a process group of its own, which dies as one;
-// nothing that it does makes a call here wait longer than it was told to.
+// Somebody else's program as a child process: lines go to its stdin and come from its stdout, and
+// the end of its stderr is kept. Uses POSIX spawn and poll. The child has its own process group,
+// which is killed as a whole. Whatever the child does, no call here waits longer than its limit.
 #pragma once
 
 #include <sys/types.h>
@@ -24,7 +24,7 @@ class SubjectProcess {
   SubjectProcess& operator=(const SubjectProcess&) = delete;
   ~SubjectProcess();  // kills the group
 
-  // What is to be written, a line; it leaves in pump(), as fast as the child reads.
+  // Queues a line for the child; pump() writes it as fast as the child reads.
   void send(std::string_view line);
   std::size_t unsent() const { return to_write_.size(); }
   void close_input();  // once all is written

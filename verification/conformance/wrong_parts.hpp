@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the model gone wrong, each as a formula: the mistakes of single functions are made of
-// them, and of operating points too, which have the same part within.
+// Wrong forms of parts of the model, each as a formula. The mistakes of single functions are made
+// from them, and so are those of operating points, which contain the same parts.
 #pragma once
 
 #include <functional>

@@ -9,9 +9,9 @@
 
 namespace tribo::protocol {
 
-// What parse_scene_json() gives for one speed, to the last bit and word, in a third of the time.
-// Nothing where the line is not sure to be read alike: it is no JSON, a name is unknown, a number
-// may leave its type, a list or table is where none belongs, there is far more than a scene.
+// The result of parse_scene_json() for one speed, to the last bit and word, in a third of the time.
+// Empty if the same result is not certain: the line is no JSON, a name is unknown, a number may be
+// outside its type, a list or table is in a wrong place, or the line holds far more than a scene.
 std::optional<SceneReading> read_ordinary_scene(std::string_view line, std::string_view source);
 
 }  // namespace tribo::protocol

@@ -12,7 +12,7 @@
 
 namespace tribo::protocol {
 
-// Either may hold mistakes instead. What is no JSON is a scene with a mistake.
+// Either may hold mistakes instead of a question. A line that is no JSON is a scene with a mistake.
 using Question = std::variant<SceneReading, FunctionCall>;
 
 // `number` is the line's, for messages.
@@ -24,8 +24,8 @@ inline constexpr std::string_view line_too_long = "the line is over 1 MiB";
 // Is there nothing in the line? Such lines get no answer.
 bool is_blank(std::string_view line);
 
-// The answer to a scene with errors. It has room for one: the first. Where the text is not JSON,
-// its place is told too.
+// The answer to a scene with errors. It names the first error only; if the text is not JSON, it
+// also gives the column.
 void append_first_error(Text& to, const SceneReading& reading);
 
 }  // namespace tribo::protocol

@@ -10,8 +10,9 @@
 
 namespace tribo::protocol {
 
-// Answers every line but blank ones, in order, until the input ends. Who waits for an answer before
-// the next question gets it: the output is flushed whenever no complete line is waiting.
+// Answers all lines but blank ones, in order, until the input ends. A program that waits for each
+// answer gets it before it must ask again: the output is flushed whenever no complete line is
+// waiting.
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(const InputProblem&)>& warn);
 

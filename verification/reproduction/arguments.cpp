@@ -146,7 +146,8 @@ Argument summit_radius(const PaperScenes& scenes, const std::vector<Item>& items
   return decided(std::move(argument));
 }
 
-// At one λ, as any criterion on r alone has it, u ∝ σ_s^{1/0.67} but for load sharing.
+// A criterion on r alone gives the same λ on all surfaces; then u ∝ σ_s^{1/0.67}, but for load
+// sharing.
 Argument onset_spacing(const PaperScenes& scenes, const std::vector<Item>& items,
                        std::string_view above, std::size_t upper, std::string_view below,
                        std::size_t lower) {

@@ -75,7 +75,7 @@ enum class Verdict : std::uint8_t {
 };
 std::string_view name(Verdict verdict);
 
-// Is a number the one that is printed, to half a unit of its last digit? 1.45 is as near to 1.4.
+// Does a number agree with the printed one, to half a unit of its last digit? 1.45 agrees with 1.4.
 bool is_as_printed(double value, double reported, double last_digit);
 
 Verdict judge(const Item& item, const Observed& observed);

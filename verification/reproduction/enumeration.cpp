@@ -43,8 +43,8 @@ Reading with_law(std::size_t number) {
   return reading;
 }
 
-// The choices of the film's switches that give one film formula: U doubles by E* or by the sum of
-// the speeds, which nothing else sees.
+// The choices of the film's switches that give one film formula: U doubles either by E* or by the
+// sum of the speeds, and no other part of the model sees which.
 struct FilmGroup {
   std::vector<std::size_t> numbers;  // of film_switches
 };

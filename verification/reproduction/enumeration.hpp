@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All readings, each judged by every item. Factored: a root is taken once per film and rough
-// contact, an inlet once per film, friction once per law of the rest, and so on; no stage is
-// computed twice for readings that share what it depends on.
+// All readings, each judged by every item. Readings share the stages of the computation: a root is
+// found once for each film formula and rough contact, an inlet once for each film, friction once
+// for each law of the rest, and so on. No stage is computed twice from the same choices.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,8 @@
 
 namespace tribo::reproduction {
 
-// What `read` returns. A std::runtime_error of its own gets the path in front, if it has not.
+// Returns what `read` returns. If `read` throws a std::runtime_error, puts the path in front of the
+// message, unless it is there already.
 template <class Read>
 auto in_file(const std::string& path, Read&& read) {
   try {

@@ -51,7 +51,7 @@ struct LedgerOptions {
 // Throws std::runtime_error with one line: file, and what is wrong with it.
 Ledger make_ledger(const LedgerOptions& options);
 
-// Parts of it, for who asks for less.
+// One column of the ledger, for callers that need no more.
 NamedReading named_reading(const PaperScenes& scenes, const std::vector<Item>& items,
                            std::string name, const Reading& reading);
 

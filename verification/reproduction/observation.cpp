@@ -18,9 +18,9 @@ const std::vector<ContactPoint>& points(const Stages& stages, ContactName name) 
   return stages.starved[of(name)]->points;
 }
 
-// The indices of the grid at which two contacts are compared: from the lowest speed (ten times it
-// for mixed lubrication) to the onset on the smooth surface by film_maximum, or where there is none
-// to where a film has collapsed.
+// The indices of the grid at which two contacts are compared: from the lowest speed (for mixed
+// lubrication from ten times that speed) to the onset by film_maximum on the smooth surface, but
+// not beyond the collapse of a film.
 struct Zone {
   std::size_t first, end;
 };
@@ -131,7 +131,7 @@ Observed area_transition(const Stages& stages) {
     const auto& curve = points(stages, name);
     double least = curve[0].real_area_ratio;
     for (std::size_t i = 0; i < where.end; ++i) least = std::min(least, curve[i].real_area_ratio);
-    // On a floor the area is one number to all but its last digits, whose fall is none.
+    // On a floor the area is constant but for its last digits; a fall in these does not count.
     if (least > (1 - 1e-9) * curve[0].real_area_ratio) continue;
     speed[k] = fall_speed(stages, name, &ContactPoint::real_area_ratio,
                           (curve[0].real_area_ratio + least) / 2);

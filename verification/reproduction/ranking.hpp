@@ -35,8 +35,7 @@ struct Standing {
 };
 Standing standing(const Ranking& ranking, int score);
 
-// One choice of a switch among the readings that reproduce an item: how often, against how often by
-// chance.
+// One choice of a switch: its share of the readings that reproduce an item, and of all readings.
 struct Identification {
   Switch which;
   std::uint8_t choice;
@@ -49,7 +48,8 @@ struct ItemStatistics {
   double part;                             // of all
   std::vector<Identification> identified;  // switches of which one choice has 95 % and more
 };
-// In the order of the items; none of a claim that all readings or none meet.
+// In the order of the items. If all readings reproduce an item, or no reading does, the item
+// identifies no switch.
 std::vector<ItemStatistics> item_statistics(const Enumeration& enumeration,
                                             const std::vector<Item>& items);
 // The part of all readings that reproduces each claim, in the order of claim_names().

@@ -17,7 +17,8 @@ double nominal_area(const Scene& scene, const Reading& reading) {
   return reading.is(Switch::nominal_area, 1) ? hertz.radius * hertz.radius : hertz.nominal_area;
 }
 
-// The prefactor is GT's (the paper prints none of GW's), and so are two rough faces.
+// The switches of the prefactor and of two rough faces apply to GT only (the paper prints no
+// prefactor of GW).
 AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading) {
   // 0,1 µm for the 10 µm that all three products nβσ_s ask for.
   const double radius =

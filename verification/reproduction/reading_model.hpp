@@ -70,7 +70,7 @@ class ReadContact {
  public:
   ReadContact(const Scene& scene, const Reading& reading, double film_scale = 1);
 
-  // λ of the flooded film at a speed: the only root. `flooded` below is that.
+  // λ of the flooded film at a speed, the only root to find; `flooded` below stands for this λ.
   double flooded_film_parameter(double speed) const;
   ContactPoint point(double speed, double flooded, const ReadInlet& inlet) const;
   ContactPoint point(double speed, const ReadInlet& inlet) const {

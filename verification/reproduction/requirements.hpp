@@ -16,7 +16,7 @@ struct Requirement {
   std::optional<double> sensitivity;     // d ln(number)/d ln(input) at the scene's inputs
   std::optional<double> by_sensitivity;  // of numbers: the factor that it predicts
   std::optional<double> factor;  // the nearest to 1 between 1/30 and 30 at which the item holds
-  std::string surface;           // whose values follow: the item's; of all surfaces, the rough one
+  std::string surface;           // of the values below: the item's surface, or else rough
   std::string unit;              // of the values
   double paper_value;            // the input as the paper has it
   double value;                  // the input at that factor

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rough contact after Greenwood and Tripp (two rough faces) and Greenwood and Williamson (one)
-// (model/README.md, section 4; paper, eqs 1.2 to 1.6 and 1.19, corrected). At the separation λσ_s
-// of the mean planes, with d = λ − δ, each is Hertz contacts of paraboloids with Gaussian heights:
+// Rough contact after Greenwood and Tripp (GT, two rough faces) and Greenwood and Williamson (GW,
+// one rough face) (model/README.md, section 4; paper, eqs 1.2 to 1.6 and 1.19, corrected). In both
+// models the summits are paraboloids with Gaussian heights, in Hertz contact. At the separation
+// λσ_s of the mean planes, with d = λ − δ:
 //
 //                     load share before sharing   real area / A_nom   summits in contact
 //   GT  K F_{5/2}(d), K = (16√2π/15)(nβσ_s)²√(σ_s/β) E* A_nom/F
@@ -22,7 +23,9 @@ constexpr Order load_order(AsperityModel model) {
   return model == AsperityModel::greenwood_tripp ? Order::five_halves : Order::three_halves;
 }
 
-// q of A = (K F_p)^q: what n → nγ₂, E → E/γ₂, F → F/γ₂ leaves of GT's n² and GW's n (paper, 1.19).
+// The exponent q of A = (K F_p)^q: n → nγ₂, E → E/γ₂, F → F/γ₂ (paper, 1.19) keep E/F and turn K,
+// which is proportional to n² (GT) or n (GW), into Kγ₂² or Kγ₂. With A = 1/γ₂ this gives q = 1/2 or
+// 1.
 template <class T>
 T sharing_exponent(AsperityModel model) {
   return model == AsperityModel::greenwood_tripp ? ratio<T>(1, 2) : T(1);

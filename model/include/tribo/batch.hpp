@@ -16,11 +16,12 @@
 
 namespace tribo {
 
-// Error of ln F_n: so many ε·max(1, |ln F_n|).
+// The error of ln F_n is at most `ulp` times ε·max(1, |ln F_n|).
 inline constexpr Contract log_gaussian_moment_contract{2, 0};
 
-// F_n(d), S_n(d) (= e^{d²/2} F_n(d) for d ≥ 0, F_n(d) below) and ln F_n(d), for every double. The
-// first two have the bits of gaussian_moment.hpp's, and gaussian_moment_contract.
+// F_n(d), S_n(d) (e^{d²/2} F_n(d) for d ≥ 0, F_n(d) for d < 0) and ln F_n(d), for every double. F_n
+// and S_n have the same bits as the functions of one number in gaussian_moment.hpp, and keep
+// gaussian_moment_contract.
 void gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
 void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
 void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms);
@@ -31,9 +32,9 @@ struct SharingWork {
   std::size_t by_newton = 0;  // roots left to the formula text, whose steps are not counted
 };
 
-// The film parameters λ of load sharing (load_sharing.hpp) at flooded film parameters λ₀: of many
-// surfaces, K ≥ 0 and δ ≥ 0 a point; and of one. The bits are those of
-// LoadSharing<double>.
+// The film parameters λ of load sharing (load_sharing.hpp) at flooded film parameters λ₀. The first
+// function takes one surface for each point, by its K ≥ 0 and δ ≥ 0; the second takes one surface
+// for all points. The bits are those of LoadSharing<double>.
 SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
                            std::span<const double> offset,
                            std::span<const double> flooded_film_parameter,
@@ -42,21 +43,23 @@ SharingWork film_parameter(const LoadSharing<double>& sharing,
                            std::span<const double> flooded_film_parameter,
                            std::span<double> film_parameter);
 
-// A single one, its surface prepared for it alone.
+// The film parameter of a single point; its surface is prepared for this call alone.
 double film_parameter(AsperityModel model, double stiffness, double offset,
                       double flooded_film_parameter);
 
 // The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SCALAR
 std::string_view instruction_set();
-// Has it fused multiply-add? All sets with it give the same bits, and all without it.
+// Does this instruction set have fused multiply-add? All sets that have it give the same bits, and
+// all sets that lack it give the same bits as each other.
 bool is_fused();
 // "FMA" or "no FMA": what results and journals name it.
 std::string_view arithmetic();
-// Those that this machine has, the best first. GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA
-// in the environment switches sets off, for this library as for the C library.
+// The instruction sets that this machine has, the best first. The setting
+// GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA in the environment switches sets off, for
+// this library as for the C library.
 std::span<const std::string_view> instruction_sets();
-// Makes batches use one of them from now on, for tests and benchmarks; false if the machine lacks
-// it. Not to be called beside a batch.
+// Makes batches use this instruction set from now on, for tests and benchmarks; false if the
+// machine lacks the set. Do not call this while a batch runs.
 bool use_instruction_set(std::string_view name);
 
 }  // namespace tribo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the engine knows of a contact before it is asked at a speed: numbers, a row of whole vectors
-// each, and the words of its closures and laws.
+// What the engine knows of a contact before it is asked at a speed: numbers, and the words that
+// choose its closures and laws. A struct of numbers is a row of values of one type T, which is
+// double or a whole vector.
 #pragma once
 
 #include "tribo/scene.hpp"
@@ -14,7 +15,7 @@ struct SurfaceNumbers {
   T offset;              // δ
   T floor;               // λ_b, 0 without one
   T floor_argument;      // λ_b − δ, without the rounding of the difference
-  T hazard;              // −d ln A/dλ at the floor; 0 without one, and positive with one
+  T hazard;              // −d ln A/dλ at the floor: positive; 0 if there is no floor
   T floor_up_to;         // λ = λ_b to half an ulp for λ₀ from 0 to here
   T film_from;           // λ = λ₀ to half an ulp for λ₀ from here on
   T film_at_unit_speed;  // λ₀/u^0.67
@@ -54,7 +55,7 @@ struct ContactWords {
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
 
-// Between a scene and what a contact needs of it.
+// Conversions between a scene and the words and numbers that a contact needs of it.
 ContactWords words_of(const Scene& scene);
 SceneNumbers<double> numbers_of(const Scene& scene);
 Scene scene_of(const ContactWords& words, const SceneNumbers<double>& numbers);

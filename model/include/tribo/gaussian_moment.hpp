@@ -77,7 +77,8 @@ GaussianFactor<T> gaussian_factor(const T& d) {
   return {root, root * exp(-(d - high) * (d + high) / 2)};
 }
 
-// From here on the series have converged below ε before they diverge: e^{−d²/2} ≪ ε.
+// For |d| from this value on, the terms of the asymptotic series fall below ε before the series
+// diverge: e^{−d²/2} ≪ ε.
 template <class T>
 T asymptotic_from() {
   using std::sqrt;
@@ -169,8 +170,8 @@ T integer_moment_above_one(Order n, const T& d) {
   return integral / sqrt_two_pi<T>();
 }
 
-// I_k/I_{k−1} at d = 1, k = 1, 2, …, likewise; element 0 is I_0. Started past the last by as much
-// as the first needs.
+// The ratios I_k/I_{k−1} at d = 1 for k = 1, 2, …, by the same recurrence; element 0 is I_0. The
+// recurrence starts beyond the last ratio, by the distance in √k that the first ratio alone needs.
 inline constexpr std::size_t ratios_at_one = 256;
 template <class T>
 std::array<T, ratios_at_one> integral_ratios_at_one() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the inlet alone has its onsets, at constant h_oil (model/README.md, section 9): numbers of
-// a closure, whatever the contact.
+// The onsets of the inlet alone, at constant h_oil (model/README.md, section 9). They depend on the
+// closure, and not on the contact.
 #pragma once
 
 #include "tribo/onset_criterion.hpp"
@@ -16,7 +16,7 @@ struct InletOnsets {
   T film_departure;         // r at which y = 1 − ε
 };
 
-// Those that a criterion rests on; the others are NaN.
+// The onsets that `criterion` needs; the other onsets are NaN.
 template <class T>
 InletOnsets<T> inlet_onsets(StarvationClosure closure, const T& damiens_exponent,
                             const T& departure, OnsetCriterion criterion) {

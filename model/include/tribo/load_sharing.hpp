@@ -188,8 +188,8 @@ class LoadSharing {
 
   // −expm1(q ln f), f = F_p(λ_b−δ+distance)/F_p(λ_b−δ). With f = Σ c_k distance^k, F″ = pF − dF′
   // gives (k+1)(k+2) c_{k+2} = (p−k) c_k − (k+1) d c_{k+1}.
-  // The recurrence takes up the other solution, which grows as e^{−d·distance} below d = 0: by then
-  // 1 − A no longer cancels.
+  // For d < 0 rounding errors bring in the other solution of the recurrence, which grows as
+  // e^{−d·distance}. So for d·distance < −4 the series is not used: there 1 − A no longer cancels.
   T fluid_share_near_floor(const T& distance) const {
     using std::abs;
     using std::expm1;
@@ -251,7 +251,7 @@ class LoadSharing {
     const T exponent = sharing_film_exponent<T>();
     const T log_fluid = log_film / exponent;
     T fluid = exp(log_fluid);
-    // A large logarithm makes much of the rounding of the quotient and of 0.14.
+    // Where the logarithm is large, it enlarges the rounding errors of the quotient and of 0.14.
     if constexpr (std::is_floating_point_v<T>)
       fluid += fluid * ((std::fma(-log_fluid, exponent, log_film) -
                          log_fluid * ratio_residual<T>(sharing_exponent_of_film)) /

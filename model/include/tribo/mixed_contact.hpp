@@ -142,8 +142,8 @@ class MixedContact {
   }
 
   // The shares at the starved film: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is
-  // the flooded film's distance, which its fluid share gives, less λ(1 − y): no difference of near
-  // equals.
+  // computed as the distance of the flooded film from the floor, which its fluid share gives, minus
+  // λ(1 − y). This avoids a difference of nearly equal numbers.
   LoadShares<T> starved_shares(const FloodedFilm<T>& flooded, const InletState<T>& inlet) const {
     const T& lambda_flooded = flooded.shares.film_parameter;
     const T lambda = lambda_flooded * inlet.film_ratio;
@@ -194,8 +194,8 @@ class MixedContact {
   // few at a floor of 3, dozens beyond.
   bool has_high_floor() const { return sharing_.floor() > 3 && is_finite(sharing_.floor()); }
 
-  // factor · F_n(λ − δ). Near a high floor A, which must be given there, knows better than λ: F_p
-  // is A^{1/q}/K, and F_n/F_p hardly depends on d.
+  // factor · F_n(λ − δ). Near a high floor this is computed from A (which must be given there), as
+  // A is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
   T moment_at(const T& factor, Order n, const T& film_parameter, const T& share) const {
     const T d = film_parameter - asperities_.offset;
     if (!has_high_floor() || !(share > ratio<T>(3, 4))) return moment_product(factor, n, d);

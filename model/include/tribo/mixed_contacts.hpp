@@ -16,14 +16,15 @@ namespace tribo {
 class MixedContacts {
  public:
   void clear();
-  // The scene's fields must be in range. A contact is there once prepare() was called after it.
+  // Adds the contact of a scene, whose fields must be in range. The contact can be used once
+  // prepare() has been called after this.
   void add(const Scene& scene);
-  // The numbers of the contact that was added may be changed until the next is added or prepared.
+  // Adds a contact and returns its numbers, which may be changed until the next add() or prepare().
   detail::SceneNumbers<double>& add(const detail::ContactWords& words,
                                     const detail::SceneNumbers<double>& scene);
   void prepare();
 
-  // That were added.
+  // The number of contacts that were added.
   std::size_t size() const { return scenes_.size(); }
   MixedContact<double> operator[](std::size_t i) const;
 

@@ -107,9 +107,9 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   using std::exp;
   using std::log;
   const StribeckWalk<T> walk(contact);
-  // A maximum needs y to fall by no more than 0.67/1.67 in the logarithm: r is below 10 there; and
-  // below r = 1e-9 it falls by less than 1e-6, which no film slope that matters meets (but for
-  // Damiens' rule with an exponent below 0.03, which nobody has).
+  // At a maximum −d ln y/d ln r is s/(1 + s) ≤ 0.67/1.67, so that r is below 10. Below r = 1e-9
+  // −d ln y/d ln r of the arctan closures is less than 1e-6, and no film slope s that matters is so
+  // small. (Damiens' rule would need an exponent below 0.03, which nobody has.)
   const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
   const T last_log_r =
       contact.closure() == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));
@@ -221,8 +221,8 @@ Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
     return result.friction_undefined ? quiet_nan<T>() : result.friction;
   };
   const T first = log(T(span.low)), last = log(T(span.high));
-  // 50 points for each factor e, far finer than any feature of the closed forms, while the range is
-  // not absurd.
+  // 50 points for each factor e in speed, far finer than any feature of the closed forms; but at
+  // least 200 points, and at most 5000, where the range of speeds is absurdly wide.
   const double width = std::log(span.high) - std::log(span.low);
   const int count = std::clamp(static_cast<int>(50 * width), 200, 5000);
   T s[3] = {}, f[3] = {};
@@ -259,8 +259,8 @@ Onset<T> asperity_minimum(const MixedContact<T>& contact, const InletOnsets<T>& 
 
 }  // namespace detail
 
-// By a criterion, with the onsets of the inlet that belong to the contact's closure: for who asks
-// many contacts. Error as below.
+// The onset by a criterion, from the inlet's onsets for the contact's closure: a caller with many
+// contacts computes those only once. Error as below.
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
                const InletOnsets<T>& inlet) {

@@ -12,9 +12,9 @@
 
 namespace tribo {
 
-// Of each output of an operating point. The film formula is good to 10 ε (its decimal exponents are
-// rounded, and the logarithms of its numbers are near 20), the moments and the root to as much
-// again.
+// The error of each output of an operating point. The film formula is good to 10 ε (its decimal
+// exponents are rounded, and the logarithms of its numbers are near 20); the moments and the root
+// add as much again.
 inline constexpr Contract operating_point_contract{8, 16};
 
 enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic };

@@ -56,7 +56,7 @@ void for_each_number(Points& points, Visitor&& visit) {
 // structure.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, std::size_t first = 0);
-// Many, and what work it was.
+// The same, and adds the work that was done to `work`.
 void solve(const MixedContact<double>& contact, std::span<const double> speeds, OutputSet outputs,
            OperatingPoints& points, WorkCounts& work, std::size_t first = 0);
 

@@ -80,7 +80,8 @@ T ratio(const Fraction& f) {
 }
 constexpr Fraction inverse(const Fraction& f) { return {f.q, f.p}; }
 
-// What ratio<T>(f) is short of f; 0 in types that need no care.
+// f − ratio<T>(f), the rounding error of the ratio; 0 for types other than the built-in
+// floating-point types.
 template <class T>
 T ratio_residual(const Fraction& f) {
   if constexpr (std::is_floating_point_v<T>) {

@@ -107,8 +107,8 @@ struct InletCurve {
     return weight * crook_slope + (flooded ? T(0) : T((1 - weight) * y_slope));
   }
 
-  // ψ of an r > 0 (r < 1 for flooded_inlet), and its logarithm, which outlasts its underflow at
-  // r beyond about 1e30. Error: 20 ε.
+  // ψ at r > 0 (r < 1 for flooded_inlet), and ln ψ, which stays finite where ψ itself underflows,
+  // at r beyond about 1e30. Error: 20 ε.
   T inlet_length(const T& flooded_over_inlet) const {
     using std::exp;
     using std::pow;
@@ -131,7 +131,8 @@ struct InletCurve {
   // Below this ψ the powers of ψ near underflow; arctan v = v there to every digit of T.
   static T least_log_length() { return ratio<T>(1, 4) * T(std::numeric_limits<T>::min_exponent); }
 
-  // ψ there: y = κψ, and of 1/r the greater term. The other is below ε/2 of it, in float below 2 ε.
+  // ψ where t is below least_log_length(): y = κψ, and 1/r is its greater term alone. The other
+  // term is below ε/2 of the greater one, in float below 2 ε.
   T least_inlet_length(const T& flooded_over_inlet) const {
     using std::sqrt;
     const T kappa = 2 * wolveridge_factor<T>() / pi<T>();

@@ -116,8 +116,8 @@ class StribeckWalk {
     return ratio_of_lengths > 1 ? ratio_of_lengths : near_floor;
   }
 
-  // From a coordinate to one whose ln u is within `tolerance` of the given: steps along the walk of
-  // at most 2 in ln u and 10 in s. NaN speeds (overflow) stop it.
+  // Walks from coordinate s to one whose ln u is within `tolerance` of log_speed, in steps of at
+  // most 2 in ln u and 10 in s. A NaN speed (overflow) stops the walk.
   T walk_to(T s, const T& log_speed, const T& tolerance) const {
     using std::abs;
     using std::log;
@@ -147,7 +147,7 @@ class StribeckWalk {
     return 1 / (1 + exp(T(-x)));
   }
 
-  // So near that 1 − A is proportional to the distance.
+  // Is the film so near the floor that 1 − A is proportional to the distance?
   bool is_at_floor(const FloodedFilm<T>& film) const {
     return above_floor_ && film.shares.fluid < epsilon<T>() / 4;
   }
@@ -232,7 +232,7 @@ class StribeckWalk {
   T log_inverse_r_at_floor_{};
 };
 
-// In double the coordinate is ln u itself, since a root is what the engine has anyway.
+// In double the coordinate is ln u itself, since the engine solves for the root anyway.
 template <>
 class StribeckWalk<double> {
  public:

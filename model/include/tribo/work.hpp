@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What work a computation did and what it skipped, for tests, gates and the report. A policy: with
-// NoWork, the default, nothing is counted and nothing costs.
+// The work that a computation did, and the work that it skipped, for tests, gates and the report.
+// Counting is a policy: with NoWork, the default, nothing is counted, and this costs nothing.
 #pragma once
 
 #include <array>

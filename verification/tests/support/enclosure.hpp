@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model's templates on Arb's real balls: their own text, every operation of it an enclosure, so
-// that what comes out encloses what the text says of the exact inputs.
+// The model's templates on Arb's real balls: the same code, with every operation an enclosure, so
+// that a result encloses the value of the formulas at the exact inputs.
 //
 // Run as they stand: all formulas of hertz.hpp, film_thickness.hpp, asperity_contact.hpp,
 // friction.hpp and mixed_contact.hpp; of load_sharing.hpp the shares; of starvation.hpp the
@@ -21,8 +21,8 @@
 // So what is checked here is each formula's text, its branches, and that the numbers of the
 // iterations solve the equations; not how fast or from where they converge.
 //
-// What the text leaves out on purpose is below left_out of a value: 1/(4x²) of asinh x past
-// x = 1/ε, with the ε of this type 2^−300. Past d = 100000 it takes e^{−d²/2} for 0.
+// On purpose the model's code drops 1/(4x²) of asinh x past x = 1/ε, less than 2^−600 of the value
+// as ε = 2^−300 for this type, and takes e^{−d²/2} as 0 past d = 100000.
 #pragma once
 
 #include <arb.h>

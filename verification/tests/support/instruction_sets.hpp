@@ -26,7 +26,8 @@ class WithInstructionSet {
   WithInstructionSet& operator=(const WithInstructionSet&) = delete;
 };
 
-// Cases count once, as those of the set that held the fewest: the manifest is of no one machine.
+// Only the cases of the set that held the fewest are counted: the manifest must not depend on the
+// machine.
 template <class Visitor>
 void on_each_instruction_set(Visitor&& visit) {
   ASSERT_GE(instruction_sets().size(), 1u);
@@ -43,9 +44,9 @@ void on_each_instruction_set(Visitor&& visit) {
   case_count.held = fewest;
 }
 
-// Whatever a batch does with places [first, first + count) of its inputs gives the bits that it
-// gives when all are asked at once: `apply(first, count, result)`, for all sizes up to 40 and all
-// places. Sanitizers see a read or write outside them.
+// A batch on the places [first, first + count) of the inputs must give the same bits as a batch on
+// all places: `apply(first, count, result)`, for all sizes up to 40 and all places. Sanitizers see
+// a read or write outside the places.
 template <class Apply>
 void hold_bits_whatever_place_and_size(std::size_t points, Apply&& apply) {
   std::vector<double> whole(points);

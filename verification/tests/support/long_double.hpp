@@ -43,7 +43,8 @@ inline testing::AssertionResult is_within_ulp(double got, long double expected, 
                 expected, got, got, error, allowed, error / allowed);
 }
 
-// A root against the long double one and load_sharing_contract; `beside` is relative, of its own.
+// Compares a root with the root in long double; load_sharing_contract and a further relative error
+// `beside` are allowed.
 inline testing::AssertionResult is_root(double got, AsperityModel model, double stiffness,
                                         double offset, double flooded,
                                         const LoadShares<long double>& truth, double beside = 0) {
@@ -62,8 +63,9 @@ inline testing::AssertionResult is_root(double got, AsperityModel model, double 
                         {"lambda0", flooded}});
 }
 
-// The root in long double from a double near it, by Newton's steps on the convex A + w − 1: as far
-// off as `near` is, so wrong is the first step, and the third is below what long double resolves.
+// The root in long double from a double near it, by Newton's steps on the convex A + w − 1. The
+// relative error of the first step is about that of `near`, and the third step is below the
+// resolution of long double.
 inline LoadShares<long double> refined_root(const LoadSharing<long double>& sharing,
                                             double flooded_film_parameter, double near) {
   const auto lambda0 = static_cast<long double>(flooded_film_parameter);
