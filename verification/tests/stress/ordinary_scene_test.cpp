@@ -49,6 +49,20 @@ TEST(OrdinaryScene, EveryFieldIsReadAlike) {
   }
 }
 
+// Names are looked up anew where they are not those of the line before: here the table, a name of
+// the same length, and a name that becomes a table.
+TEST(OrdinaryScene, NamesAreThoseOfTheirLineAndNotOfTheOneBefore) {
+  const std::string rest = good_line().substr(1);
+  const std::string pairs[][2] = {
+      {R"({"friction": {"fluid": "eyring"}, )", R"({"closures": {"fluid": "eyring"}, )"},
+      {R"({"lubricant": {"viscosity": 1}, )", R"({"lubricant": {"viscosita": 1}, )"},
+      {R"({"speed": 1, )", R"({"speed": {"from": 1}, )"},
+      {R"({"load": 1, )", R"({"loax": 1, )"}};
+  for (const auto& [before, after] : pairs)
+    for (const std::string& line : {before + rest, after + rest, before + rest})
+      EXPECT_EQ(broken_property(check_ordinary_scene, line), "") << line;
+}
+
 TEST(OrdinaryScene, ZerosAreToldFromUnderflows) {
   for (const char* zero : {"0.0", "-0.0", "0e0", "0.000e-99", "0E-1"}) {
     const std::string line = SceneText::good().set("surface.summit_plane_offset", zero).json();
