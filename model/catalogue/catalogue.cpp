@@ -7,7 +7,7 @@
 #include "tribo/gaussian_moment.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/load_sharing.hpp"
-#include "tribo/scene_reader.hpp"
+#include "tribo/scene.hpp"
 #include "tribo/starvation.hpp"
 
 namespace tribo::catalogue {
@@ -81,7 +81,7 @@ constexpr std::array film_results{Result{"value", "h₀, central film thickness"
 constexpr std::array inlet_parameters{
     Parameter{.name = "closure",
               .meaning = "what ties the starved film to the inlet",
-              .words_of = "closures.starvation"},
+              .words = starvation_closure_words},
     Parameter{
         .name = "flooded_over_inlet", .meaning = "r = h_ff/h_oil", .least = 1e-6, .greatest = 1e6},
     Parameter{.name = "damiens_exponent",
@@ -94,9 +94,8 @@ constexpr std::array inlet_results{Result{"value", "y = h*/h_ff"}};
 // --- Load sharing
 
 constexpr std::array sharing_parameters{
-    Parameter{.name = "asperity",
-              .meaning = "model of the rough contact",
-              .words_of = "closures.asperity"},
+    Parameter{
+        .name = "asperity", .meaning = "model of the rough contact", .words = asperity_model_words},
     Parameter{
         .name = "flooded_film_parameter", .meaning = "λ₀ = h₀/σ_s", .least = 1e-4, .greatest = 1e3},
     Parameter{.name = "stiffness",
@@ -189,8 +188,6 @@ constexpr std::array all{
         .example = {0, 0.5, 20, 1.146}},
 };
 
-}  // namespace
-
 std::string_view text_of(Range range) {
   switch (range) {
     case Range::above_zero:
@@ -204,6 +201,8 @@ std::string_view text_of(Range range) {
   }
   return "a number";
 }
+
+}  // namespace
 
 bool is_in_range(double number, Range range) {
   switch (range) {
@@ -219,10 +218,11 @@ bool is_in_range(double number, Range range) {
   return true;
 }
 
-std::span<const std::string_view> Parameter::words() const {
-  for (const FieldInfo& field : scene_fields())
-    if (!words_of.empty() && field.path == words_of) return field.choices;
-  return {};
+std::string allowed_text(const Parameter& parameter) {
+  std::string text;
+  for (const std::string_view word : parameter.words)
+    text += (text.empty() ? "" : ", ") + std::string(word);
+  return text.empty() ? std::string(text_of(parameter.range)) : text;
 }
 
 std::span<const Function> functions() { return all; }

@@ -14,30 +14,30 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "tribo/contract.hpp"
 
 namespace tribo::catalogue {
 
+// Which numbers are legal; half_order: 0, 1/2 … 5/2.
 enum class Range : std::uint8_t { above_zero, not_below_zero, any, half_order };
-// "a number above 0"
-std::string_view text_of(Range range);
 bool is_in_range(double number, Range range);
 
 struct Parameter {
   std::string_view name;  // "reduced_radius"
   std::string_view meaning;
   std::string_view unit = "";       // SI; empty: dimensionless
-  Range range = Range::above_zero;  // of numbers: what is legal
-  double least = 0, greatest = 0;   // of numbers: what a contact on earth has
-  std::string_view words_of =
-      "";  // the field of a scene whose words the argument may be; empty: a number
+  Range range = Range::above_zero;  // of numbers
+  // Of numbers: what contacts on earth have, generously. Nothing is refused beyond these.
+  double least = 0, greatest = 0;
+  // Not empty: the argument is one of these words, in the order of their enumeration in scene.hpp.
+  std::span<const std::string_view> words = {};
   std::optional<double> default_value = {};
-
-  // The words in the order of their enumeration in scene.hpp; none where the argument is a number.
-  std::span<const std::string_view> words() const;
 };
+// "a number above 0", or the words
+std::string allowed_text(const Parameter& parameter);
 
 struct Result {
   std::string_view name;  // "value" where it is the only one
@@ -59,7 +59,7 @@ struct Function {
   // The results at arguments in the order of the parameters, each legal; of a word, its place.
   void (*value)(const Arguments& arguments, Results& results);
   Contract contract;
-  Arguments example;
+  Arguments example;  // legal, for a line that shows how to ask
 };
 
 std::span<const Function> functions();

@@ -16,14 +16,6 @@ namespace {
 
 using Words = std::string_view;
 
-// In the order of the enumerations of scene.hpp, whose values are the places in these lists.
-constexpr std::array<Words, 2> spacings{"log", "lin"};
-constexpr std::array<Words, 2> fluid_shears{"eyring", "limiting"};
-constexpr std::array<Words, 3> viscosity_laws{"barus", "ambient", "roelands"};
-constexpr std::array<Words, 2> asperity_models{"greenwood_tripp", "greenwood_williamson"};
-constexpr std::array<Words, 4> starvation_closures{"flooded_inlet", "starved_inlet",
-                                                   "printed_exponents", "damiens"};
-
 template <typename Enum>
 Enum enum_at(double place) {
   return static_cast<Enum>(static_cast<int>(place));
@@ -158,7 +150,7 @@ constexpr std::array<Row, field_count> rows{{
      [](Scene& scene, double value) { scene.speeds.count = static_cast<std::size_t>(value); }},
     {{.path = "speed.spacing",
       .type = FieldType::choice,
-      .choices = spacings,
+      .choices = spacing_words,
       .default_text = "log",
       .meaning = "speeds at even ratios (log) or even differences (lin)"},
      [](Scene& scene, double place) { scene.speeds.spacing = enum_at<Spacing>(place); }},
@@ -201,26 +193,26 @@ constexpr std::array<Row, field_count> rows{{
      [](Scene& scene, double value) { scene.friction.slide_roll_ratio = value; }},
     {{.path = "friction.fluid",
       .type = FieldType::choice,
-      .choices = fluid_shears,
+      .choices = fluid_shear_words,
       .default_text = "eyring",
       .meaning = "shear law of the fluid"},
      [](Scene& scene, double place) { scene.friction.fluid = enum_at<FluidShear>(place); }},
     {{.path = "friction.viscosity",
       .type = FieldType::choice,
-      .choices = viscosity_laws,
+      .choices = viscosity_law_words,
       .default_text = "barus",
       .meaning = "law of viscosity against pressure"},
      [](Scene& scene, double place) { scene.friction.viscosity = enum_at<ViscosityLaw>(place); }},
 
     {{.path = "closures.asperity",
       .type = FieldType::choice,
-      .choices = asperity_models,
+      .choices = asperity_model_words,
       .default_text = "greenwood_tripp",
       .meaning = "model of the rough contact"},
      [](Scene& scene, double place) { scene.closures.asperity = enum_at<AsperityModel>(place); }},
     {{.path = "closures.starvation",
       .type = FieldType::choice,
-      .choices = starvation_closures,
+      .choices = starvation_closure_words,
       .default_text = "flooded_inlet",
       .meaning = "rule for the film behind a starved inlet"},
      [](Scene& scene, double place) {

@@ -99,17 +99,7 @@ std::string own_closure_text(const Findings& findings) {
 }  // namespace
 
 std::string_view closure_name(StarvationClosure closure) {
-  switch (closure) {
-    case StarvationClosure::flooded_inlet:
-      return "flooded_inlet";
-    case StarvationClosure::starved_inlet:
-      return "starved_inlet";
-    case StarvationClosure::printed_exponents:
-      return "printed_exponents";
-    case StarvationClosure::damiens:
-      return "damiens";
-  }
-  return "";
+  return starvation_closure_words[static_cast<std::size_t>(closure)];
 }
 
 std::string two_slopes_caption(const Findings& findings) {

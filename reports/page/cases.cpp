@@ -20,9 +20,8 @@ std::string stem_of(std::string_view surface, AsperityModel model) {
 // What the report needs of a scene beyond what every scene has; empty if it is all there.
 std::string missing_for_report(const Scene& scene, AsperityModel model) {
   if (scene.closures.asperity != model)
-    return fmt::format(
-        "closures.asperity: the report needs {} here",
-        model == AsperityModel::greenwood_tripp ? "greenwood_tripp" : "greenwood_williamson");
+    return fmt::format("closures.asperity: the report needs {} here",
+                       asperity_model_words[static_cast<std::size_t>(model)]);
   if (!has_friction_inputs(scene))
     return "the report needs lubricant.eyring_stress and friction.boundary_coefficient";
   const auto span = detail::speed_span(scene.speeds);

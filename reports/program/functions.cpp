@@ -29,14 +29,6 @@ struct FunctionsArguments {
 
 std::string unit_text(std::string_view unit) { return unit.empty() ? "-" : std::string(unit); }
 
-std::string allowed(const Parameter& parameter) {
-  if (parameter.words_of.empty()) return std::string(catalogue::text_of(parameter.range));
-  std::string text;
-  for (const std::string_view word : parameter.words())
-    text += (text.empty() ? "" : ", ") + std::string(word);
-  return text;
-}
-
 // What a contact on earth has: "1e-06 to 100".
 std::string physical(const Parameter& parameter) {
   return fmt::format("{:g} to {:g}", parameter.least, parameter.greatest);
@@ -47,10 +39,10 @@ ordered_json example_of(const Function& function) {
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
     const Parameter& parameter = function.parameters[i];
     ordered_json& argument = line[std::string(parameter.name)];
-    if (parameter.words_of.empty())
+    if (parameter.words.empty())
       argument = function.example[i];
     else
-      argument = parameter.words()[static_cast<std::size_t>(function.example[i])];
+      argument = parameter.words[static_cast<std::size_t>(function.example[i])];
   }
   return line;
 }
@@ -77,10 +69,10 @@ void describe(const Function& function, OutputStream& output) {
   for (const Parameter& parameter : function.parameters) {
     text += fmt::format("  {:<24}{:<8}{}\n", parameter.name, unit_text(parameter.unit),
                         parameter.meaning);
-    text += fmt::format("  {:<24}{:<8}allowed: {}", "", "", allowed(parameter));
+    text += fmt::format("  {:<24}{:<8}allowed: {}", "", "", allowed_text(parameter));
     if (parameter.default_value) text += fmt::format(" (default: {})", *parameter.default_value);
     text += '\n';
-    if (parameter.words_of.empty())
+    if (parameter.words.empty())
       text += fmt::format("  {:<24}{:<8}of contacts on earth: {}\n", "", "", physical(parameter));
   }
   text += "\nResults:\n";
@@ -104,11 +96,11 @@ ordered_json json_of(const Function& function) {
   for (const Parameter& parameter : function.parameters) {
     ordered_json one{
         {"name", parameter.name}, {"meaning", parameter.meaning}, {"unit", parameter.unit}};
-    if (parameter.words_of.empty()) {
-      one["allowed"] = catalogue::text_of(parameter.range);
+    if (parameter.words.empty()) {
+      one["allowed"] = allowed_text(parameter);
       one["physical"] = {parameter.least, parameter.greatest};
     } else {
-      one["words"] = parameter.words();
+      one["words"] = parameter.words;
     }
     if (parameter.default_value) one["default"] = *parameter.default_value;
     parameters.push_back(std::move(one));

@@ -19,20 +19,15 @@ double place_of(std::string_view word, std::span<const std::string_view> words) 
   if (found == words.end()) throw std::runtime_error(fmt::format("unknown word {}", word));
   return static_cast<double>(found - words.begin());
 }
-// The enumerations of scene.hpp have these orders.
-template <std::size_t N>
-using Words = std::array<std::string_view, N>;
-template <class Enum, std::size_t N>
-Enum parse(const std::string& word, const Words<N>& words) {
+template <class Enum>
+Enum parse(const std::string& word, std::span<const std::string_view> words) {
   return static_cast<Enum>(static_cast<int>(place_of(word, words)));
 }
 AsperityModel asperity_of(const ReferenceRow& row) {
-  return parse<AsperityModel>(row.text("asperity"),
-                              Words<2>{"greenwood_tripp", "greenwood_williamson"});
+  return parse<AsperityModel>(row.text("asperity"), asperity_model_words);
 }
 StarvationClosure closure_of(const std::string& word) {
-  return parse<StarvationClosure>(
-      word, Words<4>{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"});
+  return parse<StarvationClosure>(word, starvation_closure_words);
 }
 
 class Judge {
@@ -66,16 +61,15 @@ double value_at(const catalogue::Function& function, const ReferenceRow& row) {
   catalogue::Arguments arguments{};
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {
     const catalogue::Parameter& parameter = function.parameters[i];
-    const auto words = parameter.words();
-    arguments[i] =
-        words.empty() ? row.number(parameter.name) : place_of(row.text(parameter.name), words);
+    arguments[i] = parameter.words.empty() ? row.number(parameter.name)
+                                           : place_of(row.text(parameter.name), parameter.words);
   }
   catalogue::Results results{};
   function.value(arguments, results);
   if (function.results.size() == 1) return results[0];
-  std::vector<std::string_view> names;
-  for (const catalogue::Result& result : function.results) names.push_back(result.name);
-  return results[static_cast<std::size_t>(place_of(row.text("output"), names))];
+  for (std::size_t i = 0; i < function.results.size(); ++i)
+    if (function.results[i].name == row.text("output")) return results[i];
+  throw std::runtime_error(fmt::format("unknown output {}", row.text("output")));
 }
 
 QuantityResult of_function(const std::string& folder, const catalogue::Function& function) {
@@ -103,6 +97,8 @@ QuantityResult onset_constants(const std::string& folder) {
 }
 
 Scene scene_of(const ReferenceRow& row) {
+  constexpr std::array<std::string_view, 4> supplies{"flooded", "inlet_film", "inlet_film_ratio",
+                                                     "inlet_flow"};
   Scene scene;
   scene.load = row.number("load");
   scene.surface = {row.number("summit_density"), row.number("summit_radius"),
@@ -112,14 +108,10 @@ Scene scene_of(const ReferenceRow& row) {
                   row.number("ellipticity")};
   scene.lubricant = {row.number("viscosity"), row.number("pressure_viscosity"),
                      row.number("eyring_stress")};
-  scene.supply = {
-      parse<SupplyKind>(row.text("supply_kind"),
-                        Words<4>{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"}),
-      row.number("supply")};
-  scene.friction = {
-      row.number("boundary_coefficient"), row.number("slide_roll_ratio"),
-      parse<FluidShear>(row.text("fluid"), Words<2>{"eyring", "limiting"}),
-      parse<ViscosityLaw>(row.text("viscosity_law"), Words<3>{"barus", "ambient", "roelands"})};
+  scene.supply = {parse<SupplyKind>(row.text("supply_kind"), supplies), row.number("supply")};
+  scene.friction = {row.number("boundary_coefficient"), row.number("slide_roll_ratio"),
+                    parse<FluidShear>(row.text("fluid"), fluid_shear_words),
+                    parse<ViscosityLaw>(row.text("viscosity_law"), viscosity_law_words)};
   scene.closures = {asperity_of(row), closure_of(row.text("starvation")),
                     row.number("damiens_exponent")};
   return scene;

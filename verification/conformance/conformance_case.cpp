@@ -44,7 +44,7 @@ std::vector<Case> cases_of(const std::string& folder, const catalogue::Function&
     json inputs{{"function", name}};
     for (const catalogue::Parameter& parameter : function.parameters) {
       json& argument = inputs[std::string(parameter.name)];
-      if (parameter.words_of.empty())
+      if (parameter.words.empty())
         argument = row.number(parameter.name);
       else
         argument = row.text(parameter.name);
@@ -122,7 +122,6 @@ std::vector<Case> operating_points(const std::string& folder) {
 }
 
 json scene_json(const Scene& scene, double speed) {
-  const bool is_gt = scene.closures.asperity == AsperityModel::greenwood_tripp;
   json made{{"load", scene.load}, {"speed", speed}};
   made["surface"] = {{"summit_density", scene.surface.summit_density},
                      {"summit_radius", scene.surface.summit_radius},
@@ -135,7 +134,8 @@ json scene_json(const Scene& scene, double speed) {
                        {"eyring_stress", *scene.lubricant.eyring_stress}};
   made["supply"] = {{"inlet_film_ratio", scene.supply.value}};
   made["friction"] = {{"boundary_coefficient", *scene.friction.boundary_coefficient}};
-  made["closures"] = {{"asperity", is_gt ? "greenwood_tripp" : "greenwood_williamson"}};
+  made["closures"] = {
+      {"asperity", asperity_model_words[static_cast<std::size_t>(scene.closures.asperity)]}};
   return made;
 }
 

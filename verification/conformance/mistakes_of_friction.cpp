@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "conformance/point_mistake.hpp"
@@ -10,22 +12,19 @@ namespace {
 using Value = std::optional<double>;
 using Point = OperatingPoint<double>;
 
-constexpr const char* law_names[] = {"barus", "ambient", "roelands"};
-constexpr const char* shear_names[] = {"eyring", "limiting"};
-
 Mistake viscosity_swapped(std::size_t asked, std::size_t given) {
-  return changed(std::string("viscosity-") + law_names[given] + "-for-" + law_names[asked],
-                 std::string("the viscosity law `") + law_names[given] + "` where `" +
-                     law_names[asked] + "` is asked for",
+  const std::string_view right = viscosity_law_words[asked], wrong = viscosity_law_words[given];
+  return changed(fmt::format("viscosity-{}-for-{}", wrong, right),
+                 fmt::format("the viscosity law `{}` where `{}` is asked for", wrong, right),
                  [=](Scene& s) {
                    if (s.friction.viscosity == static_cast<ViscosityLaw>(asked))
                      s.friction.viscosity = static_cast<ViscosityLaw>(given);
                  });
 }
 Mistake shear_swapped(std::size_t asked, std::size_t given) {
-  return changed(std::string("shear-") + shear_names[given] + "-for-" + shear_names[asked],
-                 std::string("the shear law `") + shear_names[given] + "` where `" +
-                     shear_names[asked] + "` is asked for",
+  const std::string_view right = fluid_shear_words[asked], wrong = fluid_shear_words[given];
+  return changed(fmt::format("shear-{}-for-{}", wrong, right),
+                 fmt::format("the shear law `{}` where `{}` is asked for", wrong, right),
                  [=](Scene& s) {
                    if (s.friction.fluid == static_cast<FluidShear>(asked))
                      s.friction.fluid = static_cast<FluidShear>(given);

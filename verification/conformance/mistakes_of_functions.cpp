@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The mistakes of single functions, from the parts gone wrong.
+#include <algorithm>
+
 #include "conformance/mistake.hpp"
 #include "conformance/wrong_parts.hpp"
 
@@ -21,11 +23,10 @@ Mistake of_film(const WrongFilm& wrong) {
       }};
 }
 
-StarvationClosure closure_of(const std::string& name) {
-  return name == "flooded_inlet"       ? StarvationClosure::flooded_inlet
-         : name == "starved_inlet"     ? StarvationClosure::starved_inlet
-         : name == "printed_exponents" ? StarvationClosure::printed_exponents
-                                       : StarvationClosure::damiens;
+StarvationClosure closure_of(const std::string& word) {
+  const auto& words = starvation_closure_words;
+  return static_cast<StarvationClosure>(std::find(words.begin(), words.end(), word) -
+                                        words.begin());
 }
 
 Mistake of_inlet(const WrongInlet& wrong) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "conformance/wrong_parts.hpp"
@@ -8,9 +10,6 @@ namespace tribo::conformance {
 namespace {
 
 using Value = std::optional<double>;
-
-constexpr std::array<const char*, 4> names{"flooded_inlet", "starved_inlet", "printed_exponents",
-                                           "damiens"};
 
 bool is_of_crook(StarvationClosure closure) { return closure != StarvationClosure::damiens; }
 
@@ -54,16 +53,17 @@ std::vector<WrongInlet> wrong_inlets() {
        }},
       {"inlet-never-starved", "the flooded film, whatever the supply",
        [](StarvationClosure, double, double) -> Value { return 1.0; }}};
-  for (std::size_t asked = 0; asked < names.size(); ++asked)
-    for (std::size_t given = 0; given < names.size(); ++given) {
+  const auto& words = starvation_closure_words;
+  for (std::size_t asked = 0; asked < words.size(); ++asked)
+    for (std::size_t given = 0; given < words.size(); ++given) {
       if (asked == given) continue;
-      all.push_back({std::string("inlet-") + names[given] + "-for-" + names[asked],
-                     std::string("the closure `") + names[given] + "` where `" + names[asked] +
-                         "` is asked for",
-                     [=](StarvationClosure closure, double r, double gamma) -> Value {
-                       if (closure != static_cast<StarvationClosure>(asked)) return std::nullopt;
-                       return starvation_ratio(static_cast<StarvationClosure>(given), r, gamma);
-                     }});
+      all.push_back(
+          {fmt::format("inlet-{}-for-{}", words[given], words[asked]),
+           fmt::format("the closure `{}` where `{}` is asked for", words[given], words[asked]),
+           [=](StarvationClosure closure, double r, double gamma) -> Value {
+             if (closure != static_cast<StarvationClosure>(asked)) return std::nullopt;
+             return starvation_ratio(static_cast<StarvationClosure>(given), r, gamma);
+           }});
     }
   return all;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "protocol/function_call.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <span>
 
 #include "protocol/flat_json.hpp"
 #include "protocol/output_stream.hpp"
@@ -12,39 +12,22 @@ namespace tribo::protocol {
 namespace {
 
 using catalogue::Parameter;
-using Words = std::span<const std::string_view>;
 
-std::string joined(Words words) {
-  std::string text;
-  for (const std::string_view word : words) {
-    if (!text.empty()) text += ", ";
-    text += word;
-  }
-  return text;
-}
-
-std::string allowed_text(const Parameter& parameter) {
-  const Words words = parameter.words();
-  if (!words.empty()) return joined(words);
-  std::string text(catalogue::text_of(parameter.range));
+std::string allowed_with_unit(const Parameter& parameter) {
+  std::string text = catalogue::allowed_text(parameter);
   if (!parameter.unit.empty()) text += ", in " + std::string(parameter.unit);
   return text;
 }
 
-// The place of a text among words; `words.size()` if it is not there.
-std::size_t place_of(std::string_view text, Words words) {
-  std::size_t place = 0;
-  while (place < words.size() && words[place] != text) ++place;
-  return place;
-}
-
-std::optional<double> word_argument(Words words, const FlatMember& member, std::string& complaint) {
+std::optional<double> word_argument(const Parameter& parameter, const FlatMember& member,
+                                    std::string& complaint) {
   if (member.kind != FlatMember::Kind::text) {
     complaint = "this is no text";
     return std::nullopt;
   }
-  const std::size_t place = place_of(member.text, words);
-  if (place < words.size()) return static_cast<double>(place);
+  const auto words = parameter.words;
+  const auto found = std::find(words.begin(), words.end(), member.text);
+  if (found != words.end()) return static_cast<double>(found - words.begin());
   complaint = '"' + printable(member.text) + "\" is not known";
   return std::nullopt;
 }
@@ -69,9 +52,8 @@ std::optional<double> argument(const Parameter& parameter, const FlatObject& obj
     complaint = "missing";
     return parameter.default_value;
   }
-  const Words words = parameter.words();
-  return words.empty() ? number_argument(parameter, *member, complaint)
-                       : word_argument(words, *member, complaint);
+  return parameter.words.empty() ? number_argument(parameter, *member, complaint)
+                                 : word_argument(parameter, *member, complaint);
 }
 
 std::string parameter_names(const catalogue::Function& function) {
@@ -109,7 +91,7 @@ std::optional<Mistake> read_arguments(const catalogue::Function& function, const
     const std::optional<double> value = argument(parameter, object, complaint);
     if (!value)
       return Mistake{std::string(parameter.name),
-                     complaint + "; allowed: " + allowed_text(parameter)};
+                     complaint + "; allowed: " + allowed_with_unit(parameter)};
     arguments[place++] = *value;
   }
   return std::nullopt;

@@ -4,11 +4,13 @@
 // hand out only scenes whose fields are in range; whoever fills one by hand answers for that.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tribo/outputs.hpp"
@@ -26,6 +28,17 @@ enum class FluidShear : std::uint8_t { eyring, limiting };
 enum class ViscosityLaw : std::uint8_t { barus, ambient, roelands };
 enum class SupplyKind : std::uint8_t { flooded, inlet_film, inlet_film_ratio, inlet_flow };
 enum class Spacing : std::uint8_t { log, lin };
+
+// The words for these in scene files, requests and tables, in the order of the enumerations. (A
+// supply is named by its field.)
+inline constexpr std::array<std::string_view, 2> asperity_model_words{"greenwood_tripp",
+                                                                      "greenwood_williamson"};
+inline constexpr std::array<std::string_view, 4> starvation_closure_words{
+    "flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
+inline constexpr std::array<std::string_view, 2> fluid_shear_words{"eyring", "limiting"};
+inline constexpr std::array<std::string_view, 3> viscosity_law_words{"barus", "ambient",
+                                                                     "roelands"};
+inline constexpr std::array<std::string_view, 2> spacing_words{"log", "lin"};
 
 // The entrainment speeds of a scene, m/s: a list (one number is a list of one), or a range.
 struct Speeds {
