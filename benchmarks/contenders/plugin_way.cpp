@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contenders/plugin_way.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -25,7 +26,8 @@ struct MomentRoom {
   std::vector<int> status;
 };
 struct RootRoom {
-  std::vector<int> asperity, status;
+  std::vector<double> asperity;
+  std::vector<int> status;
 };
 struct PointRoom {
   std::vector<tribocheck_point> points;
@@ -46,46 +48,58 @@ double seconds_of(Call&& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// gaussian_moment of a plug-in at arguments. False: the plug-in does not offer it.
+bool moments_of(const PluginFunctions& functions, const double* order, std::span<const double> d,
+                double* moments, int* status) {
+  const std::array arguments{order, d.data()};
+  return functions.function("gaussian_moment", d.size(), arguments.data(), &moments, status) != 0;
+}
+
 MomentBatch moment_batch(const PluginFunctions& functions, Order order) {
   const auto room = std::make_shared<MomentRoom>();
-  return [=, moment = functions.gaussian_moment](std::span<const double> d,
-                                                 std::span<double> moments) {
+  return [=](std::span<const double> d, std::span<double> moments) {
     room->order.resize(d.size(), value_of<double>(order));
     room->status.assign(d.size(), unset);
-    moment(d.size(), room->order.data(), d.data(), moments.data(), room->status.data());
+    moments_of(functions, room->order.data(), d, moments.data(), room->status.data());
     drop_numbers_not_done(room->status, moments);
   };
 }
 
 bool offers(const PluginFunctions& functions, Order order) {
-  if (functions.gaussian_moment == nullptr) return false;
+  if (functions.function == nullptr) return false;
   const double n = value_of<double>(order);
   const double d = 0.5;
   double value = no_number;
   int status = unset;
-  functions.gaussian_moment(1, &n, &d, &value, &status);
-  return status != TRIBOCHECK_NOT_OFFERED;
+  return moments_of(functions, &n, {&d, 1}, &value, &status) && status != TRIBOCHECK_NOT_OFFERED;
+}
+
+// load_sharing of a plug-in. False: the plug-in does not offer it.
+bool roots_of(const PluginFunctions& functions, const double* asperity, const RootCases& cases,
+              double* film, int* status) {
+  const std::array arguments{asperity, cases.flooded.data(), cases.stiffness.data(),
+                             cases.offset.data()};
+  return functions.function("load_sharing", cases.size(), arguments.data(), &film, status) != 0;
 }
 
 RootRun root_run(const PluginFunctions& functions) {
   const auto room = std::make_shared<RootRoom>();
-  return [=, root = functions.load_sharing](const RootCases& cases, std::span<double> film) {
+  return [=](const RootCases& cases, std::span<double> film) {
     room->asperity.resize(cases.size(), TRIBOCHECK_GREENWOOD_TRIPP);
     room->status.assign(cases.size(), unset);
-    root(cases.size(), room->asperity.data(), cases.flooded.data(), cases.stiffness.data(),
-         cases.offset.data(), film.data(), room->status.data());
+    roots_of(functions, room->asperity.data(), cases, film.data(), room->status.data());
     drop_numbers_not_done(room->status, film);
   };
 }
 
 bool offers_roots(const PluginFunctions& functions) {
-  if (functions.load_sharing == nullptr) return false;
-  const int asperity = TRIBOCHECK_GREENWOOD_TRIPP;
+  if (functions.function == nullptr) return false;
+  const double asperity = TRIBOCHECK_GREENWOOD_TRIPP;
   const double flooded = 1, stiffness = 0.3, offset = 1.146;
+  const RootCases one{{&stiffness, 1}, {&offset, 1}, {&flooded, 1}};
   double value = no_number;
   int status = unset;
-  functions.load_sharing(1, &asperity, &flooded, &stiffness, &offset, &value, &status);
-  return status != TRIBOCHECK_NOT_OFFERED;
+  return roots_of(functions, &asperity, one, &value, &status) && status != TRIBOCHECK_NOT_OFFERED;
 }
 
 double seconds_of_root(const RootRun& run) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be asked, as data: each function of the model by its name, with its parameters and
 // results, what it promises of its error, and where it comes from. The lines of `tribocheck
-// stream`, `tribocheck functions`, the model's own check against certified values and the cases
-// that other solvers are asked follow from it.
+// stream`, `tribocheck functions`, the model's own check against certified values, the cases that
+// other solvers are asked, how these register what they have, and what `tribocheck init` writes for
+// them follow from it.
 //
 // A function is added by its header in include/tribo, one entry in catalogue.cpp, and one function
 // of reference/generators that makes its certified values, reference/exact/<name>.csv, in columns

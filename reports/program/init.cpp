@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck init: writes a solver that speaks the protocol already and skips everything. The
-// languages are the rows of templates/languages.tsv whose template is there.
+// tribocheck init: writes a solver that speaks the protocol already and skips everything, with a
+// function for each of the catalogue. The languages are the rows of templates/languages.tsv whose
+// template is there.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -22,6 +23,7 @@
 #include "page/project_files.hpp"
 #include "page/report_error.hpp"
 #include "shell.hpp"
+#include "subject_template.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -37,13 +39,17 @@ struct InitArguments {
 
 struct Language {
   std::string name;
-  std::string file;     // name of the template
+  std::string file;     // that is written; its template is this with ".mustache"
   std::string program;  // the interpreter or compiler
   std::string package;  // of Debian, that has it
   // The command that builds {library} from {file}; {include} is the folder of tribocheck_plugin.h.
   // Without {library} it is the command of the subject itself.
   std::string command;
 };
+
+fs::path template_of(const fs::path& templates, const Language& language) {
+  return templates / (language.file + ".mustache");
+}
 
 std::vector<Language> read_languages(const fs::path& templates) {
   std::vector<Language> languages;
@@ -59,7 +65,7 @@ std::vector<Language> read_languages(const fs::path& templates) {
     std::getline(cells, row.package, '\t');
     std::getline(cells, row.command, '\t');
     std::error_code ignored;
-    if (fs::is_regular_file(templates / row.file, ignored)) languages.push_back(row);
+    if (fs::is_regular_file(template_of(templates, row), ignored)) languages.push_back(row);
   }
   return languages;
 }
@@ -133,13 +139,14 @@ int init(const InitArguments& arguments, OutputStream& output) {
                          names_of(languages)));
     return exit_bad;
   }
-  const std::optional<std::string> text = read_text(templates / language->file);
+  const fs::path path = template_of(templates, *language);
+  const std::optional<std::string> text = read_text(path);
   if (!text) {
-    complain((templates / language->file).string() + ": cannot be read");
+    complain(path.string() + ": cannot be read");
     return exit_failed;
   }
   const std::string out = arguments.out.empty() ? language->file : arguments.out;
-  const int why_not = write_new_file(out, *text, arguments.force);
+  const int why_not = write_new_file(out, filled_template(*text), arguments.force);
   if (why_not == EEXIST) {
     complain(out + ": is there already; --force overwrites it");
     return exit_bad;

@@ -205,7 +205,7 @@ class Refusals(unittest.TestCase):
         self.one_line("/dev/null", "cannot be loaded")
 
     def test_versions(self):
-        self.one_line(plugin("wrong_version"), "version 2", "version 1")
+        self.one_line(plugin("wrong_version"), "version 3", "version 2")
         self.one_line(plugin("no_version"), "tribocheck_plugin_version")
 
     def test_no_library_is_named(self):

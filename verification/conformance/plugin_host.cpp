@@ -1,29 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "conformance/plugin_host.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "conformance/plugin_scene.hpp"
+#include "conformance/plugin_table.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 constexpr int unset = -1;  // a status that the plug-in has not written
-
-// One field of all cases; of a word, its codes.
-template <class Case, class T>
-auto column(std::span<const Case> cases, T Case::*field) {
-  using Element = std::conditional_t<std::is_enum_v<T>, int, T>;
-  std::vector<Element> all;
-  all.reserve(cases.size());
-  for (const Case& one : cases) all.push_back(static_cast<Element>(one.*field));
-  return all;
-}
 
 template <class Result>
 Answer<Result> answer_of(int status, Result result) {
@@ -44,30 +35,24 @@ Answer<Result> answer_of(int status, Result result) {
   }
 }
 
-// A function with one result, from the fields of its cases in the order of its arguments.
-template <class Case, class Function, class... Fields>
-Batch<Case, double> with_value(Function function, Fields Case::*... fields) {
-  if (function == nullptr) return {};
-  return [=](std::span<const Case> cases, std::span<Answer<double>> answers) {
-    std::vector<double> value(cases.size(), not_offered);
-    std::vector<int> status(cases.size(), unset);
-    function(cases.size(), column(cases, fields).data()..., value.data(), status.data());
-    for (std::size_t i = 0; i < cases.size(); ++i) answers[i] = answer_of(status[i], value[i]);
-  };
-}
-
-Batch<HertzCase, HertzResult> hertz_point(decltype(&tribocheck_hertz_point) function) {
-  if (function == nullptr) return {};
-  return [=](std::span<const HertzCase> cases, std::span<Answer<HertzResult>> answers) {
-    const std::vector<double> none(cases.size(), not_offered);
-    std::vector<double> radius = none, mean = none, peak = none, approach = none;
-    std::vector<int> status(cases.size(), unset);
-    function(cases.size(), column(cases, &HertzCase::load).data(),
-             column(cases, &HertzCase::effective_modulus).data(),
-             column(cases, &HertzCase::reduced_radius).data(), radius.data(), mean.data(),
-             peak.data(), approach.data(), status.data());
+// A function of the catalogue, by its name.
+FunctionBatch function_batch(decltype(&tribocheck_function) function,
+                             const catalogue::Function& asked) {
+  return [function, &asked](std::span<const catalogue::Arguments> cases,
+                            std::span<Answer<catalogue::Results>> answers) {
+    PluginTable table(asked, cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i)
-      answers[i] = answer_of(status[i], HertzResult{radius[i], mean[i], peak[i], approach[i]});
+      for (std::size_t k = 0; k < asked.parameters.size(); ++k) table.argument(k)[i] = cases[i][k];
+    std::vector<int> status(cases.size(), unset);
+    if (!table.call(function, status)) {
+      std::fill(answers.begin(), answers.end(), skip("no " + std::string(asked.name)));
+      return;
+    }
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      catalogue::Results results{};
+      for (std::size_t k = 0; k < asked.results.size(); ++k) results[k] = table.result(k)[i];
+      answers[i] = answer_of(status[i], results);
+    }
   };
 }
 
@@ -135,19 +120,9 @@ Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) 
 
 Solver plugin_solver(const PluginFunctions& functions) {
   Solver solver;
-  solver.gaussian_moment =
-      with_value(functions.gaussian_moment, &MomentCase::order, &MomentCase::argument);
-  solver.hertz_point = hertz_point(functions.hertz_point);
-  solver.hamrock_dowson_central =
-      with_value(functions.hamrock_dowson_central, &FilmCase::speed, &FilmCase::viscosity,
-                 &FilmCase::pressure_viscosity, &FilmCase::load, &FilmCase::effective_modulus,
-                 &FilmCase::reduced_radius, &FilmCase::ellipticity);
-  solver.starvation_ratio =
-      with_value(functions.starvation_ratio, &StarvationCase::closure,
-                 &StarvationCase::flooded_over_inlet, &StarvationCase::damiens_exponent);
-  solver.load_sharing = with_value(functions.load_sharing, &SharingCase::asperity,
-                                   &SharingCase::flooded_film_parameter, &SharingCase::stiffness,
-                                   &SharingCase::offset);
+  if (functions.function != nullptr)
+    for (const catalogue::Function& function : catalogue::functions())
+      solver.offer_batch(function.name, function_batch(functions.function, function));
   solver.operating_point = operating_point(functions.operating_point);
   return solver;
 }

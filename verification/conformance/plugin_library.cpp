@@ -68,11 +68,7 @@ Plugin load_plugin(const std::string& path) {
   Plugin plugin;
   plugin.name = name_of(library, path);
   PluginFunctions& functions = plugin.functions;
-  find(library, "tribocheck_gaussian_moment", functions.gaussian_moment);
-  find(library, "tribocheck_hertz_point", functions.hertz_point);
-  find(library, "tribocheck_hamrock_dowson_central", functions.hamrock_dowson_central);
-  find(library, "tribocheck_starvation_ratio", functions.starvation_ratio);
-  find(library, "tribocheck_load_sharing", functions.load_sharing);
+  find(library, "tribocheck_function", functions.function);
   find(library, "tribocheck_operating_point", functions.operating_point);
   return plugin;
 }

@@ -11,11 +11,7 @@ namespace tribo::conformance {
 
 // What a plug-in offers; null: not.
 struct PluginFunctions {
-  decltype(&tribocheck_gaussian_moment) gaussian_moment = nullptr;
-  decltype(&tribocheck_hertz_point) hertz_point = nullptr;
-  decltype(&tribocheck_hamrock_dowson_central) hamrock_dowson_central = nullptr;
-  decltype(&tribocheck_starvation_ratio) starvation_ratio = nullptr;
-  decltype(&tribocheck_load_sharing) load_sharing = nullptr;
+  decltype(&tribocheck_function) function = nullptr;
   decltype(&tribocheck_operating_point) operating_point = nullptr;
 };
 

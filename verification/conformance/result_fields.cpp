@@ -73,13 +73,11 @@ std::optional<OutputValue> value_of(const PointResult& point, Output output) {
   return std::nullopt;
 }
 
-Fields fields_of(double value, OutputSet) { return {{"value", value_of(value)}}; }
-
-Fields fields_of(const HertzResult& hertz, OutputSet) {
-  return {{"radius", value_of(hertz.radius)},
-          {"mean_pressure", value_of(hertz.mean_pressure)},
-          {"peak_pressure", value_of(hertz.peak_pressure)},
-          {"approach", value_of(hertz.approach)}};
+Fields fields_of(const catalogue::Results& values, const catalogue::Function& function) {
+  Fields fields;
+  for (std::size_t i = 0; i < function.results.size(); ++i)
+    fields.push_back({function.results[i].name, value_of(values[i])});
+  return fields;
 }
 
 Fields fields_of(const PointResult& point, OutputSet asked) {
@@ -105,20 +103,19 @@ void append_undefined(Text& to, Id id, const Fields& fields, std::string_view re
   to.push_back('\n');
 }
 
-template <class Result>
-void append_result(Text& to, Id id, const Result& result, OutputSet asked) {
-  const Fields fields = fields_of(result, asked);
+void append_done(Text& to, Id id, const Fields& fields) {
   const bool offers_any = std::any_of(fields.begin(), fields.end(),
                                       [](const Field& field) { return field.value.has_value(); });
   if (offers_any) return append_fields(to, id, fields);
   append_skip_line(to, id, "nothing of what is asked for is offered");
 }
 
-template <class Result>
-void append_line(Text& to, Id id, const Answer<Result>& answer, OutputSet asked) {
+// `asked`: what fields_of() takes beside the result.
+template <class Result, class Asked>
+void append_line(Text& to, Id id, const Answer<Result>& answer, const Asked& asked) {
   switch (answer.status) {
     case Status::done:
-      return append_result(to, id, answer.result, asked);
+      return append_done(to, id, fields_of(answer.result, asked));
     case Status::skipped:
       return append_skip_line(to, id, answer.reason);
     case Status::undefined:
@@ -130,14 +127,12 @@ void append_line(Text& to, Id id, const Answer<Result>& answer, OutputSet asked)
 
 }  // namespace
 
-void append_answer_line(Text& to, Id id, const Answer<double>& answer, OutputSet asked) {
-  if (answer.status == Status::done && std::isnan(answer.result))
+void append_answer_line(Text& to, Id id, const Answer<catalogue::Results>& answer,
+                        const catalogue::Function& function) {
+  const bool has_one = function.results.size() == 1;
+  if (answer.status == Status::done && has_one && std::isnan(answer.result[0]))
     return protocol::append_error(to, id, "", "the solver gave NaN");
-  append_line(to, id, answer, asked);
-}
-
-void append_answer_line(Text& to, Id id, const Answer<HertzResult>& answer, OutputSet asked) {
-  append_line(to, id, answer, asked);
+  append_line(to, id, answer, function);
 }
 
 void append_answer_line(Text& to, Id id, const Answer<PointResult>& answer, OutputSet asked) {

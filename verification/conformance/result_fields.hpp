@@ -10,12 +10,11 @@
 
 namespace tribo::conformance {
 
-// Appends the whole line with its line end. `asked` are the outputs of a scene; the result of a
-// function has its own.
+// Appends the whole line with its line end: of a function of the catalogue, or of a scene of which
+// `asked` are the outputs.
 void append_answer_line(protocol::Text& to, std::optional<std::string_view> id,
-                        const Answer<double>& answer, OutputSet asked);
-void append_answer_line(protocol::Text& to, std::optional<std::string_view> id,
-                        const Answer<HertzResult>& answer, OutputSet asked);
+                        const Answer<catalogue::Results>& answer,
+                        const catalogue::Function& function);
 void append_answer_line(protocol::Text& to, std::optional<std::string_view> id,
                         const Answer<PointResult>& answer, OutputSet asked);
 

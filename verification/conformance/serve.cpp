@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <stdexcept>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -23,36 +24,14 @@ namespace {
 using protocol::FunctionCall;
 using protocol::Question;
 
-template <class Enum>
-Enum enum_at(double place) {
-  return static_cast<Enum>(static_cast<int>(place));
-}
-
-void fill(MomentCase& to, const catalogue::Arguments& a) { to = {a[0], a[1]}; }
-void fill(HertzCase& to, const catalogue::Arguments& a) { to = {a[0], a[1], a[2]}; }
-void fill(FilmCase& to, const catalogue::Arguments& a) {
-  to = {a[0], a[1], a[2], a[3], a[4], a[5], a[6]};
-}
-void fill(StarvationCase& to, const catalogue::Arguments& a) {
-  to = {enum_at<StarvationClosure>(a[0]), a[1], a[2]};
-}
-void fill(SharingCase& to, const catalogue::Arguments& a) {
-  to = {enum_at<AsperityModel>(a[0]), a[1], a[2], a[3]};
-}
-template <class Case>
-void fill(Case& to, const Question& question) {
-  fill(to, std::get<FunctionCall>(question).arguments);
+void fill(catalogue::Arguments& to, const Question& question) {
+  to = std::get<FunctionCall>(question).arguments;
 }
 void fill(Scene& to, const Question& question) { to = *std::get<SceneReading>(question).scene; }
 
 std::optional<std::string_view> id_of(const Question& question) {
   return std::visit([](const auto& asked) -> std::optional<std::string_view> { return asked.id; },
                     question);
-}
-
-OutputSet asked_outputs(const Question& question) {
-  const auto* reading = std::get_if<SceneReading>(&question);
-  return reading == nullptr ? OutputSet() : reading->scene->outputs;
 }
 
 // What a question is about, by a name that messages use.
@@ -110,19 +89,10 @@ class Server {
   void answer_waiting() {
     if (waiting_.empty()) return;
     if (const auto* call = std::get_if<FunctionCall>(&waiting_[0]))
-      answer_calls(call->function->name);
+      answer_by(solver_.batch(*call->function));
     else
       answer_by(solver_.operating_point);
     waiting_.clear();
-  }
-
-  void answer_calls(std::string_view function) {
-    if (function == "gaussian_moment") return answer_by(solver_.gaussian_moment);
-    if (function == "hertz_point") return answer_by(solver_.hertz_point);
-    if (function == "hamrock_dowson_central") return answer_by(solver_.hamrock_dowson_central);
-    if (function == "starvation_ratio") return answer_by(solver_.starvation_ratio);
-    if (function == "load_sharing") return answer_by(solver_.load_sharing);
-    skip_waiting();
   }
 
   template <class Case, class Result>
@@ -138,10 +108,18 @@ class Server {
       std::fill(answers.begin(), answers.end(), failed(error.what()));
     }
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      append_answer_line(output_.text(), id_of(waiting_[i]), answers[i],
-                         asked_outputs(waiting_[i]));
+      append(waiting_[i], answers[i]);
       output_.end_row();
     }
+  }
+
+  void append(const Question& question, const Answer<catalogue::Results>& answer) {
+    const FunctionCall& call = std::get<FunctionCall>(question);
+    append_answer_line(output_.text(), call.id, answer, *call.function);
+  }
+  void append(const Question& question, const Answer<PointResult>& answer) {
+    const SceneReading& reading = std::get<SceneReading>(question);
+    append_answer_line(output_.text(), reading.id, answer, reading.scene->outputs);
   }
 
   void skip_waiting() {
@@ -157,7 +135,34 @@ class Server {
   std::vector<Question> waiting_;
 };
 
+// Solver::batch() of a function that is not offered.
+const FunctionBatch no_batch;
+
 }  // namespace
+
+void Solver::check_arguments(std::string_view name, std::size_t count) {
+  const catalogue::Function* const function = catalogue::find(name);
+  if (function == nullptr || function->parameters.size() == count) return;
+  std::string names;
+  for (const catalogue::Parameter& parameter : function->parameters)
+    names.append(names.empty() ? "" : ", ").append(parameter.name);
+  throw std::invalid_argument(std::string(name) + " takes " + names + ": " +
+                              std::to_string(function->parameters.size()) + " arguments, not " +
+                              std::to_string(count));
+}
+
+void Solver::offer_batch(std::string_view name, FunctionBatch batch) {
+  const catalogue::Function* const function = catalogue::find(name);
+  if (function == nullptr)
+    throw std::invalid_argument("no function is called " + std::string(name) +
+                                "; `tribocheck functions` lists all");
+  functions_[function] = std::move(batch);
+}
+
+const FunctionBatch& Solver::batch(const catalogue::Function& function) const {
+  const auto found = functions_.find(&function);
+  return found == functions_.end() ? no_batch : found->second;
+}
 
 int serve(const Solver& solver, int answers) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away shows as a failed write

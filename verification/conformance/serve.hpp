@@ -3,71 +3,41 @@
 //
 //   int main() {
 //     tribo::conformance::Solver solver;
-//     solver.gaussian_moment = tribo::conformance::each(
-//         [](const auto& asked) { return my_moment(asked.order, asked.argument); });
+//     solver.offer("gaussian_moment", [](double order, double argument) {
+//       return my_moment(order, argument);
+//     });
 //     return tribo::conformance::serve(solver);
 //   }
 //
 //   tribocheck verify --subject ./my_solver
 //
-// SI units; formulas, symbols and ranges: model/README.md. Cases are in range.
+// SI units. `tribocheck functions NAME` says what the arguments of a function are, in which order.
+// Formulas, symbols and ranges: model/README.md. Cases are in range.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <limits>
-#include <optional>
+#include <map>
 #include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
+#include "catalogue/catalogue.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::conformance {
-
-struct MomentCase {
-  double order;     // n: 0, 0.5, 1, 1.5, 2 or 2.5
-  double argument;  // d
-};
-struct HertzCase {
-  double load;               // F, N
-  double effective_modulus;  // E*, Pa
-  double reduced_radius;     // R, m
-};
-struct FilmCase {
-  double speed;               // u, m/s, entrainment
-  double viscosity;           // η₀, Pa·s
-  double pressure_viscosity;  // α, 1/Pa
-  double load;                // F, N
-  double effective_modulus;   // E*, Pa
-  double reduced_radius;      // R, m
-  double ellipticity;         // k
-};
-struct StarvationCase {
-  StarvationClosure closure;
-  double flooded_over_inlet;  // r = h_ff/h_oil
-  double damiens_exponent;    // γ
-};
-struct SharingCase {
-  AsperityModel asperity;
-  double flooded_film_parameter;  // λ₀
-  double stiffness;               // K
-  double offset;                  // δ
-};
 
 // A number in a result that is not finite has a meaning. NaN: this result is not offered. Infinity:
 // this result is undefined at this point. A function with only one result always offers it: there
 // NaN is an error.
 inline constexpr double not_offered = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double undefined_here = std::numeric_limits<double>::infinity();
-
-struct HertzResult {
-  double radius = not_offered;         // a, m
-  double mean_pressure = not_offered;  // Pa
-  double peak_pressure = not_offered;  // Pa
-  double approach = not_offered;       // m
-};
 
 // A word of a result.
 template <class Word>
@@ -118,15 +88,21 @@ struct Answer {
 template <class Case, class Result>
 using Batch = std::function<void(std::span<const Case>, std::span<Answer<Result>>)>;
 
-// What a solver offers; what is left empty is skipped. An operating point is a scene with one
-// speed.
-struct Solver {
-  Batch<MomentCase, double> gaussian_moment;  // F_n(d)
-  Batch<HertzCase, HertzResult> hertz_point;
-  Batch<FilmCase, double> hamrock_dowson_central;  // m
-  Batch<StarvationCase, double> starvation_ratio;  // h*/h_ff
-  Batch<SharingCase, double> load_sharing;         // λ
-  Batch<Scene, PointResult> operating_point;
+// The arguments of a function in the order of `tribocheck functions NAME`: of a word its place in
+// the list of words. Its results likewise, in the first places.
+using FunctionBatch = Batch<catalogue::Arguments, catalogue::Results>;
+
+// One argument, for a parameter that is a number or one of the enumerations in tribo/scene.hpp.
+class Argument {
+ public:
+  explicit Argument(double value) : value_(value) {}
+  operator double() const { return value_; }
+  template <class Word>
+  requires std::is_enum_v<Word>
+  operator Word() const { return static_cast<Word>(static_cast<int>(value_)); }
+
+ private:
+  double value_;
 };
 
 // Makes a function of several cases from a function of one case, which returns a result, a NoResult
@@ -141,6 +117,60 @@ auto each(Function function) {
       }
   };
 }
+
+// What a solver offers; what is left out is skipped.
+class Solver {
+ public:
+  // Offers the function of this name. `function` takes its arguments one by one, in the order of
+  // `tribocheck functions NAME`, and returns a number, all results in an array, or an Answer or
+  // NoResult in place of these. Throws std::invalid_argument if there is no such function, or if it
+  // has another number of arguments.
+  template <class Function>
+  void offer(std::string_view name, Function function) {
+    offer_of(name, std::move(function), std::index_sequence<>());
+  }
+  void offer_batch(std::string_view name, FunctionBatch batch);
+
+  // Empty where the function is not offered.
+  const FunctionBatch& batch(const catalogue::Function& function) const;
+
+  Batch<Scene, PointResult> operating_point;  // of a scene with one speed
+
+ private:
+  static Answer<catalogue::Results> answer_of(double value) { return catalogue::Results{value}; }
+  static Answer<catalogue::Results> answer_of(NoResult none) { return none; }
+  static Answer<catalogue::Results> answer_of(Answer<catalogue::Results> answer) { return answer; }
+  static Answer<catalogue::Results> answer_of(const Answer<double>& answer) {
+    if (answer.status == Status::done) return catalogue::Results{answer.result};
+    return NoResult{answer.status, answer.reason};
+  }
+  template <std::size_t count>
+  static Answer<catalogue::Results> answer_of(const std::array<double, count>& values) {
+    static_assert(count <= catalogue::most_results);
+    catalogue::Results results;
+    results.fill(not_offered);
+    std::copy(values.begin(), values.end(), results.begin());
+    return results;
+  }
+
+  // As many arguments as `function` takes.
+  template <class Function, std::size_t... places>
+  void offer_of(std::string_view name, Function function, std::index_sequence<places...>) {
+    if constexpr (std::invocable<Function, decltype((void)places, std::declval<Argument>())...>) {
+      check_arguments(name, sizeof...(places));
+      offer_batch(name, each([function = std::move(function)](const catalogue::Arguments& a) {
+                    return answer_of(function(Argument(a[places])...));
+                  }));
+    } else {
+      static_assert(sizeof...(places) < catalogue::most_parameters,
+                    "a function takes numbers, or the enumerations of tribo/scene.hpp");
+      offer_of(name, std::move(function), std::make_index_sequence<sizeof...(places) + 1>());
+    }
+  }
+  static void check_arguments(std::string_view name, std::size_t count);
+
+  std::map<const catalogue::Function*, FunctionBatch> functions_;
+};
 
 // Answers JSON lines from stdin on stdout until the input ends: the protocol of `tribocheck verify
 // --subject`. From then on what the solver prints to stdout comes out on stderr. Returns an exit

@@ -7,12 +7,13 @@
  *   tribocheck verify --plugin ./libsolver.so
  *   tribocheck bench --plugin ./libsolver.so
  *
- * PREFIX is where tribocheck is installed; `tribocheck init subject --language c` prints the line for
- * where it is. The library exports tribocheck_plugin_version() and any of the functions below; what it leaves
- * out is skipped. Arrays belong to the caller, hold `count` numbers each, count >= 1, do not
- * overlap, and are not to be kept. Functions are called from one thread, may be called in any order
- * with any count, and write for each case one status and, where it is TRIBOCHECK_DONE, its results.
- * A function that writes no status has failed. What a plug-in prints to stdout comes out on stderr.
+ * PREFIX is where tribocheck is installed; `tribocheck init subject --language c` writes a file to
+ * start from, and prints the line for where tribocheck is. The library exports
+ * tribocheck_plugin_version() and any of the functions below; what it leaves out is skipped. Arrays
+ * belong to the caller, hold `count` numbers each, count >= 1, do not overlap, and are not to be
+ * kept. The library is called from one thread, in any order and with any count. It writes for each
+ * case one status and, where it is TRIBOCHECK_DONE, the results. A case that gets no status has
+ * failed. What a plug-in prints to stdout comes out on stderr.
  *
  * SI units throughout. A number in a result that is not finite says something: NaN that this result
  * is not offered, an infinity that there is none at this point (as friction, where the film has
@@ -29,7 +30,7 @@ extern "C" {
 #endif
 
 /* Of this header. It grows when a plug-in built with an older header would be read wrongly. */
-enum { TRIBOCHECK_PLUGIN_VERSION = 1 };
+enum { TRIBOCHECK_PLUGIN_VERSION = 2 };
 
 /* The status of a case. */
 enum {
@@ -39,7 +40,7 @@ enum {
   TRIBOCHECK_FAILED = 3       /* the input is refused, or an iteration did not converge */
 };
 
-/* Codes of words. */
+/* Codes of words: in a scene, a point, and as arguments of functions. */
 enum { TRIBOCHECK_GREENWOOD_TRIPP = 0, TRIBOCHECK_GREENWOOD_WILLIAMSON = 1 };
 enum {
   TRIBOCHECK_FLOODED_INLET = 0, /* 1/r = 1 + psi^(3/2)/c, collapsed for r >= 1; section 7 */
@@ -67,47 +68,19 @@ int tribocheck_plugin_version(void);
  * file's name. */
 const char* tribocheck_plugin_name(void);
 
-/* F_n(d), the integral of (s-d)^n phi(s) over s from d to infinity, phi the standard normal
- * density. */
-void tribocheck_gaussian_moment(size_t count, const double* order, /* n: 0, 0.5, 1, 1.5, 2 or 2.5 */
-                                const double* argument,            /* d: any finite number */
-                                double* value, int* status);
-
-/* Hertz' circular contact of smooth bodies. */
-void tribocheck_hertz_point(size_t count, const double* load, /* F > 0, N */
-                            const double* effective_modulus,  /* E* > 0, Pa: 1/E* =
-                                                                 (1-nu1^2)/E1 + (1-nu2^2)/E2 */
-                            const double* reduced_radius, /* R > 0, m; ball on flat: the ball's */
-                            double* radius,               /* a, m */
-                            double* mean_pressure,        /* F/(pi a^2), Pa */
-                            double* peak_pressure,        /* Pa */
-                            double* approach,             /* of the bodies, a^2/R, m */
-                            int* status);
-
-/* Central film of the smooth, fully flooded contact after Hamrock and Dowson, m. */
-void tribocheck_hamrock_dowson_central(
-    size_t count, const double* speed, /* u > 0, m/s: the mean of the surfaces' */
-    const double* viscosity,           /* eta_0 > 0, Pa s */
-    const double* pressure_viscosity,  /* alpha > 0, 1/Pa */
-    const double* load,                /* F > 0, N */
-    const double* effective_modulus,   /* E* > 0, Pa */
-    const double* reduced_radius,      /* R > 0, m */
-    const double* ellipticity,         /* k > 0; circle: 1 */
-    double* value, int* status);
-
-/* h over h_ff, film behind the inlet over fully flooded film, in [0, 1]; 0: collapsed. */
-void tribocheck_starvation_ratio(
-    size_t count, const int* closure, /* TRIBOCHECK_FLOODED_INLET ... */
-    const double* flooded_over_inlet, /* r = h_ff/h_oil > 0 */
-    const double* damiens_exponent,   /* gamma > 0; the others ignore it */
-    double* value, int* status);
-
-/* The film parameter lambda that carries the load together with the asperities; section 6. */
-void tribocheck_load_sharing(size_t count, const int* asperity, /* TRIBOCHECK_GREENWOOD_TRIPP ... */
-                             const double* flooded_film_parameter, /* lambda_0 = h_0/sigma_s > 0 */
-                             const double* stiffness,              /* K >= 0; section 4 */
-                             const double* offset,                 /* delta = m D_d/sigma_s >= 0 */
-                             double* value, int* status);
+/* Any function of `tribocheck functions`, by its name; `tribocheck functions NAME` says what its
+ * arguments and results are. argument[k][i] is argument k of case i, in that order from 0; of a
+ * word, its code. result[k][i] is for result k of case i; the caller has set all to NaN. Returns 0
+ * where the function of this name is not offered, and else another number.
+ *
+ *   if (strcmp(name, "gaussian_moment") != 0) return 0;
+ *   for (size_t i = 0; i < count; ++i) {
+ *     result[0][i] = my_moment(argument[0][i], argument[1][i]);
+ *     status[i] = TRIBOCHECK_DONE;
+ *   }
+ *   return 1; */
+int tribocheck_function(const char* name, size_t count, const double* const* argument,
+                        double* const* result, int* status);
 
 /* One contact, its lubricant and its supply of oil. All > 0 and finite unless said. */
 typedef struct tribocheck_scene {

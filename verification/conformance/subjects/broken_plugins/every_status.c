@@ -2,17 +2,21 @@
  * The argument of a moment is the status that it gets; from 100 on none is written, and -1 is NaN.
  * A point has a film, no friction there, and the codes of regime and inlet that the load says. */
 #include <math.h>
+#include <string.h>
 
 #include "tribocheck_plugin.h"
 
 int tribocheck_plugin_version(void) { return TRIBOCHECK_PLUGIN_VERSION; }
 
-void tribocheck_gaussian_moment(size_t count, const double* order, const double* argument,
-                                double* value, int* status) {
+int tribocheck_function(const char* name, size_t count, const double* const* argument,
+                        double* const* result, int* status) {
+  if (strcmp(name, "gaussian_moment") != 0) return 0;
   for (size_t i = 0; i < count; ++i) {
-    value[i] = argument[i] < 0 ? NAN : (double)count + order[i];
-    if (argument[i] < 100) status[i] = argument[i] < 0 ? TRIBOCHECK_DONE : (int)argument[i];
+    const double d = argument[1][i];
+    result[0][i] = d < 0 ? NAN : (double)count + argument[0][i];
+    if (d < 100) status[i] = d < 0 ? TRIBOCHECK_DONE : (int)d;
   }
+  return 1;
 }
 
 void tribocheck_operating_point(const tribocheck_scene* scene, size_t count, const double* speed,

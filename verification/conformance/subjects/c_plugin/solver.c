@@ -5,6 +5,7 @@
  *     verification/conformance/subjects/c_plugin/solver.c -o libsolver.so -lm
  *   tribocheck verify --plugin libsolver.so */
 #include <math.h>
+#include <string.h>
 
 #include "tribocheck_plugin.h"
 
@@ -28,41 +29,24 @@ static double moment(double n, double d) {
   return 2 * step * outside * sum / sqrt(2 * pi);
 }
 
-void tribocheck_gaussian_moment(size_t count, const double* order, const double* argument,
-                                double* value, int* status) {
-  for (size_t i = 0; i < count; ++i) {
-    status[i] = argument[i] < -10 ? TRIBOCHECK_NOT_OFFERED : TRIBOCHECK_DONE;
-    if (status[i] == TRIBOCHECK_DONE) value[i] = moment(order[i], argument[i]);
-  }
+static void hertz_point(double load, double effective_modulus, double reduced_radius,
+                        double* radius, double* mean_pressure, double* peak_pressure,
+                        double* approach) {
+  const double a = cbrt(3 * load * reduced_radius / (4 * effective_modulus));
+  *radius = a;
+  *mean_pressure = load / (pi * a * a);
+  *peak_pressure = 1.5 * *mean_pressure;
+  *approach = a * a / reduced_radius;
 }
 
-void tribocheck_hertz_point(size_t count, const double* load, const double* effective_modulus,
-                            const double* reduced_radius, double* radius, double* mean_pressure,
-                            double* peak_pressure, double* approach, int* status) {
-  for (size_t i = 0; i < count; ++i) {
-    const double a = cbrt(3 * load[i] * reduced_radius[i] / (4 * effective_modulus[i]));
-    radius[i] = a;
-    mean_pressure[i] = load[i] / (pi * a * a);
-    peak_pressure[i] = 1.5 * mean_pressure[i];
-    approach[i] = a * a / reduced_radius[i];
-    status[i] = TRIBOCHECK_DONE;
-  }
-}
-
-void tribocheck_hamrock_dowson_central(size_t count, const double* speed, const double* viscosity,
-                                       const double* pressure_viscosity, const double* load,
-                                       const double* effective_modulus,
-                                       const double* reduced_radius, const double* ellipticity,
-                                       double* value, int* status) {
-  for (size_t i = 0; i < count; ++i) {
-    const double modulus = 2 * effective_modulus[i]; /* E' of the formula */
-    const double u = viscosity[i] * speed[i] / (modulus * reduced_radius[i]);
-    const double g = pressure_viscosity[i] * modulus;
-    const double w = load[i] / (modulus * reduced_radius[i] * reduced_radius[i]);
-    value[i] = 2.69 * reduced_radius[i] * pow(u, 0.67) * pow(g, 0.53) * pow(w, -0.067) *
-               (1 - 0.61 * exp(-0.73 * ellipticity[i]));
-    status[i] = TRIBOCHECK_DONE;
-  }
+static double central_film(double speed, double viscosity, double pressure_viscosity, double load,
+                           double effective_modulus, double reduced_radius, double ellipticity) {
+  const double modulus = 2 * effective_modulus; /* E' of the formula */
+  const double u = viscosity * speed / (modulus * reduced_radius);
+  const double g = pressure_viscosity * modulus;
+  const double w = load / (modulus * reduced_radius * reduced_radius);
+  return 2.69 * reduced_radius * pow(u, 0.67) * pow(g, 0.53) * pow(w, -0.067) *
+         (1 - 0.61 * exp(-0.73 * ellipticity));
 }
 
 static double film_ratio(double psi) { return 2 / pi * atan(2.7 * psi); }
@@ -94,10 +78,52 @@ static double starvation_ratio(int closure, double r, double gamma) {
   return r < 1 ? film_ratio(pow(c * (1 / r - 1), 2.0 / 3)) : 0;
 }
 
-void tribocheck_starvation_ratio(size_t count, const int* closure, const double* flooded_over_inlet,
-                                 const double* damiens_exponent, double* value, int* status) {
-  for (size_t i = 0; i < count; ++i) {
-    value[i] = starvation_ratio(closure[i], flooded_over_inlet[i], damiens_exponent[i]);
-    status[i] = TRIBOCHECK_DONE;
+/* One case: its arguments, where its results go; returns its status. */
+typedef int function_of_case(const double* argument, double* result);
+
+static int moment_case(const double* argument, double* result) {
+  if (argument[1] < -10) return TRIBOCHECK_NOT_OFFERED;
+  result[0] = moment(argument[0], argument[1]);
+  return TRIBOCHECK_DONE;
+}
+
+static int hertz_case(const double* argument, double* result) {
+  hertz_point(argument[0], argument[1], argument[2], result, result + 1, result + 2, result + 3);
+  return TRIBOCHECK_DONE;
+}
+
+static int film_case(const double* argument, double* result) {
+  result[0] = central_film(argument[0], argument[1], argument[2], argument[3], argument[4],
+                           argument[5], argument[6]);
+  return TRIBOCHECK_DONE;
+}
+
+static int starvation_case(const double* argument, double* result) {
+  result[0] = starvation_ratio((int)argument[0], argument[1], argument[2]);
+  return TRIBOCHECK_DONE;
+}
+
+static const struct {
+  const char* name;
+  int arguments, results;
+  function_of_case* answer;
+} functions[] = {{"gaussian_moment", 2, 1, moment_case},
+                 {"hertz_point", 3, 4, hertz_case},
+                 {"hamrock_dowson_central", 7, 1, film_case},
+                 {"starvation_ratio", 3, 1, starvation_case}};
+
+int tribocheck_function(const char* name, size_t count, const double* const* argument,
+                        double* const* result, int* status) {
+  for (size_t f = 0; f < sizeof functions / sizeof functions[0]; ++f) {
+    if (strcmp(name, functions[f].name) != 0) continue;
+    for (size_t i = 0; i < count; ++i) {
+      double given[7], found[4];
+      for (int k = 0; k < functions[f].arguments; ++k) given[k] = argument[k][i];
+      status[i] = functions[f].answer(given, found);
+      for (int k = 0; k < functions[f].results && status[i] == TRIBOCHECK_DONE; ++k)
+        result[k][i] = found[k];
+    }
+    return 1;
   }
+  return 0;
 }

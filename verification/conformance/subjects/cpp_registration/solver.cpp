@@ -2,6 +2,7 @@
 // A solver in C++ that registers what it has: Hertz, the film and one closure of the starved inlet.
 //
 //   tribocheck verify --subject build/release/verification/conformance/subjects/cpp_registration
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,34 +12,35 @@ namespace {
 
 using namespace tribo::conformance;
 
-HertzResult hertz_point(const HertzCase& asked) {
-  const double radius =
-      std::cbrt(3 * asked.load * asked.reduced_radius / (4 * asked.effective_modulus));
-  const double mean_pressure = asked.load / (std::numbers::pi * radius * radius);
-  return {radius, mean_pressure, 1.5 * mean_pressure, radius * radius / asked.reduced_radius};
+// Radius, mean and peak pressure, approach.
+std::array<double, 4> hertz_point(double load, double effective_modulus, double reduced_radius) {
+  const double radius = std::cbrt(3 * load * reduced_radius / (4 * effective_modulus));
+  const double mean_pressure = load / (std::numbers::pi * radius * radius);
+  return {radius, mean_pressure, 1.5 * mean_pressure, radius * radius / reduced_radius};
 }
 
-double film(const FilmCase& asked) {
-  const double modulus = 2 * asked.effective_modulus;  // E' of the formula
-  const double u = asked.viscosity * asked.speed / (modulus * asked.reduced_radius);
-  const double g = asked.pressure_viscosity * modulus;
-  const double w = asked.load / (modulus * asked.reduced_radius * asked.reduced_radius);
-  return asked.reduced_radius * 2.69 * std::pow(u, 0.67) * std::pow(g, 0.53) * std::pow(w, -0.067) *
-         (1 - 0.61 * std::exp(-0.73 * asked.ellipticity));
+double film(double speed, double viscosity, double pressure_viscosity, double load,
+            double effective_modulus, double reduced_radius, double ellipticity) {
+  const double modulus = 2 * effective_modulus;  // E' of the formula
+  const double u = viscosity * speed / (modulus * reduced_radius);
+  const double g = pressure_viscosity * modulus;
+  const double w = load / (modulus * reduced_radius * reduced_radius);
+  return reduced_radius * 2.69 * std::pow(u, 0.67) * std::pow(g, 0.53) * std::pow(w, -0.067) *
+         (1 - 0.61 * std::exp(-0.73 * ellipticity));
 }
 
-Answer<double> starvation_ratio(const StarvationCase& asked) {
-  if (asked.closure != tribo::StarvationClosure::damiens) return skip("only Damiens' closure");
-  const double gamma = asked.damiens_exponent;
-  return std::pow(1 + std::pow(asked.flooded_over_inlet, gamma), -1 / gamma);
+Answer<double> starvation_ratio(tribo::StarvationClosure closure, double flooded_over_inlet,
+                                double gamma) {
+  if (closure != tribo::StarvationClosure::damiens) return skip("only Damiens' closure");
+  return std::pow(1 + std::pow(flooded_over_inlet, gamma), -1 / gamma);
 }
 
 }  // namespace
 
 int main() {
   Solver solver;
-  solver.hertz_point = each(hertz_point);
-  solver.hamrock_dowson_central = each(film);
-  solver.starvation_ratio = each(starvation_ratio);
+  solver.offer("hertz_point", hertz_point);
+  solver.offer("hamrock_dowson_central", film);
+  solver.offer("starvation_ratio", starvation_ratio);
   return serve(solver);
 }

@@ -4,20 +4,20 @@
 !   gfortran -O2 -shared -fPIC verification/conformance/subjects/fortran_plugin/solver.f90 -o libsolver.so
 !   tribocheck verify --plugin libsolver.so
 module solver
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_loc, c_null_char, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_loc, c_null_char, &
+    c_ptr, c_size_t
   implicit none
   private
-  public :: plugin_version, plugin_name, hertz_point, hamrock_dowson_central, load_sharing, &
-            gaussian_moment
+  public :: plugin_version, plugin_name, answer
 
   ! tribocheck_plugin.h: the version of the interface, statuses, and the code of a word.
-  integer(c_int), parameter :: version = 1, done = 0, not_offered = 1
+  integer(c_int), parameter :: version = 2, done = 0, not_offered = 1
   integer(c_int), parameter :: greenwood_tripp = 0
 
   real(c_double), parameter :: pi = 3.14159265358979323846_c_double
   real(c_double), parameter :: film_exponent = 0.14_c_double
   real(c_double), parameter :: least_argument = -10  ! of the moments
-  character(kind=c_char), target, save :: name(16) = &
+  character(kind=c_char), target, save :: own_name(16) = &
     [ 'F', 'o', 'r', 't', 'r', 'a', 'n', ' ', 'e', 'x', 'a', 'm', 'p', 'l', 'e', c_null_char ]
 
 contains
@@ -27,11 +27,11 @@ contains
   end function
 
   type(c_ptr) function plugin_name() bind(C, name='tribocheck_plugin_name')
-    plugin_name = c_loc(name)
+    plugin_name = c_loc(own_name)
   end function
 
   ! Integral of (s-d)**n phi(s) from d on: with s = d + exp(2t) the trapezoidal rule converges fast.
-  pure real(c_double) function moment(n, d)
+  elemental real(c_double) function moment(n, d)
     real(c_double), intent(in) :: n, d
     integer, parameter :: per_unit = 32
     real(c_double) :: t, u, exponent
@@ -47,51 +47,28 @@ contains
     moment = 2*moment/(per_unit*sqrt(2*pi))
   end function
 
-  subroutine gaussian_moment(count, order, argument, value, status) &
-      bind(C, name='tribocheck_gaussian_moment')
-    integer(c_size_t), value :: count
-    real(c_double), intent(in) :: order(count), argument(count)
-    real(c_double), intent(inout) :: value(count)
-    integer(c_int), intent(out) :: status(count)
-    integer(c_size_t) :: i
-    do i = 1, count
-      status(i) = merge(not_offered, done, argument(i) < least_argument)
-      if (status(i) == done) value(i) = moment(order(i), argument(i))
-    end do
-  end subroutine
-
-  subroutine hertz_point(count, load, effective_modulus, reduced_radius, radius, mean_pressure, &
-      peak_pressure, approach, status) bind(C, name='tribocheck_hertz_point')
-    integer(c_size_t), value :: count
-    real(c_double), intent(in) :: load(count), effective_modulus(count), reduced_radius(count)
-    real(c_double), intent(out) :: radius(count), mean_pressure(count), peak_pressure(count)
-    real(c_double), intent(out) :: approach(count)
-    integer(c_int), intent(out) :: status(count)
+  subroutine hertz_point(load, effective_modulus, reduced_radius, radius, mean_pressure, &
+      peak_pressure, approach)
+    real(c_double), intent(in) :: load(:), effective_modulus(:), reduced_radius(:)
+    real(c_double), intent(out) :: radius(:), mean_pressure(:), peak_pressure(:), approach(:)
     radius = (3*load*reduced_radius/(4*effective_modulus))**(1.0_c_double/3)
     mean_pressure = load/(pi*radius**2)
     peak_pressure = 1.5_c_double*mean_pressure
     approach = radius**2/reduced_radius
-    status = done
   end subroutine
 
-  subroutine hamrock_dowson_central(count, speed, viscosity, pressure_viscosity, load, &
-      effective_modulus, reduced_radius, ellipticity, value, status) &
-      bind(C, name='tribocheck_hamrock_dowson_central')
-    integer(c_size_t), value :: count
-    real(c_double), intent(in) :: speed(count), viscosity(count), pressure_viscosity(count)
-    real(c_double), intent(in) :: load(count), effective_modulus(count), reduced_radius(count)
-    real(c_double), intent(in) :: ellipticity(count)
-    real(c_double), intent(out) :: value(count)
-    integer(c_int), intent(out) :: status(count)
-    real(c_double) :: modulus(count)
+  elemental real(c_double) function central_film(speed, viscosity, pressure_viscosity, load, &
+      effective_modulus, reduced_radius, ellipticity)
+    real(c_double), intent(in) :: speed, viscosity, pressure_viscosity, load
+    real(c_double), intent(in) :: effective_modulus, reduced_radius, ellipticity
+    real(c_double) :: modulus
     modulus = 2*effective_modulus  ! E' of the formula
-    value = 2.69_c_double*reduced_radius &
+    central_film = 2.69_c_double*reduced_radius &
       *(viscosity*speed/(modulus*reduced_radius))**0.67_c_double &
       *(pressure_viscosity*modulus)**0.53_c_double &
       *(load/(modulus*reduced_radius**2))**(-0.067_c_double) &
       *(1 - 0.61_c_double*exp(-0.73_c_double*ellipticity))
-    status = done
-  end subroutine
+  end function
 
   ! What asperities and film carry, less the load; it falls with the film.
   pure real(c_double) function excess(asperity, lambda, lambda0, stiffness, offset)
@@ -106,7 +83,7 @@ contains
     excess = share + (lambda0/lambda)**(1/film_exponent) - 1
   end function
 
-  pure real(c_double) function shared_film(asperity, lambda0, stiffness, offset)
+  elemental real(c_double) function shared_film(asperity, lambda0, stiffness, offset)
     integer(c_int), intent(in) :: asperity
     real(c_double), intent(in) :: lambda0, stiffness, offset
     real(c_double) :: low, high
@@ -126,19 +103,65 @@ contains
     end do
   end function
 
-  subroutine load_sharing(count, asperity, flooded_film_parameter, stiffness, offset, value, status) &
-      bind(C, name='tribocheck_load_sharing')
-    integer(c_size_t), value :: count
-    integer(c_int), intent(in) :: asperity(count)
-    real(c_double), intent(in) :: flooded_film_parameter(count), stiffness(count), offset(count)
-    real(c_double), intent(inout) :: value(count)
-    integer(c_int), intent(out) :: status(count)
-    integer(c_size_t) :: i
-    do i = 1, count
-      status(i) = merge(not_offered, done, flooded_film_parameter(i) - offset(i) < least_argument)
-      if (status(i) == done) &
-        value(i) = shared_film(asperity(i), flooded_film_parameter(i), stiffness(i), offset(i))
+  ! The column of a pointer of C.
+  function column(address, count) result(numbers)
+    type(c_ptr), intent(in) :: address
+    integer(c_size_t), intent(in) :: count
+    real(c_double), pointer :: numbers(:)
+    call c_f_pointer(address, numbers, [count])
+  end function
+
+  logical function is_called(name, text)
+    character(kind=c_char), intent(in) :: name(*)
+    character(len=*), intent(in) :: text
+    integer :: i
+    is_called = name(len(text) + 1) == c_null_char
+    do i = 1, len(text)
+      is_called = is_called .and. name(i) == text(i:i)
+      if (name(i) == c_null_char) return
     end do
-  end subroutine
+  end function
+
+  integer(c_int) function answer(name, count, argument, result, status) bind(C, name='tribocheck_function')
+    character(kind=c_char), intent(in) :: name(*)
+    integer(c_size_t), value :: count
+    type(c_ptr), intent(in) :: argument(*), result(*)
+    integer(c_int), intent(inout) :: status(count)
+    type :: array
+      real(c_double), pointer :: of(:)
+    end type
+    type(array) :: a(7), r(4)
+    answer = 1
+    if (is_called(name, 'gaussian_moment')) then
+      call take(2, 1)
+      status = merge(not_offered, done, a(2)%of < least_argument)
+      where (status == done) r(1)%of = moment(a(1)%of, a(2)%of)
+    else if (is_called(name, 'hertz_point')) then
+      call take(3, 4)
+      call hertz_point(a(1)%of, a(2)%of, a(3)%of, r(1)%of, r(2)%of, r(3)%of, r(4)%of)
+      status = done
+    else if (is_called(name, 'hamrock_dowson_central')) then
+      call take(7, 1)
+      r(1)%of = central_film(a(1)%of, a(2)%of, a(3)%of, a(4)%of, a(5)%of, a(6)%of, a(7)%of)
+      status = done
+    else if (is_called(name, 'load_sharing')) then
+      call take(4, 1)
+      status = merge(not_offered, done, a(2)%of - a(4)%of < least_argument)
+      where (status == done) r(1)%of = shared_film(nint(a(1)%of), a(2)%of, a(3)%of, a(4)%of)
+    else
+      answer = 0
+    end if
+  contains
+    subroutine take(arguments, results)
+      integer, intent(in) :: arguments, results
+      integer :: k
+      do k = 1, arguments
+        a(k)%of => column(argument(k), count)
+      end do
+      do k = 1, results
+        r(k)%of => column(result(k), count)
+      end do
+    end subroutine
+  end function
 
 end module

@@ -4,12 +4,7 @@
 #include <cmath>
 
 #include "conformance/serve.hpp"
-#include "tribo/film_thickness.hpp"
-#include "tribo/gaussian_moment.hpp"
-#include "tribo/hertz.hpp"
-#include "tribo/load_sharing.hpp"
 #include "tribo/operating_points.hpp"
-#include "tribo/starvation.hpp"
 
 namespace {
 
@@ -18,32 +13,14 @@ using namespace tribo::conformance;
 
 double or_undefined(double number) { return std::isfinite(number) ? number : undefined_here; }
 
-double moment(const MomentCase& asked) {
-  const auto order = static_cast<Order>(static_cast<int>(2 * asked.order));
-  return or_undefined(gaussian_moment(order, asked.argument));
-}
-
-HertzResult hertz(const HertzCase& asked) {
-  const HertzPoint<double> point =
-      tribo::hertz_point(asked.load, asked.effective_modulus, asked.reduced_radius);
-  return {or_undefined(point.radius), or_undefined(point.mean_pressure),
-          or_undefined(point.peak_pressure), or_undefined(point.approach)};
-}
-
-double film(const FilmCase& asked) {
-  return or_undefined(tribo::hamrock_dowson_central(
-      asked.speed, asked.viscosity, asked.pressure_viscosity, asked.load, asked.effective_modulus,
-      asked.reduced_radius, asked.ellipticity));
-}
-
-double film_ratio(const StarvationCase& asked) {
-  return or_undefined(
-      tribo::starvation_ratio(asked.closure, asked.flooded_over_inlet, asked.damiens_exponent));
-}
-
-double shared_film(const SharingCase& asked) {
-  const LoadSharing<double> sharing(asked.asperity, asked.stiffness, asked.offset);
-  return or_undefined(sharing.solve(asked.flooded_film_parameter).film_parameter);
+// A function of the catalogue by its own value.
+FunctionBatch batch_of(const catalogue::Function& function) {
+  return each([&function](const catalogue::Arguments& arguments) {
+    catalogue::Results results{};
+    function.value(arguments, results);
+    for (double& result : results) result = or_undefined(result);
+    return results;
+  });
 }
 
 template <class Word>
@@ -73,6 +50,9 @@ PointResult operating_point(const Scene& scene) {
 }  // namespace
 
 int main() {
-  return serve({each(moment), each(hertz), each(film), each(film_ratio), each(shared_film),
-                each(operating_point)});
+  Solver solver;
+  for (const catalogue::Function& function : catalogue::functions())
+    solver.offer_batch(function.name, batch_of(function));
+  solver.operating_point = each(operating_point);
+  return serve(solver);
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The templates of `tribocheck init`, in Mustache: what stands between {{#functions}} and
+// {{/functions}} is written once for each function of the catalogue.
+#pragma once
+
+#include <string>
+
+namespace tribo::cli {
+
+// Throws std::runtime_error with the place where `text` is no Mustache.
+std::string filled_template(const std::string& text);
+
+}  // namespace tribo::cli
