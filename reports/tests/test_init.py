@@ -36,7 +36,7 @@ class Init(unittest.TestCase):
             self.assertIn(word, line)
 
     def assert_all_functions(self, text):
-        """Each function of the catalogue, its arguments and results are there, and no mark of the template."""
+        """Each function, its arguments and results are there, and no mark of the template."""
         functions = json.loads(run("functions", "--format", "json").out)
         self.assertGreaterEqual(len(functions), 5)
         for function in functions:
@@ -54,7 +54,8 @@ class Init(unittest.TestCase):
                 self.assertEqual(result.code, 0)
                 self.assertEqual(result.out.splitlines()[:2], [f"{name}: written", "next:"])
                 written = pathlib.Path(self.folder.path(name)).read_text()
-                self.assertEqual(written.splitlines()[0], (TEMPLATES / (name + ".mustache")).read_text().splitlines()[0])
+                template = (TEMPLATES / (name + ".mustache")).read_text()
+                self.assertEqual(written.splitlines()[0], template.splitlines()[0])
                 self.assert_all_functions(written)
 
     def test_every_template_is_listed(self):
