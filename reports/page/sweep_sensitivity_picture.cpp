@@ -14,7 +14,7 @@ using namespace sweep_picture;
 using sweep::SobolIndex;
 using sweep::SobolIndices;
 
-constexpr double shown_from = 0.005;
+constexpr double drawn_from = 0.005;
 constexpr double points_a_bar = 18, points_between = 14;
 
 struct Subject {
@@ -81,7 +81,7 @@ std::optional<SweepPicture> sensitivity(const sweep::SweepResult& result, std::s
   if (subjects.empty()) return std::nullopt;
   std::vector<Row> rows = rows_of(subjects);
   const auto end = std::find_if(rows.begin(), rows.end(),
-                                [](const Row& row) { return row.greatest < shown_from; });
+                                [](const Row& row) { return row.greatest < drawn_from; });
   const auto left_out = static_cast<std::size_t>(rows.end() - end);
   rows.erase(end, rows.end());
   if (rows.empty()) return std::nullopt;
@@ -131,7 +131,7 @@ std::optional<SweepPicture> sensitivity(const sweep::SweepResult& result, std::s
           ? "Sobol indices, with 95 % intervals of the totals"
           : fmt::format(
                 "Sobol indices, with 95 % intervals of the totals; below {} and left out: {} {}",
-                shown_from, left_out, left_out == 1 ? "input" : "inputs"),
+                drawn_from, left_out, left_out == 1 ? "input" : "inputs"),
       height(top, subjects.size()), blocks);
 }
 

@@ -96,18 +96,20 @@ struct CsvColumns {
   }
 };
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
-Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+ordered_json json_number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
 template <class T>
-Json with_ends(const T& one) {
+ordered_json with_ends(const T& one) {
   return {{"value", json_number(one.value)},
           {"low", json_number(one.low)},
           {"high", json_number(one.high)}};
 }
 
-Json histogram_json(const std::vector<sweep::QuantileSketch::Bin>& bins) {
-  Json edges = Json::array(), counts = Json::array();
+ordered_json histogram_json(const std::vector<sweep::QuantileSketch::Bin>& bins) {
+  ordered_json edges = ordered_json::array(), counts = ordered_json::array();
   for (const auto& bin : bins) {
     edges.push_back(bin.low);
     counts.push_back(bin.count);
@@ -116,9 +118,9 @@ Json histogram_json(const std::vector<sweep::QuantileSketch::Bin>& bins) {
   return {{"edges", edges}, {"counts", counts}};
 }
 
-Json value_json(const SceneResult& scene, const ColumnResult& column, std::size_t i) {
+ordered_json value_json(const SceneResult& scene, const ColumnResult& column, std::size_t i) {
   const ColumnResult::Value& value = column.values[i];
-  Json object = Json::object();
+  ordered_json object = ordered_json::object();
   if (column.values.size() > 1 && i < scene.speeds.size()) object["speed"] = scene.speeds[i];
   object["count"] = value.count;
   object["undefined"] = value.undefined;
@@ -131,33 +133,40 @@ Json value_json(const SceneResult& scene, const ColumnResult& column, std::size_
   object["sd"] = json_number(value.sd);
   object["least"] = json_number(value.least);
   object["greatest"] = json_number(value.greatest);
-  object["quantiles"] = Json::array();
+  object["quantiles"] = ordered_json::array();
   for (std::size_t q = 0; q < value.quantiles.size(); ++q) {
-    Json one{{"level", sweep::quantile_levels[q]}};
+    ordered_json one{{"level", sweep::quantile_levels[q]}};
     one.update(with_ends(value.quantiles[q]));
     object["quantiles"].push_back(std::move(one));
   }
   object["histogram"] = histogram_json(value.histogram);
   const sweep::SobolIndices& indices = value.sensitivity;
   if (indices.total.empty()) return object;
-  object["sensitivity"] = {{"groups", indices.groups}, {"variables", Json::object()}};
+  object["sensitivity"] = {{"groups", indices.groups}, {"variables", ordered_json::object()}};
   for (std::size_t v = 0; v < indices.total.size(); ++v)
     object["sensitivity"]["variables"][scene.sensitivity_variables[v]] = {
         {"first_order", with_ends(indices.first_order[v])}, {"total", with_ends(indices.total[v])}};
   return object;
 }
 
-Json scene_json(const SceneResult& scene) {
-  Json object{{"id", scene.id},         {"file", scene.file},      {"design", scene.design},
-              {"seed", scene.seed},     {"draws", scene.draws},    {"cases", scene.cases},
-              {"points", scene.points}, {"inputs", Json::array()}, {"columns", Json::array()}};
+ordered_json scene_json(const SceneResult& scene) {
+  ordered_json object{{"id", scene.id},
+                      {"file", scene.file},
+                      {"design", scene.design},
+                      {"seed", scene.seed},
+                      {"draws", scene.draws},
+                      {"cases", scene.cases},
+                      {"points", scene.points},
+                      {"inputs", ordered_json::array()},
+                      {"columns", ordered_json::array()}};
   for (const sweep::InputResult& input : scene.inputs)
     object["inputs"].push_back({{"path", input.path},
                                 {"unit", input.unit},
                                 {"meaning", input.meaning},
                                 {"varies", input.varies}});
   for (const ColumnResult& column : scene.columns) {
-    Json one{{"name", column.name}, {"unit", column.unit}, {"values", Json::array()}};
+    ordered_json one{
+        {"name", column.name}, {"unit", column.unit}, {"values", ordered_json::array()}};
     for (std::size_t i = 0; i < column.values.size(); ++i)
       one["values"].push_back(value_json(scene, column, i));
     object["columns"].push_back(std::move(one));
@@ -177,10 +186,10 @@ std::string sweep_csv(const SweepResult& result) {
 }
 
 std::string sweep_json(const SweepResult& result) {
-  Json object{{"tribocheck_version", result.identity.version},
-              {"sweep_digest", result.identity.digest},
-              {"arithmetic", result.identity.arithmetic},
-              {"scenes", Json::array()}};
+  ordered_json object{{"tribocheck_version", result.identity.version},
+                      {"sweep_digest", result.identity.digest},
+                      {"arithmetic", result.identity.arithmetic},
+                      {"scenes", ordered_json::array()}};
   for (const SceneResult& scene : result.scenes) object["scenes"].push_back(scene_json(scene));
   return object.dump(1) + '\n';
 }

@@ -171,20 +171,22 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
 }
 
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
-  using Json = nlohmann::ordered_json;
+  using nlohmann::ordered_json;
   const ConformanceResult& result = verdict.result;
-  const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-  Json all{{"subject", result.subject},
-           {"tolerance", result.tolerance},
-           {"overall", overall(verdict)},
-           {"summary", summary(verdict)},
-           {"quantities", Json::array()},
-           {"diagnoses", Json::array()},
-           {"violation_count", result.violation_count},
-           {"violations", result.violations},
-           {"starts", result.starts},
-           {"answers_at_end_of_input", result.answers_at_end_of_input},
-           {"last_errors", result.last_errors}};
+  const auto number = [](double x) {
+    return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
+  };
+  ordered_json all{{"subject", result.subject},
+                   {"tolerance", result.tolerance},
+                   {"overall", overall(verdict)},
+                   {"summary", summary(verdict)},
+                   {"quantities", ordered_json::array()},
+                   {"diagnoses", ordered_json::array()},
+                   {"violation_count", result.violation_count},
+                   {"violations", result.violations},
+                   {"starts", result.starts},
+                   {"answers_at_end_of_input", result.answers_at_end_of_input},
+                   {"last_errors", result.last_errors}};
   for (const QuantityVerdict& one : result.quantities)
     all["quantities"].push_back({{"quantity", one.quantity},
                                  {"status", name(one.status)},
@@ -207,7 +209,7 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                        {"worse", texts(verdict.changes->worse)},
                        {"better", texts(verdict.changes->better)},
                        {"failed_already", verdict.changes->failed_already}};
-  append(to, all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  append(to, all.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
 void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {

@@ -6,8 +6,8 @@ Reads the JUnit file that `ctest --output-junit` wrote (`make test` does) and ga
 a check that is listed and did not run, or was skipped; one that ran on no case or on fewer than listed;
 one that ran and is not listed; one whose errors have all shrunk to under a quarter of what the manifest
 says that they take of their bounds, because a bound was widened (or the code became better: then the
-bound has to be tightened). Cases are the comparisons of a C++ test and the tests of a Python file; what
-is a single command counts as one.
+bound has to be tightened). A check is a TEST of a C++ program, a Python file or a command. Cases are the
+comparisons of the first and the tests of the second; a command counts as one.
 
   python3 verification/gates/inventory.py build/release/ctest.xml            hold
   python3 verification/gates/inventory.py build/release/ctest.xml --write    make the manifest anew
@@ -24,27 +24,48 @@ MANIFEST = HERE / "manifest.tsv"
 RAN_LINE = re.compile(r"^Ran (\d+) (?:cases|tests?)\b(?:, the nearest at (\S+) of its bound)?", re.MULTILINE)
 
 
+# GoogleTest's word on one test: when it begins, and how it ended.
+TEST_LINE = re.compile(r"^\[ RUN      \] (\S+)$(.*?)(?:^\[ +(OK|SKIPPED|FAILED) +\] \1|\Z)", re.MULTILINE | re.DOTALL)
+
+TYPE_LINE = re.compile(r"^\[-+\] \d+ tests? from ((\S+)/\d+), where TypeParam = (.+)$", re.MULTILINE)
+
+
 class Ran(typing.NamedTuple):
     cases: int
     part_of_bound: float  # the greatest error/bound; 0 where nothing is held to a bound
 
 
-def checks_that_ran(junit):
-    """Name → Ran of each check; no cases where it was skipped or not run."""
-    ran = {}
+def ran_on(output):
+    """What a check says that it ran on; where it says nothing, one case."""
+    counts = RAN_LINE.findall(output)
+    if not counts:
+        return Ran(1, 0)
+    return Ran(sum(int(cases) for cases, _ in counts), max(float(part or 0) for _, part in counts))
+
+
+def endings(junit):
+    """Of each check its name, what it printed, and how it ended: OK, FAILED or SKIPPED. A program of
+    GoogleTest, concern.program for CTest, has the checks concern.Suite.Test."""
     for test in ElementTree.parse(junit).iter("testcase"):
         name = test.get("name").split("  #")[0]
         output = test.findtext("system-out") or ""
-        counts = RAN_LINE.findall(output)
-        # A failed test ran: that it failed is for CTest to say.
-        if test.get("status") not in ("run", "fail"):
-            ran[name] = Ran(0, 0)
-        elif counts:
-            ran[name] = Ran(sum(int(cases) for cases, _ in counts),
-                            max(float(part or 0) for _, part in counts))
-        else:
-            ran[name] = Ran(1, 0)
-    return ran
+        status = {"run": "OK", "fail": "FAILED"}.get(test.get("status"), "SKIPPED")
+        tests = TEST_LINE.findall(output) if status != "SKIPPED" else []
+        types = {match[1]: match for match in TYPE_LINE.finditer(output)}
+        for suite_and_test, printed, ended in tests:
+            suite, one = suite_and_test.split(".")
+            if suite in types:  # as CTest calls it
+                _, suite, kind = types[suite].groups()
+                one += f"<{kind}>"
+            yield f"{name.split('.')[0]}.{suite}.{one}", printed, ended or "FAILED"  # a crash has no end
+        if not tests:
+            yield name, output, status
+
+
+def checks_that_ran(junit):
+    """Name → Ran of each check; no cases where it was skipped or not run."""
+    # A failed test ran: that it failed is for CTest to say.
+    return {name: Ran(0, 0) if ended == "SKIPPED" else ran_on(output) for name, output, ended in endings(junit)}
 
 
 def read_manifest(path):

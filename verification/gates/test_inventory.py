@@ -46,6 +46,23 @@ class WhatRan(Folder):
                          {"a": Ran(12, 0.25), "b": Ran(5, 0), "c": Ran(1, 0), "d": Ran(5, 0.5), "e": Ran(7, 0),
                           "f": Ran(0, 0)})
 
+    def test_a_program_of_googletest_has_a_check_for_each_of_its_tests(self):
+        output = ("[ RUN      ] Film.IsRight\nRan 3 cases, the nearest at 0.5 of its bound\n"
+                  "[       OK ] Film.IsRight (1 ms)\n"
+                  "[----------] 1 test from Sum/1, where TypeParam = float\n"
+                  "[ RUN      ] Sum/1.IsRight\nRan 4 cases\n[       OK ] Sum/1.IsRight (0 ms)\n"
+                  "[ RUN      ] Each/Film.IsThin/one\n[  FAILED  ] Each/Film.IsThin/one, where GetParam() = 1 (0 ms)\n"
+                  "[ RUN      ] Film.IsSkipped\n[  SKIPPED ] Film.IsSkipped (0 ms)\n"
+                  "[ RUN      ] Film.Crashes\nRan 2 cases\nSegmentation fault\n")
+        self.write_junit(("analytic.film_test", "fail", output), ("analytic.other_test", "notrun", ""))
+        self.assertEqual(inventory.checks_that_ran(self.junit),
+                         {"analytic.Film.IsRight": Ran(3, 0.5), "analytic.Sum.IsRight<float>": Ran(4, 0),
+                          "analytic.Each/Film.IsThin/one": Ran(1, 0),
+                          "analytic.Film.IsSkipped": Ran(0, 0), "analytic.Film.Crashes": Ran(2, 0),
+                          "analytic.other_test": Ran(0, 0)})
+        self.assertEqual({name for name, _, ended in inventory.endings(self.junit) if ended == "OK"},
+                         {"analytic.Film.IsRight", "analytic.Sum.IsRight<float>"})
+
     def test_what_was_skipped_or_not_run_has_no_cases(self):
         self.write_junit(("a", "notrun", "Ran 12 cases\n"), ("b", "disabled", ""), ("c", "skipped", ""))
         self.assertEqual(set(inventory.checks_that_ran(self.junit).values()), {Ran(0, 0)})

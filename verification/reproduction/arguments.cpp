@@ -11,7 +11,7 @@
 namespace tribo::reproduction {
 namespace {
 
-constexpr std::size_t rough = 0, smooth = 2;
+constexpr std::size_t rough_place = 0, smooth_place = 2;
 
 struct Printed {
   double value, low, high;
@@ -51,9 +51,9 @@ Argument sharing_exponent(const PaperScenes& scenes, const std::vector<Item>& it
                     2) *
            std::sqrt(s.surface.summit_height_sd / s.surface.summit_radius);
   };
-  const double ratio = stiffness(rough) / stiffness(smooth);
-  const double shares = slow_share(scenes, corrected_reading(), rough) /
-                        slow_share(scenes, corrected_reading(), smooth);
+  const double ratio = stiffness(rough_place) / stiffness(smooth_place);
+  const double shares = slow_share(scenes, corrected_reading(), rough_place) /
+                        slow_share(scenes, corrected_reading(), smooth_place);
   return decided(
       {"the exponent q of A = (K F_5/2)^q, from the ratio of the asperity shares at low speed, "
        "rough over smooth",
@@ -77,7 +77,7 @@ Argument onset_film_parameter(const PaperScenes& scenes, const std::vector<Item>
     for (std::uint8_t gap = 0; gap < 2; ++gap) {
       const Reading reading = with(Switch::gap, gap, with(Switch::inlet, rule));
       const ReadInlet inlet(reading);
-      const double ratio = scenes.scene[smooth].supply.value;
+      const double ratio = scenes.scene[smooth_place].supply.value;
       std::optional<double> value;
       if (inlet.rule() == InletRule::as_printed) value = ratio * inlet.film_ratio(1);
       if (inlet.maximum()) value = ratio * *inlet.maximum() * inlet.film_ratio(*inlet.maximum());
@@ -91,7 +91,7 @@ Argument onset_film_parameter(const PaperScenes& scenes, const std::vector<Item>
     }
   const ReadInlet inlet(corrected_reading());
   argument.candidates.push_back({"flooded_inlet, line gap, λ by σ = 1.4σ_s",
-                                 scenes.scene[smooth].supply.value * *inlet.maximum() *
+                                 scenes.scene[smooth_place].supply.value * *inlet.maximum() *
                                      inlet.film_ratio(*inlet.maximum()) / 1.4,
                                  false});
   return decided(std::move(argument));
@@ -112,7 +112,7 @@ Argument film_formula(const PaperScenes& scenes, const std::vector<Item>& items)
 
 // 0.82 σ in units of σ_s, with 0.82 and 1.4 each within its print precision.
 Argument plane_offset(const PaperScenes& scenes) {
-  const double offset = scenes.scene[smooth].surface.summit_plane_offset;
+  const double offset = scenes.scene[smooth_place].surface.summit_plane_offset;
   return decided({"σ against σ_s, from D_d = 0.82 σ (Whitehouse and Archard) and Table 1's D_d",
                   fmt::format("{}", offset),
                   offset / (1.45 / 1.4 * 0.825 / 0.82),
@@ -142,7 +142,7 @@ Argument summit_radius(const PaperScenes& scenes, const std::vector<Item>& items
       {"β = 10 µm, two offset planes, A_nom = a², 8√2/15",
        with(Switch::asperity_prefactor, 1, with(Switch::nominal_area, 1, two_planes))}};
   for (const auto& [name, reading] : readings)
-    argument.candidates.push_back({name, slow_share(scenes, reading, smooth), false});
+    argument.candidates.push_back({name, slow_share(scenes, reading, smooth_place), false});
   return decided(std::move(argument));
 }
 

@@ -27,9 +27,10 @@ import sys
 import tempfile
 import time
 import tomllib
-import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "verification/gates"))
+import inventory  # noqa: E402
 CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
 FIELDS = {"id", "fault", "file", "find", "replace", "check"}
 INVENTORY = "inventory:"
@@ -88,12 +89,8 @@ def program_of(check):
 
 
 def green_checks(junit):
-    """The tests that passed in a CTest run of the tree without faults."""
-    passed = set()
-    for test in ElementTree.parse(junit).iter("testcase"):
-        if test.get("status") == "run":
-            passed.add(test.get("name").split("  #")[0])
-    return passed
+    """The checks that passed in a CTest run of the tree without faults."""
+    return {name for name, _, ended in inventory.endings(junit) if ended == "OK"}
 
 
 class Scratch:
@@ -109,7 +106,7 @@ class Scratch:
                 shutil.copy2(ROOT / name, self.tree / name)
         done = run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
                     "-DCMAKE_CXX_FLAGS=-O1", f"-DTRIBOCHECK_TARGETS_LEFT_OUT={LEFT_OUT}",
-                    "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"])
+                    "-DTRIBOCHECK_TEST_BY_TEST=ON"])
         if done.returncode != 0:
             sys.exit(done.stdout)
 
@@ -213,7 +210,7 @@ def main():
     red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
     try:
         green = green_checks(arguments.green)
-    except (OSError, ElementTree.ParseError) as error:
+    except (OSError, inventory.ElementTree.ParseError) as error:
         print(f"plant.py: --green: {error}; `make test` writes it", file=sys.stderr)
         return 2
     red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <boost/math/differentiation/autodiff.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "support/judge.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -34,14 +35,18 @@ namespace tribo {
 
 namespace verification {
 
+// Boost 1.74 cannot differentiate with MPFR's numbers; these have fifty digits too.
+using Differentiable = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                                     boost::multiprecision::et_off>;
+
 // A number with its derivative in the one variable.
-using Dual = boost::math::differentiation::autodiff_fvar<Reference, 1>;
+using Dual = boost::math::differentiation::autodiff_fvar<Differentiable, 1>;
 
 inline Dual variable(const Reference& x) {
-  return boost::math::differentiation::make_fvar<Reference, 1>(x);
+  return boost::math::differentiation::make_fvar<Differentiable, 1>(Differentiable(x));
 }
-inline Reference value(const Dual& x) { return x.derivative(0); }
-inline Reference derivative(const Dual& x) { return x.derivative(1); }
+inline Reference value(const Dual& x) { return Reference(x.derivative(0)); }
+inline Reference derivative(const Dual& x) { return Reference(x.derivative(1)); }
 
 // d ln y/d ln x, for y a function of the variable x.
 inline Reference log_slope(const Dual& y, const Reference& x) {
