@@ -268,8 +268,8 @@ TEST(Sensitivity, OnsetSpeedHasTheDerivedExponentOfEachInput) {
             const Reference expected =
                 (e.separation - Reference(e.film) / 1000 - weight * share_slope) * 100 / 67;
             const Reference got = log_slope(onset_speed(scene, moved, k, r), value(base[j]));
-            // 1 − A loses digits where A is near 1. Without asperities the summits' exponents are as
-            // good as 0.
+            // 1 − A loses digits where A is near 1. Without asperities the summits' exponents are
+            // as good as 0.
             const Reference condition = 1 + abs(weight * share_slope) / (1 - share);
             EXPECT_LT(abs(got - expected), Reference(rounding) * condition)
                 << e.name << " got " << got << " expected " << expected << " condition "
