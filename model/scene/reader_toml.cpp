@@ -62,7 +62,7 @@ class TomlCollector {
       entry.elements.reserve(list->size());
       for (const toml::node& element : *list) {
         entry.elements.push_back(value_of(element));
-        if (levels > 0 && element.is_array())
+        if (levels > 0 && (element.is_array() || element.is_table()))
           entry.inner.push_back(
               entry_of('[' + std::to_string(entry.elements.size() - 1) + ']', element, levels - 1));
       }
@@ -109,7 +109,9 @@ class TomlCollector {
     return {.kind = ValueKind::number, .number = node.as_floating_point()->get(), .text = {}};
   }
 
-  static constexpr int inner_depth = 3;  // sweep.correlation is a list of lists in a table
+  // sweep.correlation is a list of lists in a table; a mistake in a solver
+  // (reference/mistakes.toml) is a table in a list, with tables in tables.
+  static constexpr int inner_depth = 5;
 
   const std::vector<WideNumber>& wide_numbers_;
   std::vector<Entry> entries_;

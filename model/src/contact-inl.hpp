@@ -27,12 +27,15 @@ HWY_INLINE V film_at_unit_speed(D d, const detail::SceneNumbers<V>& scene) {
   const V speed_number = hn::Div(scene.viscosity, hn::Mul(modulus, radius));
   const V material_number = hn::Mul(scene.pressure_viscosity, modulus);
   const V load_number = hn::Div(scene.load, hn::Mul(hn::Mul(modulus, radius), radius));
-  const V side = exponential(d, hn::Mul(hn::Set(d, -0.73), scene.ellipticity));
+  constexpr FilmLaw law = hamrock_dowson_central_law;
+  const V side =
+      exponential(d, hn::Mul(hn::Set(d, -ratio<double>(law.side_decay)), scene.ellipticity));
   const V constant =
-      hn::Mul(hn::Set(d, 2.69), hn::Sub(hn::Set(d, 1.0), hn::Mul(hn::Set(d, 0.61), side)));
+      hn::Mul(hn::Set(d, ratio<double>(law.constant)),
+              hn::Sub(hn::Set(d, 1.0), hn::Mul(hn::Set(d, ratio<double>(law.side_leakage)), side)));
   const V film = hn::Mul(hn::Mul(radius, constant),
-                         decimal_powers(d, speed_number, speed_exponent, material_number,
-                                        material_exponent, load_number, load_exponent));
+                         decimal_powers(d, speed_number, law.speed_exponent, material_number,
+                                        law.material_exponent, load_number, law.load_exponent));
   return hn::Div(film, scene.summit_height_sd);
 }
 

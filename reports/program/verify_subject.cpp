@@ -59,6 +59,14 @@ CaseSources sources_of(const SubjectArguments& arguments) {
   return {exact.string(), (exact / "../published").lexically_normal().string()};
 }
 
+// Likewise.
+std::string mistakes_of(const SubjectArguments& arguments) {
+  const std::filesystem::path usual = report::usual_places().reference / "mistakes.toml";
+  if (std::filesystem::is_regular_file(usual)) return usual.string();
+  const std::filesystem::path exact = report::reference_tables(arguments.exact);
+  return (exact / "../mistakes.toml").lexically_normal().string();
+}
+
 Tolerance tolerance_of(const std::string& text, const std::vector<Case>& cases) {
   if (text == "strict") return strict_tolerance();
   if (text == "engineering") return engineering_tolerance();
@@ -131,6 +139,7 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
   cases = cases_for(std::move(cases), tolerance);
   if (arguments.sample > 0) cases = sampled(std::move(cases), arguments.sample);
 
+  const std::vector<Mistake> mistakes = read_mistakes(mistakes_of(arguments));
   const auto milliseconds = [](double seconds) {
     return std::chrono::milliseconds(static_cast<long long>(1000 * seconds));
   };
@@ -143,7 +152,7 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
     check_started(arguments, conversation);
     verdict.result = judge(arguments.plugin.empty() ? arguments.command : arguments.plugin, cases,
                            conversation, tolerance);
-    verdict.diagnoses = diagnose(cases, conversation, tolerance);
+    verdict.diagnoses = diagnose(cases, conversation, tolerance, mistakes);
   }
   check_required(arguments, verdict.result);
   verdict.missing = missing_of(arguments, verdict.result);

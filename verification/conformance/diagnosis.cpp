@@ -270,9 +270,7 @@ class Diagnoser {
 }  // namespace
 
 std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversation& conversation,
-                                const Tolerance& tolerance) {
-  std::vector<Mistake> all = function_mistakes();
-  for (Mistake& one : point_mistakes()) all.push_back(std::move(one));
+                                const Tolerance& tolerance, const std::vector<Mistake>& all) {
   std::vector<std::string> functions;
   for (const Case& one : cases)
     if (std::find(functions.begin(), functions.end(), one.function) == functions.end())

@@ -19,10 +19,10 @@ struct Diagnosis {
   std::string text;                   // one sentence or two
 };
 
-// A diagnosis of each function that failed. A mistake is named if it would change at least three
-// answers and gives at least 98 in 100 of them. Other wrong answers are described too, unless a
-// mistake is named and they are at most 3 in 100 of the wrong answers.
+// A diagnosis of each function that failed. One of `mistakes` is named if it would change at least
+// three answers and gives at least 98 in 100 of them. Other wrong answers are described too, unless
+// a mistake is named and they are at most 3 in 100 of the wrong answers.
 std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversation& conversation,
-                                const Tolerance& tolerance);
+                                const Tolerance& tolerance, const std::vector<Mistake>& mistakes);
 
 }  // namespace tribo::conformance

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Central film thickness of the fully flooded, smooth point contact after Hamrock and Dowson
-// (model/README.md, section 5; paper, eqs 1.20 to 1.22, with 0.61 for the misprinted 0.6):
+// Film thickness of the fully flooded, smooth point contact, by a regression that is a row of
+// numbers (model/README.md, section 5):
 //
-//   h₀/R = 2.69 U^0.67 G^0.53 W^−0.067 (1 − 0.61 e^{−0.73k}),
-//   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²), E_HD = 2E*.
+//   h/R = C U^a G^b W^c (1 − m e^{−nk}),   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²), E_HD =
+//   2E*.
+//
+// The model's own law is Hamrock and Dowson's central film (paper, eqs 1.20 to 1.22, with 0.61 for
+// the misprinted 0.6): B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point
+// contacts, part III. J. Lubr. Technol. 99 (1977) 264, doi 10.1115/1.3453074.
 #pragma once
 
 #include "tribo/contract.hpp"
@@ -13,10 +17,33 @@ namespace tribo {
 
 inline constexpr Contract film_contract{20, 0};
 
-// The exponents of U, G and W.
-inline constexpr Fraction speed_exponent{67, 100};
-inline constexpr Fraction material_exponent{53, 100};
-inline constexpr Fraction load_exponent{-67, 1000};
+struct FilmLaw {
+  Fraction constant;           // C
+  Fraction speed_exponent;     // a, of U
+  Fraction material_exponent;  // b, of G
+  Fraction load_exponent;      // c, of W
+  Fraction side_leakage;       // m; 0: the constant does not depend on k
+  Fraction side_decay;         // n
+};
+
+// Hamrock and Dowson 1977, eqs 27 and 26: central and minimum film.
+inline constexpr FilmLaw hamrock_dowson_central_law{.constant = {269, 100},
+                                                    .speed_exponent = {67, 100},
+                                                    .material_exponent = {53, 100},
+                                                    .load_exponent = {-67, 1000},
+                                                    .side_leakage = {61, 100},
+                                                    .side_decay = {73, 100}};
+inline constexpr FilmLaw hamrock_dowson_minimum_law{.constant = {363, 100},
+                                                    .speed_exponent = {68, 100},
+                                                    .material_exponent = {49, 100},
+                                                    .load_exponent = {-73, 1000},
+                                                    .side_leakage = {1, 1},
+                                                    .side_decay = {68, 100}};
+
+// The exponents of the model's own law.
+inline constexpr Fraction speed_exponent = hamrock_dowson_central_law.speed_exponent;
+inline constexpr Fraction material_exponent = hamrock_dowson_central_law.material_exponent;
+inline constexpr Fraction load_exponent = hamrock_dowson_central_law.load_exponent;
 
 // d ln h₀/d ln u.
 template <class T>
@@ -30,28 +57,44 @@ T film_material_exponent() {
   return ratio<T>(material_exponent);
 }
 
+// C (1 − m e^{−nk}).
+template <class T>
+T film_constant(const FilmLaw& law, const T& ellipticity) {
+  using std::exp;
+  return ratio<T>(law.constant) *
+         (1 - ratio<T>(law.side_leakage) * exp(-ratio<T>(law.side_decay) * ellipticity));
+}
+
 // 2.69 (1 − 0.61 e^{−0.73k}), 1.8992… for a circular contact, k = 1.
 template <class T>
 T hamrock_dowson_constant(const T& ellipticity) {
-  using std::exp;
-  return ratio<T>(269, 100) * (1 - ratio<T>(61, 100) * exp(-ratio<T>(73, 100) * ellipticity));
+  return film_constant(hamrock_dowson_central_law, ellipticity);
 }
 
-// h₀ in m. speed u in m/s (entrainment, the mean of the two surfaces), viscosity η₀ in Pa·s,
+// h in m. speed u in m/s (entrainment, the mean of the two surfaces), viscosity η₀ in Pa·s,
 // pressure_viscosity α in 1/Pa, load F in N, effective_modulus E* in Pa, reduced_radius R in m,
 // ellipticity k; all > 0. Error: film_contract.
 template <class T>
-T hamrock_dowson_central(const T& speed, const T& viscosity, const T& pressure_viscosity,
-                         const T& load, const T& effective_modulus, const T& reduced_radius,
-                         const T& ellipticity) {
+T film_thickness(const FilmLaw& law, const T& speed, const T& viscosity,
+                 const T& pressure_viscosity, const T& load, const T& effective_modulus,
+                 const T& reduced_radius, const T& ellipticity) {
   const T modulus = 2 * effective_modulus;
   const T speed_number = viscosity * speed / (modulus * reduced_radius);
   const T material_number = pressure_viscosity * modulus;
   const T load_number = load / (modulus * reduced_radius * reduced_radius);
-  return reduced_radius * hamrock_dowson_constant(ellipticity) *
-         decimal_power(speed_number, speed_exponent) *
-         decimal_power(material_number, material_exponent) *
-         decimal_power(load_number, load_exponent);
+  return reduced_radius * film_constant(law, ellipticity) *
+         decimal_power(speed_number, law.speed_exponent) *
+         decimal_power(material_number, law.material_exponent) *
+         decimal_power(load_number, law.load_exponent);
+}
+
+// h₀ in m: film_thickness() by the model's own law.
+template <class T>
+T hamrock_dowson_central(const T& speed, const T& viscosity, const T& pressure_viscosity,
+                         const T& load, const T& effective_modulus, const T& reduced_radius,
+                         const T& ellipticity) {
+  return film_thickness(hamrock_dowson_central_law, speed, viscosity, pressure_viscosity, load,
+                        effective_modulus, reduced_radius, ellipticity);
 }
 
 }  // namespace tribo

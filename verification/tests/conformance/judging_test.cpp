@@ -271,7 +271,8 @@ const std::vector<Case>& film_cases() {
 // The mistakes that are named where so many of the films are those of R/2, and the others wrong in
 // another way each.
 std::vector<std::string> named_where(std::size_t with_mistake) {
-  const std::vector<Mistake> mistakes = function_mistakes();
+  const std::vector<Mistake> mistakes =
+      read_mistakes(TRIBOCHECK_SOURCE_DIR "/reference/mistakes.toml");
   const auto half = std::find_if(mistakes.begin(), mistakes.end(), [](const Mistake& one) {
     return one.name == "film-radius-halved";
   });
@@ -283,7 +284,8 @@ std::vector<std::string> named_where(std::size_t with_mistake) {
     conversation.answers.push_back(with({{"value", value}}));
   }
   std::vector<std::string> named;
-  for (const Diagnosis& one : diagnose(film_cases(), conversation, engineering_tolerance()))
+  for (const Diagnosis& one :
+       diagnose(film_cases(), conversation, engineering_tolerance(), mistakes))
     named.insert(named.end(), one.mistakes.begin(), one.mistakes.end());
   return named;
 }

@@ -50,7 +50,7 @@ TEST(PaperScenes, ShippedFilesHoldTableOne) {
       const std::string id = std::string(names[static_cast<std::size_t>(surface)]) +
                              (model == AsperityModel::greenwood_tripp ? "" : "_gw");
       const SceneReading reading =
-          read_scene(std::string(TRIBOCHECK_SOURCE_DIR) + "/reference/published/" + id + ".toml",
+          read_scene(fmt::format("{}/reference/published/{}.toml", TRIBOCHECK_SOURCE_DIR, id),
                      SceneUse::speeds);
       for (const InputProblem& problem : reading.errors) ADD_FAILURE() << problem.line();
       for (const InputProblem& problem : reading.warnings) ADD_FAILURE() << problem.line();

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/mistake_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "scene/entries.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using nlohmann::json;
+
+json json_of(const scene_detail::Value& value) {
+  switch (value.kind) {
+    case scene_detail::ValueKind::number:
+      return value.number;
+    case scene_detail::ValueKind::text:
+      return value.text;
+    case scene_detail::ValueKind::boolean:
+      return value.number != 0;
+    default:
+      return nullptr;
+  }
+}
+
+json json_of(const scene_detail::Entry& entry) {
+  if (entry.value.kind == scene_detail::ValueKind::table) {
+    json object = json::object();
+    for (const scene_detail::Entry& one : entry.inner) object[one.path] = json_of(one);
+    return object;
+  }
+  if (entry.value.kind != scene_detail::ValueKind::list) return json_of(entry.value);
+  json list = json::array();
+  for (const scene_detail::Value& one : entry.elements) list.push_back(json_of(one));
+  for (const scene_detail::Entry& one : entry.inner)  // "[3]": tables and lists
+    list[std::stoul(one.path.substr(1))] = json_of(one);
+  return list;
+}
+
+// Takes members out of an entry one by one; what is left over has a name that means nothing.
+class Members {
+ public:
+  explicit Members(json object) : object_(std::move(object)) {
+    if (!object_.is_object()) throw std::runtime_error("is no table");
+  }
+
+  template <class T>
+  void take(const char* name, T& to) {
+    const auto found = object_.find(name);
+    if (found == object_.end()) return;
+    try {
+      to = found->template get<T>();
+    } catch (const json::exception&) {
+      throw std::runtime_error(fmt::format("{}: {} is not allowed", name, found->dump()));
+    }
+    object_.erase(found);
+  }
+  json take_any(const char* name) {
+    json value;
+    take(name, value);
+    return value;
+  }
+  void finish() const {
+    if (!object_.empty())
+      throw std::runtime_error(fmt::format("unknown field {}", object_.begin().key()));
+  }
+
+ private:
+  json object_;
+};
+
+NumberChange change_of(const json& written) {
+  NumberChange change;
+  Members members(written);
+  members.take("times", change.times);
+  members.take("plus", change.plus);
+  members.take("inverted", change.is_inverted);
+  members.take("by", change.by);
+  members.take("over", change.over);
+  if (const json is = members.take_any("is"); !is.is_null()) change.is = is;
+  members.finish();
+  return change;
+}
+
+NumberChanges changes_of(const json& written) {
+  NumberChanges changes;
+  if (written.is_null()) return changes;
+  if (!written.is_object()) throw std::runtime_error("changes are a table");
+  for (const auto& [name, one] : written.items()) changes.emplace_back(name, change_of(one));
+  return changes;
+}
+
+// Of a scene, whose fields stand in tables: { bodies = { reduced_radius = { times = 2 } } }.
+NumberChanges scene_changes_of(const json& written) {
+  NumberChanges changes;
+  if (written.is_null()) return changes;
+  for (const auto& [section, fields] : written.items())
+    for (auto& [field, change] : changes_of(fields))
+      changes.emplace_back(section + '.' + field, change);
+  return changes;
+}
+
+MistakeEntry entry_of(const json& written) {
+  MistakeEntry entry;
+  Members members(written);
+  members.take("function", entry.function);
+  members.take("name", entry.name);
+  members.take("text", entry.text);
+  members.take("swapped", entry.swapped);
+  members.take("stiffness", entry.stiffness);
+  if (const json area = members.take_any("area"); area.is_number()) entry.area = area;
+  if (const json where = members.take_any("where"); where.is_object())
+    for (const auto& [name, values] : where.items())
+      entry.where.emplace_back(name, values.get<std::vector<json>>());
+  entry.input = changes_of(members.take_any("input"));
+  entry.result = changes_of(members.take_any("result"));
+  entry.scene = scene_changes_of(members.take_any("scene"));
+  entry.law = members.take_any("law");
+  if (const json formula = members.take_any("formula"); !formula.is_null()) {
+    Members of_formula(formula);
+    of_formula.take("name", entry.formula);
+    of_formula.take("numbers", entry.numbers);
+    of_formula.finish();
+  }
+  members.finish();
+  if (entry.function.empty() || entry.name.empty() || entry.text.empty())
+    throw std::runtime_error("function, name and text are needed");
+  return entry;
+}
+
+}  // namespace
+
+std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  SceneReading reading;
+  scene_detail::Problems problems(reading, path);
+  const auto written_entries = scene_detail::toml_entries(text, problems);
+  if (!written_entries) throw std::runtime_error(reading.errors.front().line());
+  json all = json::array();
+  for (const scene_detail::Entry& one : *written_entries)
+    if (one.path == "mistake") all = json_of(one);
+  std::vector<MistakeEntry> entries;
+  for (const json& written : all) {
+    const std::string name = written.is_object() ? written.value("name", json("")).dump() : "";
+    try {
+      entries.push_back(entry_of(written));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: mistake {}: {}", path, name, error.what()));
+    }
+  }
+  if (entries.empty()) throw std::runtime_error(path + ": no [[mistake]] is there");
+  return entries;
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The wrong formulas that reference/mistakes.toml has by name: what is no change of an argument, of
+// a result or of the film's numbers.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "catalogue/catalogue.hpp"
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::conformance {
+
+// The only result of a function at its arguments, from the numbers of the entry; empty: the formula
+// says nothing of these arguments.
+using FunctionFormula = std::optional<double> (*)(const catalogue::Arguments& arguments,
+                                                  std::span<const double> numbers);
+
+// Null where there is no formula of this name for the function that takes so many numbers.
+FunctionFormula find_formula(std::string_view function, std::string_view name, std::size_t numbers);
+
+// The friction of an operating point; `dry` is μ_b A.
+using FrictionFormula = std::optional<double> (*)(const Scene& scene,
+                                                  const OperatingPoint<double>& point, double dry);
+FrictionFormula find_friction_formula(std::string_view name);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mistakes of reference/mistakes.toml: each changes answers, and an entry that means nothing is
+// refused with its name.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "conformance/conformance_case.hpp"
+#include "conformance/mistake.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
+
+TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
+  const std::vector<Case> cases = read_cases({reference + "/exact", reference + "/published"});
+  std::set<std::pair<std::string, std::string>> names;
+  for (const Mistake& mistake : read_mistakes(reference + "/mistakes.toml")) {
+    EXPECT_TRUE(names.emplace(mistake.function, mistake.name).second) << mistake.name;
+    std::size_t changed = 0;
+    for (const Case& asked : cases) {
+      if (asked.function != mistake.function || asked.is_extreme) continue;
+      for (const Expected& expected : asked.expected) {
+        if (!expected.word.empty() || expected.is_undefined) continue;
+        const std::optional<double> value = mistake.value(asked.inputs, expected.field);
+        if (value && std::abs(*value - expected.high) > 1e-6 * std::abs(expected.high)) ++changed;
+      }
+      if (changed >= 3) break;
+    }
+    EXPECT_GE(changed, 3U) << mistake.function << ' ' << mistake.name;
+  }
+  EXPECT_GE(names.size(), 120U);
+}
+
+// What is said of a file with this text.
+std::string refusal_of(const std::string& text) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("mistakes.toml");
+  std::ofstream(path) << text;
+  try {
+    read_mistakes(path);
+  } catch (const std::runtime_error& error) {
+    const std::string said = error.what();
+    return said.starts_with(path) ? said.substr(path.size()) : "does not name the file: " + said;
+  }
+  return "";
+}
+
+std::string entry(const std::string& rest, const std::string& function = "hertz_point") {
+  return "[[mistake]]\nname = \"one\"\ntext = \"a text\"\nfunction = \"" + function + "\"\n" + rest;
+}
+
+TEST(Mistakes, OfAnEntryThatMeansNothingAreRefusedByItsName) {
+  const std::pair<std::string, std::string> refused[] = {
+      {"", ": no [[mistake]] is there"},
+      {"[[mistake]", ":1:11: not TOML"},
+      {"[[mistake]]\nname = \"one\"\n", ": mistake \"one\": function, name and text are needed"},
+      {entry("", "no_such"), ": mistake \"one\": no function no_such"},
+      {entry("colour = 1"), ": mistake \"one\": unknown field colour"},
+      {entry("input.colour = { times = 2 }"), ": mistake \"one\": the function has no colour"},
+      {entry("input.load = { doubled = true }"), ": mistake \"one\": unknown field doubled"},
+      {entry("input.load = { times = \"two\" }"), ": mistake \"one\": times: \"two\" is not"},
+      {entry("input.load = { is = \"heavy\" }"), ": mistake \"one\": load: \"heavy\" is not"},
+      {entry("result.force = { times = 2 }"), ": mistake \"one\": the function has no force"},
+      {entry("law = { constant = 2 }"), ": mistake \"one\": law: only of hamrock"},
+      {entry("law = { colour = 2 }", "hamrock_dowson_central"), ": mistake \"one\": law: colour"},
+      {entry("formula = { name = \"no_such\" }"), ": mistake \"one\": no formula no_such"},
+      {entry("area = 2"), ": mistake \"one\": scene, area and stiffness are for operating"},
+      {entry("", "operating_point"), ": mistake \"one\": nothing is changed"},
+      {entry("scene.bodies.colour = { times = 2 }", "operating_point"),
+       ": mistake \"one\": a scene has no number or word bodies.colour"},
+      {entry("input.load = { times = 2 }", "operating_point"),
+       ": mistake \"one\": where, input, result and law are for single functions"},
+  };
+  for (const auto& [text, said] : refused)
+    EXPECT_EQ(refusal_of(text).substr(0, said.size()), said) << text;
+  EXPECT_EQ(refusal_of(entry("input.load = { times = 2 }")), "");
+}
+
+}  // namespace
+}  // namespace tribo::conformance
