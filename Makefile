@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -84,6 +84,10 @@ manifest: ## write verification/gates/manifest.tsv anew, from what the last `mak
 faults: ## plant every fault of verification/gates/faults, see it caught; about an hour
 	@.ci/deps build test
 	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
+
+catalogue-proof: ## add a function to a scratch copy, see it offered everywhere; some three minutes
+	@.ci/deps build report references
+	verification/gates/new_function/prove.py
 
 fuzz-short: ## run each fuzz target on a fixed number of inputs; some 20 s a target, the build a minute
 	@.ci/deps build check

@@ -151,24 +151,26 @@ constexpr std::array all{
             },
         .contract = film_contract,
         .example = {0.05, 0.0202, 2e-8, 50, 107.9e9, 9.5e-3, 1}},
-    Function{.name = "starvation_ratio",
-             .meaning = "film behind a starved inlet over the flooded film",
-             .equation = "y = (2/π) arctan(2.7ψ), ψ from Crook's gap at h_ff (flooded_inlet) or h* "
-                         "(starved_inlet); damiens: y = (1 + r^γ)^(−1/γ)",
-             .source =
-                 "P. E. Wolveridge, K. P. Baglin, J. F. Archard: The starved lubrication of "
-                 "cylinders in line contact. Proc. Inst. Mech. Eng. 185 (1970) 1159; B. Damiens, "
-                 "C. H. Venner, P. M. E. Cann, A. A. Lubrecht: Starved lubrication of elliptical "
-                 "EHD contacts. J. Tribol. 126 (2004) 105, doi 10.1115/1.1631020; the exponents "
-                 "that the paper prints are a closure of their own",
-             .parameters = inlet_parameters,
-             .results = inlet_results,
-             .value =
-                 [](const Arguments& x, Results& y) {
-                   y[0] = starvation_ratio(enum_at<StarvationClosure>(x[0]), x[1], x[2]);
-                 },
-             .contract = starvation_ratio_contract,
-             .example = {1, 0.8, 3}},
+    Function{
+        .name = "starvation_ratio",
+        .meaning = "film behind a starved inlet over the flooded film",
+        .equation = "y = (2/π) arctan(2.7ψ), ψ from Crook's gap at h_ff (flooded_inlet) or h* "
+                    "(starved_inlet); damiens: y = (1 + r^γ)^(−1/γ)",
+        .source =
+            "A. W. Crook: The lubrication of rollers. Phil. Trans. R. Soc. Lond. A 250 (1958) 387; "
+            "P. E. Wolveridge, K. P. Baglin, J. F. Archard: The starved lubrication of "
+            "cylinders in line contact. Proc. Inst. Mech. Eng. 185 (1970) 1159; B. Damiens, "
+            "C. H. Venner, P. M. E. Cann, A. A. Lubrecht: Starved lubrication of elliptical "
+            "EHD contacts. J. Tribol. 126 (2004) 105, doi 10.1115/1.1631020; the exponents "
+            "that the paper prints are a closure of their own",
+        .parameters = inlet_parameters,
+        .results = inlet_results,
+        .value =
+            [](const Arguments& x, Results& y) {
+              y[0] = starvation_ratio(enum_at<StarvationClosure>(x[0]), x[1], x[2]);
+            },
+        .contract = starvation_ratio_contract,
+        .example = {1, 0.8, 3}},
     Function{
         .name = "load_sharing",
         .meaning = "film parameter at which asperities and film carry the load together",

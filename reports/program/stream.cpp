@@ -40,7 +40,7 @@ A line that is not JSON or is over 1 MiB gets an error too, with "id": null; bla
 answer. Answers are flushed whenever no complete line is waiting. Errors are answers: the exit code
 is 0 at the end of the input.
 
-Functions: gaussian_moment, hertz_point, hamrock_dowson_central, starvation_ratio, load_sharing
+`tribocheck functions` lists the functions, and `tribocheck functions NAME` explains one.
 
 Example:
   echo '{"id": "f1", "function": "gaussian_moment", "order": 2.5, "argument": 0}' |

@@ -53,7 +53,9 @@ FilmLaw law_of(const json& written) {
       {"load_exponent", &law.load_exponent},
       {"side_leakage", &law.side_leakage},
       {"side_decay", &law.side_decay}};
-  for (const auto& [name, value] : written.items()) {
+  for (const auto& entry : written.items()) {
+    const std::string& name = entry.key();
+    const json& value = entry.value();
     const auto* const found = std::find_if(std::begin(numbers), std::end(numbers),
                                            [&](const auto& one) { return one.first == name; });
     if (found == std::end(numbers) || !value.is_number())

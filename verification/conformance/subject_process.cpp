@@ -167,8 +167,7 @@ bool SubjectProcess::take_line(std::string& line) {
 
 SubjectProcess::Event SubjectProcess::next_line(std::string& line,
                                                 std::chrono::milliseconds longest) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point deadline = Clock::now() + longest;
+  const std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::now() + longest;
   while (true) {
     if (take_line(line)) return line.size() > longest_line ? Event::too_long_line : Event::line;
     if (received_.size() > longest_line) return Event::too_long_line;
@@ -176,7 +175,8 @@ SubjectProcess::Event SubjectProcess::next_line(std::string& line,
     // A grandchild may keep the stdout of the ended child open: the output that is there is read,
     // but no more is waited for.
     const bool was_gone = has_ended();
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+    const auto left =
+        std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0 && !was_gone) return Event::nothing;
     const std::size_t before = received_.size();
     pump(was_gone ? 0 : static_cast<int>(std::min<long long>(left.count(), 50)));

@@ -11,6 +11,11 @@
 //                                                 π nβσ_s F_1(d)      n A_nom F_0(d)
 //
 // Load sharing (load_sharing.hpp) turns the first column into A = (K F_p)^q.
+//
+// Source: J. A. Greenwood, J. H. Tripp: The contact of two nominally flat rough surfaces. Proc.
+// Inst. Mech. Eng. 185 (1970) 625, doi 10.1243/PIME_PROC_1970_185_069_02; J. A. Greenwood, J. B. P.
+// Williamson: Contact of nominally flat surfaces. Proc. R. Soc. Lond. A 295 (1966) 300, doi
+// 10.1098/rspa.1966.0242.
 #pragma once
 
 #include "tribo/gaussian_moment.hpp"

@@ -5,6 +5,13 @@
 //   eyring τ = τ₀ asinh(ηγ̇/τ₀),   limiting τ = τ₀ (1 − e^{−ηγ̇/τ₀}),
 //
 // with the viscosity η at the pressure p_L that the film carries.
+//
+// Source: H. Eyring: Viscosity, plasticity, and diffusion as examples of absolute reaction rates.
+// J. Chem. Phys. 4 (1936) 283, doi 10.1063/1.1749836; S. Bair, W. O. Winer: A rheological model for
+// elastohydrodynamic contacts based on primary laboratory data. J. Lubr. Technol. 101 (1979) 258;
+// C. Barus: Isothermals, isopiestics and isometrics relative to viscosity. Am. J. Sci. 45 (1893)
+// 87; C. J. A. Roelands: Correlational aspects of the viscosity-temperature-pressure relationship
+// of lubricating oils. Thesis, Delft (1966).
 #pragma once
 
 #include "tribo/real.hpp"

@@ -3,6 +3,8 @@
 //
 //   F_n(d) = ∫_d^∞ (s−d)ⁿ φ(s) ds,   φ(s) = e^{−s²/2}/√(2π),   n = 0, 1/2, 1, 3/2, 2, 5/2.
 //
+// Source: J. A. Greenwood, J. H. Tripp (1970; see asperity_contact.hpp), their F_n.
+//
 // All forms are sums of positive terms. With S_n(d) = e^{d²/2} F_n(d) for d ≥ 0 and F_n(d) below:
 //   |d| large        asymptotic series, cut where its terms fall below ε
 //   half-integer n   F_n = (1/√2π) ∫_{−∞}^{∞} x^{2n+1} e^{−(x²+d)²/2} dx (s = x² + d), by the

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hertz' circular contact of two smooth elastic bodies (model/README.md, section 3).
+// Hertz' circular contact of two smooth elastic bodies (model/README.md, section 3). Source: H.
+// Hertz: Über die Berührung fester elastischer Körper. J. reine angew. Math. 92 (1881) 156; K. L.
+// Johnson: Contact Mechanics (1985), eqs 4.22 to 4.24.
 #pragma once
 
 #include "tribo/contract.hpp"

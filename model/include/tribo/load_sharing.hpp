@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How asperities and film share the load (Johnson, Greenwood and Poon; Gelinck and Schipper;
-// model/README.md, section 6; paper, eqs 1.17 to 1.19 and 1.32). With λ₀ = h₀/σ_s:
+// How asperities and film share the load (model/README.md, section 6; paper, eqs 1.17 to 1.19 and
+// 1.32). Source: K. L. Johnson, J. A. Greenwood, S. Y. Poon: A simple theory of asperity contact in
+// elastohydrodynamic lubrication. Wear 19 (1972) 91, doi 10.1016/0043-1648(72)90445-0; E. R. M.
+// Gelinck, D. J. Schipper: Calculation of Stribeck curves for line contacts. Tribol. Int. 33 (2000)
+// 175. With λ₀ = h₀/σ_s:
 //
 //   A(λ) = (K F_p(λ−δ))^q,                     the load share of the asperities
 //   ln λ − ln λ₀ + 0.14 ln(1 − A(λ)) = 0       on {A < 1}: exactly one root λ.

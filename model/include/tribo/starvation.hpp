@@ -6,7 +6,13 @@
 //   flooded_inlet      1/r = 1 + ψ^{3/2}/c              Crook at the flooded film; y = 0 for r ≥ 1
 //   starved_inlet      1/r = y + ψ^{3/2}/c              Crook at the starved film
 //   printed_exponents  1/r = y + ψ^{3/2} y^{−5/4}/c     the exponents as printed (a reading)
-//   damiens            y = (1 + r^γ)^{−1/γ}             Damiens, Venner, Cann and Lubrecht (2004)
+//   damiens            y = (1 + r^γ)^{−1/γ}
+//
+// Source: A. W. Crook: The lubrication of rollers. Phil. Trans. R. Soc. Lond. A 250 (1958) 387;
+// P. E. Wolveridge, K. P. Baglin, J. F. Archard: The starved lubrication of cylinders in line
+// contact. Proc. Inst. Mech. Eng. 185 (1970) 1159; B. Damiens, C. H. Venner, P. M. E. Cann, A. A.
+// Lubrecht: Starved lubrication of elliptical EHD contacts. J. Tribol. 126 (2004) 105,
+// doi 10.1115/1.1631020.
 #pragma once
 
 #include "tribo/bracketed_root.hpp"
