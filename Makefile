@@ -81,9 +81,9 @@ baseline: build ## write the accuracy that the ratchet holds: reference/baseline
 manifest: ## write verification/gates/manifest.tsv anew, from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write
 
-faults: ## plant every fault of verification/gates/faults, see it caught; about an hour
+faults: ## plant every fault of verification/gates/faults, see it caught; an hour and a half; OLDEST=N: the N oldest verdicts
 	@.ci/deps build test
-	verification/gates/faults/plant.py --out reference/baselines/planted_faults.json
+	verification/gates/faults/plant.py $(if $(OLDEST),--oldest $(OLDEST)) --out reference/baselines/planted_faults.json
 
 catalogue-proof: ## add a function to a scratch copy, see it offered everywhere; some three minutes
 	@.ci/deps build report references

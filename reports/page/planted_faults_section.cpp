@@ -39,11 +39,11 @@ void fill(Section& section, const Json& baseline) {
   const std::size_t all = table.rows.size();
   section.verdicts = {{all > 0 && caught == all ? Standing::holds : Standing::fails, section.title,
                        fmt::format("{} of {} faults planted in the formulas and in the checks "
-                                   "themselves turned a check red. {}",
+                                   "themselves turned a check red. The oldest of these runs: {}",
                                    caught, all, measured_when(baseline))}};
   section.paragraphs = {fmt::format(
       "Each fault is a patch on a scratch copy of the tree, and names the check that has to turn "
-      "red: {} of {} were caught. {}",
+      "red: {} of {} were caught. Each has the verdict of its last run; of the oldest: {}",
       caught, all, provenance(baseline))};
   if (baseline.at("catalogue").get<std::size_t>() > all)
     section.not_run.push_back({"planted faults",

@@ -6,6 +6,7 @@ On a phone and on a screen, in light and in dark, on paper, and with the keyboar
 
 import base64
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -16,6 +17,7 @@ from selenium.webdriver.common.keys import Keys
 
 from report_files import WrittenReport
 
+LABELS = r"\((ns|ulp|GB/s)\)|^threads$|^speed-up|points in a batch|^τ, times|^fraction"
 WIDTHS = (360, 1440)
 SCHEMES = ("light", "dark")
 SWITCHES = ("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
@@ -77,6 +79,24 @@ for (let node; (node = walker.nextNode()); ) {
 return least;
 """
 
+# Of each figure: its texts, those that stick out of it, and the pairs of which one is over the other.
+FIGURE_TEXTS = """
+return [...document.querySelectorAll('figure svg')].map((svg) => {
+  const paper = svg.getBoundingClientRect();
+  const texts = [...svg.querySelectorAll('text')].map((one) => [one.textContent.trim(), one.getBoundingClientRect()])
+    .filter(([text, box]) => text && box.width > 0);
+  const cut = texts.filter(([, box]) => box.left < paper.left - 1 || box.right > paper.right + 1 ||
+    box.top < paper.top - 1 || box.bottom > paper.bottom + 1).map(([text]) => text);
+  const over = [];
+  texts.forEach(([first, a], i) => texts.slice(i + 1).forEach(([second, b]) => {
+    const wide = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+    const high = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+    if (wide > 1 && high > 3) over.push(first + ' | ' + second);
+  }));
+  return {id: svg.closest('figure').id, texts: texts.map(([text]) => text), cut, over};
+});
+"""
+
 UNNAMED_REGIONS = """
 return [...document.querySelectorAll('*')].filter((one) => {
   const style = getComputedStyle(one);
@@ -110,6 +130,33 @@ class Page(WrittenReport):
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
         self.driver.get((self.out / "index.html").as_uri())
+
+    def figures(self):
+        found = {one["id"]: one for one in self.run_script(FIGURE_TEXTS)}
+        self.assertGreater(len(found), 20)
+        return found
+
+    def test_no_label_of_a_figure_is_cut_or_printed_over_another(self):
+        for width in (390, 800, 1400):
+            self.show(width=width)
+            for name, figure in self.figures().items():
+                with self.subTest(figure=name, width=width):
+                    self.assertEqual((figure["cut"], figure["over"]), ([], []))
+
+    def test_diagrams_of_error_and_work_have_both_labels_and_all_series(self):
+        self.show()
+        figures = self.figures()
+        jobs = [name for name in figures if name.startswith("work_") and not name.endswith("_evaluations")]
+        self.assertGreaterEqual(len(jobs), 8)
+        for name in jobs:
+            table = (self.out / "data/work_precision" / f"{name.removeprefix('work_')}.blocks.tsv").read_text()
+            series = re.findall(r'^"(.+)"$', table, re.MULTILINE)
+            texts = [re.sub(r"\s+", " ", text) for text in figures[name]["texts"]]
+            with self.subTest(figure=name):
+                self.assertGreaterEqual(len(series), 4)
+                self.assertEqual([one for one in series if one not in texts], [])
+                labels = [text for text in texts if re.search(LABELS, text)]
+                self.assertEqual(len(labels), 2, texts)
 
     def run_script(self, script):
         return self.driver.execute_script(script)

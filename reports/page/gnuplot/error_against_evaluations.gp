@@ -4,8 +4,8 @@ table = data.prefix.".blocks.tsv"
 set logscale xy 10
 set format y "10^{%T}"
 set ytics 100
-set xlabel "evaluations a point"
-set ylabel "true error (ulp), greatest"
+set xlabel "evaluations a point" offset 0, x_words
+set ylabel "true error (ulp), greatest" offset y_shift, 0
 stats table using ns nooutput
 n = STATS_blocks
 counted = ""

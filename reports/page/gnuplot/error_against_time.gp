@@ -8,8 +8,8 @@ set format y "10^{%T}"
 set xtics 10
 set ytics 100
 set mxtics 10
-set xlabel "CPU time a point (ns)"
-set ylabel "true error (ulp): greatest, and down to the mean"
+set xlabel "CPU time a point (ns)" offset 0, x_words
+set ylabel "true error (ulp): greatest, and down to the mean" offset y_shift, 0
 stats table using ns nooutput
 n = STATS_blocks
 array family[n]

@@ -28,7 +28,7 @@ plot \
 
 load scripts."lower_panel.gp"
 unset logscale y
-set ylabel "film with GW / film with GT (–)" offset y_words
+set ylabel "film with GW / film with GT (–)" offset y_words - 0.6
 # Near the collapse the ratio leaves the panel: one film vanishes a little before the other.
 set yrange [ratio_min - room:ratio_max + room]
 set format y "%.2f"

@@ -10,7 +10,7 @@ set format y "%g"
 set ytics 10
 set mytics 10
 set xlabel "standard deviation of summit heights σ_s (nm)" offset 0, x_words
-set ylabel "speed at the onset of starvation (m/s)" offset y_words
+set ylabel "speed at the onset of starvation (m/s)" offset y_words - 0.6
 plot \
   surfaces using sd:4:5 with filledcurves fillcolor rgb wide title "plausible inputs, 95 %", \
   surfaces using sd:6:7 with filledcurves fillcolor rgb narrow title "print precision, 95 %", \

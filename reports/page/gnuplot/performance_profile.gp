@@ -7,8 +7,8 @@ set xtics 10
 set mxtics 10
 set xrange [1:1e4]
 set yrange [0:1.02]
-set xlabel "τ, times the best solver's time for the case"
-set ylabel "fraction of the cases solved to 10^{−10} within it"
+set xlabel "τ, times the best solver's time for the case" offset 0, x_words
+set ylabel "fraction of the cases solved to 10^{−10} within it" offset y_shift, 0
 stats table using 2 nooutput
 n = STATS_blocks
 array family[n]

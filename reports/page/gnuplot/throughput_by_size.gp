@@ -7,8 +7,8 @@ set format x "10^{%T}"
 set format y "10^{%T}"
 set xtics 10
 set mxtics 10
-set xlabel "points in a batch"
-set ylabel "read and written (GB/s)"
+set xlabel "points in a batch" offset 0, x_words
+set ylabel "read and written (GB/s)" offset y_shift, 0
 stats table using 2 nooutput
 n = STATS_blocks
 okabe(i) = word("0x777777 0xD55E00 0x0072B2 0x009E73 0xE69F00 0xCC79A7 0x56B4E9", i % 7 + 1) + 0

@@ -2,8 +2,8 @@
 # Speed-up of two million points by threads: columns kernel, threads, points a second, GB/s, speed-up.
 table = data."by_threads.blocks.tsv"
 set xtics 1
-set xlabel "threads"
-set ylabel "speed-up, wall time"
+set xlabel "threads" offset 0, x_words
+set ylabel "speed-up, wall time" offset y_shift, 0
 stats table using 2 nooutput
 n = STATS_blocks
 most = STATS_max

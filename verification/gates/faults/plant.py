@@ -7,8 +7,12 @@ that has to turn red: a CTest test (`analytic.Hertz.…`), or with `inventory:` 
 gate on that test, for faults that leave the test green. Red: a patch that no longer applies, a fault that
 does not build, one that survives.
 
-  verification/gates/faults/plant.py                     all of them; about an hour
+The ledger (--out) has the last verdict on each fault, with the commit that it was planted in. It is written after
+each fault, so that a run that is stopped loses nothing, and --oldest goes on with what was not planted for longest.
+
+  verification/gates/faults/plant.py                     all of them; about an hour and a half
   verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
+  verification/gates/faults/plant.py --oldest 50 --out reference/baselines/planted_faults.json
   verification/gates/faults/plant.py --only E3 --keep    one, and leave its scratch copy
 """
 import argparse
@@ -25,6 +29,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import tomllib
 
@@ -106,6 +111,7 @@ class Scratch:
                 shutil.copy2(ROOT / name, self.tree / name)
         done = run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
                     "-DCMAKE_CXX_FLAGS=-O1", f"-DTRIBOCHECK_TARGETS_LEFT_OUT={LEFT_OUT}",
+                    "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12",
                     "-DTRIBOCHECK_TEST_BY_TEST=ON"])
         if done.returncode != 0:
             sys.exit(done.stdout)
@@ -163,6 +169,37 @@ def commit():
     return head + (" and changes" if changed else "")
 
 
+class Ledger:
+    """The last verdict on each fault, in a file; without one nothing is kept."""
+
+    def __init__(self, path, catalogue):
+        self.path = path
+        self.order = [fault["id"] for fault in catalogue]
+        self.rows = {}
+        if path is not None and path.is_file():
+            kept = json.loads(path.read_text())
+            since = {"commit": kept["commit"], "date": kept["date"]}  # of rows that do not say it themselves
+            self.rows = {row["id"]: since | row for row in kept["faults"] if row["id"] in self.order}
+
+    def oldest(self, faults, count):
+        """Those that were never planted first."""
+        return sorted(faults, key=lambda fault: self.rows.get(fault["id"], {"date": ""})["date"])[:count]
+
+    def add(self, row, commit_now):
+        if self.path is None:
+            return
+        now = datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds")
+        self.rows[row["id"]] = {**row, "commit": commit_now, "date": now}
+        rows = [self.rows[one] for one in self.order if one in self.rows]
+        first = min(rows, key=lambda one: one["date"])
+        ledger = {"commit": first["commit"], "date": first["date"][:10], "environment": environment(),
+                  "catalogue": len(self.order), "faults": rows}
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        written = self.path.with_suffix(".new")
+        written.write_text(json.dumps(ledger, indent=1, ensure_ascii=False) + "\n")
+        written.replace(self.path)
+
+
 def plant(faults, workers, folder, tell):
     """A row for each fault, in the order of the catalogue."""
     scratches = queue.SimpleQueue()
@@ -194,13 +231,15 @@ def plant(faults, workers, folder, tell):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sample", type=int, metavar="N", help="N of them, chosen by the seed")
+    parser.add_argument("--oldest", type=int, metavar="N",
+                        help="N of them, whose verdict in the ledger is missing or oldest")
     parser.add_argument("--seed", help="any text; the commit's hash if not given")
     parser.add_argument("--only", metavar="ID", action="append", help="this fault; may be given again")
     parser.add_argument("--green", type=pathlib.Path, default=ROOT / "build/release/ctest.xml", metavar="FILE",
                         help="JUnit file of a CTest run without faults, in which every check named has to have "
                              "passed (default: what `make test` left)")
     parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--out", type=pathlib.Path, metavar="FILE", help="write the ledger there as JSON")
+    parser.add_argument("--out", type=pathlib.Path, metavar="FILE", help="keep the ledger there, as JSON")
     parser.add_argument("--keep", action="store_true", help="leave the scratch copies, and say where")
     arguments = parser.parse_args()
 
@@ -225,13 +264,24 @@ def main():
         seed = arguments.seed or commit()
         faults = random.Random(seed).sample(faults, min(arguments.sample, len(faults)))
         print(f"{len(faults)} of {count} faults, seed {seed}")
+    try:
+        ledger = Ledger(arguments.out, read_catalogue())
+    except (OSError, ValueError, KeyError) as error:
+        print(f"plant.py: --out: {arguments.out}: this is no ledger: {error!r}", file=sys.stderr)
+        return 2
+    if arguments.oldest is not None:
+        faults = ledger.oldest(faults, arguments.oldest)
     for line in red:
         print(f"RED       {line}")
 
     started = time.monotonic()
     folder = pathlib.Path(tempfile.mkdtemp(prefix="tribocheck-faults-"))
 
+    head, one_at_a_time = commit(), threading.Lock()
+
     def tell(row):
+        with one_at_a_time:
+            ledger.add(row, head)
         verdict = "caught" if row["caught"] else "RED"
         print(f"{verdict:8}  {row['seconds']:5.1f} s  {row['id']:28}  {row['check']}  ({row['said']})", flush=True)
 
@@ -245,11 +295,6 @@ def main():
     seconds = round(time.monotonic() - started)
     survived = sum(not row["caught"] for row in rows)
     print(f"{len(rows)} faults planted, {len(rows) - survived} caught, in {seconds} s; {len(red)} cannot be planted")
-    if arguments.out:
-        ledger = {"commit": commit(), "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
-                  "environment": environment(), "seconds": seconds, "catalogue": count, "faults": rows}
-        arguments.out.parent.mkdir(parents=True, exist_ok=True)
-        arguments.out.write_text(json.dumps(ledger, indent=1, ensure_ascii=False) + "\n")
     return 1 if survived or red else 0
 
 

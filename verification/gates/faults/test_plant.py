@@ -2,6 +2,7 @@
 """plant.py on a catalogue of its own: what cannot be planted, what survives, and what counts as caught."""
 import contextlib
 import io
+import json
 import pathlib
 import subprocess
 import sys
@@ -103,6 +104,43 @@ class Try(Tree):
             scratch.try_fault(FAULT)
         self.assertEqual(seen, [("tribocheck", "y = 2;\n")])
         self.assertEqual((self.folder / "formula.txt").read_text(), "y = 1;\n")
+
+
+class Ledger(Tree):
+    """What is kept of each fault, whatever becomes of the run."""
+    CATALOGUE = [FAULT, FAULT | {"id": "two"}, FAULT | {"id": "three"}]
+
+    def ledger(self):
+        return plant.Ledger(self.folder / "ledger.json", self.CATALOGUE)
+
+    def row(self, name, said="failed"):
+        return {"id": name, "caught": said == "failed", "said": said, "seconds": 1}
+
+    def test_it_is_written_after_each_fault_and_read_again(self):
+        self.ledger().add(self.row("two"), "first")
+        self.ledger().add(self.row("one", "survived"), "second")
+        self.ledger().add(self.row("two", "survived"), "third")
+        kept = json.loads((self.folder / "ledger.json").read_text())
+        self.assertEqual([(row["id"], row["said"], row["commit"]) for row in kept["faults"]],
+                         [("one", "survived", "second"), ("two", "survived", "third")])
+        self.assertEqual(kept["catalogue"], 3)
+
+    def test_its_commit_and_date_are_those_of_the_oldest_verdict(self):
+        (self.folder / "ledger.json").write_text(json.dumps(
+            {"commit": "old", "date": "2000-01-01", "faults": [self.row("one"), self.row("gone")]}))
+        self.ledger().add(self.row("two"), "new")
+        kept = json.loads((self.folder / "ledger.json").read_text())
+        self.assertEqual((kept["commit"], kept["date"]), ("old", "2000-01-01"))
+        self.assertEqual([row["commit"] for row in kept["faults"]], ["old", "new"])
+
+    def test_what_was_never_planted_comes_first_and_then_what_is_oldest(self):
+        (self.folder / "ledger.json").write_text(json.dumps({"commit": "old", "date": "2000-01-01", "faults": [
+            self.row("one"), self.row("two") | {"date": "1999-01-01"}]}))
+        chosen = self.ledger().oldest(self.CATALOGUE, 2)
+        self.assertEqual([fault["id"] for fault in chosen], ["three", "two"])
+
+    def test_without_a_file_nothing_is_kept(self):
+        plant.Ledger(None, self.CATALOGUE).add(self.row("one"), "new")
 
 
 class Main(Tree):
