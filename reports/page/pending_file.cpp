@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "page/report_error.hpp"
+#include "protocol/output_stream.hpp"
 
 namespace tribo::report {
 namespace {
@@ -20,8 +20,8 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
   return target.parent_path() / fmt::format(".{}.{}", target.filename().string(), ::getpid());
 }
 
-ReportError cannot_write(const std::filesystem::path& path, int code) {
-  return ReportError(
+protocol::OutputFailed cannot_write(const std::filesystem::path& path, int code) {
+  return protocol::OutputFailed(
       fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(code)));
 }
 

@@ -15,14 +15,14 @@ class PendingFile {
   ~PendingFile();  // removes what was not committed
 
   const std::filesystem::path& temporary() const { return temporary_; }
-  void commit();  // throws ReportError
+  void commit();  // throws protocol::OutputFailed
 
  private:
   std::filesystem::path target_;
   std::filesystem::path temporary_;
 };
 
-// Both throw ReportError.
+// Both throw protocol::OutputFailed.
 void write_file(const std::filesystem::path& target, std::string_view content);
 void make_folder(const std::filesystem::path& folder);
 

@@ -59,10 +59,10 @@ SweepPictures sweep_pictures(const sweep::SweepResult& result, const std::string
   return pictures;
 }
 
-std::vector<std::string> draw_sweep_pictures(const sweep::SweepResult& result,
-                                             const std::string& path, const std::string& folder,
-                                             const std::function<void(std::string_view)>& told) {
-  std::vector<std::string> drawn;
+DrawnPictures draw_sweep_pictures(const sweep::SweepResult& result, const std::string& path,
+                                  const std::string& folder,
+                                  const std::function<void(std::string_view)>& told) {
+  DrawnPictures drawn;
   try {
     const fs::path gnuplot = find_places({}).gnuplot;
     const fs::path out = fs::absolute(folder);
@@ -76,9 +76,10 @@ std::vector<std::string> draw_sweep_pictures(const sweep::SweepResult& result,
         const fs::path target = fs::path(folder) / (figure.stem + '.' + std::string(format));
         const GnuplotRun run = draw_picture(gnuplot, figure.drawing, out, format, target);
         if (run.end == GnuplotEnd::drawn) {
-          drawn.push_back(target.string());
+          drawn.paths.push_back(target.string());
           continue;
         }
+        drawn.failed = true;
         std::error_code ignored;
         fs::remove(target, ignored);  // an old one would not belong to the new data
         told(run.end == GnuplotEnd::not_found
@@ -88,6 +89,7 @@ std::vector<std::string> draw_sweep_pictures(const sweep::SweepResult& result,
       }
   } catch (const std::runtime_error& error) {
     told(error.what());
+    drawn.failed = true;
   }
   return drawn;
 }

@@ -29,10 +29,13 @@ struct SweepPictures {
 SweepPictures sweep_pictures(const sweep::SweepResult& result, const std::string& path);
 
 // Draws the pictures as SVG and PNG into a folder, with their data beside them; makes the folder if
-// it is missing. Returns the paths of the pictures; told(line) gets the reason why a picture could
-// not be drawn.
-std::vector<std::string> draw_sweep_pictures(const sweep::SweepResult& result,
-                                             const std::string& path, const std::string& folder,
-                                             const std::function<void(std::string_view)>& told);
+// it is missing. told(line) gets the reason why a picture could not be drawn.
+struct DrawnPictures {
+  std::vector<std::string> paths;
+  bool failed = false;  // a picture that there is to draw is missing
+};
+DrawnPictures draw_sweep_pictures(const sweep::SweepResult& result, const std::string& path,
+                                  const std::string& folder,
+                                  const std::function<void(std::string_view)>& told);
 
 }  // namespace tribo::report

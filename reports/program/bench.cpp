@@ -183,8 +183,8 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
   } catch (const nlohmann::json::exception& error) {
     return fail(exit_bad, fmt::format("{}: no baseline of `tribocheck bench`: {}",
                                       arguments.baseline, error.what()));
-  } catch (const report::ReportError& error) {
-    return fail(exit_bad, error.what());
+  } catch (const OutputFailed&) {
+    throw;  // a baseline that cannot be written is not bad input
   } catch (const std::runtime_error& error) {
     return fail(exit_bad, error.what());
   }

@@ -109,14 +109,16 @@ bool is_shard_or_journal(const std::string& path) {
   }
 }
 
-void show_result(const SweepArguments& arguments, const std::string& path, OutputStream& output) {
+// Returns exit_failed where pictures are missing.
+int show_result(const SweepArguments& arguments, const std::string& path, OutputStream& output) {
   const sweep::SweepResult result = sweep::read_result(path);
   write_result(result, arguments.format, output.text());
   output.flush();
-  if (arguments.pictures.empty()) return;
-  for (const std::string& picture : report::draw_sweep_pictures(
-           result, path, arguments.pictures, [](std::string_view line) { complain(line); }))
-    complain("drew " + picture);
+  if (arguments.pictures.empty()) return exit_done;
+  const report::DrawnPictures drawn = report::draw_sweep_pictures(
+      result, path, arguments.pictures, [](std::string_view line) { complain(line); });
+  for (const std::string& picture : drawn.paths) complain("drew " + picture);
+  return drawn.failed ? exit_failed : exit_done;
 }
 
 // --- The three commands.
@@ -175,15 +177,16 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   if (!ranks.everywhere(refusal.empty())) return exit_bad;
   SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));
   sweep::RunSettings settings = settings_of(arguments, progress, first);
+  int shown = exit_done;
   settings.finished = [&] {
     progress.wipe();
-    if (!settings.shard) show_result(arguments, arguments.out, output);
+    if (!settings.shard) shown = show_result(arguments, arguments.out, output);
   };
   watch_for_stop();
   const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
   progress.wipe();
   if (stop_signal != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal;
-  return end == sweep::RunEnd::done ? exit_done : exit_failed;
+  return end == sweep::RunEnd::done ? shown : exit_failed;
 }
 
 // What goes wrong on the way is bad usage, or a failure that the journals survive.
@@ -242,12 +245,13 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
     watch_for_stop();
     SweepProgress progress(0);
     sweep::RunSettings settings = settings_of(arguments, progress, true);
+    int shown = exit_done;
     settings.finished = [&] {
       progress.wipe();
-      show_result(arguments, arguments.out, output);
+      shown = show_result(arguments, arguments.out, output);
     };
     sweep::merge(arguments.files, settings);
-    return exit_done;
+    return shown;
   });
 }
 
@@ -255,7 +259,7 @@ int show_results(const SweepArguments& arguments, OutputStream& output) {
   return told([&] {
     const std::string& path = arguments.files.front();
     try {
-      show_result(arguments, path, output);
+      return show_result(arguments, path, output);
     } catch (const OutputFailed&) {
       throw;
     } catch (const std::runtime_error& unreadable) {
@@ -265,7 +269,6 @@ int show_results(const SweepArguments& arguments, OutputStream& output) {
           ": this is a shard or journal of a sweep; make a result of it first: of all shards by "
           "`tribocheck sweep merge`, of a journal by `tribocheck sweep --resume`");
     }
-    return exit_done;
   });
 }
 

@@ -218,7 +218,7 @@ class Pictures(SweepTest):
         self.swept(uncertain(draws=64))
         os.mkdir(self.path("empty"))
         told = self.shown_with_path(self.path("empty"))
-        self.assertEqual((told.code, len(told.error_lines)), (0, 1), told.err)
+        self.assertEqual((told.code, len(told.error_lines)), (1, 1), told.err)
         self.assertIn("gnuplot was not found", told.err)
 
     def test_a_gnuplot_that_fails_is_quoted_and_leaves_no_picture(self):
@@ -227,6 +227,7 @@ class Pictures(SweepTest):
         fake = self.folder.write("bin/gnuplot", "#!/bin/sh\necho no such terminal >&2\nexit 3\n")
         os.chmod(fake, 0o755)
         told = self.shown_with_path(self.path("bin") + ":" + os.environ.get("PATH", ""))
+        self.assertEqual(told.code, 1)
         self.assertIn("no such terminal", told.err)
         self.assertFalse([name for name in os.listdir(self.path("drawn")) if "svg" in name])
 

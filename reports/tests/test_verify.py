@@ -67,6 +67,11 @@ class Verify(unittest.TestCase):
                              if not row.rstrip().endswith(",undefined")))
         self.assertTrue(all(r["passed"] for r in results))
 
+    def test_a_junit_file_that_cannot_be_written_is_one_line_and_no_bad_usage(self):
+        done = run("verify", "--junit", "/nonexistent/verify.xml", cwd=ROOT)
+        self.assertEqual((done.code, len(done.error_lines)), (1, 1), done.err)
+        self.assertIn("cannot write /nonexistent/verify.xml", done.err)
+
     def test_table_and_junit_name_every_quantity(self):
         with tempfile.TemporaryDirectory() as folder:
             junit = pathlib.Path(folder) / "verify.xml"
