@@ -54,4 +54,14 @@ std::string grouped(std::uint64_t count) {
   return text;
 }
 
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char sign : text) {
+    if (sign == '"') quoted += '"';
+    quoted += sign;
+  }
+  return quoted + '"';
+}
+
 }  // namespace tribo::report

@@ -19,4 +19,7 @@ std::string unrounded(double value);
 // 12345678 as 12 345 678, with narrow blanks that do not break.
 std::string grouped(std::uint64_t count);
 
+// A cell of a CSV file: quoted where it has to be.
+std::string csv_text(const std::string& text);
+
 }  // namespace tribo::report

@@ -56,28 +56,38 @@ std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
              : "";
 }
 
+// Of a grid there is no mean: its values were chosen, not drawn.
 TextTable number_table(const SceneResult& scene) {
   const bool with_speed = has_speeds(scene);
+  const bool is_grid = scene.design == "factorial";
   TextTable table{fmt::format("{}: {} cases, {} points{}", scene.id, grouped(scene.cases),
                               grouped(scene.points), chosen_speeds(scene, with_speed)),
-                  {"column", "unit", "speed, m/s", "cases", "undefined", "mean", "sd", "2.5 %",
-                   "50 %", "97.5 %"},
-                  {false, false, true, true, true, true, true, true, true, true},
+                  {"column", "unit", "speed, m/s", "cases", "undefined"},
+                  {false, false, true, true, true},
                   {},
                   ""};
+  const std::vector<std::string> statistics =
+      is_grid ? std::vector<std::string>{"least", "greatest"}
+              : std::vector<std::string>{"mean", "sd", "2.5 %", "50 %", "97.5 %"};
+  table.headings.insert(table.headings.end(), statistics.begin(), statistics.end());
+  table.is_number.resize(table.headings.size(), true);
   for (const ColumnResult& column : scene.columns) {
     if (!column.words.empty()) continue;
     const ReadableUnit unit = readable_unit(column);
     for (const std::size_t i : chosen(column.values.size())) {
       const ColumnResult::Value& value = column.values[i];
-      table.rows.push_back(
-          {code(column.name), unit.name.empty() ? "–" : unit.name, speed_text(scene, column, i),
-           grouped(value.count), grouped(value.undefined), number(value.mean, unit.factor),
-           number(value.sd, unit.factor), number(quantile(value, 0.025).value, unit.factor),
-           number(quantile(value, 0.5).value, unit.factor),
-           number(quantile(value, 0.975).value, unit.factor)});
+      std::vector<std::string> row{code(column.name), unit.name.empty() ? "–" : unit.name,
+                                   speed_text(scene, column, i), grouped(value.count),
+                                   grouped(value.undefined)};
+      const std::vector<double> numbers =
+          is_grid ? std::vector<double>{value.least, value.greatest}
+                  : std::vector<double>{value.mean, value.sd, quantile(value, 0.025).value,
+                                        quantile(value, 0.5).value, quantile(value, 0.975).value};
+      for (const double one : numbers) row.push_back(number(one, unit.factor));
+      table.rows.push_back(std::move(row));
     }
   }
+  if (is_grid && scene.has_points) table.caption += "; `sweep show --cases` has each";
   if (!with_speed) {
     constexpr std::ptrdiff_t at = 2;
     table.headings.erase(table.headings.begin() + at);

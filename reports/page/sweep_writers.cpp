@@ -16,15 +16,6 @@ using sweep::ColumnResult;
 using sweep::SceneResult;
 using sweep::SweepResult;
 
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char sign : text) {
-    if (sign == '"') quoted += '"';
-    quoted += sign;
-  }
-  return quoted + '"';
-}
 std::string csv_number(double value) { return std::isnan(value) ? "" : exact(value); }
 
 // All variables of all scenes, all words of all columns: each once.

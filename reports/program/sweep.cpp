@@ -16,6 +16,7 @@
 #include "example_scenes.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
+#include "page/sweep_cases.hpp"
 #include "page/sweep_pictures.hpp"
 #include "page/sweep_tables.hpp"
 #include "scene/schema.hpp"
@@ -37,6 +38,7 @@ struct SweepArguments {
   std::string format = "table";
   int threads = 0;
   bool resume = false, force = false, without_fma = false, mixed_fma = false, estimate = false;
+  bool cases = false;
 };
 
 // --- Being stopped.
@@ -89,6 +91,17 @@ sweep::Shard shard_of(const std::string& text) {
 
 // --- What a result holds, told.
 
+void write_cases(const sweep::SweepResult& result, const std::string& path,
+                 const std::string& format, OutputStream& output) {
+  const report::CaseFormat as = format == "json"  ? report::CaseFormat::json
+                                : format == "csv" ? report::CaseFormat::csv
+                                                  : report::CaseFormat::table;
+  report::write_sweep_cases(result, path, as, [&](std::string_view lines) {
+    append(output.text(), lines);
+    output.end_row();
+  });
+}
+
 void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
   if (format == "json") return append(to, report::sweep_json(result));
   if (format == "csv") return append(to, report::sweep_csv(result));
@@ -112,7 +125,10 @@ bool is_shard_or_journal(const std::string& path) {
 // Returns exit_failed where pictures are missing.
 int show_result(const SweepArguments& arguments, const std::string& path, OutputStream& output) {
   const sweep::SweepResult result = sweep::read_result(path);
-  write_result(result, arguments.format, output.text());
+  if (arguments.cases)
+    write_cases(result, path, arguments.format, output);
+  else
+    write_result(result, arguments.format, output.text());
   output.flush();
   if (arguments.pictures.empty()) return exit_done;
   const report::DrawnPictures drawn = report::draw_sweep_pictures(
@@ -305,7 +321,8 @@ constexpr const char* merge_footer = R"(Example:
 
 constexpr const char* show_footer = R"(Example:
   tribocheck sweep reference/published/sweeps/film_map.toml -o film_map.h5
-  tribocheck sweep show film_map.h5 --format csv)";
+  tribocheck sweep show film_map.h5 --format csv
+  tribocheck sweep show film_map.h5 --cases --format csv > points.csv)";
 
 std::string footer() {
   std::string text = footer_start;
@@ -362,6 +379,8 @@ Command add_sweep(CLI::App& program) {
   CLI::App* show = app->add_subcommand("show", "tell what a result holds, and draw it");
   show->add_option("RESULT", shown->files, "a result, an HDF5 file")->required()->expected(1);
   add_output_options(*show, *shown);
+  show->add_flag("--cases", shown->cases,
+                 "each point in place of the summaries: what varies, the speed, the outputs");
   show->footer(footer_with_scenes(show_footer));
 
   return {app, [=](OutputStream& output) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kept points of a sweep's result, a row each: what varies, the speed, and each output.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "sweep/result_file.hpp"
+
+namespace tribo::report {
+
+enum class CaseFormat { table, csv, json };
+
+// Calls told(text) with the next lines. Numbers are unrounded, but in a table, which has the first
+// hundred points of each scene. `path`: of the result. Throws std::invalid_argument where a scene
+// has no points, or more numbers than fit into memory comfortably.
+void write_sweep_cases(const sweep::SweepResult& result, const std::string& path, CaseFormat format,
+                       const std::function<void(std::string_view)>& told);
+
+}  // namespace tribo::report

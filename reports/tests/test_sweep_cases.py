@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck sweep show --cases: each kept point, and what `solve` says of the same scene."""
+
+import csv
+import io
+import json
+import unittest
+
+from program import run, scene
+from sweeps import UNIFORM, SweepTest, sweep
+
+GRID = sweep({"load": "[10, 20, 40]", "closures.starvation": '["flooded_inlet", "damiens"]',
+              "speed": "[0.1, 3.0]"})
+
+
+class Cases(SweepTest):
+    def cases(self, *options):
+        done = run("sweep", "show", self.path("out.h5"), "--cases", *options)
+        self.assertEqual((done.code, done.err), (0, ""))
+        return done.out
+
+    def rows(self):
+        return list(csv.DictReader(io.StringIO(self.cases("--format", "csv"))))
+
+    def test_each_point_is_there_with_the_numbers_of_solve(self):
+        self.swept(GRID)
+        rows = self.rows()
+        self.assertEqual(len(rows), 3 * 2 * 2)
+        self.assertEqual({(row["load [N]"], row["closures.starvation"], row["speed [m/s]"]) for row in rows},
+                         {(load, closure, speed) for load in ("10", "20", "40")
+                          for closure in ("flooded_inlet", "damiens") for speed in ("0.1", "3")})
+        for row in rows:
+            asked = scene("smooth", load=float(row["load [N]"]), speed=float(row["speed [m/s]"]),
+                          closures={"starvation": row["closures.starvation"]})
+            point, = run("stream", stdin=json.dumps(asked) + "\n").json_lines()
+            self.assertEqual(float(row["film [m]"]), point["film"])
+            self.assertEqual(row["regime"], point["regime"])
+            friction = point["friction"]
+            self.assertEqual(row["friction"] and float(row["friction"]), "" if friction is None else friction)
+
+    def test_json_has_the_same_and_null_where_a_number_is_undefined(self):
+        self.swept(GRID)
+        objects = [json.loads(line) for line in self.cases("--format", "json").splitlines()]
+        for row, one in zip(self.rows(), objects, strict=True):
+            values = [value for value in row.values()]
+            self.assertEqual([("" if value is None else value if isinstance(value, str) else float(value))
+                              for value in one.values()],
+                             [values[0], float(values[1]),
+                              *(value if not value or value[0].isalpha() else float(value) for value in values[2:])])
+
+    def test_a_table_has_the_first_hundred_and_says_so(self):
+        self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}, draws=300))
+        lines = self.cases().splitlines()
+        self.assertIn("the first 100 of 300 points", lines[0])
+        self.assertEqual(len(lines), 102)
+
+    def test_a_grid_has_no_mean(self):
+        told = self.swept(GRID).out
+        self.assertIn("least  greatest", told)
+        self.assertNotIn("mean", told)
+        self.assertIn("mean", self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}), "--force").out)
+
+    def test_a_result_of_summaries_alone_has_no_cases(self):
+        self.swept(sweep({"lubricant.viscosity": UNIFORM, "speed": "0.1"}, keep='"summaries"'))
+        done = run("sweep", "show", self.path("out.h5"), "--cases")
+        self.assertEqual((done.code, done.out, len(done.error_lines)), (2, "", 1))
+        self.assertIn("keep = \"summaries\"", done.err)
+
+
+if __name__ == "__main__":
+    unittest.main()
