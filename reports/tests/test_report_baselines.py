@@ -27,6 +27,10 @@ class Baselines(unittest.TestCase):
         for part in ("reference/published", "reference/exact", "reference/baselines",
                      "reports/page/gnuplot"):
             shutil.copytree(ROOT / part, self.project / part)
+        # A ledger lacks new faults until the next run that plants a part of them.
+        path = self.project / "reference/baselines/planted_faults.json"
+        ledger = json.loads(path.read_text())
+        path.write_text(json.dumps(ledger | {"catalogue": len(ledger["faults"])}))
         (self.project / "empty").mkdir()
 
     def page(self, sections=None):
