@@ -85,7 +85,7 @@ faults: ## plant every fault of verification/gates/faults, see it caught; an hou
 	@.ci/deps build test
 	verification/gates/faults/plant.py $(if $(OLDEST),--oldest $(OLDEST)) --out reference/baselines/planted_faults.json
 
-catalogue-proof: ## add a function to a scratch copy, see it offered everywhere; some three minutes
+catalogue-proof: ## add a function to a scratch copy, see it offered everywhere; some two minutes
 	@.ci/deps build report references
 	verification/gates/new_function/prove.py
 

@@ -220,6 +220,12 @@ bool is_in_range(double number, Range range) {
   return true;
 }
 
+std::optional<double> place_of(std::string_view word, const Parameter& parameter) {
+  const auto found = std::find(parameter.words.begin(), parameter.words.end(), word);
+  if (found == parameter.words.end()) return std::nullopt;
+  return static_cast<double>(found - parameter.words.begin());
+}
+
 std::string allowed_text(const Parameter& parameter) {
   std::string text;
   for (const std::string_view word : parameter.words)

@@ -37,6 +37,9 @@ struct Parameter {
   std::span<const std::string_view> words = {};
   std::optional<double> default_value = {};
 };
+// Of a parameter with words: the place of one of them, as Arguments has it; empty: it is none of
+// them.
+std::optional<double> place_of(std::string_view word, const Parameter& parameter);
 // "a number above 0", or the words
 std::string allowed_text(const Parameter& parameter);
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace tribo::report {
 
@@ -19,7 +20,7 @@ std::string unrounded(double value);
 // 12345678 as 12 345 678, with narrow blanks that do not break.
 std::string grouped(std::uint64_t count);
 
-// A cell of a CSV file: quoted where it has to be.
-std::string csv_text(const std::string& text);
+// A cell of comma-separated values (RFC 4180, with "\n" as line end): quoted where it has to be.
+std::string csv_text(std::string_view text);
 
 }  // namespace tribo::report

@@ -20,19 +20,22 @@ using sweep::SceneResult;
 constexpr std::uint64_t most_numbers = 50'000'000;  // 400 MB
 constexpr std::size_t rows_of_a_table = 100;
 
-// A column of the rows: one value a case, or one a case and speed.
+// A column of the rows: a value a case, a speed, or a case and speed.
 struct CaseColumn {
   std::string name, unit;
   std::vector<std::string> words;
   std::vector<double> values;
-  std::size_t width;
+  std::size_t case_step, speed_step;  // from one to the next, in `values`
 
   double at(std::size_t one_case, std::size_t speed) const {
-    return values[one_case * width + (width == 1 ? 0 : speed)];
+    return values[one_case * case_step + speed * speed_step];
   }
+  // "film [m]"
+  std::string heading() const { return unit.empty() ? name : fmt::format("{} [{}]", name, unit); }
 };
 
 struct CaseTable {
+  std::string scene;
   std::vector<CaseColumn> columns;
   std::size_t cases, speeds;
 };
@@ -52,31 +55,24 @@ CaseTable read_cases(const SceneResult& scene, const std::string& path) {
         fmt::format("{}: scene {} has {} numbers; allowed: up to {}. Read the file with h5py, "
                     "MATLAB or Octave",
                     path, scene.id, grouped(wide * scene.cases), grouped(most_numbers)));
-  CaseTable table{{}, static_cast<std::size_t>(scene.cases), speeds};
+  CaseTable table{scene.id, {}, static_cast<std::size_t>(scene.cases), speeds};
   for (const sweep::InputResult& input : scene.inputs)
     table.columns.push_back(
-        {input.path, input.unit, input.words, sweep::read_input(path, scene.id, input.path), 1});
+        {input.path, input.unit, input.words, sweep::read_input(path, scene.id, input.path), 1, 0});
   // The speed stands between what varies and the outputs.
-  if (speeds > 1) {
-    CaseColumn speed{"speed", "m/s", {}, {}, speeds};
-    for (std::size_t i = 0; i < table.cases; ++i)
-      speed.values.insert(speed.values.end(), scene.speeds.begin(), scene.speeds.end());
-    table.columns.push_back(std::move(speed));
-  }
-  for (const sweep::ColumnResult& column : scene.columns)
+  if (speeds > 1) table.columns.push_back({"speed", "m/s", {}, scene.speeds, 0, 1});
+  for (const sweep::ColumnResult& column : scene.columns) {
+    const std::size_t width = column.values.size();
     table.columns.push_back({column.name, column.unit, column.words,
-                             sweep::read_column(path, scene.id, column.name),
-                             column.values.size()});
+                             sweep::read_column(path, scene.id, column.name), width,
+                             width > 1 ? std::size_t{1} : 0});
+  }
   return table;
 }
 
 std::string word_of(const CaseColumn& column, double value) {
   const auto place = static_cast<std::size_t>(value);
   return std::isnan(value) || place >= column.words.size() ? "" : column.words[place];
-}
-
-std::string heading(const CaseColumn& column) {
-  return column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit);
 }
 
 // Unrounded; what is undefined is empty.
@@ -98,34 +94,50 @@ nlohmann::ordered_json json_cell(const CaseColumn& column, double value) {
 
 using Told = std::function<void(std::string_view)>;
 
-void write_csv(const SceneResult& scene, const CaseTable& table, bool with_head, const Told& told) {
-  std::string line = "scene,case";
-  for (const CaseColumn& column : table.columns) line += ',' + csv_text(heading(column));
-  if (with_head) told(line + '\n');
+// All columns of all scenes, each once.
+std::vector<std::string> headings_of(const std::vector<CaseTable>& tables) {
+  std::vector<std::string> all;
+  for (const CaseTable& table : tables)
+    for (const CaseColumn& column : table.columns)
+      if (std::find(all.begin(), all.end(), column.heading()) == all.end())
+        all.push_back(column.heading());
+  return all;
+}
+
+// A cell of a column that the scene does not have is empty.
+void write_csv(const CaseTable& table, const std::vector<std::string>& headings, const Told& told) {
+  std::vector<const CaseColumn*> columns;
+  for (const std::string& heading : headings) {
+    const auto found =
+        std::find_if(table.columns.begin(), table.columns.end(),
+                     [&](const CaseColumn& column) { return column.heading() == heading; });
+    columns.push_back(found == table.columns.end() ? nullptr : &*found);
+  }
+  const std::string scene = csv_text(table.scene);
   for (std::size_t i = 0; i < table.cases; ++i)
     for (std::size_t s = 0; s < table.speeds; ++s) {
-      line = fmt::format("{},{}", csv_text(scene.id), i);
-      for (const CaseColumn& column : table.columns)
-        line += ',' + csv_cell(column, column.at(i, s));
+      std::string line = fmt::format("{},{}", scene, i);
+      for (const CaseColumn* const column : columns)
+        line += ',' + (column == nullptr ? "" : csv_cell(*column, column->at(i, s)));
       told(line + '\n');
     }
 }
 
-void write_json(const SceneResult& scene, const CaseTable& table, const Told& told) {
+void write_json(const CaseTable& table, const Told& told) {
   for (std::size_t i = 0; i < table.cases; ++i)
     for (std::size_t s = 0; s < table.speeds; ++s) {
-      nlohmann::ordered_json object{{"scene", scene.id}, {"case", i}};
+      nlohmann::ordered_json object{{"scene", table.scene}, {"case", i}};
       for (const CaseColumn& column : table.columns)
         object[column.name] = json_cell(column, column.at(i, s));
       told(object.dump() + '\n');
     }
 }
 
-void write_table(const SceneResult& scene, const CaseTable& table, const Told& told) {
+void write_table(const CaseTable& table, const Told& told) {
   const std::size_t all = table.cases * table.speeds, shown = std::min(all, rows_of_a_table);
-  TextTable text{shown == all ? fmt::format("{}: {} points", scene.id, grouped(all))
+  TextTable text{shown == all ? fmt::format("{}: {} points", table.scene, grouped(all))
                               : fmt::format("{}: the first {} of {} points; --format csv has all",
-                                            scene.id, shown, grouped(all)),
+                                            table.scene, shown, grouped(all)),
                  {"case"},
                  {true},
                  {},
@@ -149,24 +161,23 @@ void write_table(const SceneResult& scene, const CaseTable& table, const Told& t
 
 void write_sweep_cases(const sweep::SweepResult& result, const std::string& path, CaseFormat format,
                        const Told& told) {
-  bool is_first = true;
-  std::string heads;
-  for (const SceneResult& scene : result.scenes) {
-    const CaseTable table = read_cases(scene, path);
+  std::vector<CaseTable> tables;
+  for (const SceneResult& scene : result.scenes) tables.push_back(read_cases(scene, path));
+  const std::vector<std::string> headings = headings_of(tables);
+  if (format == CaseFormat::csv) {
+    std::string head = "scene,case";
+    for (const std::string& heading : headings) head += ',' + csv_text(heading);
+    told(head + '\n');
+  }
+  for (const CaseTable& table : tables) {
     if (format == CaseFormat::json) {
-      write_json(scene, table, told);
+      write_json(table, told);
     } else if (format == CaseFormat::csv) {
-      // Scenes that vary in other fields get heads of their own.
-      std::string own;
-      for (const CaseColumn& column : table.columns) own += heading(column) + ',';
-      if (!is_first && own != heads) told("\n");
-      write_csv(scene, table, own != heads, told);
-      heads = own;
+      write_csv(table, headings, told);
     } else {
-      if (!is_first) told("\n");
-      write_table(scene, table, told);
+      if (&table != &tables.front()) told("\n");
+      write_table(table, told);
     }
-    is_first = false;
   }
 }
 

@@ -2,6 +2,7 @@
 // The kept points of a sweep's result, a row each: what varies, the speed, and each output.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -10,11 +11,12 @@
 
 namespace tribo::report {
 
-enum class CaseFormat { table, csv, json };
+enum class CaseFormat : std::uint8_t { table, csv, json };
 
-// Calls told(text) with the next lines. Numbers are unrounded, but in a table, which has the first
-// hundred points of each scene. `path`: of the result. Throws std::invalid_argument where a scene
-// has no points, or more numbers than fit into memory comfortably.
+// Calls told(text) with the next lines: a table for each scene, one CSV for all scenes, or an
+// object of JSON a line. Numbers are unrounded, but in a table, which has the first hundred points.
+// `path`: of the result. Throws std::invalid_argument where a scene has no points, or more numbers
+// than fit into memory comfortably.
 void write_sweep_cases(const sweep::SweepResult& result, const std::string& path, CaseFormat format,
                        const std::function<void(std::string_view)>& told);
 

@@ -146,7 +146,7 @@ int init(const InitArguments& arguments, OutputStream& output) {
     return exit_failed;
   }
   const std::string out = arguments.out.empty() ? language->file : arguments.out;
-  const int why_not = write_new_file(out, filled_template(*text), arguments.force);
+  const int why_not = write_new_file(out, filled_template(*text, path.string()), arguments.force);
   if (why_not == EEXIST) {
     complain(out + ": is there already; --force overwrites it");
     return exit_bad;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "csv.hpp"
+#include "page/number_text.hpp"
 #include "protocol/answer_object.hpp"
 #include "table.hpp"
 
@@ -22,7 +22,7 @@ class OnsetCsv : public OnsetWriter {
 
  private:
   void add_row(const Scene& scene, const Onset<double>& onset) {
-    append_csv_text(text_, scene.id);
+    append(text_, report::csv_text(scene.id));
     text_.push_back(',');
     append(text_, name(onset.criterion));
     for (const double value : {onset.speed, onset.film, onset.film_parameter}) {
@@ -30,7 +30,7 @@ class OnsetCsv : public OnsetWriter {
       if (onset.exists) protocol::append_number(text_, value);
     }
     text_.push_back(',');
-    append_csv_text(text_, onset.reason);
+    append(text_, report::csv_text(onset.reason));
     text_.push_back('\n');
   }
 

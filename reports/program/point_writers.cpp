@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "csv.hpp"
+#include "page/number_text.hpp"
 #include "protocol/answer_object.hpp"
 #include "protocol/output_values.hpp"
 #include "table.hpp"
@@ -38,7 +38,7 @@ class CsvWriter : public PointWriter {
   void begin_scene(const Scene& scene) override { scene_ = &scene; }
 
   void add(const OperatingPoint<double>& point) override {
-    append_csv_text(output_.text(), scene_->id);
+    append(output_.text(), report::csv_text(scene_->id));
     add_cell(speed_of(point));
     for (const Output column : columns_) {
       if (scene_->outputs.contains(column))

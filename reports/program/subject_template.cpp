@@ -80,9 +80,9 @@ data function_of(const catalogue::Function& function) {
 
 }  // namespace
 
-std::string filled_template(const std::string& text) {
+std::string filled_template(const std::string& text, const std::string& path) {
   mustache filled(text);
-  if (!filled.is_valid()) throw std::runtime_error(filled.error_message());
+  if (!filled.is_valid()) throw std::runtime_error(path + ": " + filled.error_message());
   filled.set_custom_escape([](const std::string& plain) { return plain; });  // no HTML
   data functions(data::type::list);
   for (const catalogue::Function& function : catalogue::functions())

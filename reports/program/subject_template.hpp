@@ -7,7 +7,8 @@
 
 namespace tribo::cli {
 
-// Throws std::runtime_error with the place where `text` is no Mustache.
-std::string filled_template(const std::string& text);
+// Throws std::runtime_error with one line where `text`, which is that of the file `path`, is no
+// Mustache.
+std::string filled_template(const std::string& text, const std::string& path);
 
 }  // namespace tribo::cli

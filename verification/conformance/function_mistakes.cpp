@@ -27,19 +27,22 @@ std::size_t place_of(const List& list, const std::string& name) {
   throw std::runtime_error(fmt::format("the function has no {}", name));
 }
 
-// A number, or the place of a word.
 double argument_of(const Parameter& parameter, const json& written) {
-  const auto& words = parameter.words;
-  const auto* const word = written.get_ptr<const std::string*>();
-  const auto found = word == nullptr ? words.end() : std::find(words.begin(), words.end(), *word);
-  if (words.empty() ? !written.is_number() : found == words.end())
-    throw std::runtime_error(fmt::format("{}: {} is not allowed", parameter.name, written.dump()));
-  return words.empty() ? written.get<double>() : static_cast<double>(found - words.begin());
+  if (parameter.words.empty() && written.is_number()) return written.get<double>();
+  if (!parameter.words.empty() && written.is_string())
+    if (const auto place = catalogue::place_of(written.get<std::string>(), parameter))
+      return *place;
+  throw std::runtime_error(fmt::format("{}: {} is not allowed", parameter.name, written.dump()));
 }
 
-// 0.61 as 6100/10000.
+// 0.61 as 610000/1000000. The laws' numbers have three decimals at most.
 Fraction fraction_of(double number) {
-  return {static_cast<int>(std::lround(number * 10000)), 10000};
+  constexpr int denominator = 1'000'000;
+  const double numerator = std::round(number * denominator);
+  if (std::abs(numerator) > 1e9 || std::abs(numerator / denominator - number) > 1e-12)
+    throw std::runtime_error(
+        fmt::format("law: {} is not allowed; allowed: up to 1000, with six decimals", number));
+  return {static_cast<int>(numerator), denominator};
 }
 
 FilmLaw law_of(const json& written) {
@@ -130,6 +133,8 @@ Wrong wrong_of(const Function& function, const MistakeEntry& entry) {
   }
   for (const auto& [name, change] : entry.input) {
     ArgumentChange one{parameter(name), change, {}};
+    if (!change.by.empty() || !change.over.empty())
+      throw std::runtime_error(name + ": by and over are for results");
     if (change.is) one.is = argument_of(function.parameters[one.place], *change.is);
     wrong.inputs.push_back(std::move(one));
   }
@@ -150,8 +155,6 @@ Wrong wrong_of(const Function& function, const MistakeEntry& entry) {
       throw std::runtime_error(
           fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
   }
-  if (!entry.scene.empty() || entry.area || !entry.stiffness.empty())
-    throw std::runtime_error("scene, area and stiffness are for operating_point");
   return wrong;
 }
 

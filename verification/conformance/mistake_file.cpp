@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -43,6 +41,10 @@ json json_of(const scene_detail::Entry& entry) {
   return list;
 }
 
+std::runtime_error not_allowed(std::string_view name, const json& value) {
+  return std::runtime_error(fmt::format("{}: {} is not allowed", name, value.dump()));
+}
+
 // Takes members out of an entry one by one; what is left over has a name that means nothing.
 class Members {
  public:
@@ -57,7 +59,7 @@ class Members {
     try {
       to = found->template get<T>();
     } catch (const json::exception&) {
-      throw std::runtime_error(fmt::format("{}: {} is not allowed", name, found->dump()));
+      throw not_allowed(name, *found);
     }
     object_.erase(found);
   }
@@ -79,7 +81,6 @@ NumberChange change_of(const json& written) {
   NumberChange change;
   Members members(written);
   members.take("times", change.times);
-  members.take("plus", change.plus);
   members.take("inverted", change.is_inverted);
   members.take("by", change.by);
   members.take("over", change.over);
@@ -91,7 +92,7 @@ NumberChange change_of(const json& written) {
 NumberChanges changes_of(const json& written) {
   NumberChanges changes;
   if (written.is_null()) return changes;
-  if (!written.is_object()) throw std::runtime_error("changes are a table");
+  if (!written.is_object()) throw std::runtime_error("changes are a table, not " + written.dump());
   for (const auto& [name, one] : written.items()) changes.emplace_back(name, change_of(one));
   return changes;
 }
@@ -106,6 +107,26 @@ NumberChanges scene_changes_of(const json& written) {
   return changes;
 }
 
+// An entry is of one kind; changes of arguments and of results may stand together, and beside a law
+// or a formula.
+void check_kinds(const MistakeEntry& entry) {
+  const bool is_of_function =
+      !entry.input.empty() || !entry.result.empty() || !entry.where.empty() || !entry.law.is_null();
+  const bool changes = !entry.input.empty() || !entry.result.empty() || !entry.law.is_null() ||
+                       !entry.formula.empty();
+  const bool is_of_point = !entry.scene.empty() || entry.area || !entry.stiffness.empty();
+  const int kinds = (changes ? 1 : 0) + (entry.scene.empty() ? 0 : 1) + (entry.area ? 1 : 0) +
+                    (entry.stiffness.empty() ? 0 : 1) + (entry.swapped.empty() ? 0 : 1);
+  if (entry.function == "operating_point" && is_of_function)
+    throw std::runtime_error("where, input, result and law are for single functions");
+  if (entry.function != "operating_point" && is_of_point)
+    throw std::runtime_error("scene, area and stiffness are for operating_point");
+  if (kinds == 0) throw std::runtime_error("nothing is changed");
+  if (kinds > 1 || (!entry.swapped.empty() && !entry.where.empty()) ||
+      (!entry.law.is_null() && !entry.formula.empty()))
+    throw std::runtime_error("these changes cannot stand together");
+}
+
 MistakeEntry entry_of(const json& written) {
   MistakeEntry entry;
   Members members(written);
@@ -114,10 +135,14 @@ MistakeEntry entry_of(const json& written) {
   members.take("text", entry.text);
   members.take("swapped", entry.swapped);
   members.take("stiffness", entry.stiffness);
-  if (const json area = members.take_any("area"); area.is_number()) entry.area = area;
-  if (const json where = members.take_any("where"); where.is_object())
+  if (const json area = members.take_any("area"); !area.is_null())
+    entry.area = area.is_number() ? area.get<double>() : throw not_allowed("area", area);
+  if (const json where = members.take_any("where"); !where.is_null()) {
+    if (!where.is_object()) throw not_allowed("where", where);
     for (const auto& [name, values] : where.items())
-      entry.where.emplace_back(name, values.get<std::vector<json>>());
+      entry.where.emplace_back(name, values.is_array() ? values.get<std::vector<json>>()
+                                                       : throw not_allowed(name, values));
+  }
   entry.input = changes_of(members.take_any("input"));
   entry.result = changes_of(members.take_any("result"));
   entry.scene = scene_changes_of(members.take_any("scene"));
@@ -131,6 +156,7 @@ MistakeEntry entry_of(const json& written) {
   members.finish();
   if (entry.function.empty() || entry.name.empty() || entry.text.empty())
     throw std::runtime_error("function, name and text are needed");
+  check_kinds(entry);
   return entry;
 }
 
@@ -145,8 +171,11 @@ std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
   const auto written_entries = scene_detail::toml_entries(text, problems);
   if (!written_entries) throw std::runtime_error(reading.errors.front().line());
   json all = json::array();
-  for (const scene_detail::Entry& one : *written_entries)
-    if (one.path == "mistake") all = json_of(one);
+  for (const scene_detail::Entry& one : *written_entries) {
+    if (one.path != "mistake")
+      throw std::runtime_error(fmt::format("{}: unknown name {}", path, one.path));
+    all = json_of(one);
+  }
   std::vector<MistakeEntry> entries;
   for (const json& written : all) {
     const std::string name = written.is_object() ? written.value("name", json("")).dump() : "";

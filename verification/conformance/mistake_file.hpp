@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,12 +13,12 @@ namespace tribo::conformance {
 
 // A change of a number, or of a word: { times = 2 }, { is = "damiens" } …
 struct NumberChange {
-  double times = 1, plus = 0;
+  double times = 1;
   bool is_inverted = false;
   std::optional<nlohmann::json> is;  // this number or word
   std::string by, over;              // arguments that a result is multiplied or divided by
 
-  double of(double number) const { return (is_inverted ? 1 / number : number) * times + plus; }
+  double of(double number) const { return (is_inverted ? 1 / number : number) * times; }
 };
 using NumberChanges = std::vector<std::pair<std::string, NumberChange>>;
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "conformance/plugin_scene.hpp"
-#include "conformance/plugin_table.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -40,18 +39,28 @@ FunctionBatch function_batch(decltype(&tribocheck_function) function,
                              const catalogue::Function& asked) {
   return [function, &asked](std::span<const catalogue::Arguments> cases,
                             std::span<Answer<catalogue::Results>> answers) {
-    PluginTable table(asked, cases.size());
-    for (std::size_t i = 0; i < cases.size(); ++i)
-      for (std::size_t k = 0; k < asked.parameters.size(); ++k) table.argument(k)[i] = cases[i][k];
-    std::vector<int> status(cases.size(), unset);
-    if (!table.call(function, status)) {
+    const std::size_t count = cases.size();
+    std::vector<std::vector<double>> arguments, results;
+    std::vector<const double*> argument_columns;
+    std::vector<double*> result_columns;
+    for (std::size_t k = 0; k < asked.parameters.size(); ++k) {
+      arguments.emplace_back(count);
+      for (std::size_t i = 0; i < count; ++i) arguments[k][i] = cases[i][k];
+      argument_columns.push_back(arguments[k].data());
+    }
+    for (std::size_t k = 0; k < asked.results.size(); ++k)
+      result_columns.push_back(results.emplace_back(count, not_offered).data());
+    std::vector<int> status(count, unset);
+    // The names of the catalogue are literals: they end with 0.
+    if (function(asked.name.data(), count, argument_columns.data(), result_columns.data(),
+                 status.data()) == 0) {
       std::fill(answers.begin(), answers.end(), skip("no " + std::string(asked.name)));
       return;
     }
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      catalogue::Results results{};
-      for (std::size_t k = 0; k < asked.results.size(); ++k) results[k] = table.result(k)[i];
-      answers[i] = answer_of(status[i], results);
+    for (std::size_t i = 0; i < count; ++i) {
+      catalogue::Results found{};
+      for (std::size_t k = 0; k < results.size(); ++k) found[k] = results[k][i];
+      answers[i] = answer_of(status[i], found);
     }
   };
 }

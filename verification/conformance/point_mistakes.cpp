@@ -96,6 +96,8 @@ Mistake with_fields(const MistakeEntry& entry) {
   std::vector<FieldChange> changes;
   for (const auto& [path, change] : entry.scene) {
     FieldChange one{field_at(path), change, {}};
+    if (!change.by.empty() || !change.over.empty())
+      throw std::runtime_error(path + ": by and over are for results");
     if (change.is) one.is = number_of(*one.field.info, *change.is);
     changes.push_back(std::move(one));
   }
@@ -239,15 +241,15 @@ Mistake with_sharing(const FunctionMistake& wrong) {
 }  // namespace
 
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
-  if (!entry.input.empty() || !entry.result.empty() || !entry.where.empty() || !entry.law.is_null())
-    throw std::runtime_error("where, input, result and law are for single functions");
   if (!entry.swapped.empty()) return swaps_of(entry);
   if (entry.area)
     return {changed(entry.name, entry.text, [by = *entry.area](Scene& s, const json&) {
       scale_area(s, by);
       return 1.0;
     })};
-  if (entry.stiffness.size() == 2)
+  if (!entry.stiffness.empty() && entry.stiffness.size() != 2)
+    throw std::runtime_error("stiffness: two numbers, for each asperity model");
+  if (!entry.stiffness.empty())
     return {changed(entry.name, entry.text, [by = entry.stiffness](Scene& s, const json&) {
       return scale_stiffness(s, is_gt(s) ? by[0] : by[1]);
     })};
@@ -255,10 +257,11 @@ std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
     return {changed(entry.name, entry.text, stiffness_of_greenwood_williamson)};
   if (!entry.formula.empty()) {
     const FrictionFormula wrong = find_friction_formula(entry.formula);
-    if (wrong == nullptr) throw std::runtime_error("no formula " + entry.formula);
+    if (wrong == nullptr || !entry.numbers.empty())
+      throw std::runtime_error(
+          fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
     return {with_friction(entry, wrong)};
   }
-  if (entry.scene.empty()) throw std::runtime_error("nothing is changed");
   return {with_fields(entry)};
 }
 
@@ -267,27 +270,6 @@ std::optional<Mistake> for_points(const FunctionMistake& mistake) {
   if (mistake.function->name == "starvation_ratio") return with_inlet(mistake);
   if (mistake.function->name == "load_sharing") return with_sharing(mistake);
   return std::nullopt;
-}
-
-std::vector<Mistake> read_mistakes(const std::string& path) {
-  std::vector<Mistake> all, of_points;
-  for (const MistakeEntry& entry : read_mistake_file(path)) try {
-      if (entry.function == "operating_point") {
-        for (Mistake& one : point_mistakes_of(entry)) of_points.push_back(std::move(one));
-        continue;
-      }
-      const catalogue::Function* const function = catalogue::find(entry.function);
-      if (function == nullptr) throw std::runtime_error("no function " + entry.function);
-      for (const FunctionMistake& one : mistakes_of(*function, entry)) {
-        all.push_back(for_cases(one));
-        if (std::optional<Mistake> same = for_points(one)) of_points.push_back(std::move(*same));
-      }
-    } catch (const std::exception& error) {
-      throw std::runtime_error(
-          fmt::format("{}: mistake \"{}\": {}", path, entry.name, error.what()));
-    }
-  for (Mistake& one : of_points) all.push_back(std::move(one));
-  return all;
 }
 
 }  // namespace tribo::conformance

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "protocol/function_call.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "protocol/flat_json.hpp"
@@ -25,11 +24,9 @@ std::optional<double> word_argument(const Parameter& parameter, const FlatMember
     complaint = "this is no text";
     return std::nullopt;
   }
-  const auto words = parameter.words;
-  const auto found = std::find(words.begin(), words.end(), member.text);
-  if (found != words.end()) return static_cast<double>(found - words.begin());
-  complaint = '"' + printable(member.text) + "\" is not known";
-  return std::nullopt;
+  const std::optional<double> place = catalogue::place_of(member.text, parameter);
+  if (!place) complaint = '"' + printable(member.text) + "\" is not known";
+  return place;
 }
 
 std::optional<double> number_argument(const Parameter& parameter, const FlatMember& member,

@@ -26,7 +26,7 @@ struct FilmLaw {
   Fraction side_decay;         // n
 };
 
-// Hamrock and Dowson 1977, eqs 27 and 26: central and minimum film.
+// Central and minimum film of Hamrock and Dowson (1977).
 inline constexpr FilmLaw hamrock_dowson_central_law{.constant = {269, 100},
                                                     .speed_exponent = {67, 100},
                                                     .material_exponent = {53, 100},

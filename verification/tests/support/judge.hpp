@@ -19,8 +19,8 @@
 
 namespace tribo::verification {
 
-// The 50-digit instantiation of the model's templates. MPFR's arithmetic is compiled already: tests
-// take half the time to compile that they take with a number type of headers alone.
+// The 50-digit instantiation of the model's templates. MPFR's arithmetic is compiled already, so
+// that tests compile faster than with a number type of headers alone.
 using Reference = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
