@@ -40,7 +40,7 @@ std::string Draughtsman::draw_as(const Figure& figure, std::string_view format) 
   const std::string path = picture_path(figure, format);
   progress_("drawing " + path);
   const GnuplotRun run =
-      draw_picture(places_.gnuplot, figure.drawing, places_.out / figure.drawing.data, format,
+      draw_picture(places_.render.parent_path() / "gnuplot", figure.drawing, places_.out / figure.drawing.data, format,
                    places_.out / path);
   if (run.end == GnuplotEnd::drawn) return {};
   gnuplot_is_there_ = run.end != GnuplotEnd::not_found;

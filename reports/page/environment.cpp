@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "page/baselines.hpp"
-#include "page/number_text.hpp"
+#include "page/groups.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/version.hpp"
 
@@ -53,72 +53,33 @@ std::optional<chrono::sys_days> day_of(const std::string& text) {
   return chrono::sys_days(date);
 }
 
-std::string age(const std::string& date, chrono::sys_days now) {
-  const auto day = day_of(date);
-  if (!day) return "unknown";
-  const auto days = (now - *day).count();
-  if (days < 0) return "dated after this page";
-  return days == 0 ? "today" : fmt::format("{} {}", days, days == 1 ? "day" : "days");
-}
-
 std::string kernel() {
   utsname name{};
   if (::uname(&name) != 0) return "unknown";
   return fmt::format("{} {} {}", name.sysname, name.release, name.machine);
 }
 
-TextTable machine_table(const std::string& commit, chrono::sys_days now) {
-  return {"This page",
-          {"what", "value"},
-          {false, false},
-          {{"tribocheck", std::string(version)},
-           {"commit", commit.empty() ? "not told" : fmt::format("`{}`", commit)},
-           {"compiler", compiler_name()},
-           {"processor", processor_name()},
-           {"instruction set", std::string(instruction_set())},
-           {"kernel", kernel()},
-           {"date", iso(now)}},
-          {}};
-}
-
 std::string text_of(const Json& of, const char* key) {
   return of.contains(key) && of.at(key).is_string() ? of.at(key).get<std::string>() : "unknown";
 }
 
-std::vector<std::string> baseline_row(const ReportPlaces& places, const BaselineKind& kind,
-                                      chrono::sys_days now) {
-  const std::string name = fmt::format("`{}`", kind.file), target = target_of(kind.file);
+// What a slow target left, and how many days before this page; or why it cannot be read.
+Json baseline_json(const ReportPlaces& places, const BaselineKind& kind, chrono::sys_days now) {
+  Json row{{"file", kind.file}, {"what", kind.what}, {"target", kind.target}};
   try {
     const Json baseline = read_baseline(places, kind.file);
-    const std::string date = text_of(baseline, "date");
     const Json machine = baseline.value("environment", Json::object());
-    return {name,
-            std::string(kind.what),
-            target,
-            fmt::format("`{}`", short_commit(text_of(baseline, "commit"))),
-            date,
-            age(date, now),
-            fmt::format("{}; {}", text_of(machine, "cpu"), text_of(machine, "compiler"))};
+    const std::string date = text_of(baseline, "date");
+    const auto day = day_of(date);
+    row["commit"] = text_of(baseline, "commit");
+    row["date"] = date;
+    row["age_in_days"] = day ? Json((now - *day).count()) : Json(nullptr);
+    row["processor"] = text_of(machine, "cpu");
+    row["compiler"] = text_of(machine, "compiler");
   } catch (const std::exception& error) {
-    return {name,
-            std::string(kind.what),
-            target,
-            "–",
-            "–",
-            "–",
-            fmt::format("not here: {}", error.what())};
+    row["missing"] = error.what();
   }
-}
-
-TextTable baselines_table(const ReportPlaces& places, chrono::sys_days now) {
-  TextTable table{"What slow targets left in `reference/baselines`",
-                  {"file", "what", "made by", "commit", "date", "age", "machine"},
-                  {false, false, false, false, false, false, false},
-                  {},
-                  "Their results are shown below as they were left, not measured again."};
-  for (const BaselineKind& kind : baseline_kinds)
-    table.rows.push_back(baseline_row(places, kind, now));
-  return table;
+  return row;
 }
 
 }  // namespace
@@ -132,15 +93,20 @@ std::string processor_name() {
 
 std::string compiler_name() { return std::string(compiler); }
 
-Section environment_section(const ReportPlaces& places, const std::string& commit) {
+Group environment_group(const ReportPlaces& places, const std::string& commit) {
   const chrono::sys_days now = today();
-  Section section{"environment", "Environment"};
-  section.paragraphs = {
-      "All else on this page follows from its inputs: made again from the same inputs, it is the "
-      "same "
-      "byte for byte but for this section."};
-  section.tables = {machine_table(commit, now), baselines_table(places, now)};
-  return section;
+  Group group;
+  group.data = {{"version", std::string(version)},
+                {"commit", commit.empty() ? Json(nullptr) : Json(commit)},
+                {"compiler", compiler_name()},
+                {"processor", processor_name()},
+                {"instruction_set", std::string(instruction_set())},
+                {"kernel", kernel()},
+                {"date", iso(now)},
+                {"baselines", Json::array()}};
+  for (const BaselineKind& kind : baseline_kinds)
+    group.data["baselines"].push_back(baseline_json(places, kind, now));
+  return group;
 }
 
 }  // namespace tribo::report

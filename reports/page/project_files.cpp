@@ -16,7 +16,7 @@ bool is_folder(const fs::path& path) {
 }
 
 bool is_project(const fs::path& folder) {
-  return is_folder(folder / "reports/page/gnuplot") && is_folder(folder / "reference/published");
+  return is_folder(folder / "reports/page/render") && is_folder(folder / "reference/published");
 }
 
 // `folder` or the nearest one above it that is the project; empty if none is.
@@ -50,14 +50,14 @@ ReportPlaces usual_places() {
   if (!root.empty())
     return {root / "reports/out",
             root / "reference/published",
-            root / "reports/page/gnuplot",
+            root / "reports/page/render",
             root,
             root / "reference",
             root / "verification/conformance/templates",
             root / "verification/conformance"};
   const fs::path prefix = folder_of_program().parent_path();
   const fs::path shared = prefix / "share/tribocheck";
-  return {current / "reports/out", shared / "published", shared / "gnuplot", {}, shared,
+  return {current / "reports/out", shared / "published", shared / "page/render", {}, shared,
           shared / "templates",    prefix / "include"};
 }
 
@@ -79,9 +79,9 @@ ReportPlaces find_places(const ReportOptions& options) {
   ReportPlaces places = usual_places();
   if (!options.out.empty()) places.out = fs::absolute(options.out).lexically_normal();
   if (!options.scenes.empty()) places.scenes = fs::absolute(options.scenes).lexically_normal();
-  if (!is_folder(places.gnuplot))
+  if (!is_folder(places.render))
     throw ReportError(
-        "no folder reports/page/gnuplot above the current one or above the program: "
+        "no folder reports/page/render above the current one or above the program: "
         "run tribocheck report inside the project");
   if (!is_folder(places.scenes))
     throw ReportError(places.scenes.string() +

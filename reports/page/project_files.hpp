@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the scenes and gnuplot scripts are, and where the report goes.
+// Where the scenes and the scripts of the page are, and where the report goes.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct ReportOptions {
 struct ReportPlaces {
   std::filesystem::path out;        // absolute
   std::filesystem::path scenes;     // absolute
-  std::filesystem::path gnuplot;    // absolute: the folder of the scripts
+  std::filesystem::path render;     // absolute: the folder of the scripts that make the page
   std::filesystem::path root;       // of the project, or empty
   std::filesystem::path reference;  // absolute: the folder of exact/ and baselines/
   std::filesystem::path templates;  // absolute: the folder of the solvers that `init` writes
@@ -28,13 +28,13 @@ struct ReportPlaces {
   std::string shown(const std::filesystem::path& file) const;
 };
 
-// The project is the nearest folder with reports/page/gnuplot and reference/published above the
+// The project is the nearest folder with reports/page/render and reference/published above the
 // current folder, or else above the program; an installed program has both in share/tribocheck
 // beside it. Throws ReportError where there is no current folder.
 ReportPlaces usual_places();
 
 // usual_places() with the folders that `options` names. Throws ReportError if the folder of the
-// scenes or of the gnuplot scripts does not exist.
+// scenes or of the scripts does not exist.
 ReportPlaces find_places(const ReportOptions& options);
 
 // The folder of the certified tables: the one given, or reference/exact of the project where that

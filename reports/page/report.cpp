@@ -6,193 +6,247 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 
-#include "page/comparison.hpp"
-#include "page/drawing.hpp"
-#include "page/environment.hpp"
-#include "page/gates_section.hpp"
-#include "page/ledger_section.hpp"
-#include "page/page.hpp"
-#include "page/paper_sections.hpp"
-#include "page/paper_tables.hpp"
+#include "page/groups.hpp"
 #include "page/pending_file.hpp"
 #include "page/report_error.hpp"
-#include "page/skipped_work.hpp"
-#include "page/sweep_speed_section.hpp"
-#include "page/verification_sections.hpp"
-#include "page/work_precision_section.hpp"
+#include "page/rendering.hpp"
+#include "reproduction/ledger.hpp"
+#include "tribo/version.hpp"
 
 namespace tribo::report {
 namespace {
 
 using Progress = std::function<void(std::string_view)>;
 
-// In the order of the page, whose last section, what did not run, is always there.
-constexpr std::array<std::string_view, 17> section_ids{
-    "environment",    "claims",       "readings",       "requirements", "uncertainty",
-    "sweep",          "misprints",    "figures",        "comparison",   "verification",
-    "planted-faults", "worst-inputs", "work-precision", "skipped-work", "gates",
-    "sweep-speed",    "inputs"};
+// A section of the page with the groups that its template reads, in the order of the page
+// (render/sections.py).
+struct SectionNeeds {
+  std::string_view id;
+  std::array<std::string_view, 2> groups;
+};
+constexpr SectionNeeds all_sections[] = {
+    {"figures", {"paper", "ledger"}},
+    {"comparison", {"paper"}},
+    {"claims", {"ledger"}},
+    {"readings", {"ledger"}},
+    {"requirements", {"ledger"}},
+    {"uncertainty", {"ledger", "onset_uncertainty"}},
+    {"misprints", {"ledger"}},
+    {"model", {"paper"}},
+    {"verification", {"certified"}},
+    {"worst-inputs", {"stress"}},
+    {"planted-faults", {"planted_faults"}},
+    {"work-precision", {"work_precision"}},
+    {"skipped-work", {"skipped_work"}},
+    {"gates", {"gates"}},
+    {"sweep-speed", {"sweep_speed"}},
+    {"environment", {"environment"}},
+};
 
-class ReportWriter {
- public:
-  ReportWriter(const ReportPlaces& places, const Progress& progress)
-      : places_(places), draughtsman_(places, progress) {
-    report.folder = places.out.string();
-  }
+// The sections that are asked for, all if none is named, and the groups that they need.
+struct Asked {
+  std::vector<std::string_view> sections;
+  std::set<std::string_view> groups;
 
-  void write(const std::string& path, std::string_view content) {
-    write_file(places_.out / path, content);
-    report.written.push_back(path);
-  }
-
-  // The data of a section, and what is drawn from it.
-  void write_files(Section& section) {
-    for (const DataFile& file : section.data) {
-      make_folder((places_.out / file.path).parent_path());
-      write(file.path, file.content);
+  explicit Asked(const std::vector<std::string>& ids) {
+    std::vector<std::string_view> known;
+    for (const SectionNeeds& one : all_sections) {
+      known.push_back(one.id);
+      if (!ids.empty() && std::find(ids.begin(), ids.end(), one.id) == ids.end()) continue;
+      sections.push_back(one.id);
+      for (const std::string_view group : one.groups)
+        if (!group.empty()) groups.insert(group);
     }
-    for (Figure& figure : section.figures) draw(figure, section);
+    for (const std::string& id : ids)
+      if (std::find(known.begin(), known.end(), id) == known.end())
+        throw ReportError(
+            fmt::format("--section: {} is not one of {}", id, fmt::join(known, ", ")));
   }
+};
 
-  Report report;
+std::string_view section_of(std::string_view group) {
+  for (const SectionNeeds& one : all_sections)
+    if (one.groups[0] == group) return one.id;
+  return {};
+}
+
+constexpr std::array<std::string_view, 5> standing_words{"holds", "differs", "fails", "measured",
+                                                         "absent"};
+std::string_view word(Standing standing) {
+  return standing_words[static_cast<std::size_t>(standing)];
+}
+
+// What slow work several groups share: made where the first of them needs it.
+class Sources {
+ public:
+  Sources(const ReportPlaces& places, const std::vector<Case>& cases, const Progress& progress)
+      : places_(places), cases_(cases), progress_(progress) {}
+
+  const std::vector<SolvedCase>& solved() {
+    if (solved_.empty())
+      for (const Case& one : cases_) {
+        progress_("solving " + one.file);
+        solved_.push_back(solve_case(one));
+      }
+    return solved_;
+  }
+  const reproduction::Ledger& ledger() {
+    if (!ledger_) {
+      progress_("judging the paper's claims under every reading");
+      reproduction::LedgerOptions options;
+      options.published = places_.scenes.string();
+      ledger_ = std::make_unique<reproduction::Ledger>(reproduction::make_ledger(options));
+    }
+    return *ledger_;
+  }
 
  private:
-  void draw(Figure& figure, Section& section) {
-    const bool gnuplot_was_there = draughtsman_.gnuplot_is_there();
-    const std::string why = draughtsman_.draw(figure);
-    if (why.empty()) {
-      for (const std::string_view format : {"svg", "png"})
-        report.written.push_back(picture_path(figure, format));
-      return;
+  const ReportPlaces& places_;
+  const std::vector<Case>& cases_;
+  const Progress& progress_;
+  std::vector<SolvedCase> solved_;
+  std::unique_ptr<reproduction::Ledger> ledger_;
+};
+
+struct GroupMaker {
+  std::string_view id;
+  std::string_view step;    // for the progress line; empty: it takes no time
+  std::string_view how_to;  // Markdown: what gives the group where it is missing
+  std::function<Group()> make;
+};
+
+std::vector<GroupMaker> makers(const ReportPlaces& places, const std::string& commit,
+                               Sources& sources) {
+  return {
+      {"paper", "", "", [&] { return paper_group(places, sources.solved()); }},
+      {"ledger", "", "`tribocheck reproduce`",
+       [&] { return ledger_group(places, sources.ledger()); }},
+      {"onset_uncertainty", "drawing onsets within the precision of Table 1",
+       "`tribocheck sweep` of `reference/published/sweeps`",
+       [&] { return onset_uncertainty_group(places, sources.ledger()); }},
+      {"certified", "holding the model to the certified tables",
+       "The checkout's folder `reference/exact`, or `make references`,",
+       [&] { return certified_group(places); }},
+      {"stress", "", "`make stress`", [&] { return stress_group(places); }},
+      {"planted_faults", "", "`make faults`", [&] { return planted_faults_group(places); }},
+      {"work_precision", "", "`make work-precision`", [&] { return work_precision_group(places); }},
+      {"skipped_work", "counting work", "",
+       [&] { return skipped_work_group(places, sources.solved()); }},
+      {"gates", "", "`make gate-proof`", [&] { return gates_group(places); }},
+      {"sweep_speed", "", "`make bench-sweep`", [&] { return sweep_speed_group(places); }},
+      {"environment", "", "", [&, commit] { return environment_group(places, commit); }},
+  };
+}
+
+// report.json as it grows, and the files of data.
+class ReportData {
+ public:
+  ReportData(const ReportPlaces& places, const Asked& asked) : places_(places) {
+    json_ = {{"tribocheck", std::string(version)},
+             {"sections", asked.sections},
+             {"findings", Json::array()},
+             {"not_run", Json::array()},
+             {"files", Json::array()}};
+  }
+
+  void add(const GroupMaker& maker) {
+    Group group;
+    try {
+      group = maker.make();
+    } catch (const ReportError&) {
+      throw;
+    } catch (const std::exception& error) {
+      group.data = {{"missing", {{"why", error.what()}, {"how_to", maker.how_to}}}};
+      group.findings = {{std::string(maker.id), std::string(section_of(maker.id)), About::software,
+                         Standing::absent, error.what()}};
     }
-    section.not_run.push_back({figure.heading, why, "gnuplot, and `make report`,"});
-    if (draughtsman_.gnuplot_is_there())
-      report.undrawn.push_back(why);
-    else if (gnuplot_was_there)
-      report.undrawn.push_back(why +
-                               ": no figures, but data, page and table are "
-                               "written (Debian: apt-get install gnuplot-nox)");
+    json_[std::string(maker.id)] = std::move(group.data);
+    for (const Finding& one : group.findings) add(one);
+    for (const NotRun& one : group.not_run)
+      json_["not_run"].push_back({{"what", one.what}, {"why", one.why}, {"how_to", one.how_to}});
+    for (const DataFile& file : group.files) {
+      make_folder((places_.out / file.path).parent_path());
+      write(file.path, file.content);
+      json_["files"].push_back(file.path);
+    }
+  }
+
+  void finish() { write("report.json", json_.dump(1) + "\n"); }
+
+  std::string verdict_in_short() const {
+    std::string text;
+    if (json_.contains("ledger") && json_["ledger"].contains("summary"))
+      text += fmt::format("The paper: {}.\n", json_["ledger"]["summary"].get<std::string>());
+    std::array<int, standing_words.size()> count{};
+    std::string lines;
+    for (const Json& one : json_["findings"]) {
+      const auto standing = one["standing"].get<std::string>();
+      const auto place = std::find(standing_words.begin(), standing_words.end(), standing);
+      if (one["about"] == "software")
+        ++count[static_cast<std::size_t>(place - standing_words.begin())];
+      if (standing == "fails" || standing == "absent")
+        lines += fmt::format("  {}: {}: {}\n", standing == "fails" ? "FAILS" : "not run",
+                             one["id"].get<std::string>(), one.value("why", ""));
+    }
+    return text +
+           fmt::format("This software: {} checks hold, {} fail, {} did not run.\n", count[0],
+                       count[2], count[4]) +
+           lines;
+  }
+
+  std::vector<std::string> written;
+
+ private:
+  void add(const Finding& one) {
+    Json finding{{"id", one.id},
+                 {"section", one.section},
+                 {"about", one.about == About::paper ? "paper" : "software"},
+                 {"standing", word(one.standing)}};
+    if (!one.why.empty()) finding["why"] = one.why;
+    json_["findings"].push_back(std::move(finding));
+  }
+  void write(const std::string& path, std::string_view content) {
+    write_file(places_.out / path, content);
+    written.push_back(path);
   }
 
   const ReportPlaces& places_;
-  Draughtsman draughtsman_;
+  Json json_;
 };
-
-std::vector<SolvedCase> solve_all(const std::vector<Case>& cases, const Progress& progress) {
-  std::vector<SolvedCase> solved;
-  for (const Case& one : cases) {
-    progress("solving " + one.file);
-    solved.push_back(solve_case(one));
-  }
-  return solved;
-}
-
-Findings find(const ReportPlaces& places, const std::vector<Case>& cases,
-              const Progress& progress) {
-  ReportedValues reported(places);
-  std::vector<SolvedCase> solved = solve_all(cases, progress);
-  TwoSlopes slopes = two_slopes(find_solved(solved, "smooth", AsperityModel::greenwood_tripp));
-  return {std::move(solved), std::move(slopes), std::move(reported)};
-}
-
-std::vector<std::string> introduction() {
-  return {
-      "D. Gasni (“Pengaruh kekasaran permukaan terhadap fenomena starvation pada point contact”, "
-      "Universitas Andalas) computed film, load shares and friction of a starved, rough contact "
-      "for three surfaces, with the asperity models of Greenwood and Tripp (GT) and of Greenwood "
-      "and Williamson (GW). This page solves the same surfaces with the same models, the paper's "
-      "misprints mended, and says how sure the numbers are."};
-}
-
-// Which sections are asked for: all, or some by their ids.
-class Asked {
- public:
-  explicit Asked(const std::vector<std::string>& ids) : ids_(ids) {
-    for (const std::string& id : ids)
-      if (std::find(section_ids.begin(), section_ids.end(), id) == section_ids.end())
-        throw ReportError(
-            fmt::format("--section: {} is not one of {}", id, fmt::join(section_ids, ", ")));
-  }
-
-  bool has(std::string_view id) const {
-    return ids_.empty() || std::find(ids_.begin(), ids_.end(), id) != ids_.end();
-  }
-  bool has_any(std::initializer_list<std::string_view> ids) const {
-    return std::any_of(ids.begin(), ids.end(), [this](std::string_view id) { return has(id); });
-  }
-
- private:
-  const std::vector<std::string>& ids_;
-};
-
-// The page's sections, in order. A part of the report is a function here that returns one.
-std::vector<Section> sections(const ReportPlaces& places, const ReportOptions& options,
-                              const Findings& findings,
-                              const std::vector<ComparisonTable>& comparisons,
-                              const Progress& progress) {
-  const Asked asked(options.sections);
-  std::vector<Section> all;
-  const auto add = [&](std::string_view id, std::string_view step, const auto& make) {
-    if (!asked.has(id)) return;
-    if (!step.empty()) progress(step);
-    all.push_back(make());
-  };
-  add("environment", "", [&] { return environment_section(places, options.commit); });
-  // One ledger serves them all.
-  if (asked.has_any({"claims", "readings", "requirements", "uncertainty", "sweep", "misprints"})) {
-    progress("judging the paper's claims under every reading");
-    std::vector<Section> of_ledger = ledger_sections(places);
-    const bool is_excused = of_ledger.size() == 1;  // it stands for all of them
-    for (Section& section : of_ledger)
-      if (is_excused || asked.has(section.id)) all.push_back(std::move(section));
-  }
-  add("figures", "", [&] { return figures_section(findings, comparisons); });
-  add("comparison", "", [&] { return comparison_section(findings, comparisons); });
-  add("verification", "holding the model to the certified tables",
-      [&] { return certified_section(places); });
-  add("planted-faults", "", [&] { return planted_faults_section(places); });
-  add("worst-inputs", "", [&] { return worst_inputs_section(places); });
-  add("work-precision", "", [&] { return work_precision_section(places); });
-  add("skipped-work", "counting work", [&] { return skipped_work_section(findings.solved); });
-  add("gates", "", [&] { return gates_section(places); });
-  add("sweep-speed", "", [&] { return sweep_speed_section(places); });
-  add("inputs", "", [&] { return inputs_section(findings); });
-  return all;
-}
-
-std::string tables_text(const std::vector<ComparisonTable>& comparisons) {
-  std::string text;
-  for (const ComparisonTable& comparison : comparisons)
-    text += plain_table(text_table(comparison)) + '\n';
-  return text;
-}
 
 }  // namespace
 
-Report write_report(const ReportOptions& options,
-                    const std::function<void(std::string_view)>& progress) {
+Report write_report(const ReportOptions& options, const Progress& progress) {
+  const Asked asked(options.sections);
   const ReportPlaces places = find_places(options);
   ReadCases read = read_cases(places);
   make_folder(places.out / "data");
   make_folder(places.out / "figures");
-  const Findings findings = find(places, read.cases, progress);
-  const std::vector<ComparisonTable> comparisons = compare(findings.solved, findings.reported);
+  Sources sources(places, read.cases, progress);
+  ReportData data(places, asked);
+  for (const GroupMaker& maker : makers(places, options.commit, sources)) {
+    if (!asked.groups.contains(maker.id)) continue;
+    if (!maker.step.empty()) progress(maker.step);
+    data.add(maker);
+  }
+  data.finish();
 
-  ReportWriter writer(places, progress);
-  Page page{"Starvation and roughness in a point contact: the paper's figures, recomputed",
-            introduction(), sections(places, options, findings, comparisons, progress)};
-  for (Section& section : page.sections) writer.write_files(section);
-  page.sections.push_back(not_run_section(page.sections));
-  writer.write("report.json", json_page(page));
-  writer.write("report.md", markdown_page(page));
-  writer.write("index.html", html_page(page));
-  writer.report.tables = tables_text(comparisons);
-  writer.report.verdict = verdict_in_short(page);
-  writer.report.warnings = std::move(read.warnings);
-  return std::move(writer.report);
+  Report report;
+  report.folder = places.out.string();
+  report.verdict = data.verdict_in_short();
+  report.warnings = std::move(read.warnings);
+  report.written = std::move(data.written);
+  progress("");
+  Rendering rendering = render(places);
+  report.has_page = rendering.has_page;
+  report.undrawn = std::move(rendering.undrawn);
+  for (std::string& path : rendering.written) report.written.push_back(std::move(path));
+  return report;
 }
 
 }  // namespace tribo::report

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report: the paper's scenes solved, its figures redrawn, one page, and a table.
+// The report: the paper's scenes solved and all else that its page shows, as report.json and files
+// of data; then the page and its figures, which render/render.py makes of them.
 #pragma once
 
 #include <functional>
@@ -12,15 +13,16 @@
 namespace tribo::report {
 
 struct Report {
-  std::string tables;                 // what is computed beside what is reported, aligned
   std::string verdict;                // a few lines: the paper's claims, and this software
-  std::string folder;                 // where it lies, and
+  std::string folder;                 // where the report lies, and
   std::vector<std::string> written;   // every file written, below that folder
   std::vector<std::string> warnings;  // about the scenes
-  std::vector<std::string> undrawn;   // why figures are missing; empty when all are there
+  std::vector<std::string> undrawn;   // why the page or its figures are missing; empty: all is there
+  bool has_page = false;
 };
 
-// `progress` is called with the name of each step that begins. Throws ReportError.
+// `progress` is called with the name of each step that begins. Throws ReportError, or
+// protocol::OutputFailed where a file cannot be written.
 Report write_report(const ReportOptions& options,
                     const std::function<void(std::string_view)>& progress);
 

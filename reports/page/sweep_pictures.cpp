@@ -64,7 +64,7 @@ DrawnPictures draw_sweep_pictures(const sweep::SweepResult& result, const std::s
                                   const std::function<void(std::string_view)>& told) {
   DrawnPictures drawn;
   try {
-    const fs::path gnuplot = find_places({}).gnuplot;
+    const fs::path gnuplot = find_places({}).render.parent_path() / "gnuplot";
     const fs::path out = fs::absolute(folder);
     make_folder(out);
     SweepPictures pictures = sweep_pictures(result, path);

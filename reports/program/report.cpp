@@ -42,11 +42,11 @@ report::Report written_report(const report::ReportOptions& options) {
 int tell(const report::Report& done, OutputStream& output) {
   for (const std::string& line : done.warnings) complain("warning: " + line);
   for (const std::string& line : done.undrawn) complain(line);
-  append(output.text(), done.tables);
   append(output.text(), done.verdict);
   append(output.text(),
-         fmt::format("The page: {}/index.html ({} files in all, data and pictures among them)\n",
-                     done.folder, done.written.size()));
+         fmt::format("{}: {}/{} ({} files in all, data and pictures among them)\n",
+                     done.has_page ? "The page" : "The data", done.folder,
+                     done.has_page ? "index.html" : "report.json", done.written.size()));
   output.flush();
   return done.undrawn.empty() ? exit_done : exit_failed;
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The groups of report.json, one function each. Where a group cannot be made, its function throws
+// std::exception: the page says why in place of the group.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "page/group.hpp"
+#include "page/project_files.hpp"
+#include "page/solved_case.hpp"
+#include "reproduction/ledger.hpp"
+
+namespace tribo::report {
+
+Group environment_group(const ReportPlaces& places, const std::string& commit);
+// The published scenes solved: inputs, curves, onsets, and each beside what the paper reports.
+Group paper_group(const ReportPlaces& places, const std::vector<SolvedCase>& solved);
+// The paper's claims under each reading.
+Group ledger_group(const ReportPlaces& places, const reproduction::Ledger& ledger);
+// Onsets drawn within the precision of Table 1, by a sweep that is run here.
+Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Ledger& ledger);
+// The model against the certified tables of reference/exact.
+Group certified_group(const ReportPlaces& places);
+// What the slow targets of make left in reference/baselines.
+Group stress_group(const ReportPlaces& places);
+Group planted_faults_group(const ReportPlaces& places);
+Group work_precision_group(const ReportPlaces& places);
+Group gates_group(const ReportPlaces& places);
+Group sweep_speed_group(const ReportPlaces& places);
+// Evaluations that scenes with fewer outputs save.
+Group skipped_work_group(const ReportPlaces& places, const std::vector<SolvedCase>& solved);
+
+}  // namespace tribo::report

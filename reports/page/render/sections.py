@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sections of the page in their order, each a template, and the page that they make."""
+import html
+import pathlib
+import re
+import typing
+
+import markup
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+class Section(typing.NamedTuple):
+    title: str  # Markdown
+    needs: tuple  # the groups of report.json that its template reads
+    is_folded: bool = False  # closed until a reader opens it; print shows it
+
+
+# The paper first, then this software. templates/<id>.md says what each shows.
+SECTIONS = {
+    "figures": Section("The paper's figures, redrawn", ("paper", "ledger")),
+    "comparison": Section("Computed beside reported", ("paper",)),
+    "claims": Section("The paper's claims, and what comes out", ("ledger",)),
+    "readings": Section("Interpretations, and which number identifies which", ("ledger",), True),
+    "requirements": Section("What would have to be true", ("ledger",), True),
+    "uncertainty": Section("How sure the computed numbers are", ("ledger", "onset_uncertainty")),
+    "misprints": Section("The paper's misprints", ("ledger",), True),
+    "model": Section("The model, its equations and inputs", ("paper",), True),
+    "verification": Section("Verification, quantity by quantity", ("certified",), True),
+    "worst-inputs": Section("Random inputs, and the worst of them", ("stress",), True),
+    "planted-faults": Section("Planted faults", ("planted_faults",), True),
+    "work-precision": Section("Speed: error against work", ("work_precision",)),
+    "skipped-work": Section("Work that a scene does not ask for", ("skipped_work",), True),
+    "gates": Section("Gates of speed", ("gates",), True),
+    "sweep-speed": Section("Speed of sweeps", ("sweep_speed",), True),
+    "environment": Section("Where and when this page was made", ("environment",), True),
+}
+STANDINGS = {"holds": "holds", "differs": "differs", "fails": "FAILS", "measured": "measured", "absent": "not run"}
+
+
+def short_commit(commit):
+    """The first twelve digits, and what stands after the hash: 0123456789ab and changes."""
+    digits = re.match(r"[0-9a-f]*", commit)[0]
+    return markup.code(digits[:12] + commit[len(digits):])
+
+
+def measured(baseline):
+    return markup.Markdown(f"Measured on {baseline['date']} at commit {short_commit(baseline['commit'])}.")
+
+
+def provenance(baseline):
+    took = f", in {baseline['seconds']:.0f} s" if "seconds" in baseline else ""
+    machine = baseline["environment"]
+    return markup.Markdown(f"Measured on {baseline['date']} at commit {short_commit(baseline['commit'])}{took}; "
+                           f"{markup.escaped(machine['cpu'])}; {markup.escaped(machine['compiler'])}.")
+
+
+class Made(typing.NamedTuple):
+    """A section of the page, or its first part, as Markdown."""
+    id: str
+    title: str
+    text: str
+    is_folded: bool
+
+
+class Page:
+    def __init__(self, report, templates, figures):
+        self.report, self.templates, self.figures = report, templates, figures
+        self.sentences = {}  # of the findings, by their ids
+        self.missing = list(report["not_run"])
+        self.parts = [self.section(name) for name in SECTIONS if name in report["sections"]]
+        self.missing += figures.missing
+        not_run = self.render("not-run.md", missing=self.missing)[0]
+        self.parts.append(Made("not-run", "What is missing from this page", not_run, False))
+        data = self.render("data.md", files=report["files"])[0]
+        self.parts.append(Made("data", "Data", data, True))
+
+    def render(self, template, **more):
+        module = self.templates.get_template(template).make_module(more)
+        return markup.indices(str(module)), module
+
+    def section(self, name):
+        one = SECTIONS[name]
+        absent = next((self.report[group]["missing"] for group in one.needs if "missing" in self.report[group]), None)
+        if absent is not None:
+            self.missing.append({"what": one.title, **absent})
+            return Made(name, one.title, self.render("missing.md", missing=absent)[0], False)
+        text, module = self.render(f"{name}.md")
+        for attribute in dir(module):
+            if attribute.startswith("finding_"):
+                self.sentences[attribute.removeprefix("finding_")] = markup.indices(getattr(module, attribute)).strip()
+        return Made(name, one.title, text, one.is_folded)
+
+    def findings(self, about):
+        """Those about the paper, or about the software; broken promises first."""
+        ours = [one for one in self.report["findings"] if one["about"] == about]
+        ours.sort(key=lambda one: one["standing"] != "fails")
+        for one in ours:
+            said = self.sentences.get(one["id"]) or markup.indices(markup.escaped(one.get("why") or "It has no data."))
+            yield one["standing"], one["section"], markup.Markdown(said)
+
+    @property
+    def first(self):
+        return self.render("first.md", findings=self.findings, standings=STANDINGS)[0]
+
+    @property
+    def title(self):
+        return re.search(r"(?m)^# (.*)$", self.first)[1]
+
+    @property
+    def markdown(self):
+        text = self.first
+        for part in self.parts:
+            text += f"\n## {part.title}\n\n{part.text}"
+        text = re.sub(r"</?(?:figure|figcaption|details|summary|div|span)\b[^>]*>\n?", "", text)
+        return re.sub(r"\n{3,}", "\n\n", text)
+
+    @property
+    def html(self):
+        frame = (HERE / "layout.html").read_text(encoding="utf-8")
+        style = (HERE / "style.css").read_text(encoding="utf-8")
+        contents = "".join(f'<li><a href="#{part.id}">{markup.inline_html(part.title)}</a></li>\n' for part in self.parts)
+        body = "".join(self.part_html(part) for part in self.parts)
+        return (frame.replace("{{title}}", html.escape(markup.plain(self.title))).replace("{{style}}", style)
+                .replace("{{contents}}", contents).replace("{{first}}", markup.section_html(self.first))
+                .replace("{{sections}}", body))
+
+    def part_html(self, part):
+        title = markup.inline_html(part.title)
+        text = self.figures.into(markup.section_html(part.text))
+        heading = f'<h2 id="{part.id}-heading">{title}</h2>'
+        inside = (f"<details>\n<summary>{heading}</summary>\n{text}</details>\n" if part.is_folded
+                  else f"{heading}\n{text}")
+        return f'<section id="{part.id}" aria-labelledby="{part.id}-heading">\n{inside}</section>\n'

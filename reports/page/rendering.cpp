@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "page/rendering.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "page/child_process.hpp"
+
+namespace tribo::report {
+namespace {
+
+constexpr int missing_packages = 3;  // exit code of the scripts
+
+// Debian's own Python has Debian's packages; another one that is first in PATH often has not.
+std::string python() {
+  const char* const of_debian = "/usr/bin/python3";
+  std::error_code ignored;
+  return std::filesystem::exists(of_debian, ignored) ? of_debian : "python3";
+}
+
+}  // namespace
+
+Rendering run_script(const ReportPlaces& places, const std::string& script,
+                     const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{python(), "-B", (places.render / script).string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  const ChildEnd end = run_child(std::move(command), Heard::output);
+  Rendering rendering;
+  const auto failed = [&](const std::string& why) {
+    rendering.undrawn.push_back(why);
+    return rendering;
+  };
+  if (end.start_error != 0)
+    return failed("python3 was not found: no page and no figures, but the data are written "
+                  "(Debian: apt-get install python3)");
+  if (end.exited_with(missing_packages))
+    return failed(end.text.substr(0, end.text.find('\n')) +
+                  ": no page and no figures, but the data are written");
+  const nlohmann::json said = nlohmann::json::parse(end.text, nullptr, false);
+  if (!end.succeeded() || said.is_discarded())
+    return failed(fmt::format("{} failed: no page; see above", script));
+  rendering.has_page = true;
+  rendering.written = said.at("written").get<std::vector<std::string>>();
+  rendering.undrawn = said.at("undrawn").get<std::vector<std::string>>();
+  return rendering;
+}
+
+Rendering render(const ReportPlaces& places) {
+  return run_script(places, "render.py", {places.out.string()});
+}
+
+}  // namespace tribo::report

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page and the pictures, made by the Python scripts of reports/page/render.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "page/project_files.hpp"
+
+namespace tribo::report {
+
+struct Rendering {
+  bool has_page = false;
+  std::vector<std::string> written;  // below the report's folder
+  std::vector<std::string> undrawn;  // a line for each reason why the page or a picture is missing
+};
+
+// Runs render/`script` with these arguments. Where Python or one of its packages is missing, the
+// one line in `undrawn` says so.
+Rendering run_script(const ReportPlaces& places, const std::string& script,
+                     const std::vector<std::string>& arguments);
+
+// The page of places.out/report.json.
+Rendering render(const ReportPlaces& places);
+
+}  // namespace tribo::report
