@@ -4,7 +4,7 @@
 set encoding utf8
 set minussign
 if (kind eq "svg") {
-  set terminal svg size 960,tall dynamic enhanced font "DejaVu Sans,Verdana,sans-serif,16" \
+  set terminal svg size 960,tall dynamic mousing enhanced font "DejaVu Sans,Verdana,sans-serif,16" \
     name prefix background rgb "white" linewidth 1.2
   small = ",14"
   point = 0.6; outline = 0.9; x_words = 0.75; y_words = 2

@@ -33,6 +33,21 @@ def run_gnuplot(frame, *arguments):
     return ""
 
 
+# What gnuplot's `mousing` leaves: its script's name, calls of it, and where the axes of the last plot lie.
+MOUSING = re.compile(r"""<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
+                     r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
+                     re.DOTALL)
+AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|axis_ymin|axis_ymax|logaxis_x|logaxis_y)"
+                  r" = ([-+.0-9e]+);")
+
+
+def without_scripts(svg):
+    """The picture alone. Its element says in data-axes which values the edges of the (last) plot have, so that the
+    page can show those under the pointer."""
+    axes = " ".join(f"{name}={value}" for name, value in AXES.findall(svg))
+    return MOUSING.sub("", svg).replace("<svg", f'<svg data-axes="{axes}"', 1)
+
+
 def draw(drawing, data, target):
     """One picture, whole or not at all; its format is that of the target's name. Returns why it was not drawn."""
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -41,6 +56,8 @@ def draw(drawing, data, target):
         why = run_gnuplot(drawing["frame"], drawing["script"], target.suffix[1:], unfinished, data, drawing["name"],
                           drawing["height"], drawing["title"], drawing["subtitle"])
         if not why:
+            if target.suffix == ".svg":
+                unfinished.write_text(without_scripts(unfinished.read_text(encoding="utf-8")), encoding="utf-8")
             unfinished.replace(target)
         return why
     finally:

@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 class Section(typing.NamedTuple):
     title: str  # Markdown
     needs: tuple  # the groups of report.json that its template reads
-    is_folded: bool = False  # closed until a reader opens it; print shows it
+    is_folded: bool = False  # closed until a reader opens it
 
 
 # The paper first, then this software. templates/<id>.md says what each shows.
@@ -118,10 +118,10 @@ class Page:
     @property
     def html(self):
         frame = (HERE / "layout.html").read_text(encoding="utf-8")
-        style = (HERE / "style.css").read_text(encoding="utf-8")
+        style, script = ((HERE / name).read_text(encoding="utf-8") for name in ("style.css", "comfort.js"))
         contents = "".join(f'<li><a href="#{part.id}">{markup.inline_html(part.title)}</a></li>\n' for part in self.parts)
         body = "".join(self.part_html(part) for part in self.parts)
-        return (frame.replace("{{title}}", html.escape(markup.plain(self.title))).replace("{{style}}", style)
+        return (frame.replace("{{title}}", html.escape(markup.plain(self.title))).replace("{{style}}", style).replace("{{script}}", script)
                 .replace("{{contents}}", contents).replace("{{first}}", markup.section_html(self.first))
                 .replace("{{sections}}", body))
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page does for comfort; it is complete without it. A link opens the closed section that it leads to, what
+// is wider than the screen says so, a picture can be enlarged, and the values under the pointer are shown.
+"use strict";
+
+function openSection() {
+  const target = document.getElementById(location.hash.slice(1));
+  const closed = target && (target.closest("details") || target.querySelector("details"));
+  if (closed && !closed.open) {
+    closed.open = true;
+    target.scrollIntoView();
+  }
+}
+addEventListener("hashchange", openSection);
+openSection();
+
+function markWide() {
+  for (const box of document.querySelectorAll(".scroll"))
+    box.classList.toggle("wide", box.scrollWidth > box.clientWidth + 1);
+}
+addEventListener("resize", markWide);
+document.addEventListener("toggle", markWide, true);
+markWide();
+
+const shown = document.createElement("output");
+shown.className = "values";
+shown.hidden = true;
+document.body.append(shown);
+
+// Where the pointer is, as values of the axes: see data-axes of drawing.py.
+function values(svg, event) {
+  const axes = Object.fromEntries(svg.dataset.axes.split(" ").map((one) => one.split("=")));
+  for (const name in axes) axes[name] = Number(axes[name]);
+  const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+  const part = [(point.x - axes.xmin) / (axes.xmax - axes.xmin), (axes.ybot - point.y) / (axes.ybot - axes.ytop)];
+  if (part.some((one) => !(one >= 0 && one <= 1))) return "";
+  const [x, y] = ["x", "y"].map((name, i) => {
+    const low = axes[`axis_${name}min`], high = axes[`axis_${name}max`];
+    return axes[`logaxis_${name}`] > 0 ? low * (high / low) ** part[i] : low + (high - low) * part[i];
+  });
+  return `x = ${x.toPrecision(3)}, y = ${y.toPrecision(3)}`;
+}
+
+for (const picture of document.querySelectorAll(".picture")) {
+  const svg = picture.querySelector("svg");
+  svg.addEventListener("pointermove", (event) => {
+    const text = svg.dataset.axes ? values(svg, event) : "";
+    shown.hidden = text === "";
+    shown.textContent = text;
+    shown.style.left = `${Math.min(event.clientX + 14, innerWidth - 190)}px`;
+    shown.style.top = `${event.clientY + 16}px`;
+  });
+  svg.addEventListener("pointerleave", () => { shown.hidden = true; });
+
+  const enlarge = document.createElement("button");
+  enlarge.type = "button";
+  enlarge.className = "enlarge";
+  enlarge.textContent = "Enlarge the picture";
+  enlarge.setAttribute("aria-expanded", "false");
+  enlarge.addEventListener("click", () => {
+    const large = picture.classList.toggle("large");
+    enlarge.textContent = large ? "Show the picture in its usual size" : "Enlarge the picture";
+    enlarge.setAttribute("aria-expanded", String(large));
+    markWide();
+  });
+  picture.after(enlarge);
+}
