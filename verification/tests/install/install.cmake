@@ -6,7 +6,7 @@ execute_process(COMMAND mktemp --directory --tmpdir tribocheck-install-XXXXXX
 set(prefix ${scratch}/prefix)
 
 function(run)
-  execute_process(COMMAND ${ARGV} OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE code)
+  execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${scratch} OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE code)
   if(NOT code EQUAL 0)
     list(JOIN ARGV " " line)
     message(FATAL_ERROR "${line}: ${code}\n${out}")
