@@ -18,7 +18,7 @@ from selenium.webdriver.common.keys import Keys
 from report_files import WrittenReport
 
 LABELS = r"\((ns|ulp|GB/s)\)|^threads$|^speed-up|points in a batch|^τ, times|^fraction"
-WIDTHS = (360, 1440)
+WIDTHS = (390, 800, 1400)
 SCHEMES = ("light", "dark")
 SWITCHES = ("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
             "--disable-background-networking", "--disable-component-update", "--disable-sync",
@@ -124,12 +124,15 @@ class Page(WrittenReport):
         cls.driver = browser(cls.profile.name)
         cls.addClassCleanup(cls.driver.quit)
 
-    def show(self, width=1440, scheme="light", media=""):
+    def show(self, width=1400, scheme="light", media="", is_open=True):
+        """The page, with its closed sections opened."""
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
             "media": media, "features": [{"name": "prefers-color-scheme", "value": scheme}]})
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": 800, "deviceScaleFactor": 1, "mobile": False})
         self.driver.get((self.out / "index.html").as_uri())
+        if is_open:
+            self.run_script("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
 
     def figures(self):
         found = {one["id"]: one for one in self.run_script(FIGURE_TEXTS)}
@@ -137,7 +140,7 @@ class Page(WrittenReport):
         return found
 
     def test_no_label_of_a_figure_is_cut_or_printed_over_another(self):
-        for width in (390, 800, 1400):
+        for width in WIDTHS:
             self.show(width=width)
             for name, figure in self.figures().items():
                 with self.subTest(figure=name, width=width):
@@ -233,11 +236,85 @@ class Page(WrittenReport):
         self.add_style(".note { color: #888; }")
         self.assertLess(self.run_script(CONTRAST)[0], 4.5)
 
-    def test_dark_is_dark_and_pictures_stay_on_white(self):
-        colour = "return getComputedStyle(document.querySelector('{}')).backgroundColor"
+    def test_dark_is_dark_and_so_are_the_pictures(self):
         self.show(scheme="dark")
-        self.assertLess(max(map(int, self.run_script(colour.format("body"))[4:-1].split(","))), 64)
-        self.assertEqual(self.run_script(colour.format(".picture")), "rgb(255, 255, 255)")
+        for one in ("body", ".picture"):
+            colour = self.run_script(f"return getComputedStyle(document.querySelector('{one}')).backgroundColor")
+            self.assertLess(max(map(int, colour[4:-1].split(","))), 64, one)
+        self.assertIn("invert", self.run_script("return getComputedStyle(document.querySelector('.picture svg')).filter"))
+
+    def test_what_is_drawn_stands_out_from_its_ground(self):
+        """Lines and points of the data have 3 : 1 on white, and on the dark ground after its filter."""
+        def luminance(colour):
+            parts = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour]
+            return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+
+        def contrast(a, b):
+            low, high = sorted((luminance(a), luminance(b)))
+            return (high + 0.05) / (low + 0.05)
+
+        def darkened(colour):
+            """invert(.89) hue-rotate(180deg), as style.css has it, by the matrix of the CSS specification."""
+            r, g, b = (0.89 - 0.78 * c for c in colour)
+            rows = ((-0.574, 1.430, 0.144), (0.426, 0.430, 0.144), (0.426, 1.430, -0.856))
+            return [min(1, max(0, x * r + y * g + z * b)) for x, y, z in rows]
+
+        seen = set()
+        for path in sorted((self.out / "figures").glob("*.svg")):
+            if "film_map" in path.name:
+                continue
+            for found in re.findall(r"color=\"(?:#|rgb\()([^\")]+)", path.read_text()):
+                numbers = re.findall(r"\d+", found) if "," in found else [int(found[i:i + 2], 16) for i in (0, 2, 4)]
+                colour = tuple(int(number) / 255 for number in numbers)
+                if colour in seen or luminance(colour) > 0.5 and max(colour) - min(colour) < 0.1:
+                    continue  # the ground, and the grey lines of the grid
+                seen.add(colour)
+                with self.subTest(path.name, colour=found):
+                    self.assertGreaterEqual(contrast(colour, (1, 1, 1)), 3)
+                    self.assertGreaterEqual(contrast(darkened(colour), darkened((1, 1, 1))), 3)
+        self.assertGreaterEqual(len(seen), 5)
+
+    def test_the_first_screen_has_the_table_of_the_papers_numbers(self):
+        """On a phone too, and without scrolling sideways."""
+        for width, height in ((390, 844), (1400, 900)):
+            self.show(width=width, is_open=False)
+            box = self.run_script(
+                "const box = document.querySelector('header table').getBoundingClientRect();"
+                "const around = document.querySelector('header .scroll');"
+                "return [box.bottom + scrollY, around.scrollWidth - around.clientWidth]")
+            with self.subTest(width=width):
+                self.assertLessEqual(box[0], height)
+                self.assertLessEqual(box[1], 1)
+
+    def test_at_most_six_thousand_words_are_open(self):
+        self.show(is_open=False)
+        self.assertLess(len(self.run_script("return document.querySelector('main').innerText").split()), 6000)
+        self.assertLess((self.out / "index.html").stat().st_size, 2.5e6)
+
+    def test_a_link_opens_the_closed_section_that_it_leads_to(self):
+        self.show(is_open=False)
+        self.assertFalse(self.run_script("return document.querySelector('#planted-faults details').open"))
+        self.run_script("location.hash = '#planted-faults'")
+        self.assertTrue(self.driver.execute_async_script(
+            "const done = arguments[0];"
+            "setTimeout(() => done(document.querySelector('#planted-faults details').open), 50)"))
+
+    def test_a_picture_tells_the_values_under_the_pointer_and_can_be_enlarged(self):
+        self.show()
+        told = self.run_script("""
+            const svg = document.querySelector('#figure_10 svg'), box = svg.getBoundingClientRect();
+            const axes = Object.fromEntries(svg.dataset.axes.split(' ').map((one) => one.split('=')));
+            const at = (x, y) => svg.dispatchEvent(new PointerEvent('pointermove', {
+              clientX: box.left + x / 960 * box.width, clientY: box.top + y / 640 * box.height}));
+            at(Number(axes.xmin) + 0.01, Number(axes.ytop) + 0.01);
+            const inside = document.querySelector('.values').textContent;
+            at(5, 5);
+            return [inside, document.querySelector('.values').hidden];""")
+        self.assertEqual(told, ["x = 0.000100, y = 1.00e+3", True])
+        wide = "return document.querySelector('#figure_10 svg').getBoundingClientRect().width"
+        before = self.run_script(wide)
+        self.run_script("document.querySelector('#figure_10 .enlarge').click()")
+        self.assertGreater(self.run_script(wide), 1.8 * before)
 
     def test_first_tab_reaches_the_skip_link(self):
         self.show()
@@ -249,7 +326,7 @@ class Page(WrittenReport):
         self.assertEqual(self.run_script("return document.activeElement.id"), "main")
         self.driver.switch_to.active_element.send_keys(Keys.TAB)
         self.assertEqual(self.driver.switch_to.active_element.find_element(
-            "xpath", "ancestor::section").get_attribute("id"), "verdict")
+            "xpath", "ancestor::header").tag_name, "header")
 
     def test_landmarks_headings_and_tables(self):
         self.show()
@@ -269,7 +346,7 @@ class Page(WrittenReport):
         self.assertEqual(self.run_script("return getComputedStyle(document.body).backgroundColor"),
                          "rgb(255, 255, 255)")
         self.assertGreaterEqual(self.run_script(CONTRAST)[0], 4.5)
-        for hidden in ("nav", ".skip"):
+        for hidden in ("nav", ".skip", ".enlarge"):
             self.assertEqual(self.run_script(
                 f"return getComputedStyle(document.querySelector('{hidden}')).display"), "none")
         self.assertEqual(self.run_script(
