@@ -5,7 +5,7 @@ nm = 1e9
 stats marks using (nm*slowest(film)) nooutput name "slowest_film"
 foot = slowest_film_min/2
 s = "smooth"
-pale = 0xB0D4EC
+pale = 0x4A93C0
 ratio = data."figure_11_ratio.tsv"
 highest = speeds_max
 stats marks using (mark("onset", s, "GT", speed)) nooutput name "onset"

@@ -15,7 +15,7 @@ surfaces = data."ledger_surfaces.tsv"
 sd = 2; median = 3
 set style line 9 linecolor rgb "#222222" pointtype 8 pointsize 1.7*outline linewidth 1.6
 set style fill solid 1 noborder
-wide = 0xDCE6EE; narrow = 0x9FBAD0   # plausible inputs, print precision
+wide = 0xDCE6EE; narrow = 0x9FBAD0; edge = 0x6A8FB0   # plausible inputs, print precision
 set ytics nomirror out scale 1,0.5
 set xtics nomirror out scale 1,0.5
 set border 3 linewidth 0.8

@@ -14,6 +14,7 @@ set ylabel "speed at the onset of starvation (m/s)" offset y_words - 0.6
 plot \
   surfaces using sd:4:5 with filledcurves fillcolor rgb wide title "plausible inputs, 95 %", \
   surfaces using sd:6:7 with filledcurves fillcolor rgb narrow title "print precision, 95 %", \
+  for [side in "4 5 6 7"] surfaces using sd:int(side) with lines linewidth 0.8 linecolor rgb edge notitle, \
   law using 1:2 with lines linewidth 2.2 linecolor rgb "#0072B2" title "film maximum, closed form", \
   law using 1:3 with lines linewidth 2.2 dashtype (12,6) linecolor rgb "#009E73" \
     title "film 5 % below the flooded one", \

@@ -12,6 +12,6 @@ set format y "10^{%T}"
 set mytics 10
 set xlabel "claims reproduced, of 17" offset 0, x_words
 set ylabel "readings" offset y_words - 1
-plot scores using 1:($2 > 0 ? $2 : NaN) with boxes fillcolor rgb 0x9FBAD0 notitle, \
+plot scores using 1:($2 > 0 ? $2 : NaN) with boxes fillcolor rgb 0x6A8FB0 notitle, \
   scores using 1:(strlen(strcol(3)) > 1 ? $2 : NaN):3 with labels left offset -2, 0.9 font small \
     textcolor rgb "#222222" notitle

@@ -8,11 +8,11 @@ tall = int(ARG6)
 kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
 load scripts."canvas.gp"
 
-# Okabe and Ito's colours, one a family.
+# A colour a family, each with a contrast of 3 to white; after Okabe and Ito, whose orange and sky blue are paler.
 colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 : \
-  family eq "Boost" ? 0x009E73 : family eq "SciPy" ? 0xCC79A7 : family eq "table" ? 0xE69F00 : \
-  family eq "textbook" || family eq "fixed rule" ? 0x56B4E9 : \
-  family eq "closed form" ? 0x8C6D00 : family eq "plugin" ? 0x000000 : 0x777777
+  family eq "Boost" ? 0x009E73 : family eq "SciPy" ? 0xCC79A7 : family eq "table" ? 0xB07A00 : \
+  family eq "textbook" || family eq "fixed rule" ? 0x7E57C2 : \
+  family eq "closed form" ? 0x556B2F : family eq "plugin" ? 0x000000 : 0x777777
 family_of(series) = series[1:strstrt(series, ":") - 1]
 # In blocks of a table column 2 is the family and 3 the series.
 ns = 5; evaluations = 6; max_ulp = 7; p99_ulp = 8; mean_ulp = 9; no_numbers = 11
