@@ -20,7 +20,7 @@ set yrange [foot:*]
 set format y "%g"
 plot \
   gt(s) using speed:(nm*standing(film)) with lines linewidth 5 linecolor rgb pale, \
-  gw(s) using speed:(nm*standing(film)) with lines linestyle 2 linecolor rgb colour(s), \
+  gw(s) using speed:(nm*standing(film)) with lines linestyle 2 linecolor rgb 0x222222, \
   for [m in "GT GW"] marks using (mark("onset", s, m, speed)):(nm*mark("onset", s, m, film)) \
     with points linestyle 7 linecolor rgb colour(s), \
   for [m in "GT GW"] marks using (mark("collapse", s, m, speed)):(foot) \
@@ -34,7 +34,7 @@ set yrange [ratio_min - room:ratio_max + room]
 set format y "%.2f"
 plot \
   NaN with lines linewidth 5 linecolor rgb pale title "smooth (GT)", \
-  NaN with lines linestyle 2 linecolor rgb colour(s) title "smooth (GW)", \
+  NaN with lines linestyle 2 linecolor rgb 0x222222 title "smooth (GW)", \
   ratio using 1:2 with lines linestyle 1 linecolor rgb colour(s) \
     title "ratio of the films", \
   1 with lines linewidth 1 dashtype (6,4) linecolor rgb grey title "equal", \
