@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 namespace tribo::report {
 
@@ -16,6 +17,28 @@ Json read_baseline(const ReportPlaces& places, std::string_view file) {
   if (content.is_discarded())
     throw std::runtime_error(fmt::format("`{}` is not JSON", places.shown(path)));
   return content;
+}
+
+std::runtime_error of_another_shape(const ReportPlaces& places, std::string_view file,
+                                    const std::exception& error) {
+  return std::runtime_error(fmt::format("`{}` has another shape: {}",
+                                        places.shown(places.reference / "baselines" / file),
+                                        error.what()));
+}
+
+Json run_of(const Json& baseline) {
+  Json run;
+  copy<std::string>(baseline, {"commit", "date"}, run);
+  if (baseline.contains("seconds")) copy<double>(baseline, {"seconds"}, run);
+  copy<std::string>(baseline.at("environment"), {"cpu", "compiler"}, run["environment"]);
+  return run;
+}
+
+void add_missing(Group& group, const BaselinePart& part, const std::string& why) {
+  group.data[std::string(part.key)] = {{"missing", why}};
+  for (const BaselineKind& kind : baseline_kinds)
+    if (kind.file == part.file)
+      group.not_run.push_back({std::string(part.what), why, fmt::format("`make {}`", kind.target)});
 }
 
 }  // namespace tribo::report

@@ -19,6 +19,7 @@ enum class Standing : std::uint8_t {
   holds,     // agrees, within what is declared
   differs,   // does not agree with what the paper reports, or agrees in part
   fails,     // a promise of this software is broken
+  missed,    // a target that this software sets itself is not reached
   measured,  // a result, neither good nor bad
   absent,    // not known: its source is missing, or it was not run
 };

@@ -13,8 +13,8 @@
 
 #include "page/groups.hpp"
 #include "page/pending_file.hpp"
-#include "page/report_error.hpp"
 #include "page/rendering.hpp"
+#include "page/report_error.hpp"
 #include "reproduction/ledger.hpp"
 #include "tribo/version.hpp"
 
@@ -75,8 +75,8 @@ std::string_view section_of(std::string_view group) {
   return {};
 }
 
-constexpr std::array<std::string_view, 5> standing_words{"holds", "differs", "fails", "measured",
-                                                         "absent"};
+constexpr std::array<std::string_view, 6> standing_words{"holds",  "differs",  "fails",
+                                                         "missed", "measured", "absent"};
 std::string_view word(Standing standing) {
   return standing_words[static_cast<std::size_t>(standing)];
 }
@@ -189,13 +189,18 @@ class ReportData {
       const auto place = std::find(standing_words.begin(), standing_words.end(), standing);
       if (one["about"] == "software")
         ++count[static_cast<std::size_t>(place - standing_words.begin())];
-      if (standing == "fails" || standing == "absent")
-        lines += fmt::format("  {}: {}: {}\n", standing == "fails" ? "FAILS" : "not run",
+      if (standing == "fails" || standing == "missed" || standing == "absent")
+        lines += fmt::format("  {}: {}: {}\n",
+                             standing == "fails"    ? "FAILS"
+                             : standing == "absent" ? "not run"
+                                                    : "missed",
                              one["id"].get<std::string>(), one.value("why", ""));
     }
     return text +
-           fmt::format("This software: {} checks hold, {} fail, {} did not run.\n", count[0],
-                       count[2], count[4]) +
+           fmt::format(
+               "This software: {} checks hold, {} fail, {} missed a target, {} did not "
+               "run.\n",
+               count[0], count[2], count[3], count[5]) +
            lines;
   }
 

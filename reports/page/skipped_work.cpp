@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "page/skipped_work.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "page/number_text.hpp"
+#include "page/groups.hpp"
 #include "tribo/operating_points.hpp"
 
 namespace tribo::report {
@@ -26,91 +23,70 @@ std::vector<double> speeds_of(const SolvedCase& one) {
   return all;
 }
 
-// The steps of all roots; a root that is λ₀ or λ_b without a step counts as one step.
-std::uint64_t steps_of_all(const MixedContact<double>& contact, const std::vector<double>& speeds) {
-  OutputSet film;
-  film.insert(Output::film_flooded);
+WorkCounts work_of(const SolvedCase& one, const std::vector<double>& speeds, OutputSet outputs) {
   OperatingPoints points;
-  points.resize(speeds.size(), film);
+  points.resize(speeds.size(), outputs);
   WorkCounts work;
-  solve(contact, speeds, film, points, work);
-  return work[Work::root_step] + work[Work::root_is_film] + work[Work::root_is_floor];
+  solve(one.contact, speeds, outputs, points, work);
+  return work;
 }
 
-struct Asked {
-  const char* name;
+struct Request {
+  std::vector<std::string> names;
   OutputSet outputs;
 };
 
-OutputSet set_of(std::initializer_list<Output> outputs) {
-  OutputSet set;
-  for (const Output output : outputs) set.insert(output);
-  return set;
+Request request(const std::vector<std::string>& names) {
+  OutputSet outputs;
+  for (const std::string& name : names) outputs.insert(output_by_name(name).value());
+  return {names, outputs};
 }
 
-struct Saved {
-  double least = 1;
-  double greatest = 0;
-};
+// Evaluations of F_n that all outputs take when every root takes a step or more: a root that is λ₀
+// or λ_b without a step counts as one step; a share and two moments a point come on top.
+std::uint64_t full_work(const SolvedCase& one, const std::vector<double>& speeds) {
+  const WorkCounts work = work_of(one, speeds, request({"film_flooded"}).outputs);
+  return work[Work::root_step] + work[Work::root_is_film] + work[Work::root_is_floor] + 3 * count;
+}
 
-// A row of the table: root steps, skipped work, and the part of the moments that is saved, compared
-// with all outputs when every root takes a step or more.
-std::vector<std::string> skip_row(const SolvedCase& one, const std::vector<double>& speeds,
-                                  std::uint64_t all_steps, const Asked& asked, Saved& saved) {
-  OperatingPoints points;
-  points.resize(speeds.size(), asked.outputs);
-  WorkCounts work;
-  solve(one.contact, speeds, asked.outputs, points, work);
-  const std::uint64_t done = work[Work::root_step] + work[Work::share] + work[Work::moment];
-  const std::uint64_t full = all_steps + 3 * count;  // a share and two moments a point
-  const double part = static_cast<double>(full - std::min(full, done)) / static_cast<double>(full);
-  saved = {std::min(saved.least, part), std::max(saved.greatest, part)};
-  return {one.source.stem(),
-          asked.name,
-          grouped(work[Work::root_step]),
-          grouped(work[Work::root_is_film]),
-          grouped(work[Work::root_is_floor]),
-          grouped(work[Work::share_not_asked] + work[Work::share_is_nothing]),
-          grouped(count - work[Work::starvation]),
-          fmt::format("{:.0f} %", 100 * part)};
+double saved_part(const WorkCounts& work, std::uint64_t full) {
+  const auto done = work[Work::root_step] + work[Work::share] + work[Work::moment];
+  return static_cast<double>(full - std::min(full, done)) / static_cast<double>(full);
 }
 
 }  // namespace
 
-Section skipped_work_section(const std::vector<SolvedCase>& solved) {
-  const std::vector<Asked> requests{
-      {"all outputs", OutputSet::all()},
-      {"`film`", set_of({Output::film})},
-      {"`fluid_load_share`, `regime`", set_of({Output::fluid_load_share, Output::regime})},
-      {"`real_area_ratio`", set_of({Output::real_area_ratio})}};
-  Section section{"skipped-work", "What was skipped"};
-  section.paragraphs = {fmt::format(
-      "What a scene does not ask for is not computed. {} speeds over each scene's range, counted "
-      "by "
-      "the model itself for this page. A root is λ~0~ or λ~b~ to half an ulp where a bound proves "
-      "it. Starvation is skipped past a collapse too.",
-      grouped(count))};
-  TextTable table{
-      "Work skipped, by what is asked",
-      {"scene", "asked", "root steps", "roots skipped: λ = λ~0~", "roots skipped: λ = λ~b~",
-       "load shares skipped", "starvation skipped", "moments saved"},
-      {false, false, true, true, true, true, true, true},
-      {},
-      "Saved are evaluations of F~n~: of those that all outputs take with a step or more for every "
-      "root."};
-  Saved least_and_most;
+Group skipped_work_group(const ReportPlaces&, const std::vector<SolvedCase>& solved) {
+  const std::vector<Request> requests{{{}, OutputSet::all()},
+                                      request({"film"}),
+                                      request({"fluid_load_share", "regime"}),
+                                      request({"real_area_ratio"})};
+  Group group;
+  group.data = {{"speeds", count}, {"rows", Json::array()}};
+  double least = 1, greatest = 0;
   for (const SolvedCase& one : solved) {
     const std::vector<double> speeds = speeds_of(one);
-    const std::uint64_t all_steps = steps_of_all(one.contact, speeds);
-    for (const Asked& asked : requests)
-      table.rows.push_back(skip_row(one, speeds, all_steps, asked, least_and_most));
+    const std::uint64_t full = full_work(one, speeds);
+    for (const Request& asked : requests) {
+      const WorkCounts work = work_of(one, speeds, asked.outputs);
+      const double saved = saved_part(work, full);
+      least = std::min(least, saved);
+      greatest = std::max(greatest, saved);
+      group.data["rows"].push_back(
+          {{"scene", one.source.stem()},
+           {"asked", asked.names},
+           {"root_steps", work[Work::root_step]},
+           {"roots_that_are_film", work[Work::root_is_film]},
+           {"roots_that_are_floor", work[Work::root_is_floor]},
+           {"shares_skipped", work[Work::share_not_asked] + work[Work::share_is_nothing]},
+           {"starvation_skipped", count - work[Work::starvation]},
+           {"saved", saved}});
+    }
   }
-  section.tables = {std::move(table)};
-  section.verdicts = {{Standing::measured, "Skipped work",
-                       fmt::format("By what it asks, a scene saves {:.0f} % to {:.0f} % of the "
-                                   "evaluations of F~n~. Counted for this page.",
-                                   100 * least_and_most.least, 100 * least_and_most.greatest)}};
-  return section;
+  group.data["least_saved"] = least;
+  group.data["greatest_saved"] = greatest;
+  group.findings = {{"skipped_work", "skipped-work", About::software, Standing::measured}};
+  return group;
 }
 
 }  // namespace tribo::report

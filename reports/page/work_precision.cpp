@@ -1,54 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "page/work_precision.hpp"
+// Ways of doing a job, timed and judged: which is the fastest, and the tables for gnuplot.
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+#include "page/baselines.hpp"
+#include "page/groups.hpp"
+#include "page/number_text.hpp"
 
 namespace tribo::report {
 namespace {
 
 constexpr std::string_view our_family = "tribocheck";
 
-double number(const Json& value) {
-  return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
-Way way_of(const Json& row) {
-  return {row.at("family").get<std::string>(), row.at("name").get<std::string>(),
-          row.at("ns").get<double>(), number(row.at("max_ulp")), number(row.at("evaluations"))};
-}
-
-}  // namespace
-
-std::vector<Way> fastest_ways(const Json& baseline, const std::string& job) {
-  std::vector<Way> ways;
-  for (const Json& row : baseline.at("error_against_work")) {
-    if (row.at("job") != job || row.at("failures").get<double>() > 0) continue;
-    Way way = way_of(row);
-    if (std::isnan(way.max_ulp)) continue;
-    const auto same = std::find_if(ways.begin(), ways.end(),
-                                   [&](const Way& one) { return one.family == way.family; });
-    if (same == ways.end())
-      ways.push_back(std::move(way));
-    else if (way.ns < same->ns)
-      *same = std::move(way);
-  }
-  return ways;
-}
-
-Contest contest(const std::vector<Way>& ways) {
-  Contest found;
-  for (const Way& way : ways) {
-    const Way*& best = way.family == our_family ? found.ours : found.other;
-    if (best == nullptr || way.ns < best->ns) best = &way;
-  }
-  return found;
-}
-
-std::vector<std::string> jobs(const Json& baseline) {
+std::vector<std::string> jobs_of(const Json& baseline) {
   std::vector<std::string> found;
   for (const Json& row : baseline.at("error_against_work")) {
     const auto job = row.at("job").get<std::string>();
@@ -57,18 +27,218 @@ std::vector<std::string> jobs(const Json& baseline) {
   return found;
 }
 
-std::string job_name(const std::string& job) {
-  constexpr std::pair<std::string_view, std::string_view> names[] = {
-      {"moment_5_2", "moments F~5/2~"},
-      {"moment_2", "moments F~2~"},
-      {"root_wide", "film parameter, all inputs wide"},
-      {"root_one_surface", "film parameter, one surface"},
-      {"curve_200", "a Stribeck curve"},
-      {"points_1e6", "many operating points of a scene"},
-  };
-  for (const auto& [key, name] : names)
-    if (key == job) return std::string(name);
-  return "`" + job + "`";
+// The element of an array with this value under `key`; null: there is none.
+Json* find(Json& array, const char* key, const Json& value) {
+  const auto found = std::find_if(array.begin(), array.end(),
+                                  [&](const Json& one) { return one.at(key) == value; });
+  return found == array.end() ? nullptr : &*found;
+}
+
+// Of each family the fastest way that failed nowhere and was judged, in the order of the file.
+Json fastest_ways(const Json& baseline, const std::string& job) {
+  Json ways = Json::array();
+  for (const Json& row : baseline.at("error_against_work")) {
+    if (row.at("job") != job || row.at("failures").get<double>() > 0 ||
+        !row.at("max_ulp").is_number())
+      continue;
+    Json way;
+    copy<std::string>(row, {"family", "name"}, way);
+    copy<double>(row, {"ns", "max_ulp"}, way);
+    way["evaluations"] = number_or_null(row.at("evaluations"));
+    Json* const same = find(ways, "family", way["family"]);
+    if (same == nullptr)
+      ways.push_back(std::move(way));
+    else if (way["ns"] < (*same)["ns"])
+      *same = std::move(way);
+  }
+  return ways;
+}
+
+// Are evaluations counted in this job for any family but ours?
+bool is_counted(const Json& baseline, const std::string& job) {
+  const Json& rows = baseline.at("error_against_work");
+  return std::any_of(rows.begin(), rows.end(), [&](const Json& row) {
+    return row.at("job") == job && row.at("family") != our_family &&
+           row.at("evaluations").is_number();
+  });
+}
+
+// The fastest ways beside ours, and the fastest alternative.
+Json job_json(const Json& baseline, const std::string& job) {
+  Json ways = fastest_ways(baseline, job);
+  const Json* const ours = find(ways, "family", our_family);
+  const Json best = ours == nullptr ? Json() : *ours;
+  Json alternative;
+  for (Json& way : ways) {
+    way["times_ours"] =
+        best.is_null() ? Json() : Json(way["ns"].get<double>() / best["ns"].get<double>());
+    if (way["family"] != our_family && (alternative.is_null() || way["ns"] < alternative["ns"]))
+      alternative = way;
+  }
+  return {{"job", job},
+          {"ours", best},
+          {"fastest_alternative", std::move(alternative)},
+          {"is_counted", is_counted(baseline, job)},
+          {"ways", std::move(ways)}};
+}
+
+// How many times as long as ours the fastest alternative takes, over the jobs that have both.
+Json contest(const Json& jobs) {
+  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+  std::size_t compared = 0, less_exact = 0;
+  for (const Json& job : jobs) {
+    const Json& ours = job["ours"];
+    const Json& other = job["fastest_alternative"];
+    if (ours.is_null() || other.is_null()) continue;
+    ++compared;
+    less_exact += other["max_ulp"] > ours["max_ulp"] ? 1 : 0;
+    least = std::min(least, other["times_ours"].get<double>());
+    greatest = std::max(greatest, other["times_ours"].get<double>());
+  }
+  return {{"jobs", compared},
+          {"less_exact", less_exact},
+          {"least_times_ours", compared > 0 ? Json(least) : Json()},
+          {"greatest_times_ours", compared > 0 ? Json(greatest) : Json()}};
+}
+
+// Of each solver the fraction of cases that it settles as fast as the best one, and within the
+// greatest factor.
+Json profile(const Json& baseline) {
+  Json solvers = Json::array();
+  for (const Json& row : baseline.at("performance_profile")) {
+    const auto fraction = row.at("fraction").get<double>();
+    if (Json* const known = find(solvers, "solver", row.at("solver")))
+      (*known)["within_greatest_factor"] = fraction;
+    else
+      solvers.push_back({{"solver", row.at("solver").get<std::string>()},
+                         {"fastest", fraction},
+                         {"within_greatest_factor", fraction}});
+  }
+  return solvers;
+}
+
+// The greatest `key` of each kernel, in the order of the file.
+Json greatest_of_kernels(const Json& rows, const char* key) {
+  Json kernels = Json::array();
+  for (const Json& row : rows) {
+    const auto value = row.at(key).get<double>();
+    if (Json* const known = find(kernels, "kernel", row.at("kernel")))
+      (*known)[key] = std::max((*known)[key].get<double>(), value);
+    else
+      kernels.push_back({{"kernel", row.at("kernel").get<std::string>()}, {key, value}});
+  }
+  return kernels;
+}
+
+std::size_t most_threads(const Json& rows) {
+  std::size_t most = 1;
+  for (const Json& row : rows) most = std::max(most, row.at("threads").get<std::size_t>());
+  return most;
+}
+
+struct Column {
+  std::string_view key;   // in the baseline
+  std::string_view name;  // in the table, with its unit
+};
+
+std::string cell(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_number() ? exact(value.get<double>()) : "NaN";
+}
+
+// A table of blocks, one for each value of `key` in the order of the rows, two blank lines between.
+template <class IsWanted>
+DataFile blocks(const Json& baseline, std::string_view table, std::string_view name,
+                std::string_view key, const std::vector<Column>& columns, IsWanted&& is_wanted) {
+  std::vector<std::pair<std::string, std::string>> titled;
+  for (const Json& row : baseline.at(table)) {
+    if (!is_wanted(row)) continue;
+    const auto title = row.at(key).get<std::string>();
+    auto block = std::find_if(titled.begin(), titled.end(),
+                              [&](const auto& one) { return one.first == title; });
+    if (block == titled.end()) block = titled.insert(titled.end(), {title, {}});
+    for (const Column& column : columns) {
+      const char separator = column.key == columns.back().key ? '\n' : '\t';
+      block->second += cell(row.at(column.key)) + separator;
+    }
+  }
+  std::string text = fmt::format("# reference/baselines/work_precision.json, {}\n#", table);
+  for (const Column& column : columns)
+    text += fmt::format("{}{}", column.key == columns.front().key ? " " : "\t", column.name);
+  text += '\n';
+  for (std::size_t i = 0; i < titled.size(); ++i)
+    text += fmt::format("{}\"{}\"\n{}", i == 0 ? "" : "\n\n", titled[i].first, titled[i].second);
+  return {fmt::format("data/work_precision/{}.blocks.tsv", name), std::move(text)};
+}
+
+std::vector<DataFile> data_files(const Json& baseline) {
+  const std::vector<Column> of_ways{{"job", "job"},
+                                    {"family", "family"},
+                                    {"series", "series"},
+                                    {"name", "way"},
+                                    {"ns", "CPU time a point [ns]"},
+                                    {"evaluations", "evaluations a point"},
+                                    {"max_ulp", "greatest error [ulp]"},
+                                    {"p99_ulp", "99th percentile of the error [ulp]"},
+                                    {"mean_ulp", "mean error [ulp]"},
+                                    {"failures", "failures"},
+                                    {"no_numbers", "no numbers"},
+                                    {"judged", "cases judged"}};
+  const auto every = [](const Json&) { return true; };
+  std::vector<DataFile> files;
+  for (const std::string& job : jobs_of(baseline))
+    files.push_back(blocks(baseline, "error_against_work", job, "series", of_ways,
+                           [&](const Json& row) { return row.at("job") == job; }));
+  files.push_back(blocks(
+      baseline, "performance_profile", "profile", "solver",
+      {{"solver", "solver"}, {"tau", "times the best time"}, {"fraction", "fraction solved"}},
+      every));
+  files.push_back(blocks(baseline, "throughput_by_size", "by_size", "kernel",
+                         {{"kernel", "kernel"},
+                          {"points", "points"},
+                          {"ns", "time a point [ns]"},
+                          {"points_per_second", "points a second [1/s]"},
+                          {"bytes", "bytes a point"},
+                          {"gigabytes_per_second", "read and written [GB/s]"},
+                          {"share_of_copy", "share of a copy"}},
+                         every));
+  files.push_back(blocks(baseline, "throughput_by_threads", "by_threads", "kernel",
+                         {{"kernel", "kernel"},
+                          {"threads", "threads"},
+                          {"points_per_second", "points a second [1/s]"},
+                          {"gigabytes_per_second", "read and written [GB/s]"},
+                          {"speedup", "speed-up"}},
+                         every));
+  return files;
+}
+
+Group work_precision(const Json& baseline) {
+  Group group{run_of(baseline)};
+  copy<std::string>(baseline.at("environment"), {"instruction_set"}, group.data["environment"]);
+  Json jobs = Json::array();
+  for (const std::string& job : jobs_of(baseline)) jobs.push_back(job_json(baseline, job));
+  Json found = contest(jobs);
+  const bool is_compared = found["jobs"] > 0;
+  const Json& by_threads = baseline.at("throughput_by_threads");
+  group.data.update({{"alternatives", std::move(found)},
+                     {"jobs", std::move(jobs)},
+                     {"profile", profile(baseline)},
+                     {"throughput", greatest_of_kernels(baseline.at("throughput_by_size"),
+                                                        "gigabytes_per_second")},
+                     {"most_threads", most_threads(by_threads)},
+                     {"speedup", greatest_of_kernels(by_threads, "speedup")}});
+  group.files = data_files(baseline);
+  group.findings = {{"work_precision", "work-precision", About::software, Standing::measured}};
+  if (!is_compared)
+    group.findings = {{"work_precision", "work-precision", About::software, Standing::absent,
+                       "No job has both our way and an alternative without failures."}};
+  return group;
+}
+
+}  // namespace
+
+Group work_precision_group(const ReportPlaces& places) {
+  return from_baseline(places, "work_precision.json", work_precision);
 }
 
 }  // namespace tribo::report

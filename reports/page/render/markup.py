@@ -14,17 +14,25 @@ SPECIAL = re.compile(r"([\\`*_\[\]|#<>~^])")
 Markdown = markupsafe.Markup
 
 
+CODE = re.compile(r"(?<!\\)(?P<ticks>`+)(?!`)[^\n]*?(?<!`)(?P=ticks)(?!`)")
+CODE_OR_TEXT = re.compile(r"`[^`]+`|[^`]+|`")
+
+
 def escaped(text):
     return Markdown(SPECIAL.sub(r"\\\1", str(text)))
 
 
 def marked(text):
     """A text of the data that has the marks of the templates: h~ff~, m^2^ and `code`."""
-    return Markdown(re.sub(r"([\\*_\[\]|#<>])", r"\\\1", str(text)))
+    return Markdown("".join(part.replace("|", "\\|") if CODE.fullmatch(part) else
+                            re.sub(r"([\\`*_\[\]|#<>])", r"\\\1", part) for part in CODE_OR_TEXT.findall(str(text))))
 
 
 def code(text):
-    return Markdown(f"`{text}`".replace("|", "\\|"))
+    """In as many backticks as the text needs."""
+    fence = "`" * (1 + max(map(len, re.findall("`+", text)), default=0))
+    space = " " if text[:1] == "`" or text[-1:] == "`" else ""
+    return Markdown(f"{fence}{space}{text}{space}{fence}".replace("|", "\\|"))
 
 
 def link(path, text=None):
@@ -45,17 +53,17 @@ def typeset(text):
     for match in TYPESET.finditer(text):
         made += escaped(text[at:match.start()])
         made += (code(match["name"]) if match["name"] else
-                 f"<sub>{match['sub']}</sub>" if match["sub"] else f"<sup>{match['super']}</sup>")
+                 Markdown(f"<sub>{match['sub']}</sub>" if match["sub"] else f"<sup>{match['super']}</sup>"))
         at = match.end()
     return Markdown(made + escaped(text[at:]))
 
 
 # h~ff~ and m^2^ of the templates, outside of code.
-INDEX = re.compile(r"(`[^`]*`)|(?<!\\)~([^~\s|`]+)~|(?<!\\)\^([^^\s|`]+)\^")
+INDEX = re.compile(rf"(?P<code>{CODE.pattern})|(?<!\\)~(?P<sub>[^~\s|`]+)~|(?<!\\)\^(?P<super>[^^\s|`]+)\^")
 
 
 def indices(text):
-    return INDEX.sub(lambda m: m[1] or (f"<sub>{m[2]}</sub>" if m[2] else f"<sup>{m[3]}</sup>"), text)
+    return INDEX.sub(lambda m: m["code"] or (f"<sub>{m['sub']}</sub>" if m["sub"] else f"<sup>{m['super']}</sup>"), text)
 
 
 def plain(markdown):

@@ -12,10 +12,13 @@ def rounded(value, digits):
         return NO_ENTRY
     if value < 0:
         return "−" + rounded(-value, digits)
+    if value == 0:
+        return "0"
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
     power = int(exponent)
     if -4 <= power < 6:
-        return f"{value:.{digits - 1 - power if power < digits else 0}f}"
+        return (f"{value:.{digits - 1 - power}f}" if power < digits
+                else grouped(int(float(f"{mantissa}e{exponent}"))))
     return f"{mantissa} × 10{str(power).translate(SUPERSCRIPTS)}"
 
 

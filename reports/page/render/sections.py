@@ -35,7 +35,8 @@ SECTIONS = {
     "sweep-speed": Section("Speed of sweeps", ("sweep_speed",), True),
     "environment": Section("Where and when this page was made", ("environment",), True),
 }
-STANDINGS = {"holds": "holds", "differs": "differs", "fails": "FAILS", "measured": "measured", "absent": "not run"}
+STANDINGS = {"holds": "holds", "differs": "differs", "fails": "FAILS", "missed": "missed",
+             "measured": "measured", "absent": "not run"}
 
 
 def short_commit(commit):
@@ -92,9 +93,9 @@ class Page:
         return Made(name, one.title, text, one.is_folded)
 
     def findings(self, about):
-        """Those about the paper, or about the software; broken promises first."""
+        """Those about the paper, or about the software; broken promises first, then missed targets."""
         ours = [one for one in self.report["findings"] if one["about"] == about]
-        ours.sort(key=lambda one: one["standing"] != "fails")
+        ours.sort(key=lambda one: (one["standing"] != "fails", one["standing"] != "missed"))
         for one in ours:
             said = self.sentences.get(one["id"]) or markup.indices(markup.escaped(one.get("why") or "It has no data."))
             yield one["standing"], one["section"], markup.Markdown(said)
