@@ -34,11 +34,11 @@ SWEEP_DATA = [f"data/sweep/{figure}.blocks.tsv" for figure in SWEEP_FIGURES]
 RESULTS = ["sweep/onset_uncertainty.h5"]
 PICTURES = sorted(f"figures/{figure}.{kind}" for figure in FIGURES + WORK_FIGURES
                   for kind in ("svg", "png"))
-PAGES = ["index.html", "report.json", "report.md"]
+PAGES = ["index.html", "report.json", "report.md", "report.schema.json"]
 DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA)
-SECTIONS = ["environment", "claims", "readings", "requirements", "uncertainty", "sweep", "misprints",
-            "figures", "comparison", "verification", "planted-faults",
-            "worst-inputs", "work-precision", "skipped-work", "gates", "sweep-speed", "inputs", "not-run"]
+SECTIONS = ["figures", "comparison", "claims", "readings", "requirements", "uncertainty", "misprints", "model",
+            "verification", "worst-inputs", "planted-faults", "work-precision", "skipped-work", "gates", "sweep-speed",
+            "environment"]
 
 
 def report(*arguments, environment=None, cwd=ROOT):

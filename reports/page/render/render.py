@@ -24,6 +24,7 @@ except ImportError as error:
 import drawing  # noqa: E402
 import markup  # noqa: E402
 import numbers_text as numbers  # noqa: E402
+import schema  # noqa: E402
 import sections  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -133,8 +134,10 @@ def main():
     made = sections.Page(report, text, figures)
     (out / "report.md").write_text(made.markdown, encoding="utf-8")
     (out / "index.html").write_text(made.html, encoding="utf-8")
+    (out / "report.schema.json").write_text(json.dumps(schema.joined(), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     figures.steps.show("")
-    print(json.dumps({"written": figures.written + ["report.md", "index.html"], "undrawn": figures.undrawn}))
+    print(json.dumps({"written": figures.written + ["report.md", "index.html", "report.schema.json"],
+                      "undrawn": figures.undrawn}))
 
 
 if __name__ == "__main__":
