@@ -19,13 +19,18 @@ class Baselines(unittest.TestCase):
              "planted_faults.json": "planted-faults", "work_precision.json": "work-precision",
              "performance.json": "gates", "gates.json": "gates",
              "sweep.json": "sweep-speed"}
+    GROUPS = {"accuracy.json": "certified", "performance.json": "gates", "sweep.json": "sweep_speed"} | {
+        f"{name}.json": name for name in ("stress", "planted_faults", "work_precision", "gates")}
+    TITLES = {"verification": "Verification, quantity by quantity", "worst-inputs": "Random inputs, and the worst of them",
+              "planted-faults": "Planted faults", "work-precision": "Speed: error against work", "gates": "Gates of speed",
+              "sweep-speed": "Speed of sweeps"}
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.project = pathlib.Path(self.folder.name) / "project"
-        for part in ("reference/published", "reference/exact", "reference/baselines",
-                     "reports/page/gnuplot"):
+        for part in ("reference/published", "reference/exact", "reference/baselines", "reports/page/gnuplot",
+                     "reports/page/render", "reports/page/schema"):
             shutil.copytree(ROOT / part, self.project / part)
         # A ledger lacks new faults until the next run that plants a part of them.
         path = self.project / "reference/baselines/planted_faults.json"
@@ -40,23 +45,34 @@ class Baselines(unittest.TestCase):
         asked = [word for name in sections for word in ("--section", name)]
         done = report(*asked, cwd=self.project, environment={"PATH": str(self.project / "empty")})
         self.assertIn(done.returncode, (0, 1), done.stderr)  # 1: no figures where there are some
-        text = (self.project / "reports/out/report.json").read_text()
-        page = json.loads(text)
-        self.missing = [row for one in page["sections"][-1]["tables"] for row in one["rows"]
-                        if "gnuplot" not in row[1]]
-        self.sections = {section["id"]: section for section in page["sections"]}
+        page = json.loads((self.project / "reports/out/report.json").read_text())
+        self.terminal = done.stdout
+        self.text = (self.project / "reports/out/report.md").read_text()
+        self.sections = {part.partition("\n")[0]: part for part in self.text.split("\n## ")[1:]}
+        self.missing = [row for row in self.rows("What is missing from this page") if "gnuplot" not in row[1]]
+        self.findings = {one["id"]: one for one in page["findings"]}
         self.reader = PageReader((self.project / "reports/out/index.html").read_text())
         self.assertEqual(self.reader.problems, [])
         return page
 
+    def rows(self, section):
+        """The cells of all tables of a section."""
+        lines = [line for line in self.sections[section].splitlines() if line.startswith("|")]
+        heads = {i for i, line in enumerate(lines) for i in ((i - 1, i) if line.startswith("| ---") else ())}
+        return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for i, line in enumerate(lines)
+                if i not in heads]
+
     def assert_missing(self, name, why):
-        self.page()
-        section = self.sections[self.FILES[name]]
+        page = self.page()
         self.assertEqual(len(self.missing), 1, self.missing)
         self.assertIn(why, self.missing[0][1])
         self.assertIn("make ", self.missing[0][2])
-        self.assertIn(why, json.dumps(section, ensure_ascii=False))
-        self.assertTrue(section["tables"] or "Not here" in section["paragraphs"][-1])
+        group = self.GROUPS[name]
+        self.assertIn(why, json.dumps(page[group], ensure_ascii=False))
+        self.assertIn(why, self.sections[self.TITLES[self.FILES[name]]])
+        if "missing" in page[group]:
+            self.assertEqual((self.findings[group]["standing"], why in self.findings[group]["why"]), ("absent", True))
+            self.assertIn("1 did not run", self.terminal)
 
     def test_with_all_of_them_nothing_is_missing(self):
         self.page(sections=[])
@@ -70,13 +86,15 @@ class Baselines(unittest.TestCase):
                 (self.project / name).rename(self.project / "reference/baselines" / name)
 
     def test_only_the_sections_that_are_asked_for_are_made(self):
-        for sections in (["sweep"], ["gates", "environment"], ["uncertainty", "inputs"]):
+        for sections, groups in ((["uncertainty"], {"ledger", "onset_uncertainty"}),
+                                 (["gates", "environment"], {"gates", "environment"}),
+                                 (["model", "skipped-work"], {"paper", "skipped_work"})):
             page = self.page(sections)
-            self.assertEqual({section["id"] for section in page["sections"]},
-                             {*sections, "not-run"})
+            self.assertEqual(set(page["sections"]), set(sections))
+            self.assertEqual(set(page) - {"tribocheck", "sections", "findings", "not_run", "files"}, groups)
         done = report("--section", "sweeps", cwd=self.project)
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("sweeps is not one of environment, claims", done.stderr)
+        self.assertIn("sweeps is not one of figures, comparison", done.stderr)
 
     def test_one_that_is_not_json(self):
         path = self.project / "reference/baselines/stress.json"
@@ -89,32 +107,45 @@ class Baselines(unittest.TestCase):
                 (self.project / "reference/baselines/planted_faults.json").write_text(content)
                 self.assert_missing("planted_faults.json", "has another shape")
 
+    def test_a_part_of_another_shape(self):
+        for name, of in (("accuracy.json", "quantities"), ("performance.json", "time"), ("stress.json", "outputs"),
+                         ("gates.json", "planted"), ("sweep.json", "ratios"), ("work_precision.json", "throughput_by_size"),
+                         ("planted_faults.json", "environment")):
+            with self.subTest(name):
+                path = self.project / "reference/baselines" / name
+                whole = path.read_text()
+                path.write_text(json.dumps(json.loads(whole) | {of: [3]}))
+                self.assert_missing(name, "has another shape")
+                path.write_text(whole)
+
     def test_without_any_and_without_certified_tables(self):
         shutil.rmtree(self.project / "reference/baselines")
         shutil.rmtree(self.project / "reference/exact")
         page = self.page(sections=[])
-        absent = [verdict["section"] for verdict in page["verdicts"]
-                  if verdict["standing"] == "not run"]
-        for section in ("verification", "planted-faults", "worst-inputs", "work-precision", "gates",
-                        "sweep-speed", "not-run"):
-            self.assertIn(section, absent)
-        self.assertEqual(self.reader.figures, FIGURES)
+        absent = {one["section"] for one in page["findings"] if one["standing"] == "absent"}
+        self.assertLessEqual({"verification", "planted-faults", "worst-inputs", "work-precision", "gates", "sweep-speed"},
+                             absent)
+        self.assertEqual(sorted(self.reader.figures), sorted(FIGURES))
 
     def test_a_fault_that_survived_is_a_broken_promise_on_top(self):
         path = self.project / "reference/baselines/planted_faults.json"
         content = json.loads(path.read_text())
         content["faults"][7] |= {"caught": False, "said": "passed"}
         path.write_text(json.dumps(content))
-        page = self.page()
-        self.assertEqual(page["verdicts"][0]["standing"], "FAILS")
-        self.assertEqual(page["verdicts"][0]["section"], "planted-faults")
-        self.assertIn(content["faults"][7]["id"],
-                      self.sections["planted-faults"]["tables"][0]["rows"][0][0])
+        self.page()
+        self.assertEqual(self.findings["planted_faults"]["standing"], "fails")
+        self.assertIn("FAILS: planted_faults", self.terminal)
+        self.assertIn("1 fail", self.terminal)
+        first = next(line for line in self.text.splitlines() if "[more](#" in line)
+        self.assertRegex(first, r"^FAILS \[more\]\(#planted-faults\)")
+        row = self.rows(self.TITLES["planted-faults"])[0]
+        self.assertEqual((row[0], row[2]), (f"`{content['faults'][7]['id']}`", "SURVIVED: passed"))
 
     def standing_of(self, section):
         """What the page promises of a section, and its words."""
         page = self.page([section, "environment"])
-        return next((one["standing"], one["text"]) for one in page["verdicts"] if one["section"] == section)
+        standing = next(one["standing"] for one in page["findings"] if one["section"] == section)
+        return standing, " ".join(re.search(rf"\[more\]\(#{section}\) (.*?)\n\n", self.text, re.DOTALL)[1].split())
 
     def changed(self, name, change):
         path = self.project / "reference/baselines" / name
@@ -130,33 +161,44 @@ class Baselines(unittest.TestCase):
 
         def not_held(content):
             content["outputs"][2]["held"] = False
-        for section, name, change in (("gates", "gates.json", not_proved),
-                                      ("worst-inputs", "stress.json", not_held)):
-            with self.subTest(section):
-                self.assertEqual(self.standing_of(section)[0], "holds")
+
+        def nothing_proved(content):
+            content["same_program"] = content["planted"] = []
+        for section, name, change, said in (("gates", "gates.json", not_proved, "1 of 8 gates did not say"),
+                                            ("gates", "gates.json", nothing_proved, "0 of 0 gates did not say"),
+                                            ("worst-inputs", "stress.json", not_held, "31 of 32 outputs keep")):
+            with self.subTest(change.__name__):
+                shutil.copy(ROOT / "reference/baselines" / name, self.project / "reference/baselines" / name)
+                standing, text = self.standing_of(section)
+                self.assertEqual(standing, "holds")
+                self.assertNotIn(said, text)
                 self.changed(name, change)
-                self.assertEqual(self.standing_of(section)[0], "FAILS")
+                standing, text = self.standing_of(section)
+                self.assertEqual(standing, "fails")
+                self.assertIn(said, text)
 
     def test_one_certified_value_that_is_not_kept_breaks_the_promise(self):
-        standing, before = self.standing_of("verification")
-        self.assertEqual(standing, "holds")
+        before = self.page(["verification"])["certified"]
+        self.assertEqual(self.findings["certified_values"]["standing"], "holds")
         path = self.project / "reference/exact/hertz_point.csv"
         row = path.read_text().splitlines()[-1]
         high = row.split(",")[-4]
         moved = (float.fromhex(high) * (1 + 2**-40)).hex()
         path.write_text(path.read_text().replace(row, row.replace(high, moved)))
-        standing, text = self.standing_of("verification")
-        self.assertEqual(standing, "FAILS")
-        worst = [float(re.search(r"takes ([\d.]+)", words)[1]) for words in (before, text)]
-        self.assertLessEqual(worst[0], 100)
-        self.assertGreater(worst[1], 1000)
-        table = self.sections["verification"]["tables"][0]
-        self.assertEqual([row[0] for row in table["rows"] if row[-1] == "FAILED"], ["hertz_point"])
+        after = self.page(["verification"])["certified"]
+        self.assertEqual(self.findings["certified_values"]["standing"], "fails")
+        self.assertLessEqual(before["worst_part_of_bound"], 1)
+        self.assertGreater(after["worst_part_of_bound"], 10)
+        self.assertEqual((before["held"], after["held"]), (15, 14))
+        self.assertEqual([row[0] for row in self.rows(self.TITLES["verification"]) if row[-1] == "FAILED"],
+                         ["`hertz_point`"])
 
     def test_the_worst_of_all_quantities_is_told(self):
-        text = self.standing_of("verification")[1]
-        parts = [float(row[6].split()[0]) for row in self.sections["verification"]["tables"][0]["rows"]]
-        self.assertEqual(float(re.search(r"takes ([\d.]+)", text)[1]), max(parts))
+        certified = self.page(["verification"])["certified"]
+        self.assertEqual(certified["worst_part_of_bound"],
+                         max(one["worst_part_of_bound"] for one in certified["quantities"]))
+        parts = [float(row[6].split()[0]) for row in self.rows(self.TITLES["verification"])]
+        self.assertEqual(float(re.search(r"takes ([\d.]+)", self.standing_of("verification")[1])[1]), max(parts))
 
     def test_faults_of_the_catalogue_that_were_not_planted_are_said_to_be(self):
         def more(content):
@@ -171,21 +213,11 @@ class Baselines(unittest.TestCase):
         content["same_program"][2] |= {"verdict": "not held", "proved": False, "workloads": 0,
                                        "greatest_ratio": None, "why": "the machine is busy"}
         path.write_text(json.dumps(content))
-        page = self.page()
-        self.assertEqual(page["verdicts"][0]["section"], "gates")
+        self.page()
+        self.assertEqual(self.findings["gates"]["standing"], "fails")
         self.assertIn("the machine is busy", self.missing[0][1])
 
-    def test_sweeps_that_are_slower_than_aimed_at_are_said_to_be(self):
-        path = self.project / "reference/baselines/sweep.json"
-        content = json.loads(path.read_text())
-        content["ratios"]["film_5_fields"]["summaries"] = 7 * content["ratios"]["film_5_fields"]["alone"]
-        path.write_text(json.dumps(content))
-        page = self.page()
-        said = next(verdict for verdict in page["verdicts"] if verdict["section"] == "sweep-speed")
-        self.assertIn("NOT REACHED", said["text"])
-        self.assertIn("7.00 times", said["text"])
-
-    def test_each_of_the_aims_of_sweeps_has_to_be_reached(self):
+    def test_each_of_the_targets_of_sweeps_has_to_be_reached(self):
         def slower(content):
             one = next(iter(content["ratios"].values()))
             one["summaries"] = 1.6 * one["alone"]
@@ -204,25 +236,65 @@ class Baselines(unittest.TestCase):
             for of in content["memory"].values():
                 of["mb_of_rank"] = {rank: 100 for rank in of["mb_of_rank"]}
         self.changed("sweep.json", all_reached)
-        self.assertIn("is reached", self.standing_of("sweep-speed")[1])
-        for change in (slower, no_gain, larger):
+        standing, text = self.standing_of("sweep-speed")
+        self.assertEqual(standing, "holds")
+        self.assertIn("all 3 speed targets are reached", text)
+        self.assertIn("0 missed a target", self.terminal)
+        for change, target, said in ((slower, "times_alone", "1.60 times as long"),
+                                     (no_gain, "two_threads", "1.70 times as fast"), (larger, "mb_of_rank", "301 MB")):
             with self.subTest(change.__name__):
                 self.changed("sweep.json", all_reached)
                 self.changed("sweep.json", change)
-                self.assertIn("NOT REACHED", self.standing_of("sweep-speed")[1])
+                standing, text = self.standing_of("sweep-speed")
+                self.assertEqual(standing, "missed")
+                self.assertIn("one of 3 speed targets is missed", text)
+                self.assertIn(said, text)
+                self.assertEqual(text.count(", missed)"), 1)
+                self.assertIn("1 missed a target", self.terminal)
+                targets = self.page(["sweep-speed"])["sweep_speed"]["targets"]
+                self.assertEqual([name for name, one in targets.items() if not one["reached"]], [target])
 
     def test_a_changed_verdict_breaks_the_ledgers_promise_and_a_moved_number_does_not(self):
         path = self.project / "reference/baselines/ledger.csv"
         whole = path.read_text()
         rows = list(csv.reader(io.StringIO(whole)))
-        for column, value, standing in (("computed", "2.2", "holds"), ("verdict", "in part", "FAILS")):
+        for column, value, standing in (("computed", "2.2", "holds"), ("verdict", "in part", "fails")):
             with self.subTest(column):
                 path.write_text(whole.replace(",".join(rows[1]), ",".join(
                     value if name == column else cell for name, cell in zip(rows[0], rows[1]))))
-                page = self.page(["claims"])
-                self.assertEqual([one["standing"] for one in page["verdicts"]
-                                  if one["text"].endswith("against the committed ledger.")
-                                  or "changed against the committed ledger:" in one["text"]], [standing])
+                self.page(["claims"])
+                self.assertEqual(self.findings["committed_ledger"]["standing"], standing)
+
+    def test_what_the_page_says_of_alternatives_is_the_baseline(self):
+        """The fastest of each job without failures and with a known error, ours and another's, found here again."""
+        baseline = json.loads((self.project / "reference/baselines/work_precision.json").read_text())
+        ratios = []
+        for job in {row["job"] for row in baseline["error_against_work"]}:
+            rows = [row for row in baseline["error_against_work"]
+                    if row["job"] == job and row["failures"] == 0 and row["max_ulp"] is not None]
+            ours, others = ([row["ns"] for row in rows if (row["family"] == "tribocheck") == is_ours]
+                            for is_ours in (True, False))
+            ratios.append(min(others) / min(ours))
+        page = self.page(["work-precision"])
+        found = page["work_precision"]["alternatives"]
+        self.assertEqual((found["jobs"], found["least_times_ours"], found["greatest_times_ours"]),
+                         (len(ratios), min(ratios), max(ratios)))
+        self.assertIn(f"without failures is {min(ratios):.3g} to {max(ratios):.2f}\ntimes slower", self.text)
+
+    def test_an_alternative_that_fails_or_is_not_judged_is_not_compared(self):
+        def only_failures(content):
+            for row in content["error_against_work"]:
+                if row["family"] != "tribocheck":
+                    row |= {"failures": 1} if row["job"] == "moment_2" else {"max_ulp": None}
+        self.changed("work_precision.json", only_failures)
+        page = self.page(["work-precision"])
+        self.assertEqual(page["work_precision"]["alternatives"]["jobs"], 0)
+        self.assertEqual(self.findings["work_precision"]["standing"], "absent")
+        self.assertTrue(all({way["family"] for way in job["ways"]} == {"tribocheck"} for job in page["work_precision"]["jobs"]))
+
+    def test_exponents_in_texts_of_a_baseline_stay_apart(self):
+        self.page(["gates"])
+        self.assertIn("2<sup>−90</sup> for 2<sup>−55</sup>:", self.text)
 
     def test_texts_of_a_baseline_cannot_break_the_page(self):
         path = self.project / "reference/baselines/planted_faults.json"
@@ -231,9 +303,10 @@ class Baselines(unittest.TestCase):
         path.write_text(json.dumps(content))
         self.page()
         text = (self.project / "reports/out/index.html").read_text()
-        self.assertNotIn("<script", text)
-        rows = [line for line in (self.project / "reports/out/report.md").read_text().splitlines()
-                if "alert(1)" in line]
+        self.assertNotIn("<script>alert", text)
+        self.assertIn("&lt;script&gt;alert(1)&lt;/script&gt; ~ | &quot; '", text)
+        self.assertIn("<code>a`b</code>", text)
+        rows = [line for line in self.text.splitlines() if "alert(1)" in line]
         self.assertEqual([len(re.findall(r"(?<!\\)\|", row)) for row in rows], [7])  # six cells
 
 
