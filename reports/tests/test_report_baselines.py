@@ -21,8 +21,9 @@ class Baselines(unittest.TestCase):
              "sweep.json": "sweep-speed"}
     GROUPS = {"accuracy.json": "certified", "performance.json": "gates", "sweep.json": "sweep_speed"} | {
         f"{name}.json": name for name in ("stress", "planted_faults", "work_precision", "gates")}
-    TITLES = {"verification": "Verification, quantity by quantity", "worst-inputs": "Random inputs, and the worst of them",
-              "planted-faults": "Planted faults", "work-precision": "Speed: error against work", "gates": "Gates of speed",
+    TITLES = {"verification": "Verification, quantity by quantity",
+              "worst-inputs": "Random inputs, and the worst of them", "planted-faults": "Planted faults",
+              "work-precision": "Speed: error against work", "gates": "Gates of speed",
               "sweep-speed": "Speed of sweeps"}
 
     def setUp(self):
@@ -109,8 +110,8 @@ class Baselines(unittest.TestCase):
 
     def test_a_part_of_another_shape(self):
         for name, of in (("accuracy.json", "quantities"), ("performance.json", "time"), ("stress.json", "outputs"),
-                         ("gates.json", "planted"), ("sweep.json", "ratios"), ("work_precision.json", "throughput_by_size"),
-                         ("planted_faults.json", "environment")):
+                         ("gates.json", "planted"), ("sweep.json", "ratios"),
+                         ("work_precision.json", "throughput_by_size"), ("planted_faults.json", "environment")):
             with self.subTest(name):
                 path = self.project / "reference/baselines" / name
                 whole = path.read_text()
@@ -123,8 +124,8 @@ class Baselines(unittest.TestCase):
         shutil.rmtree(self.project / "reference/exact")
         page = self.page(sections=[])
         absent = {one["section"] for one in page["findings"] if one["standing"] == "absent"}
-        self.assertLessEqual({"verification", "planted-faults", "worst-inputs", "work-precision", "gates", "sweep-speed"},
-                             absent)
+        self.assertLessEqual({"verification", "planted-faults", "worst-inputs", "work-precision", "gates",
+                              "sweep-speed"}, absent)
         self.assertEqual(sorted(self.reader.figures), sorted(FIGURES))
 
     def test_a_fault_that_survived_is_a_broken_promise_on_top(self):
@@ -290,7 +291,8 @@ class Baselines(unittest.TestCase):
         page = self.page(["work-precision"])
         self.assertEqual(page["work_precision"]["alternatives"]["jobs"], 0)
         self.assertEqual(self.findings["work_precision"]["standing"], "absent")
-        self.assertTrue(all({way["family"] for way in job["ways"]} == {"tribocheck"} for job in page["work_precision"]["jobs"]))
+        for job in page["work_precision"]["jobs"]:
+            self.assertEqual({way["family"] for way in job["ways"]}, {"tribocheck"})
 
     def test_exponents_in_texts_of_a_baseline_stay_apart(self):
         self.page(["gates"])

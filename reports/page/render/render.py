@@ -134,7 +134,8 @@ def main():
     made = sections.Page(report, text, figures)
     (out / "report.md").write_text(made.markdown, encoding="utf-8")
     (out / "index.html").write_text(made.html, encoding="utf-8")
-    (out / "report.schema.json").write_text(json.dumps(schema.joined(), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    whole = json.dumps(schema.joined(), indent=1, ensure_ascii=False)
+    (out / "report.schema.json").write_text(whole + "\n", encoding="utf-8")
     figures.steps.show("")
     print(json.dumps({"written": figures.written + ["report.md", "index.html", "report.schema.json"],
                       "undrawn": figures.undrawn}))

@@ -5,7 +5,8 @@ import pathlib
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "schema"
 MISSING = {
-    "description": "the group could not be made", "type": "object", "additionalProperties": False, "required": ["missing"],
+    "description": "the group could not be made", "type": "object", "additionalProperties": False,
+    "required": ["missing"],
     "properties": {"missing": {
         "description": "why", "type": "object", "additionalProperties": False, "required": ["why", "how_to"],
         "properties": {"why": {"description": "what is wrong", "type": "string"},
@@ -17,5 +18,6 @@ def joined():
     whole = groups.pop("report")
     for name, group in groups.items():
         del group["$schema"]
-        whole["properties"][name] = {"description": group.pop("description"), "oneOf": [group, {"$ref": "#/$defs/missing"}]}
+        whole["properties"][name] = {"description": group.pop("description"),
+                                     "oneOf": [group, {"$ref": "#/$defs/missing"}]}
     return whole | {"$defs": {"missing": MISSING}}
