@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is computed beside what the paper reports.
+// What is computed of the published scenes beside what the paper reports.
 #pragma once
 
 #include <optional>
@@ -7,35 +7,31 @@
 #include <string_view>
 #include <vector>
 
-#include "page/reported.hpp"
 #include "page/solved_case.hpp"
+#include "reproduction/claims.hpp"
 
 namespace tribo::report {
 
 struct ComparisonRow {
+  reproduction::Quantity quantity;
   std::string_view surface;
-  std::string_view model;      // GT, GW
-  std::string_view criterion;  // of onset; empty where there is none
-  std::optional<double> computed;
-  std::optional<Reported> reported;
-  std::string in_words;
+  std::string_view model;           // GT, GW
+  std::string_view criterion;       // of onset; empty where there is none
+  std::optional<double> computed;   // none: there is no such onset
+  std::string_view none;            // why not
+  const reproduction::Item* claim;  // what the paper reports; null: no number
 
   std::optional<double> factor() const;  // computed/reported
-  bool agrees() const;                   // inside half a unit of the last printed digit
+  std::optional<reproduction::Verdict> verdict() const;
 };
 
-struct ComparisonTable {
-  std::string_view quantity;  // as in claims.tsv
-  std::string title;
-  std::string computed_heading;  // "computed, m/s"
-  std::string note;
-  int digits;  // significant ones of the computed numbers
-  bool has_criteria;
-  std::vector<ComparisonRow> rows;
-};
+// Onset speeds, film parameters at the onset, asperity shares at the lowest speed. The rows point
+// into `claims`.
+std::vector<ComparisonRow> compare(const std::vector<SolvedCase>& solved,
+                                   const std::vector<reproduction::Item>& claims);
 
-// Onset speeds, film parameters at the onset, asperity shares at the lowest speed.
-std::vector<ComparisonTable> compare(const std::vector<SolvedCase>& solved,
-                                     const ReportedValues& reported);
+// The number that the paper prints of this quantity; null where it prints none.
+const reproduction::Item* reported(const std::vector<reproduction::Item>& claims,
+                                   reproduction::Quantity quantity, const Case& source);
 
 }  // namespace tribo::report

@@ -8,11 +8,12 @@
 #include <string_view>
 
 #include "page/number_text.hpp"
-#include "page/observations.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::report {
 namespace {
+
+using Claims = std::vector<reproduction::Item>;
 
 std::string header(std::string_view what, std::string_view made_from) {
   return fmt::format("# {}\n# tribocheck {}, from {}\n", what, version, made_from);
@@ -85,13 +86,16 @@ DataFile slope_marks_file(const TwoSlopes& slopes) {
   return {"data/figure_04_marks.tsv", text};
 }
 
-DataFile ratio_file(const Findings& findings) {
-  const SolvedCase &gt = findings.gt("smooth"), &gw = findings.gw("smooth");
+// Where neither film has collapsed.
+DataFile ratio_file(const SolvedCase& gt, const SolvedCase& gw) {
   std::string text = header("Film with GW over film with GT, up to the collapse",
                             fmt::format("{} and {}", gw.source.file, gt.source.file));
   text += "# speed [m/s]\tfilm with GW/film with GT\n";
-  for (const RatioPoint& point : ratios(gw, gt, &Point::film))
-    text += fmt::format("{}\t{}\n", exact(point.speed), exact(point.ratio));
+  for (const Point& point : gw.curve) {
+    const Point other = gt.contact.solve(point.speed);
+    if (point.inlet == Inlet::collapsed || other.inlet == Inlet::collapsed) break;
+    text += fmt::format("{}\t{}\n", exact(point.speed), exact(point.film / other.film));
+  }
   return {"data/figure_11_ratio.tsv", text};
 }
 
@@ -102,61 +106,64 @@ std::string mark(std::string_view event, const SolvedCase& solved,
                      cells(*point));
 }
 
-std::optional<Point> at_reported_onset(const SolvedCase& solved, const ReportedValues& reported) {
-  const auto row = reported.find("onset_speed", solved.source.surface, solved.source.short_model());
-  if (!row) return std::nullopt;
-  return solved.contact.solve(row->value);
+std::optional<Point> at_reported_onset(const SolvedCase& solved, const Claims& claims) {
+  const reproduction::Item* const row =
+      reported(claims, reproduction::Quantity::onset_speed, solved.source);
+  if (row == nullptr) return std::nullopt;
+  return solved.contact.solve(row->reported);
 }
 
-DataFile marks_file(const Findings& findings) {
+DataFile marks_file(const std::vector<SolvedCase>& solved, const Claims& claims) {
   std::string text = header(
       "Points to mark: the lowest speed, the onset speed that the paper reports, the onset of "
       "starvation (film_maximum) and the collapse of the film where they lie within the speeds",
-      "the scenes of the curves and " + findings.reported.file());
+      "the scenes of the curves and claims.tsv");
   text += fmt::format("{}# event\tsurface\tmodel\t{}\n", undefined_note, point_columns());
-  for (const SolvedCase& one : findings.solved)
+  for (const SolvedCase& one : solved)
     text += mark("slowest", one, one.slowest) +
-            mark("reported", one, at_reported_onset(one, findings.reported)) +
+            mark("reported", one, at_reported_onset(one, claims)) +
             mark("onset", one, one.at_onset) + mark("collapse", one, one.at_collapse);
   return {"data/marks.tsv", text};
 }
 
 std::string or_nan(const std::optional<double>& value) { return value ? exact(*value) : "NaN"; }
 
-std::string comparison_line(const ComparisonTable& table, const ComparisonRow& row) {
-  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", table.quantity, row.surface, row.model,
-                     row.criterion.empty() ? "-" : row.criterion, or_nan(row.computed),
-                     row.reported ? exact(row.reported->value) : "NaN", or_nan(row.factor()),
-                     row.in_words);
+std::string comparison_line(const ComparisonRow& row) {
+  const std::string_view verdict = !row.computed           ? row.none
+                                   : row.claim == nullptr ? "no number in the paper"
+                                                          : reproduction::name(*row.verdict());
+  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", reproduction::name(row.quantity),
+                     row.surface, row.model, row.criterion.empty() ? "-" : row.criterion,
+                     or_nan(row.computed),
+                     row.claim == nullptr ? "NaN" : exact(row.claim->reported),
+                     or_nan(row.factor()), verdict);
 }
 
-DataFile comparison_file(const std::vector<ComparisonTable>& tables,
-                         const std::string& reported_file) {
+DataFile comparison_file(const std::vector<ComparisonRow>& rows) {
   std::string text = header(
       "Computed beside reported; speeds in m/s, film parameters and shares "
       "without a unit",
-      "the scenes of the curves and " + reported_file);
-  text += "# NaN: no such onset, or no number in the paper\n";
-  text +=
-      "# quantity\tsurface\tmodel\tcriterion\tcomputed\treported\tcomputed/reported\tin words\n";
-  for (const ComparisonTable& table : tables)
-    for (const ComparisonRow& row : table.rows) text += comparison_line(table, row);
+      "the scenes of the curves and claims.tsv");
+  text += "# NaN: no such onset, or no number in the paper; the verdict says which\n";
+  text += "# quantity\tsurface\tmodel\tcriterion\tcomputed\treported\tcomputed/reported\tverdict\n";
+  for (const ComparisonRow& row : rows) text += comparison_line(row);
   return {"data/comparison.tsv", text};
 }
 
 }  // namespace
 
-std::vector<DataFile> data_files(const Findings& findings,
-                                 const std::vector<ComparisonTable>& tables) {
+std::vector<DataFile> data_files(const std::vector<SolvedCase>& solved, const TwoSlopes& slopes,
+                                 const Claims& claims, const std::vector<ComparisonRow>& rows) {
   std::vector<DataFile> files;
-  for (const SolvedCase& one : findings.solved) files.push_back(curve_file(one));
-  for (const SlopeCurve& curve : findings.slopes.curves)
-    if (curve.name != "paper") files.push_back(slope_file(curve, findings.slopes));
-  files.push_back(guide_file(findings.slopes));
-  files.push_back(slope_marks_file(findings.slopes));
-  files.push_back(ratio_file(findings));
-  files.push_back(marks_file(findings));
-  files.push_back(comparison_file(tables, findings.reported.file()));
+  for (const SolvedCase& one : solved) files.push_back(curve_file(one));
+  for (const SlopeCurve& curve : slopes.curves)
+    if (curve.name != "paper") files.push_back(slope_file(curve, slopes));
+  files.push_back(guide_file(slopes));
+  files.push_back(slope_marks_file(slopes));
+  files.push_back(ratio_file(find_solved(solved, "smooth", AsperityModel::greenwood_tripp),
+                             find_solved(solved, "smooth", AsperityModel::greenwood_williamson)));
+  files.push_back(marks_file(solved, claims));
+  files.push_back(comparison_file(rows));
   return files;
 }
 

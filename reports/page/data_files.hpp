@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report's data as tab-separated text: units and provenance in a commented header, every number
-// written so that it reads back to the same double, no dates.
+// The numbers of the paper's figures as tab-separated files, from which gnuplot draws them.
 #pragma once
 
 #include <vector>
 
 #include "page/comparison.hpp"
 #include "page/data_file.hpp"
-#include "page/findings.hpp"
+#include "page/two_slopes.hpp"
 
 namespace tribo::report {
 
-std::vector<DataFile> data_files(const Findings& findings,
-                                 const std::vector<ComparisonTable>& tables);
+std::vector<DataFile> data_files(const std::vector<SolvedCase>& solved, const TwoSlopes& slopes,
+                                 const std::vector<reproduction::Item>& claims,
+                                 const std::vector<ComparisonRow>& rows);
 
 }  // namespace tribo::report

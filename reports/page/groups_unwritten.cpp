@@ -7,7 +7,5 @@ namespace tribo::report {
 namespace {
 [[noreturn]] Group unwritten() { throw std::runtime_error("this group is not written yet"); }
 }  // namespace
-Group paper_group(const ReportPlaces&, const std::vector<SolvedCase>&) { unwritten(); }
-Group ledger_group(const ReportPlaces&, const reproduction::Ledger&) { unwritten(); }
 Group onset_uncertainty_group(const ReportPlaces&, const reproduction::Ledger&) { unwritten(); }
 }  // namespace tribo::report

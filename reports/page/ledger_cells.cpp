@@ -6,29 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "page/ledger_tables.hpp"
 #include "page/number_text.hpp"
 
 namespace tribo::report::ledger_cells {
 
 using namespace reproduction;
-
-namespace {
-
-bool is_over_speeds(const Item& item) {
-  switch (item.quantity) {
-    case Quantity::area_gw_over_gt:
-    case Quantity::area_rough_over_smooth:
-    case Quantity::count_gw_over_gt:
-    case Quantity::count_smoother_over_rougher:
-    case Quantity::film_gw_over_gt:
-    case Quantity::friction_gt_over_gw:
-      return true;
-    default:
-      return false;
-  }
-}
-
-}  // namespace
 
 bool is_wanted(const std::vector<std::string>& claims, const std::string& claim) {
   return claims.empty() || std::find(claims.begin(), claims.end(), claim) != claims.end();

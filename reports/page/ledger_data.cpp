@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 
 #include "page/number_text.hpp"
+#include "tribo/onset.hpp"
 
 namespace tribo::report {
 namespace {
@@ -16,24 +16,13 @@ using namespace reproduction;
 constexpr const char* surface_names[] = {"rough", "medium", "smooth"};
 constexpr double nanometres = 1e9;
 
-Reading by(std::uint8_t criterion) {
-  Reading reading = corrected_reading();
-  reading.choice[static_cast<std::size_t>(Switch::criterion)] = criterion;
-  return reading;
-}
-
-double onset_speed(const Scene& scene, const Reading& reading) {
-  const std::vector<double> speeds = speed_grid(scene.speeds.from, scene.speeds.to);
-  const ReadInlet inlet(reading);
-  const FloodedCurve flooded = flooded_curve(ReadContact(scene, reading), speeds);
-  const auto onset = onset_of(flooded, starved_curve(flooded, inlet, speeds), inlet,
-                              reading.onset(), friction_law(reading));
-  return onset ? onset->speed : std::nan("");
+double onset_speed(const Scene& scene, OnsetCriterion criterion) {
+  const auto found = onset(MixedContact<double>(scene), scene, criterion, default_departure);
+  return found.exists ? found.speed : std::nan("");
 }
 
 double slow_share(const Scene& scene) {
-  const Reading reading = corrected_reading();
-  return ReadContact(scene, reading).point(scene.speeds.from, ReadInlet(reading)).asperity_share;
+  return MixedContact<double>(scene).solve(scene.speeds.from).asperity_load_share;
 }
 
 // The number of an item with half of its last digit down and up; NaN where the paper gives none.
@@ -72,8 +61,8 @@ DataFile ledger_surfaces_data(const Ledger& ledger) {
         "{}\t{}\n", surface_names[i],
         row({nanometres * scene.surface.summit_height_sd, print.onset_speed[i].median,
              plausible.onset_speed[i].low, plausible.onset_speed[i].high, print.onset_speed[i].low,
-             print.onset_speed[i].high, speed[0], speed[1], speed[2], onset_speed(scene, by(0)),
-             onset_speed(scene, by(6)), plausible.slow_asperity_share[i].low,
+             print.onset_speed[i].high, speed[0], speed[1], speed[2], onset_speed(scene, OnsetCriterion::film_maximum),
+             onset_speed(scene, OnsetCriterion::friction_minimum), plausible.slow_asperity_share[i].low,
              plausible.slow_asperity_share[i].high, print.slow_asperity_share[i].low,
              print.slow_asperity_share[i].high, share[0], share[1], share[2]}));
   }
@@ -91,8 +80,8 @@ DataFile ledger_law_data(const Ledger& ledger) {
     const double factor = 0.8 * std::pow(6.25, i / 60.0);  // 20 to 125 nm
     scene.surface.summit_height_sd *= factor;
     scene.surface.summit_density /= factor;
-    text += row({nanometres * scene.surface.summit_height_sd, onset_speed(scene, by(0)),
-                 onset_speed(scene, by(2)), slow_share(scene)}) +
+    text += row({nanometres * scene.surface.summit_height_sd, onset_speed(scene, OnsetCriterion::film_maximum),
+                 onset_speed(scene, OnsetCriterion::film_departure), slow_share(scene)}) +
             '\n';
   }
   return {"data/ledger_law.tsv", text};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "page/ledger_tables.hpp"
+
 namespace tribo::report {
 namespace {
 
@@ -23,6 +25,8 @@ Json switches(const Reading& reading) {
   return object;
 }
 
+constexpr std::string_view rule_words[] = {"number", "order", "equal", "at_least"};
+
 Json result_json(const Item& item, const ItemResult& result) {
   Json object{{"computed", number(result.observed.value)}, {"verdict", name(result.verdict)}};
   if (item.rule == Rule::number && result.observed.value)
@@ -41,13 +45,18 @@ Json item_json(const Ledger& ledger, const std::vector<NamedReading>& readings, 
               {"quantity", name(item.quantity)},
               {"surface", item.surface_text},
               {"model", item.model},
+              {"label", item.label},
               {"statement", item.statement},
+              {"rule", rule_words[static_cast<std::size_t>(item.rule)]},
+              {"is_over_speeds", is_over_speeds(item)},
               {"printed", item.printed},
               {"place", item.place},
               {"computed_as", item.computed_as},
               {"reported", item.rule == Rule::number ? Json(item.reported) : Json(nullptr)},
+              {"tolerance", number(item.tolerance)},
               {"unit", item.unit},
               {"met_by", ledger.item_statistics[i].part},
+              {"met_by_readings", ledger.item_statistics[i].readings},
               {"readings", Json::object()}};
   for (const NamedReading& reading : readings)
     object["readings"][reading.name] = result_json(item, reading.results[i]);
@@ -70,6 +79,8 @@ Json requirement_json(const Ledger& ledger, const Requirement& one) {
           {"unit", one.unit},
           {"paper_value", one.paper_value},
           {"value", one.factor ? Json(one.value) : Json(nullptr)},
+          {"low", one.low},
+          {"high", one.high},
           {"plausible", one.plausible},
           {"mends", one.mended},
           {"breaks", one.broken}};
@@ -99,12 +110,16 @@ Json uncertainty_json(const Uncertainty& one) {
 }
 
 Json ranking_json(const Ledger& ledger) {
+  const reproduction::Standing corrected =
+      standing(ledger.ranking, ledger.readings.front().score);
   Json object{{"readings", reading_count()},
               {"readings_by_score", ledger.ranking.histogram},
               {"mean_score", ledger.ranking.mean_score},
               {"score_standard_deviation", ledger.ranking.score_sd},
               {"best_score", ledger.ranking.best.front().score},
               {"best_ties", ledger.ranking.best_ties},
+              {"above_corrected", corrected.above},
+              {"equal_to_corrected", corrected.equal},
               {"best", Json::array()}};
   for (const RankedGroup& group : ledger.ranking.best)
     object["best"].push_back({{"score", group.score},
@@ -114,6 +129,20 @@ Json ranking_json(const Ledger& ledger) {
                               {"in_common", group.fixed},
                               {"differ_in", group.free}});
   return object;
+}
+
+Json switches_json() {
+  Json made = Json::array();
+  for (std::size_t i = 0; i < switch_count; ++i) {
+    const SwitchInfo& one = info(static_cast<Switch>(i));
+    made.push_back({{"name", one.name},
+                    {"errata", one.errata},
+                    {"choices", one.choices},
+                    {"corrected", one.choices[one.corrected]},
+                    {"literal", one.choices[one.literal]},
+                    {"meaning", one.meaning}});
+  }
+  return made;
 }
 
 Json departure_json(const CommonDeparture& found) {
@@ -129,7 +158,12 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
   const auto is_wanted = [&](const std::string& claim) {
     return claims.empty() || std::find(claims.begin(), claims.end(), claim) != claims.end();
   };
-  Json object{{"readings", Json::array()}, {"claims", Json::array()}, {"items", Json::array()}};
+  Json object{{"summary", verdict_sentence(ledger, ledger.readings.front())},
+              {"headline", headline_items},
+              {"switches", switches_json()},
+              {"readings", Json::array()},
+              {"claims", Json::array()},
+              {"items", Json::array()}};
   for (const NamedReading& reading : readings)
     object["readings"].push_back({{"name", reading.name},
                                   {"score", reading.score},
@@ -152,6 +186,7 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
                   {"reported", one.reported},
                   {"low", one.low},
                   {"high", one.high},
+                  {"agreeing", one.agreeing()},
                   {"candidates", Json::array()}};
     for (const Candidate& candidate : one.candidates)
       argument["candidates"].push_back({{"name", candidate.name},
@@ -173,6 +208,7 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
                                 {"right", one.right},
                                 {"settled_by", one.settled_by},
                                 {"kind", one.kind},
+                                {"switch_or_reason", one.switch_or_reason},
                                 {"computed", one.evidence},
                                 {"as_printed", number(one.as_printed)},
                                 {"as_corrected", number(one.as_corrected)},
@@ -183,6 +219,7 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
                                      {"unit", one.unit},
                                      {"reported", one.reported},
                                      {"computed", one.computed},
+                                     {"digits", one.digits},
                                      {"reproduced", one.reproduced}});
   return object;
 }

@@ -14,6 +14,20 @@ namespace tribo::report {
 using namespace reproduction;
 using namespace ledger_cells;
 
+bool is_over_speeds(const Item& item) {
+  switch (item.quantity) {
+    case Quantity::area_gw_over_gt:
+    case Quantity::area_rough_over_smooth:
+    case Quantity::count_gw_over_gt:
+    case Quantity::count_smoother_over_rougher:
+    case Quantity::film_gw_over_gt:
+    case Quantity::friction_gt_over_gw:
+      return true;
+    default:
+      return false;
+  }
+}
+
 TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
                         const std::vector<std::string>& claims) {
   TextTable table{

@@ -3,6 +3,8 @@
 // line.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "page/text_table.hpp"
@@ -20,6 +22,11 @@ TextTable statement_table(const reproduction::Ledger& ledger,
 // "10 of the paper's 17 claims are reproduced, 2 partly, 5 not"
 std::string verdict_sentence(const reproduction::Ledger& ledger,
                              const reproduction::NamedReading& reading);
+// What stands first wherever the claims are told: these items of claims.tsv.
+inline constexpr std::string_view headline_items[] = {"C1.smooth", "C1.medium", "C1.rough",
+                                                      "C2.smooth", "C4.rough",  "C4.smooth"};
+// Is the number of this item a ratio at each of many speeds?
+bool is_over_speeds(const reproduction::Item& item);
 inline constexpr const char* no_reading_sentence =
     "no combination of interpretations gives all three speeds.";
 // Each claim in a sentence with its verdict under each reading, and how many of all readings

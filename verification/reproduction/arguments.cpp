@@ -110,13 +110,17 @@ Argument film_formula(const PaperScenes& scenes, const std::vector<Item>& items)
          false}}});
 }
 
-// 0.82 σ in units of σ_s, with 0.82 and 1.4 each within its print precision.
-Argument plane_offset(const PaperScenes& scenes) {
+// 0.82 σ in units of σ_s, beside Table 1's number and its print precision.
+Argument plane_offset(const PaperScenes& scenes, const std::vector<Input>& inputs) {
   const double offset = scenes.scene[smooth_place].surface.summit_plane_offset;
+  const auto precision = std::find_if(inputs.begin(), inputs.end(), [](const Input& one) {
+    return one.field == Field::summit_plane_offset;
+  });
+  const double half = precision == inputs.end() ? 0 : precision->last_digit / 2;
   return decided({"σ against σ_s, from D_d = 0.82 σ (Whitehouse and Archard) and Table 1's D_d",
                   fmt::format("{}", offset),
-                  offset / (1.45 / 1.4 * 0.825 / 0.82),
-                  offset * (1.45 / 1.4 * 0.825 / 0.82),
+                  offset - half,
+                  offset + half,
                   {{"σ = 1.4 σ_s: 0.82·1.4", 0.82 * 1.4, false},
                    {"σ_s = 1.4 σ, as 1.8 prints it: 0.82/1.4", 0.82 / 1.4, false}}});
 }
@@ -189,14 +193,15 @@ std::size_t Argument::agreeing() const {
                                                 [](const Candidate& one) { return one.agrees; }));
 }
 
-std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items) {
+std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
+                                const std::vector<Input>& inputs) {
   return {sharing_exponent(scenes, items),
           onset_film_parameter(scenes, items),
           onset_spacing(scenes, items, "medium", 1, "smooth", 2),
           onset_spacing(scenes, items, "rough", 0, "medium", 1),
           summit_radius(scenes, items),
           film_formula(scenes, items),
-          plane_offset(scenes)};
+          plane_offset(scenes, inputs)};
 }
 
 }  // namespace tribo::reproduction

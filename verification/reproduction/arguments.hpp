@@ -26,6 +26,7 @@ struct Argument {
   std::size_t agreeing() const;  // one: the number identifies it
 };
 
-std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items);
+std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
+                                const std::vector<Input>& inputs);
 
 }  // namespace tribo::reproduction

@@ -60,7 +60,7 @@ Ledger make_ledger(const LedgerOptions& options) {
     if (!is_there) add(departures(reading), reading);
   }
 
-  ledger.arguments = arguments(ledger.scenes, ledger.items);
+  ledger.arguments = arguments(ledger.scenes, ledger.items, inputs);
   const NamedReading& corrected = ledger.readings.front();
   ledger.requirements =
       requirements(ledger.scenes, corrected.reading, ledger.items, corrected.results, inputs);
