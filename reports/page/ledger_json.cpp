@@ -40,6 +40,7 @@ Json result_json(const Item& item, const ItemResult& result) {
 
 Json item_json(const Ledger& ledger, const std::vector<NamedReading>& readings, std::size_t i) {
   const Item& item = ledger.items[i];
+  const double met_by = ledger.item_statistics[i].part;
   Json object{{"item", item.id},
               {"claim", item.claim},
               {"quantity", name(item.quantity)},
@@ -55,8 +56,9 @@ Json item_json(const Ledger& ledger, const std::vector<NamedReading>& readings, 
               {"reported", item.rule == Rule::number ? Json(item.reported) : Json(nullptr)},
               {"tolerance", number(item.tolerance)},
               {"unit", item.unit},
-              {"met_by", ledger.item_statistics[i].part},
+              {"met_by", met_by},
               {"met_by_readings", ledger.item_statistics[i].readings},
+              {"bits", met_by > 0 ? Json(std::abs(std::log2(met_by))) : Json(nullptr)},
               {"readings", Json::object()}};
   for (const NamedReading& reading : readings)
     object["readings"][reading.name] = result_json(item, reading.results[i]);
@@ -75,6 +77,7 @@ Json requirement_json(const Ledger& ledger, const Requirement& one) {
           {"sensitivity", number(one.sensitivity)},
           {"factor_by_sensitivity", number(one.by_sensitivity)},
           {"factor", number(one.factor)},
+          {"distance", one.factor ? Json(std::abs(std::log(*one.factor))) : Json(nullptr)},
           {"surface", one.surface},
           {"unit", one.unit},
           {"paper_value", one.paper_value},

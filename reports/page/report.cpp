@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "page/groups.hpp"
+#include "page/ledger_tables.hpp"
 #include "page/pending_file.hpp"
 #include "page/rendering.hpp"
 #include "page/report_error.hpp"
@@ -37,7 +38,7 @@ constexpr SectionNeeds all_sections[] = {
     {"requirements", {"ledger"}},
     {"uncertainty", {"ledger", "onset_uncertainty"}},
     {"misprints", {"ledger"}},
-    {"model", {"paper"}},
+    {"model", {"paper", "ledger"}},
     {"verification", {"certified"}},
     {"worst-inputs", {"stress"}},
     {"planted-faults", {"planted_faults"}},
@@ -52,6 +53,10 @@ constexpr SectionNeeds all_sections[] = {
 struct Asked {
   std::vector<std::string_view> sections;
   std::set<std::string_view> groups;
+
+  bool has_section(std::string_view id) const {
+    return std::find(sections.begin(), sections.end(), id) != sections.end();
+  }
 
   explicit Asked(const std::vector<std::string>& ids) {
     std::vector<std::string_view> known;
@@ -146,7 +151,7 @@ std::vector<GroupMaker> makers(const ReportPlaces& places, const std::string& co
 // report.json as it grows, and the files of data.
 class ReportData {
  public:
-  ReportData(const ReportPlaces& places, const Asked& asked) : places_(places) {
+  ReportData(const ReportPlaces& places, const Asked& asked) : places_(places), asked_(asked) {
     json_ = {{"tribocheck", std::string(version)},
              {"sections", asked.sections},
              {"findings", Json::array()},
@@ -166,7 +171,8 @@ class ReportData {
                          Standing::absent, error.what()}};
     }
     json_[std::string(maker.id)] = std::move(group.data);
-    for (const Finding& one : group.findings) add(one);
+    for (const Finding& one : group.findings)
+      if (asked_.has_section(one.section)) add(one);
     for (const NotRun& one : group.not_run)
       json_["not_run"].push_back({{"what", one.what}, {"why", one.why}, {"how_to", one.how_to}});
     for (const DataFile& file : group.files) {
@@ -178,9 +184,13 @@ class ReportData {
 
   void finish() { write("report.json", json_.dump(1) + "\n"); }
 
+  bool has_ledger() const {
+    return json_.contains("ledger") && json_["ledger"].contains("summary");
+  }
+
   std::string verdict_in_short() const {
     std::string text;
-    if (json_.contains("ledger") && json_["ledger"].contains("summary"))
+    if (has_ledger())
       text += fmt::format("The paper: {}.\n", json_["ledger"]["summary"].get<std::string>());
     std::array<int, standing_words.size()> count{};
     std::string lines;
@@ -221,6 +231,7 @@ class ReportData {
   }
 
   const ReportPlaces& places_;
+  const Asked& asked_;
   Json json_;
 };
 
@@ -244,6 +255,7 @@ Report write_report(const ReportOptions& options, const Progress& progress) {
   Report report;
   report.folder = places.out.string();
   report.verdict = data.verdict_in_short();
+  if (data.has_ledger()) report.table = plain_table(headline_table(sources.ledger()));
   report.warnings = std::move(read.warnings);
   report.written = std::move(data.written);
   progress("");

@@ -13,6 +13,7 @@
 namespace tribo::report {
 
 struct Report {
+  std::string table;                  // the paper's first numbers beside what comes out
   std::string verdict;                // a few lines: the paper's claims, and this software
   std::string folder;                 // where the report lies, and
   std::vector<std::string> written;   // every file written, below that folder

@@ -42,6 +42,7 @@ report::Report written_report(const report::ReportOptions& options) {
 int tell(const report::Report& done, OutputStream& output) {
   for (const std::string& line : done.warnings) complain("warning: " + line);
   for (const std::string& line : done.undrawn) complain(line);
+  if (!done.table.empty()) append(output.text(), done.table + "\n");
   append(output.text(), done.verdict);
   append(output.text(),
          fmt::format("{}: {}/{} ({} files in all, data and pictures among them)\n",

@@ -25,7 +25,7 @@ SECTIONS = {
     "requirements": Section("What would have to be true", ("ledger",), True),
     "uncertainty": Section("How sure the computed numbers are", ("ledger", "onset_uncertainty")),
     "misprints": Section("The paper's misprints", ("ledger",), True),
-    "model": Section("The model, its equations and inputs", ("paper",), True),
+    "model": Section("The model, its equations and inputs", ("paper", "ledger"), True),
     "verification": Section("Verification, quantity by quantity", ("certified",), True),
     "worst-inputs": Section("Random inputs, and the worst of them", ("stress",), True),
     "planted-faults": Section("Planted faults", ("planted_faults",), True),
@@ -113,6 +113,7 @@ class Page:
         text = self.first
         for part in self.parts:
             text += f"\n## {part.title}\n\n{part.text}"
+        text = text.replace("</summary>\n", "</summary>\n\n")
         text = re.sub(r"</?(?:figure|figcaption|details|summary|div|span)\b[^>]*>\n?", "", text)
         return re.sub(r"\n{3,}", "\n\n", text)
 
