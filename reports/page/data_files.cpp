@@ -129,14 +129,13 @@ DataFile marks_file(const std::vector<SolvedCase>& solved, const Claims& claims)
 std::string or_nan(const std::optional<double>& value) { return value ? exact(*value) : "NaN"; }
 
 std::string comparison_line(const ComparisonRow& row) {
-  const std::string_view verdict = !row.computed           ? row.none
+  const std::string_view verdict = !row.computed          ? row.none
                                    : row.claim == nullptr ? "no number in the paper"
                                                           : reproduction::name(*row.verdict());
-  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", reproduction::name(row.quantity),
-                     row.surface, row.model, row.criterion.empty() ? "-" : row.criterion,
-                     or_nan(row.computed),
-                     row.claim == nullptr ? "NaN" : exact(row.claim->reported),
-                     or_nan(row.factor()), verdict);
+  return fmt::format(
+      "{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", reproduction::name(row.quantity), row.surface, row.model,
+      row.criterion.empty() ? "-" : row.criterion, or_nan(row.computed),
+      row.claim == nullptr ? "NaN" : exact(row.claim->reported), or_nan(row.factor()), verdict);
 }
 
 DataFile comparison_file(const std::vector<ComparisonRow>& rows) {

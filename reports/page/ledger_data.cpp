@@ -57,14 +57,16 @@ DataFile ledger_surfaces_data(const Ledger& ledger) {
     const Scene& scene = ledger.scenes.scene[i];
     const auto speed = reported(ledger, Quantity::onset_speed, i);
     const auto share = reported(ledger, Quantity::slow_asperity_share, i);
-    text += fmt::format(
-        "{}\t{}\n", surface_names[i],
-        row({nanometres * scene.surface.summit_height_sd, print.onset_speed[i].median,
-             plausible.onset_speed[i].low, plausible.onset_speed[i].high, print.onset_speed[i].low,
-             print.onset_speed[i].high, speed[0], speed[1], speed[2], onset_speed(scene, OnsetCriterion::film_maximum),
-             onset_speed(scene, OnsetCriterion::friction_minimum), plausible.slow_asperity_share[i].low,
-             plausible.slow_asperity_share[i].high, print.slow_asperity_share[i].low,
-             print.slow_asperity_share[i].high, share[0], share[1], share[2]}));
+    text +=
+        fmt::format("{}\t{}\n", surface_names[i],
+                    row({nanometres * scene.surface.summit_height_sd, print.onset_speed[i].median,
+                         plausible.onset_speed[i].low, plausible.onset_speed[i].high,
+                         print.onset_speed[i].low, print.onset_speed[i].high, speed[0], speed[1],
+                         speed[2], onset_speed(scene, OnsetCriterion::film_maximum),
+                         onset_speed(scene, OnsetCriterion::friction_minimum),
+                         plausible.slow_asperity_share[i].low,
+                         plausible.slow_asperity_share[i].high, print.slow_asperity_share[i].low,
+                         print.slow_asperity_share[i].high, share[0], share[1], share[2]}));
   }
   return {"data/ledger_surfaces.tsv", text};
 }
@@ -80,7 +82,8 @@ DataFile ledger_law_data(const Ledger& ledger) {
     const double factor = 0.8 * std::pow(6.25, i / 60.0);  // 20 to 125 nm
     scene.surface.summit_height_sd *= factor;
     scene.surface.summit_density /= factor;
-    text += row({nanometres * scene.surface.summit_height_sd, onset_speed(scene, OnsetCriterion::film_maximum),
+    text += row({nanometres * scene.surface.summit_height_sd,
+                 onset_speed(scene, OnsetCriterion::film_maximum),
                  onset_speed(scene, OnsetCriterion::film_departure), slow_share(scene)}) +
             '\n';
   }

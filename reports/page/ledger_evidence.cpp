@@ -8,7 +8,6 @@
 #include "page/ledger_cells.hpp"
 #include "page/ledger_tables.hpp"
 #include "page/number_text.hpp"
-#include "page/typeset.hpp"
 
 namespace tribo::report {
 
@@ -32,12 +31,12 @@ TextTable identification_table(const Ledger& ledger) {
       {false, true, true, true, false},
       {},
       "Identifies: choices that 95 % and more of the readings that meet the item share, by "
-      "chance fewer than that. Bits: log~2~ of how many times it divides the readings."};
+      "chance fewer than that. Bits: log_2 of how many times it divides the readings."};
   for (std::size_t i = 0; i < ledger.items.size(); ++i) {
     const ItemStatistics& one = ledger.item_statistics[i];
     std::string found;
     for (const Identification& choice : one.identified)
-      found += fmt::format("{}`{}={}` ({})", found.empty() ? "" : ", ", info(choice.which).name,
+      found += fmt::format("{}{}={} ({})", found.empty() ? "" : ", ", info(choice.which).name,
                            info(choice.which).choices[choice.choice], percent(choice.share));
     if (one.readings == 0) found = "no reading meets it";
     if (one.part > 0.9) found = "nothing: nearly all meet it";
@@ -52,14 +51,14 @@ TextTable identification_table(const Ledger& ledger) {
 std::vector<TextTable> argument_tables(const Ledger& ledger) {
   std::vector<TextTable> tables;
   for (const Argument& argument : ledger.arguments) {
-    TextTable table{typeset(argument.question),
+    TextTable table{argument.question,
                     {"candidate", "gives", "agrees"},
                     {false, true, false},
                     {},
                     fmt::format("Reported: {}, by print precision {} to {}. ", argument.reported,
                                 rounded(argument.low, 5), rounded(argument.high, 5))};
     for (const Candidate& one : argument.candidates)
-      table.rows.push_back({typeset(one.name), number(one.value, 5), one.agrees ? "yes" : "no"});
+      table.rows.push_back({one.name, number(one.value, 5), one.agrees ? "yes" : "no"});
     const std::size_t agreeing = argument.agreeing();
     table.note += agreeing == 0   ? "None of them agrees."
                   : agreeing == 1 ? "One agrees, and is identified."
@@ -84,12 +83,12 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
       if (one.factor)
         found.push_back(&one);
       else
-        none.push_back(fmt::format("`{}`", name(one.field)));
+        none.emplace_back(name(one.field));
     }
     std::stable_sort(found.begin(), found.end(), [](const Requirement* a, const Requirement* b) {
       return std::abs(std::log(*a->factor)) < std::abs(std::log(*b->factor));
     });
-    TextTable table{fmt::format("What would make {} hold: {}", item.id, typeset(item.statement)),
+    TextTable table{fmt::format("What would make {} hold: {}", item.id, item.statement),
                     {"input", "effect of +1 %", "value of the paper", "value needed",
                      "times the paper's", "plausible?", "claims mended", "claims broken"},
                     {false, true, true, true, true, false, false, false},
@@ -97,7 +96,7 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
                     fmt::format("Computed: {}; the paper has: {}.",
                                 computed(item, ledger.readings.front().results[i]), asked(item))};
     for (const Requirement* one : found)
-      table.rows.push_back({with_unit(fmt::format("`{}`", name(one->field)),
+      table.rows.push_back({with_unit(std::string(name(one->field)),
                                       one->unit == no_entry ? no_entry : "(" + one->unit + ")"),
                             per_cent(one->sensitivity), unrounded(one->paper_value),
                             number(one->value, 3), number(one->factor, 4),
@@ -111,7 +110,7 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
     const bool has_speed = std::any_of(found.begin(), found.end(), [](const Requirement* one) {
       return one->field == Field::speed;
     });
-    if (has_speed) table.note += " `speed` is a factor on the speed in the film formula.";
+    if (has_speed) table.note += " speed is a factor on the speed in the film formula.";
     if (!none.empty())
       table.note += fmt::format(" No factor from 1/30 to 30 on {} makes it hold.", list(none));
     tables.push_back(std::move(table));
@@ -122,7 +121,7 @@ std::vector<TextTable> requirement_tables(const Ledger& ledger,
 TextTable departure_table(const Ledger& ledger) {
   const CommonDeparture& found = ledger.departure;
   TextTable table{
-      "C1 as a departure h* = (1 − ε) h~ff~",
+      "C1 as a departure h* = (1 − ε) h_ff",
       {"surface", "ε that gives its reported speed", "computed/reported at the common ε"},
       {false, true, true},
       {},
@@ -139,11 +138,11 @@ TextTable departure_table(const Ledger& ledger) {
         ledger.readings.front().results[i].observed.value.value_or(0);
   }
   table.note = fmt::format(
-      "The best common ε is {}. A criterion on r = h~ff~/h~oil~ alone puts the onset at one λ on "
+      "The best common ε is {}. A criterion on r = h_ff/h_oil alone puts the onset at one λ on "
       "all "
-      "surfaces, so that the speeds rise as σ~s~^1/0.67^ but for load sharing: by {} from smooth "
+      "surfaces, so that the speeds rise as σ_s^1/0.67 but for load sharing: by {} from smooth "
       "to "
-      "medium and by {} from medium to rough (`film_maximum`). The reported ones rise by {} and by "
+      "medium and by {} from medium to rough (film_maximum). The reported ones rise by {} and by "
       "{}, "
       "the one less and the other more: no common criterion fits all three.",
       rounded(found.best, 4), rounded(computed_speed[1] / computed_speed[2], 3),
@@ -188,9 +187,9 @@ TextTable uncertainty_table(const Ledger& ledger) {
                     table.note.empty() ? "" : " ", spread, one.draws, one.all_onsets_reported);
   }
   table.note +=
-      " Onset by `film_maximum`. Print precision is half a unit of the last digit; the rough "
-      "surface's σ~s~ = 0.1 µm and β = 0.1 µm have one digit, which is ± 50 %. Ranges: "
-      "`reference/published/inputs.tsv`.";
+      " Onset by film_maximum. Print precision is half a unit of the last digit; the rough "
+      "surface's σ_s = 0.1 µm and β = 0.1 µm have one digit, which is ± 50 %. Ranges: "
+      "reference/published/inputs.tsv.";
   return table;
 }
 
@@ -204,10 +203,10 @@ TextTable errata_table(const Ledger& ledger) {
       "A reading may have been computed with, and is a switch; the others are mended everywhere."};
   for (const Erratum& one : ledger.errata)
     table.rows.push_back(
-        {one.id, one.place, typeset(one.printed), typeset(one.right), one.settled_by,
-         one.kind == "reading" ? fmt::format("reading: `{}`", one.switch_or_reason) : one.kind,
-         one.evidence.empty() ? no_entry : typeset(one.evidence), number(one.as_printed),
-         number(one.as_corrected), one.decided_by.empty() ? no_entry : typeset(one.decided_by)});
+        {one.id, one.place, one.printed, one.right, one.settled_by,
+         one.kind == "reading" ? fmt::format("reading: {}", one.switch_or_reason) : one.kind,
+         one.evidence.empty() ? no_entry : one.evidence, number(one.as_printed),
+         number(one.as_corrected), one.decided_by.empty() ? no_entry : one.decided_by});
   return table;
 }
 
@@ -218,9 +217,9 @@ TextTable independent_table(const Ledger& ledger) {
       {false, false, true, true, false},
       {},
       "The other library rounds the film's constant to 1.9; the films here are computed with "
-      "that. `reference/published/independent.tsv`."};
+      "that. reference/published/independent.tsv."};
   for (const IndependentNumber& one : ledger.independent)
-    table.rows.push_back({one.case_name, fmt::format("`{}`, {}", one.quantity, one.unit),
+    table.rows.push_back({one.case_name, fmt::format("{}, {}", one.quantity, one.unit),
                           rounded(one.reported, static_cast<int>(one.digits)),
                           rounded(one.computed, static_cast<int>(one.digits)),
                           one.reproduced ? "yes" : "no"});

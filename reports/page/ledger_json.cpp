@@ -113,8 +113,7 @@ Json uncertainty_json(const Uncertainty& one) {
 }
 
 Json ranking_json(const Ledger& ledger) {
-  const reproduction::Standing corrected =
-      standing(ledger.ranking, ledger.readings.front().score);
+  const reproduction::Standing corrected = standing(ledger.ranking, ledger.readings.front().score);
   Json object{{"readings", reading_count()},
               {"readings_by_score", ledger.ranking.histogram},
               {"mean_score", ledger.ranking.mean_score},
@@ -185,12 +184,9 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
     if (is_wanted(ledger.items[i].claim)) object["items"].push_back(item_json(ledger, readings, i));
   object["ranking"] = ranking_json(ledger);
   for (const Argument& one : ledger.arguments) {
-    Json argument{{"question", one.question},
-                  {"reported", one.reported},
-                  {"low", one.low},
-                  {"high", one.high},
-                  {"agreeing", one.agreeing()},
-                  {"candidates", Json::array()}};
+    Json argument{
+        {"question", one.question}, {"reported", one.reported},   {"low", one.low},
+        {"high", one.high},         {"agreeing", one.agreeing()}, {"candidates", Json::array()}};
     for (const Candidate& candidate : one.candidates)
       argument["candidates"].push_back({{"name", candidate.name},
                                         {"value", number(candidate.value)},

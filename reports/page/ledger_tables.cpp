@@ -8,7 +8,6 @@
 
 #include "page/ledger_cells.hpp"
 #include "page/number_text.hpp"
-#include "page/typeset.hpp"
 
 namespace tribo::report {
 using namespace reproduction;
@@ -44,7 +43,7 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
     const Item& item = ledger.items[i];
     if (!is_wanted(claims, item.claim)) continue;
     const ItemResult& result = reading.results[i];
-    table.rows.push_back({item.id, typeset(item.label), asked(item), computed(item, result),
+    table.rows.push_back({item.id, item.label, asked(item), computed(item, result),
                           against_the_paper(item, result), verdict(result)});
   }
   return table;
@@ -72,11 +71,10 @@ TextTable statement_table(const Ledger& ledger, const std::vector<std::string>& 
                   {"part of claim", "the paper says", "printed", "place", "computed as"},
                   {false, false, false, false, false},
                   {},
-                  "From `reference/published/claims.tsv`."};
+                  "From reference/published/claims.tsv."};
   for (const Item& item : ledger.items)
     if (is_wanted(claims, item.claim))
-      table.rows.push_back(
-          {item.id, typeset(item.statement), item.printed, item.place, typeset(item.computed_as)});
+      table.rows.push_back({item.id, item.statement, item.printed, item.place, item.computed_as});
   return table;
 }
 
@@ -106,7 +104,7 @@ TextTable verdict_table(const Ledger& ledger, const std::vector<NamedReading>& r
   table.is_number.push_back(true);
   for (std::size_t k = 0; k < ledger.claims.size(); ++k) {
     if (!is_wanted(claims, ledger.claims[k])) continue;
-    std::vector<std::string> cells{ledger.claims[k], typeset(ledger.statements[k])};
+    std::vector<std::string> cells{ledger.claims[k], ledger.statements[k]};
     for (const NamedReading& reading : readings)
       cells.emplace_back(reading.verdicts[k] == Verdict::reproduced       ? "yes"
                          : reading.verdicts[k] == Verdict::not_reproduced ? "no"
@@ -128,12 +126,12 @@ TextTable readings_table(const Ledger& ledger, const std::vector<NamedReading>& 
                   {"reading", "claims reproduced", "where it departs from the corrected reading"},
                   {false, true, false},
                   {},
-                  "What the switches mean: `tribocheck reproduce --section switches`."};
+                  "What the switches mean: tribocheck reproduce --section switches."};
   for (const NamedReading& reading : readings) {
     const std::string where = departures(reading.reading);
     std::string text = where == "corrected" ? "nowhere: all misprints mended, as the model has it"
                        : where == reading.name ? "as its name says"
-                                               : fmt::format("`{}`", where);
+                                               : where;
     for (const RankedGroup& group : ledger.ranking.best)
       if (reading.name.starts_with("best ") && group.representative == reading.reading &&
           group.ties > 1)
@@ -183,14 +181,14 @@ TextTable switch_table() {
       {"switch", "misprint", "choices, the corrected one first", "literal", "what it changes"},
       {false, false, false, false, false},
       {},
-      "`tribocheck reproduce --reading speed=sum,inlet=printed_exponents` shows one."};
+      "tribocheck reproduce --reading speed=sum,inlet=printed_exponents shows one."};
   for (std::size_t i = 0; i < switch_count; ++i) {
     const SwitchInfo& one = info(static_cast<Switch>(i));
     std::string choices;
     for (const std::string_view choice : one.choices)
-      choices += fmt::format("{}`{}`", choices.empty() ? "" : ", ", choice);
-    table.rows.push_back({fmt::format("`{}`", one.name), std::string(one.errata), choices,
-                          fmt::format("`{}`", one.choices[one.literal]), typeset(one.meaning)});
+      choices += fmt::format("{}{}", choices.empty() ? "" : ", ", choice);
+    table.rows.push_back({std::string(one.name), std::string(one.errata), choices,
+                          std::string(one.choices[one.literal]), std::string(one.meaning)});
   }
   return table;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts are written once, with `code`, ~subscript~ and ^superscript^, and rendered three ways.
+// Plain text where signs of Markdown, or of HTML and XML, would have a meaning.
 #pragma once
 
 #include <string>
@@ -7,11 +7,7 @@
 
 namespace tribo::report {
 
-std::string to_html(std::string_view markup);
-std::string to_markdown(std::string_view markup);
-std::string to_plain(std::string_view markup);  // σ~s~ becomes σ_s, u^−1^ becomes u^−1
-
-// Text without markup, for attributes and names.
+std::string escape_markdown(std::string_view text);
 std::string escape_html(std::string_view text);
 
 }  // namespace tribo::report

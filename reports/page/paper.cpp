@@ -54,21 +54,21 @@ constexpr std::string_view supply_words[] = {"flooded", "inlet_film", "inlet_fil
 
 Json scene_json(const SolvedCase& solved) {
   const Scene& scene = solved.source.scene;
-  return {{"file", solved.source.file},
-          {"surface", solved.source.surface},
-          {"model", solved.source.short_model()},
-          {"load", scene.load},
-          {"supply",
-           {{"kind", supply_words[static_cast<std::size_t>(scene.supply.kind)]},
-            {"value", scene.supply.value}}},
-          {"starvation",
-           starvation_closure_words[static_cast<std::size_t>(scene.closures.starvation)]},
-          {"slowest", point_json(solved.slowest)},
-          {"fastest", point_json(solved.curve.back())},
-          {"onset", point_json(solved.at_onset)},
-          {"collapse", point_json(solved.at_collapse)},
-          {"equal_share_speed", number(equal_share_speed(solved))},
-          {"least_friction", number(least_friction(solved))}};
+  return {
+      {"file", solved.source.file},
+      {"surface", solved.source.surface},
+      {"model", solved.source.short_model()},
+      {"load", scene.load},
+      {"supply",
+       {{"kind", supply_words[static_cast<std::size_t>(scene.supply.kind)]},
+        {"value", scene.supply.value}}},
+      {"starvation", starvation_closure_words[static_cast<std::size_t>(scene.closures.starvation)]},
+      {"slowest", point_json(solved.slowest)},
+      {"fastest", point_json(solved.curve.back())},
+      {"onset", point_json(solved.at_onset)},
+      {"collapse", point_json(solved.at_collapse)},
+      {"equal_share_speed", number(equal_share_speed(solved))},
+      {"least_friction", number(least_friction(solved))}};
 }
 
 // An input of a scene: how it is read from there, and the misprint that changes it.
@@ -110,8 +110,7 @@ const InputRow input_rows[] = {
      }},
     {"friction.boundary_coefficient",
      [](const Scene& s) { return number(s.friction.boundary_coefficient); }, "E20"},
-    {"friction.slide_roll_ratio",
-     [](const Scene& s) { return Json(s.friction.slide_roll_ratio); }},
+    {"friction.slide_roll_ratio", [](const Scene& s) { return Json(s.friction.slide_roll_ratio); }},
     {"friction.fluid",
      [](const Scene& s) {
        return Json(fluid_shear_words[static_cast<std::size_t>(s.friction.fluid)]);
@@ -156,13 +155,14 @@ Json inputs_json(const std::vector<SolvedCase>& solved) {
 }
 
 Json row_json(const ComparisonRow& row) {
-  Json object{{"surface", row.surface},
-              {"model", row.model},
-              {"criterion", row.criterion.empty() ? Json(nullptr) : Json(row.criterion)},
-              {"computed", number(row.computed)},
-              {"reported", row.claim == nullptr ? Json(nullptr) : Json(row.claim->reported)},
-              {"factor", number(row.factor())},
-              {"verdict", row.verdict() ? Json(reproduction::name(*row.verdict())) : Json(nullptr)}};
+  Json object{
+      {"surface", row.surface},
+      {"model", row.model},
+      {"criterion", row.criterion.empty() ? Json(nullptr) : Json(row.criterion)},
+      {"computed", number(row.computed)},
+      {"reported", row.claim == nullptr ? Json(nullptr) : Json(row.claim->reported)},
+      {"factor", number(row.factor())},
+      {"verdict", row.verdict() ? Json(reproduction::name(*row.verdict())) : Json(nullptr)}};
   if (!row.computed) object["none"] = row.none;
   return object;
 }
@@ -229,8 +229,8 @@ Group paper_group(const ReportPlaces& places, const std::vector<SolvedCase>& sol
   for (const SolvedCase& one : solved) group.data["scenes"][one.source.stem()] = scene_json(one);
   group.data["inputs"] = inputs_json(solved);
   group.data["departure"] = default_departure;
-  for (const Quantity quantity : {Quantity::onset_speed, Quantity::onset_film_parameter,
-                                  Quantity::slow_asperity_share})
+  for (const Quantity quantity :
+       {Quantity::onset_speed, Quantity::onset_film_parameter, Quantity::slow_asperity_share})
     add_comparison(group, quantity, rows);
   group.data["two_slopes"] = slopes_json(slopes);
   group.files = data_files(solved, slopes, claims, rows);

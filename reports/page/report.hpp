@@ -18,7 +18,7 @@ struct Report {
   std::string folder;                 // where the report lies, and
   std::vector<std::string> written;   // every file written, below that folder
   std::vector<std::string> warnings;  // about the scenes
-  std::vector<std::string> undrawn;   // why the page or its figures are missing; empty: all is there
+  std::vector<std::string> undrawn;  // why the page or its figures are missing; empty: all is there
   bool has_page = false;
 };
 

@@ -25,7 +25,7 @@ constexpr int digits = 4;  // a quantile has three and a half
 std::string number(double value, double factor = 1) {
   return std::isnan(value) ? "–" : rounded(factor * value, digits);
 }
-std::string code(std::string_view name) { return fmt::format("`{}`", name); }
+std::string code(std::string_view name) { return std::string(name); }
 
 // The places of at most eleven values, the first and the last among them.
 std::vector<std::size_t> chosen(std::size_t width) {
@@ -87,7 +87,7 @@ TextTable number_table(const SceneResult& scene) {
       table.rows.push_back(std::move(row));
     }
   }
-  if (is_grid && scene.has_points) table.caption += "; `sweep show --cases` has each";
+  if (is_grid && scene.has_points) table.caption += "; sweep show --cases has each";
   if (!with_speed) {
     constexpr std::ptrdiff_t at = 2;
     table.headings.erase(table.headings.begin() + at);

@@ -46,15 +46,6 @@ std::size_t longest_word(const std::string& text) {
   return longest;
 }
 
-// The rows of a table without markup, its headings first.
-std::vector<std::vector<std::string>> plain_cells(const TextTable& table) {
-  std::vector<std::vector<std::string>> cells{table.headings};
-  cells.insert(cells.end(), table.rows.begin(), table.rows.end());
-  for (auto& row : cells)
-    for (std::string& cell : row) cell = to_plain(cell);
-  return cells;
-}
-
 constexpr std::size_t gap = 2;
 
 std::size_t total_of(const std::vector<std::size_t>& widths) {
@@ -118,35 +109,9 @@ std::string stacked_row(const std::vector<std::string>& headings,
   return text;
 }
 
-// Numbers are set to the right; texts get a column that is wide enough to read.
-std::string column_class(const TextTable& table, std::size_t column) {
-  if (table.is_number[column]) return " class=\"number\"";
-  std::size_t longest = 0;
-  for (const auto& row : table.rows) longest = std::max(longest, width(to_plain(row[column])));
-  constexpr std::size_t word = 24, line = 60, paragraph = 200;
-  return longest <= word        ? " class=\"word\""
-         : longest <= line      ? " class=\"line\""
-         : longest <= paragraph ? " class=\"prose\""
-                                : " class=\"list\"";
-}
-
-std::string html_row(const std::vector<std::string>& cells, const std::vector<std::string>& classes,
-                     bool is_heading) {
-  std::string line = "<tr>";
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const bool is_header = is_heading || i == 0;
-    line += fmt::format("<{0}{1}{2}>{3}</{0}>", is_header ? "th" : "td",
-                        is_heading  ? " scope=\"col\""
-                        : is_header ? " scope=\"row\""
-                                    : "",
-                        classes[i], to_html(cells[i]));
-  }
-  return line + "</tr>\n";
-}
-
 std::string markdown_row(const std::vector<std::string>& cells) {
   std::string line = "|";
-  for (const std::string& cell : cells) line += ' ' + to_markdown(cell) + " |";
+  for (const std::string& cell : cells) line += ' ' + escape_markdown(cell) + " |";
   return line + '\n';
 }
 
@@ -165,9 +130,10 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
 
 std::string plain_table(const TextTable& table, std::size_t most) {
   std::string text;
-  for (const std::string& line : wrapped(to_plain(table.caption), most)) text += line + '\n';
+  for (const std::string& line : wrapped(table.caption, most)) text += line + '\n';
   if (table.rows.empty()) return text;
-  const auto cells = plain_cells(table);
+  std::vector<std::vector<std::string>> cells{table.headings};
+  cells.insert(cells.end(), table.rows.begin(), table.rows.end());
   const std::vector<std::size_t> widths = column_widths(table, cells, most);
   const bool fits = total_of(widths) <= most;
   for (std::size_t r = fits ? 0 : 1; r < cells.size(); ++r)
@@ -175,35 +141,15 @@ std::string plain_table(const TextTable& table, std::size_t most) {
   return text;
 }
 
-std::string html_table(const TextTable& table) {
-  if (table.rows.empty())
-    return fmt::format("<p class=\"note\"><strong>{}.</strong> {}</p>\n", to_html(table.caption),
-                       to_html(table.note));
-  constexpr std::size_t many_rows = 25;  // scrolled under their headings
-  std::vector<std::string> classes;
-  for (std::size_t i = 0; i < table.headings.size(); ++i) classes.push_back(column_class(table, i));
-  const bool is_long = table.rows.size() > many_rows;
-  std::string text = fmt::format(
-      "<div class=\"scroll{3}\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\">\n<table>\n"
-      "<caption><span>{1}{4}</span></caption>\n<thead>\n{2}</thead>\n<tbody>\n",
-      escape_html(to_plain(table.caption)), to_html(table.caption),
-      html_row(table.headings, classes, true), is_long ? " long" : "",
-      is_long ? fmt::format(" ({} rows)", table.rows.size()) : "");
-  for (const auto& row : table.rows) text += html_row(row, classes, false);
-  text += "</tbody>\n</table>\n</div>\n";
-  if (!table.note.empty()) text += fmt::format("<p class=\"note\">{}</p>\n", to_html(table.note));
-  return text;
-}
-
 std::string markdown_table(const TextTable& table) {
   if (table.rows.empty())
-    return fmt::format("**{}.** {}\n", to_markdown(table.caption), to_markdown(table.note));
+    return fmt::format("**{}.** {}\n", escape_markdown(table.caption), escape_markdown(table.note));
   std::string rule = "|";
   for (const bool is_number : table.is_number) rule += is_number ? " ---: |" : " --- |";
-  std::string text = fmt::format("**{}**\n\n{}{}\n", to_markdown(table.caption),
+  std::string text = fmt::format("**{}**\n\n{}{}\n", escape_markdown(table.caption),
                                  markdown_row(table.headings), rule);
   for (const auto& row : table.rows) text += markdown_row(row);
-  if (!table.note.empty()) text += fmt::format("\n{}\n", to_markdown(table.note));
+  if (!table.note.empty()) text += fmt::format("\n{}\n", escape_markdown(table.note));
   return text;
 }
 

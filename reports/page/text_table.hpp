@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table of texts, and its three renderings.
+// A table of texts, for a terminal and as Markdown.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,11 @@
 namespace tribo::report {
 
 struct TextTable {
-  std::string caption;  // these are markup, as are the cells
+  std::string caption;
   std::vector<std::string> headings;
   std::vector<bool> is_number;  // of each column: set to the right
   std::vector<std::vector<std::string>> rows;
   std::string note;
-  std::string data = {};  // the same unrounded, a .tsv file below the report's folder; empty: none
 };
 
 inline constexpr std::size_t any_width = 1'000'000;
@@ -23,7 +22,6 @@ inline constexpr std::size_t any_width = 1'000'000;
 std::string plain_table(const TextTable& table, std::size_t most = any_width);
 // A text in lines of at most so many signs.
 std::vector<std::string> wrapped(const std::string& text, std::size_t most);
-std::string html_table(const TextTable& table);
 std::string markdown_table(const TextTable& table);
 
 }  // namespace tribo::report

@@ -214,7 +214,7 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
 
 void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
   const auto cell = [](const std::string& text) {
-    std::string safe = report::to_markdown(one_line(text));
+    std::string safe = report::escape_markdown(one_line(text));
     return safe;
   };
   append(to, fmt::format("### tribocheck: {}\n\n", cell(summary(verdict))));

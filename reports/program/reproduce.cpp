@@ -18,7 +18,6 @@
 #include "messages.hpp"
 #include "page/ledger_json.hpp"
 #include "page/ledger_tables.hpp"
-#include "page/markup.hpp"
 #include "page/project_files.hpp"
 #include "reproduction/ledger_file.hpp"
 #include "table.hpp"
@@ -173,8 +172,7 @@ void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
     }
     append(to, report::plain_table(table, width));
     if (table.note.empty()) continue;
-    for (const std::string& line : report::wrapped(report::to_plain(table.note), width))
-      append(to, line + "\n");
+    for (const std::string& line : report::wrapped(table.note, width)) append(to, line + "\n");
   }
 }
 
