@@ -17,9 +17,9 @@ SCENES = [surface + model for model in ("", "_gw") for surface in ("rough", "med
 # In the order of the page.
 PAPER_FIGURES = [f"figure_{number:02}" for number in (4, 7, 8, 9, 10, 11, 12)]
 SWEEP_FIGURES = ["onset_distribution", "sensitivity_onset_film_maximum_speed"]
-FIGURES = ["onset_against_roughness", "share_against_roughness", "readings_by_score"] + \
-    SWEEP_FIGURES + PAPER_FIGURES
-DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] +
+LEDGER_FIGURES = ["onset_against_roughness", "share_against_roughness", "readings_by_score"]
+FIGURES = PAPER_FIGURES + LEDGER_FIGURES + SWEEP_FIGURES
+DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] + [f"data/scenes/{scene}.toml" for scene in SCENES] +
               [f"data/figure_04_{name}.tsv"
                for name in ("flooded", "starved_inlet", "damiens", "guides", "marks")] +
               ["data/figure_11_ratio.tsv", "data/marks.tsv", "data/comparison.tsv"])
