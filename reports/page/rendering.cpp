@@ -35,14 +35,15 @@ Rendering run_script(const ReportPlaces& places, const std::string& script,
     return rendering;
   };
   if (end.start_error != 0)
-    return failed("python3 was not found: no page and no figures, but the data are written "
-                  "(Debian: apt-get install python3)");
+    return failed(
+        "python3 was not found: neither page nor pictures can be made (Debian: apt-get install "
+        "python3)");
   if (end.exited_with(missing_packages))
     return failed(end.text.substr(0, end.text.find('\n')) +
-                  ": no page and no figures, but the data are written");
+                  ": neither page nor pictures can be made");
   const nlohmann::json said = nlohmann::json::parse(end.text, nullptr, false);
   if (!end.succeeded() || said.is_discarded())
-    return failed(fmt::format("{} failed: no page; see above", script));
+    return failed(fmt::format("{} failed: see above", script));
   rendering.has_page = true;
   rendering.written = said.at("written").get<std::vector<std::string>>();
   rendering.undrawn = said.at("undrawn").get<std::vector<std::string>>();

@@ -2,96 +2,52 @@
 #include "page/sweep_pictures.hpp"
 
 #include <filesystem>
-#include <optional>
-#include <set>
 #include <stdexcept>
-#include <utility>
 
-#include "page/drawing.hpp"
 #include "page/pending_file.hpp"
-#include "page/sweep_picture_parts.hpp"
+#include "page/sweep_tables.hpp"
 
 namespace tribo::report {
 namespace {
 
-namespace fs = std::filesystem;
+using nlohmann::ordered_json;
 
-// Names of all columns, each once, in the order of the scenes.
-std::vector<std::string> column_names(const sweep::SweepResult& result) {
-  std::vector<std::string> names;
-  std::set<std::string> seen;
-  for (const sweep::SceneResult& scene : result.scenes)
-    for (const sweep::ColumnResult& column : scene.columns)
-      if (seen.insert(column.name).second) names.push_back(column.name);
-  return names;
+// A grid of one field alone whose film can be drawn as a map over speed and that field.
+bool is_map(const sweep::SceneResult& scene) {
+  const sweep::ColumnResult* const film = scene.column("film");
+  return scene.design == "factorial" && scene.has_points && scene.inputs.size() == 1 &&
+         scene.inputs.front().words.empty() && film != nullptr && film->values.size() >= 3 &&
+         film->values.size() == scene.speeds.size();
 }
 
-void add(SweepPictures& to, std::optional<SweepPicture> picture) {
-  if (!picture) return;
-  to.figures.push_back(std::move(picture->figure));
-  to.data.push_back(std::move(picture->data));
-}
-
-// Several scenes may have a map each.
-void number_maps(SweepPicture& map, std::size_t number) {
-  if (number == 1) return;
-  const std::string old = map.figure.stem;
-  map.figure.stem = old + '_' + std::to_string(number);
-  map.data.path.replace(map.data.path.rfind(old), old.size(), map.figure.stem);
-  map.figure.data = {map.data.path};
-  map.figure.drawing.name = map.figure.stem;
+// The field of each case, and its film at each speed.
+ordered_json map_json(const sweep::SceneResult& scene, const std::string& path) {
+  const auto field = sweep::read_input(path, scene.id, scene.inputs.front().path);
+  const auto films = sweep::read_column(path, scene.id, "film");
+  const std::size_t speeds = scene.speeds.size();
+  if (films.size() != field.size() * speeds) throw std::runtime_error(path + " has a torn film");
+  ordered_json rows = ordered_json::array();
+  for (auto first = films.begin(); first != films.end();
+       first += static_cast<std::ptrdiff_t>(speeds))
+    rows.push_back(std::vector(first, first + static_cast<std::ptrdiff_t>(speeds)));
+  return {{"field", field}, {"film", std::move(rows)}};
 }
 
 }  // namespace
 
-SweepPictures sweep_pictures(const sweep::SweepResult& result, const std::string& path) {
-  SweepPictures pictures;
-  add(pictures, onset_distribution(result));
-  const std::vector<std::string> names = column_names(result);
-  for (const std::string& name : names) add(pictures, sensitivity(result, name));
-  std::size_t maps = 0;
-  for (const sweep::SceneResult& scene : result.scenes)
-    if (auto map = film_map(scene, path)) {
-      number_maps(*map, ++maps);
-      add(pictures, std::move(map));
-    }
-  for (const std::string& name : names) add(pictures, curve_band(result, name));
-  return pictures;
-}
-
-DrawnPictures draw_sweep_pictures(const sweep::SweepResult& result, const std::string& path,
-                                  const std::string& folder,
-                                  const std::function<void(std::string_view)>& told) {
-  DrawnPictures drawn;
+Rendering draw_sweep_pictures(const sweep::SweepResult& result, const std::string& path,
+                              const std::string& folder) {
   try {
-    const fs::path gnuplot = find_places({}).render.parent_path() / "gnuplot";
-    const fs::path out = fs::absolute(folder);
-    make_folder(out);
-    SweepPictures pictures = sweep_pictures(result, path);
-    if (pictures.figures.empty()) told("nothing in this result can be drawn");
-    for (const DataFile& file : pictures.data)
-      write_file(out / fs::path(file.path).filename(), file.content);
-    for (const Figure& figure : pictures.figures)
-      for (const std::string_view format : {"svg", "png"}) {
-        const fs::path target = fs::path(folder) / (figure.stem + '.' + std::string(format));
-        const GnuplotRun run = draw_picture(gnuplot, figure.drawing, out, format, target);
-        if (run.end == GnuplotEnd::drawn) {
-          drawn.paths.push_back(target.string());
-          continue;
-        }
-        drawn.failed = true;
-        std::error_code ignored;
-        fs::remove(target, ignored);  // an old one would not belong to the new data
-        told(run.end == GnuplotEnd::not_found
-                 ? run.message + ": no pictures (Debian: apt-get install gnuplot-nox)"
-                 : target.string() + ": " + run.message);
-        if (run.end == GnuplotEnd::not_found) return drawn;
-      }
+    make_folder(folder);
+    ordered_json json = sweep_json(result);
+    for (std::size_t i = 0; i < result.scenes.size(); ++i)
+      if (is_map(result.scenes[i])) json["scenes"][i]["map"] = map_json(result.scenes[i], path);
+    const PendingFile file(std::filesystem::path(folder) / "result.json");  // goes again
+    write_file(file.temporary(), json.dump());
+    return run_script(usual_places(), "sweep_pictures.py", {file.temporary().string(), folder});
   } catch (const std::runtime_error& error) {
-    told(error.what());
-    drawn.failed = true;
+    return {false, {}, {error.what()}};
   }
-  return drawn;
 }
 
 }  // namespace tribo::report

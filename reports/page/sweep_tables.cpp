@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "page/number_text.hpp"
-#include "page/sweep_values.hpp"
 
 namespace tribo::report {
 namespace {
@@ -25,6 +24,39 @@ constexpr int digits = 4;  // a quantile has three and a half
 std::string number(double value, double factor = 1) {
   return std::isnan(value) ? "–" : rounded(factor * value, digits);
 }
+
+// A unit that leaves few zeros, for people: nm where all values are films.
+struct ReadableUnit {
+  std::string name;
+  double factor;  // of a number in the column's unit
+};
+ReadableUnit readable_unit(const ColumnResult& column) {
+  double greatest = 0;
+  for (const ColumnResult::Value& value : column.values)
+    if (std::isfinite(value.greatest) && std::isfinite(value.least))
+      greatest = std::max({greatest, std::abs(value.greatest), std::abs(value.least)});
+  if (column.unit != "m" || greatest == 0 || greatest >= 1e-2) return {column.unit, 1};
+  return greatest < 1e-5 ? ReadableUnit{"nm", 1e9} : ReadableUnit{"µm", 1e6};
+}
+
+// "0.712 ± 0.011"
+std::string with_error(const sweep::SobolIndex& index) {
+  if (!std::isfinite(index.value)) return "–";
+  const auto fixed = [](double value) {
+    const std::string text = fmt::format("{:.3f}", std::abs(value));
+    return value < 0 && text != "0.000" ? "−" + text : text;
+  };
+  if (!std::isfinite(index.high)) return fixed(index.value);
+  return fmt::format("{} ± {}", fixed(index.value), fixed(index.high - index.value));
+}
+
+// "onset.film_maximum.speed" as "onset.film_maximum" and "speed"; without a dot the first is empty.
+std::pair<std::string_view, std::string_view> split_name(std::string_view column) {
+  const std::size_t dot = column.rfind('.');
+  if (dot == std::string_view::npos) return {"", column};
+  return {column.substr(0, dot), column.substr(dot + 1)};
+}
+
 std::string code(std::string_view name) { return std::string(name); }
 
 // The places of at most eleven values, the first and the last among them.

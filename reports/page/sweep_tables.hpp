@@ -2,6 +2,8 @@
 // The summaries of a sweep: for people, as tables; for machines, unrounded.
 #pragma once
 
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,11 @@ std::vector<TextTable> sweep_tables(const sweep::SweepResult& result);
 std::string sweep_csv(const sweep::SweepResult& result);
 
 // All there is but the cases themselves; what is undefined, and an unbounded end, is null.
-std::string sweep_json(const sweep::SweepResult& result);
+nlohmann::ordered_json sweep_json(const sweep::SweepResult& result);
+
+// The p-quantile, of one of sweep::quantile_levels.
+const sweep::Quantile& quantile(const sweep::ColumnResult::Value& value, double level);
+// In how many cases a column of words had each of its words.
+std::vector<std::uint64_t> word_counts(const sweep::ColumnResult::Value& value, std::size_t words);
 
 }  // namespace tribo::report

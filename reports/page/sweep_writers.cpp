@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <limits>
 
 #include "page/number_text.hpp"
 #include "page/sweep_tables.hpp"
-#include "page/sweep_values.hpp"
 
 namespace tribo::report {
 namespace {
@@ -167,6 +166,30 @@ ordered_json scene_json(const SceneResult& scene) {
 
 }  // namespace
 
+const sweep::Quantile& quantile(const ColumnResult::Value& value, double level) {
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr sweep::Quantile none{nan, nan, nan};
+  const auto found = std::find(sweep::quantile_levels.begin(), sweep::quantile_levels.end(), level);
+  const auto place = static_cast<std::size_t>(found - sweep::quantile_levels.begin());
+  return place < value.quantiles.size() ? value.quantiles[place] : none;
+}
+
+// Three words are the places 0, 1, 2, so that their sum and their sum of squares tell how often
+// each was there.
+std::vector<std::uint64_t> word_counts(const ColumnResult::Value& value, std::size_t words) {
+  const auto n = static_cast<double>(value.count);
+  const double sum = value.count > 0 ? n * value.mean : 0;
+  const double squares =
+      sum * (value.count > 0 ? value.mean : 0) +
+      (value.count > 1 ? value.sd * value.sd * static_cast<double>(value.count - 1) : 0);
+  const auto twos = static_cast<std::uint64_t>(std::llround(std::max((squares - sum) / 2, 0.0)));
+  const auto all = static_cast<std::uint64_t>(std::llround(sum));
+  const std::uint64_t ones = all - std::min(all, 2 * twos);
+  std::vector<std::uint64_t> counts{value.count - std::min(value.count, ones + twos), ones, twos};
+  counts.resize(words);
+  return counts;
+}
+
 std::string sweep_csv(const SweepResult& result) {
   const CsvColumns columns(result);
   std::string text = columns.head();
@@ -176,13 +199,13 @@ std::string sweep_csv(const SweepResult& result) {
   return text;
 }
 
-std::string sweep_json(const SweepResult& result) {
+nlohmann::ordered_json sweep_json(const SweepResult& result) {
   ordered_json object{{"tribocheck_version", result.identity.version},
                       {"sweep_digest", result.identity.digest},
                       {"arithmetic", result.identity.arithmetic},
                       {"scenes", ordered_json::array()}};
   for (const SceneResult& scene : result.scenes) object["scenes"].push_back(scene_json(scene));
-  return object.dump(1) + '\n';
+  return object;
 }
 
 }  // namespace tribo::report

@@ -103,7 +103,7 @@ void write_cases(const sweep::SweepResult& result, const std::string& path,
 }
 
 void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
-  if (format == "json") return append(to, report::sweep_json(result));
+  if (format == "json") return append(to, report::sweep_json(result).dump(1) + '\n');
   if (format == "csv") return append(to, report::sweep_csv(result));
   bool first = true;
   for (const report::TextTable& table : report::sweep_tables(result)) {
@@ -131,10 +131,12 @@ int show_result(const SweepArguments& arguments, const std::string& path, Output
     write_result(result, arguments.format, output.text());
   output.flush();
   if (arguments.pictures.empty()) return exit_done;
-  const report::DrawnPictures drawn = report::draw_sweep_pictures(
-      result, path, arguments.pictures, [](std::string_view line) { complain(line); });
-  for (const std::string& picture : drawn.paths) complain("drew " + picture);
-  return drawn.failed ? exit_failed : exit_done;
+  const report::Rendering drawn = report::draw_sweep_pictures(result, path, arguments.pictures);
+  for (const std::string& picture : drawn.written) complain("drew " + picture);
+  for (const std::string& why : drawn.undrawn) complain(why);
+  if (drawn.written.empty() && drawn.undrawn.empty())
+    complain("nothing in this result can be drawn");
+  return drawn.undrawn.empty() ? exit_done : exit_failed;
 }
 
 // --- The three commands.

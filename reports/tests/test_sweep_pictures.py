@@ -6,11 +6,13 @@ import io
 import math
 import os
 import pathlib
+import shutil
 import struct
 import unittest
 import xml.etree.ElementTree as xml
 
 from program import ENVIRONMENT, run
+from report_files import ROOT
 from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
 
 SPEEDS = "{ from = 1e-4, to = 3, count = 40 }"
@@ -181,6 +183,19 @@ class Pictures(SweepTest):
         self.assertEqual((len(seen), len(set(seen.values()))), (6, 6))
         self.assertEqual(int(seen["rough"]), 0xD55E00)
 
+    def test_cases_without_a_value_are_counted_in_the_legend(self):
+        changes = {"lubricant.viscosity": UNIFORM, "speed": SPEEDS, "outputs": '["film", "friction"]'}
+        self.drawn(sweep(changes, draws=64))
+        scene, = run("sweep", "show", self.path("out.h5"), "--format", "json").json()["scenes"]
+        friction = next(column for column in scene["columns"] if column["name"] == "friction")
+        missing = {value["speed"]: value["undefined"] for value in friction["values"] if value["undefined"]}
+        self.assertEqual(max(missing.values()), 64)
+        told, = self.blocks("curve_band_friction")[1]
+        self.assertRegex(told["legend"], r"^smooth: no film and no value in up to 100 % of the cases, from [\d.]+ m/s on$")
+        self.assertAlmostEqual(float(told["legend"].split()[-3]) / min(missing), 1, delta=6e-3)
+        self.assertIn(told["legend"], self.svg_text("curve_band_friction"))
+        self.assertEqual(self.blocks("curve_band_film")[1][0]["legend"], "smooth")  # it is 0 there, not missing
+
     def test_film_map_of_one_grid(self):
         grid = "{ from = 1e-8, to = 1e-7, count = 12 }"
         pictures = self.drawn(sweep({"surface.summit_height_sd": grid, "speed": SPEEDS}))
@@ -221,6 +236,17 @@ class Pictures(SweepTest):
         self.assertEqual((told.code, len(told.error_lines)), (1, 1), told.err)
         self.assertIn("gnuplot was not found", told.err)
 
+    def test_a_script_that_fails_is_told(self):
+        self.swept(uncertain(draws=64))
+        installed = pathlib.Path(self.path("installed"))
+        shutil.copytree(ROOT / "reports/page", installed / "reports/page")
+        (installed / "reference/published").mkdir(parents=True)
+        (installed / "reports/page/render/sweep_pictures.py").unlink()
+        told = run("sweep", "show", self.path("out.h5"), "--pictures", self.path("drawn"), cwd=installed)
+        self.assertEqual(told.code, 1, told.err)
+        self.assertEqual(told.error_lines[-1], "tribocheck: sweep_pictures.py failed: see above")
+        self.assertEqual(os.listdir(self.path("drawn")), [])
+
     def test_a_gnuplot_that_fails_is_quoted_and_leaves_no_picture(self):
         self.swept(uncertain(draws=64))
         os.mkdir(self.path("bin"))
@@ -242,8 +268,8 @@ class Pictures(SweepTest):
     def test_a_folder_that_cannot_be_made_is_told(self):
         self.swept(uncertain(draws=64))
         told = run("sweep", "show", self.path("out.h5"), "--pictures", "/proc/none")
-        self.assertEqual(len(told.error_lines), 1, told.err)
-        self.assertIn("/proc/none", told.err)
+        self.assertEqual((told.code, len(told.error_lines)), (1, 1), told.err)
+        self.assertIn("cannot write /proc/none", told.err)
 
 
 if __name__ == "__main__":

@@ -5,11 +5,14 @@ stats data index 0 using (low = column(1), high = column(2), bottom = column(3),
   is_log = column(5), label = strcol(6), 0) nooutput
 array names[128]
 array colours[128]
-stats data index 1 using (names[int($1)] = strcol(2), colours[int($1)] = column(3), \
+stats data index 1 using (names[int($1)] = strcol(4), colours[int($1)] = column(3), \
   0) nooutput name "scenes"
 set lmargin at screen 0.11
 set rmargin at screen 0.97
-set bmargin at screen (90.0 + 22*ceil(scenes_records/3.0))/tall
+longest = 0
+do for [i = 1:scenes_records] { longest = strlen(names[i]) > longest ? strlen(names[i]) : longest }
+columns = longest > 26 ? 1 : 3
+set bmargin at screen (90.0 + 22*ceil(scenes_records/(1.0*columns)))/tall
 set xrange [low:high]
 set yrange [bottom:top]
 if (high/low > 3) { eval log_ticks("x", low, high) }
@@ -17,7 +20,7 @@ if (int(is_log)) { eval log_ticks("y", bottom, top) }
 set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
 set xlabel "entrainment speed u (m/s)" offset 0, x_words
 set ylabel label offset y_words
-set key at screen 0.54, screen 4.0/tall center bottom horizontal maxcols 3 Left reverse samplen 3 \
+set key at screen 0.54, screen 4.0/tall center bottom horizontal maxcols columns Left reverse samplen 3 \
   spacing 1.25 font small
 set style fill transparent solid (scenes_records > 3 ? 0.14 : 0.3) noborder
 n = scenes_records

@@ -1,0 +1,449 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures of a sweep's result: which of them there are follows from what the sweep holds.
+
+  onset_distribution    histograms of the onset speed by each criterion, a lane each
+  sensitivity_<column>  Sobol indices of a scalar column, the greatest on top
+  film_map              the film over speed and one field, where a scene is a grid of that field alone, has three
+                        speeds or more and keeps its points
+  curve_band_<column>   median and 95 % band of an output over speed, where fields are drawn
+
+`tribocheck sweep --pictures` calls this; the report draws two of them. RESULT is what
+`tribocheck sweep show --format json` prints, with the grids of `map`; - is stdin. Prints what was drawn, as JSON.
+"""
+import argparse
+import json
+import math
+import pathlib
+import typing
+
+import drawing
+from numbers_text import grouped, percent, rounded
+
+OKABE_ITO = (0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x8C6D00, 0x000000)
+OF_SURFACES = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2}  # as colour() of style.gp
+NAN, INFINITY = math.nan, math.inf
+
+
+class Picture(typing.NamedTuple):
+    stem: str
+    script: str
+    heading: str
+    subtitle: str
+    height: int
+    blocks: str  # all that it shows: blocks of tab-separated rows
+
+    def drawn(self, folder="."):
+        return {"frame": "sweep.gp", "script": self.script, "data": folder, "name": self.stem, "height": self.height,
+                "title": drawing.enhanced(self.heading), "subtitle": self.subtitle}
+
+
+# --- Texts and numbers of the data files.
+
+def exact(value):
+    """Reads back to the same double; NaN for what is undefined."""
+    if value is None or math.isnan(value):
+        return "NaN"
+    return repr(value).removesuffix(".0")
+
+
+def row(*cells):
+    return "\t".join(one if isinstance(one, str) else exact(one) for one in cells) + "\n"
+
+
+def cell(text, longest=40):
+    """A text of the user's on one line, at most `longest` signs."""
+    text = "".join(" " if ord(sign) < 0x20 or ord(sign) == 0x7f else "'" if sign == '"' else sign for sign in text)
+    text = text if len(text) <= longest else text[:longest] + "…"
+    return text if text.strip(" ") else "–"  # gnuplot takes an empty cell for that of the row before
+
+
+def in_words(name):
+    return name.replace("_", " ")
+
+
+def field_words(path):
+    """lubricant.pressure_viscosity as pressure viscosity."""
+    return in_words(path.rpartition(".")[2])
+
+
+def column_words(column):
+    """onset.film_maximum.speed as onset speed (film maximum)."""
+    onset, _, quantity = column.rpartition(".")
+    if not onset:
+        return in_words(column)
+    quantity = "onset speed" if quantity == "speed" else f"{in_words(quantity)} at the onset"
+    return f"{quantity} ({field_words(onset)})"
+
+
+def with_capital(words):
+    return words[:1].upper() + words[1:]
+
+
+def file_name(kind, column):
+    return f"{kind}_{column}".replace(".", "_")
+
+
+def colours(result):
+    """The colour of each scene. The paper's surfaces have the same colours as in its figures."""
+    ids = [scene["id"] for scene in result["scenes"]]
+    free = [one for one in OKABE_ITO if one not in [OF_SURFACES.get(id) for id in ids]]
+    others = iter(free[i % len(free)] for i in range(len(ids)))
+    return [OF_SURFACES[id] if id in OF_SURFACES else next(others) for id in ids]
+
+
+def pale(colour):
+    parts = [(colour >> shift) & 0xFF for shift in (16, 8, 0)]
+    red, green, blue = (part + (0xFF - part) * 11 // 20 for part in parts)
+    return red << 16 | green << 8 | blue
+
+
+def readable_unit(unit, values):
+    """A unit that leaves few zeros, and the factor of a number in it: nm where all values are films."""
+    greatest = max((abs(value) for value in values if value is not None), default=0)
+    if unit != "m" or greatest == 0 or greatest >= 1e-2:
+        return unit, 1
+    return ("nm", 1e9) if greatest < 1e-5 else ("µm", 1e6)
+
+
+def axis_label(words, unit):
+    return f"{words} ({unit or '–'})"
+
+
+def with_room(low, high, part):
+    """The range of a logarithmic axis, with a little room at both ends."""
+    factor = (high / low)**part if high > low else 1.1
+    return low / factor, high * factor
+
+
+def quantile(value, level):
+    found = next((one["value"] for one in value.get("quantiles", ()) if one["level"] == level), None)
+    return NAN if found is None else found
+
+
+def column_of(scene, name):
+    return next((column for column in scene["columns"] if column["name"] == name), None)
+
+
+# --- How onset speeds scatter.
+
+NAME_ROOM, GAP, PEAK = 0.55, 0.15, 0.82  # in units of a lane: a scene's name, and the room below its lanes
+
+
+def bins_of(value):
+    """Low end, high end and density over the logarithm. Half as many bins as the result has: the shape is seen."""
+    edges, counts = value["histogram"]["edges"], value["histogram"]["counts"]
+    for i in range(0, len(counts), 2):
+        low, high = edges[i], edges[min(i + 2, len(counts))]
+        yield low, high, sum(counts[i:i + 2]) / math.log(high / low) if low > 0 else 0
+
+
+def outline(base, value, colour):
+    """The number of cases over the logarithm of the speed, the highest bar PEAK high."""
+    bins = list(bins_of(value))
+    greatest = max((density for _, _, density in bins), default=0)
+    text = "".join(row(speed, base, base + PEAK * density / greatest, colour)
+                   for low, high, density in bins if low > 0 and greatest > 0 for speed in (low, high))
+    return text or row(NAN, base, base, colour)
+
+
+def height_at(value, speed):
+    """The height of the outline at a speed, as a part of its greatest."""
+    bins = list(bins_of(value))
+    greatest = max((density for _, _, density in bins), default=0)
+    here = next((density for low, high, density in bins if low <= speed < high), 0)
+    return here / greatest if greatest > 0 else 0
+
+
+def numbers_beside(value):
+    """0.0934 (0.0810 to 0.108)"""
+    if value["count"] == 0:
+        return "no onset in any case"
+    middle, low, high = (rounded(quantile(value, level), 3) for level in (0.5, 0.025, 0.975))
+    return f"{middle} ({low} to {high})"
+
+
+def no_onset_in(value):
+    if value["count"] == 0 or value["undefined"] == 0:
+        return "-"  # gnuplot knows no empty cell
+    return f"no onset in {rounded(100 * value['undefined'] / (value['count'] + value['undefined']), 2)} % of the cases"
+
+
+def onset_distribution(result, reported=()):
+    """`reported`: onset speeds to hold those of a scene against, as printed, with the ends of what rounds to them."""
+    colour = colours(result)
+    base, lanes, scenes, outlines, ends, cases = 0, [], [], [], [], 0
+    for scene, own in reversed(list(zip(result["scenes"], colour))):
+        speeds = [column for column in scene["columns"] if column["name"].startswith("onset.")
+                  and column["name"].endswith(".speed") and len(column["values"]) == 1]
+        if not speeds:
+            continue
+        bottom = base
+        for column in reversed(speeds):
+            value = column["values"][0]
+            ends += value["histogram"]["edges"]
+            median = quantile(value, 0.5)
+            lanes.append(row(base, cell(scene["id"]), in_words(column["name"].split(".")[-2]), own, median,
+                             quantile(value, 0.025), quantile(value, 0.975), height_at(value, median),
+                             numbers_beside(value), no_onset_in(value)))
+            outlines.append("\n\n" + outline(base, value, own))
+            base += 1
+        mark = next((one for one in reported if one["scene"] == scene["id"]), None)
+        marks = [mark["value"], mark["low"], mark["high"]] if mark else [NAN] * 3
+        ends += marks[1:] if mark else []
+        scenes.append(row(cell(scene["id"], 16), base + 0.2, bottom, base, *marks, own))
+        cases += scene["cases"]
+        base += NAME_ROOM + GAP
+    ends = [one for one in ends if one > 0]
+    if not ends:
+        return None
+    top = base - GAP
+    blocks = ("# low\thigh\ttop\treported\n" + row(*with_room(min(ends), max(ends), 0.02), top, 1 if reported else 0) +
+              "\n\n# base\tscene\tcriterion\tcolour\tmedian\tquantile_0.025\tquantile_0.975\theight_at_median\ttext\t"
+              "missing\n" + "".join(lanes) +
+              "\n\n# scene\tname_at\tbottom\ttop\treported\treported_low\treported_high\tcolour\n" + "".join(scenes) +
+              "".join(outlines))
+    return Picture("onset_distribution", "sweep_onset_distribution.gp", "How the onset speeds scatter",
+                   f"{grouped(cases)} cases, over the logarithm of the speed; each lane to the same height",
+                   round(78 + 92 + 50 * (top + 0.12)), blocks)
+
+
+# --- What carries the variance.
+
+DRAWN_FROM = 0.005
+BAR, BETWEEN = 18, 14  # points
+
+
+def indices_of(scene, name):
+    """Of each variable its Sobol indices; empty where the column has none."""
+    column = column_of(scene, name)
+    if column is None or len(column["values"]) != 1:
+        return {}
+    indices = column["values"][0].get("sensitivity", {}).get("variables", {})
+    return indices if any(one["total"]["value"] is not None for one in indices.values()) else {}
+
+
+def ranked(result, name):
+    """All variables of all scenes with their greatest total, the greatest first."""
+    greatest = {}
+    for scene in result["scenes"]:
+        for variable, one in indices_of(scene, name).items():
+            greatest[variable] = max(greatest.get(variable, 0), one["total"]["value"] or 0)
+    return sorted(greatest.items(), key=lambda one: -one[1])
+
+
+def with_ends(index):
+    if index["value"] is None:
+        return NAN, NAN, NAN
+    return (index["value"], *(end if end is not None else unbounded
+                              for end, unbounded in ((index["low"], -INFINITY), (index["high"], INFINITY))))
+
+
+def sensitivity(result, name):
+    all_colours = colours(result)
+    subjects = [(scene, colour, indices_of(scene, name)) for scene, colour in zip(result["scenes"], all_colours)]
+    subjects = [one for one in subjects if one[2]]
+    rows = ranked(result, name)
+    shown = [variable for variable, greatest in rows if greatest >= DRAWN_FROM]
+    if not shown:
+        return None
+    between = BETWEEN / BAR  # in units of a bar
+    top = (len(subjects) + between) * len(shown)
+    y, right, variables, bars = top - between / 2, 1, "", ""
+    for variable in shown:
+        variables += row(y - len(subjects) / 2, cell(field_words(variable), 30))
+        for scene, colour, indices in subjects:
+            y -= 1
+            if variable not in indices:
+                continue
+            total = with_ends(indices[variable]["total"])
+            right = max(right, total[2]) if math.isfinite(total[2]) else right
+            bars += row(y + 0.5, 0.42, *with_ends(indices[variable]["first_order"]), *total, colour, pale(colour),
+                        cell(scene["id"]), variable)
+        y -= between
+    scenes = "".join(row(cell(scene["id"], 24), colour, pale(colour)) for scene, colour, _ in subjects)
+    blocks = ("# right\ttop\n" + row(right * 1.02, top) + "\n\n# y\tvariable\n" + variables +
+              "\n\n# y\thalf_height\tfirst_order\tfirst_order_low\tfirst_order_high\ttotal\ttotal_low\ttotal_high\t"
+              "colour\tpale\tscene\tvariable\n" + bars + "\n\n# scene\tcolour\tpale\n" + scenes)
+    left_out = len(rows) - len(shown)
+    key_rows = math.ceil((len(subjects) + 2 if len(subjects) > 1 else 2) / 3)
+    return Picture(file_name("sensitivity", name), "sweep_sensitivity.gp",
+                   f"What carries the variance: {column_words(name)}",
+                   "Sobol indices, with 95 % intervals of the totals" +
+                   (f"; below {DRAWN_FROM} and left out: {left_out} input{'s' if left_out > 1 else ''}"
+                    if left_out else ""),
+                   round(max(78 + 92 + 22 * key_rows + BAR * top, 480)), blocks)
+
+
+# --- Bands over speed.
+
+LOG_FROM_RATIO = 20
+
+
+def is_band(scene, column):
+    return (scene["design"] != "factorial" and column is not None and len(column["values"]) > 1
+            and "words" not in column["values"][0])
+
+
+def without_value(values):
+    """For the legend: how many cases have no value, as friction without a film, at the speed with most of them."""
+    missing = [value["undefined"] / (value["count"] + value["undefined"]) for value in values]
+    if not any(missing):
+        return ""
+    first = next(value["speed"] for value, part in zip(values, missing) if part)
+    return f": no film and no value in up to {percent(max(missing), 2)} of the cases, from {rounded(first, 3)} m/s on"
+
+
+def linear_range(low, high):
+    """A linear axis that holds all of it, from 0 where that is not far."""
+    low = 0 if 0 <= low < high / 2 else low
+    room = 0.04 * (high - low)
+    return low - room if low else 0, high + (room if room > 0 else 1)
+
+
+def curve_band(result, name):
+    bands = [(scene, column_of(scene, name), colour) for scene, colour in zip(result["scenes"], colours(result))]
+    bands = [one for one in bands if is_band(*one[:2])]
+    if not bands:
+        return None
+    unit, factor = min((readable_unit(column["unit"], [value[end] for value in column["values"]
+                                                       for end in ("least", "greatest")])
+                        for _, column, _ in bands), key=lambda one: one[1])
+    speeds, shown, scenes, curves = [], [], "", ""
+    for number, (scene, column, colour) in enumerate(bands, 1):
+        scenes += row(number, cell(scene["id"], 24), colour, cell(scene["id"], 24) + without_value(column["values"]))
+        curves += "\n\n# speed\tquantile_0.025\tquantile_0.5\tquantile_0.975\n"
+        for value in column["values"]:
+            # Where most cases have no value, the quantiles of the rest do not describe the scene.
+            is_of_few = value["undefined"] > value["count"]
+            band = [NAN if is_of_few else factor * quantile(value, level) for level in (0.025, 0.5, 0.975)]
+            speeds.append(value["speed"])
+            shown += [one for one in band if math.isfinite(one)]
+            curves += row(value["speed"], *band)
+    if not shown:
+        return None
+    low, high = min(shown), max(shown)
+    is_log = low > 0 and high > LOG_FROM_RATIO * low
+    ends = with_room(low, high, 0.03) if is_log else linear_range(low, high)
+    words = column_words(name)
+    is_part = any(value["undefined"] for _, column, _ in bands for value in column["values"])
+    return Picture(file_name("curve_band", name), "sweep_curve_band.gp", with_capital(words + " over speed"),
+                   "lines: medians; bands: 95 % of the cases " +
+                   ("that have a value, where that is most of them" if is_part else "at each speed"), 640,
+                   "# low\thigh\tbottom\ttop\tlog\tlabel\n" +
+                   row(min(speeds), max(speeds), *ends, 1 if is_log else 0, axis_label(words, unit)) +
+                   "\n\n# number\tscene\tcolour\tlegend\n" + scenes + curves)
+
+
+# --- The film over speed and one field.
+
+MOST_COLUMNS, MOST_ROWS = 120, 90  # so many polygons are still an SVG that opens
+
+
+def thinned(count, most):
+    some = min(count, most)
+    return [i * (count - 1) // (some - 1) for i in range(some)]
+
+
+def speed_of_greatest(speeds, films):
+    """Where the parabola through the greatest film and its neighbours is highest, all in logarithms. NaN if the
+    greatest is at an end; if a neighbour has no film, the speed of the greatest itself."""
+    at = films.index(max(films))
+    if at == 0 or at + 1 >= len(films):
+        return NAN
+    if not films[at - 1] > 0 or not films[at + 1] > 0:
+        return speeds[at]
+    before, after = math.log(speeds[at - 1] / speeds[at]), math.log(speeds[at + 1] / speeds[at])
+    fall_before, fall_after = math.log(films[at - 1] / films[at]) / before, math.log(films[at + 1] / films[at]) / after
+    curvature = (fall_after - fall_before) / (after - before)
+    if curvature >= 0:
+        return speeds[at]
+    slope = fall_before - curvature * before
+    return speeds[at] * math.exp(min(max(-slope / (2 * curvature), before), after))
+
+
+def film_map(scene, number=1):
+    if "map" not in scene:
+        return None
+    field, film = scene["inputs"][0], column_of(scene, "film")
+    speeds = [value["speed"] for value in film["values"]]
+    grid = sorted(zip(scene["map"]["field"], scene["map"]["film"]), key=lambda one: one[0])
+    if len(grid) < 3 or not grid[0][0] < grid[-1][0]:
+        return None
+    unit, factor = readable_unit(field["unit"], [grid[0][0], grid[-1][0]])
+    shown, table, ridge, has_gaps, has_ridge = [], "", "", False, False
+    for i in thinned(len(grid), MOST_ROWS):
+        at, films = factor * grid[i][0], grid[i][1]
+        for j in thinned(len(speeds), MOST_COLUMNS):
+            here = 1e9 * films[j] if films[j] > 0 else NAN  # it has collapsed: a hole, as on any logarithmic scale
+            has_gaps = has_gaps or math.isnan(here)
+            shown += [] if math.isnan(here) else [here]
+            table += row(speeds[j], at, here)
+        table += "\n"
+        greatest = speed_of_greatest(speeds, films)
+        has_ridge = has_ridge or not math.isnan(greatest)
+        ridge += row(greatest, at)
+    if not shown or not min(shown) < max(shown):
+        return None
+    low, high = factor * grid[0][0], factor * grid[-1][0]
+    words = field_words(field["path"])
+    subtitle = (f"{drawing.enhanced(cell(scene['id']))}: {len(speeds)} × {len(grid)} points" +
+                ("; orange: the greatest film" if has_ridge else "") + ("; white: it has collapsed" if has_gaps else ""))
+    return Picture("film_map" if number == 1 else f"film_map_{number}", "sweep_film_map.gp",
+                   f"Film over speed and {words}", subtitle, 720,
+                   "# low\thigh\tbottom\ttop\tlog\tleast\tgreatest\tlabel\n" +
+                   row(speeds[0], speeds[-1], low, high, 1 if low > 0 and high > 3 * low else 0, min(shown), max(shown),
+                       axis_label(words, unit)) +
+                   "\n\n# speed\tfield\tfilm_nm\n" + table + "\n# speed\tfield, of the greatest film\n" + ridge)
+
+
+# --- All of them.
+
+def pictures(result):
+    names = dict.fromkeys(column["name"] for scene in result["scenes"] for column in scene["columns"])
+    made = [onset_distribution(result), *(sensitivity(result, name) for name in names)]
+    maps = [scene for scene in result["scenes"] if film_map(scene)]
+    made += [film_map(scene, number) for number, scene in enumerate(maps, 1)]
+    made += [curve_band(result, name) for name in names]
+    return [one for one in made if one]
+
+
+def write_blocks(picture, folder):
+    path = folder / f"{picture.stem}.blocks.tsv"
+    path.write_text(picture.blocks, encoding="utf-8")
+    return path
+
+
+def draw_all(result, folder):
+    """Paths of what was drawn, and why the others were not."""
+    written, undrawn = [], []
+    for picture in pictures(result):
+        write_blocks(picture, folder)
+        for kind in ("svg", "png"):
+            target = folder / f"{picture.stem}.{kind}"
+            why = drawing.draw(picture.drawn(), folder, target)
+            if not why:
+                written.append(str(target))
+                continue
+            target.unlink(missing_ok=True)  # an old one would not belong to the new data
+            if why == drawing.NO_GNUPLOT:
+                return written, [f"{why}: no pictures (Debian: apt-get install gnuplot-nox)"]
+            undrawn.append(f"{target}: {why}")
+    return written, undrawn
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("result", type=pathlib.Path, metavar="RESULT")
+    parser.add_argument("folder", type=pathlib.Path, help="for the pictures and their data")
+    arguments = parser.parse_args()
+    result = json.loads(arguments.result.read_text(encoding="utf-8"))
+    try:
+        written, undrawn = draw_all(result, arguments.folder)
+    except OSError as error:
+        written, undrawn = [], [f"cannot write {error.filename or arguments.folder}: {error.strerror}"]
+    print(json.dumps({"written": written, "undrawn": undrawn}))
+
+
+if __name__ == "__main__":
+    main()
