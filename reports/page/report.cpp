@@ -75,8 +75,9 @@ struct Asked {
 };
 
 std::string_view section_of(std::string_view group) {
-  for (const SectionNeeds& one : all_sections)
-    if (one.groups[0] == group) return one.id;
+  for (const std::size_t place : {0U, 1U})  // rather where the group comes first
+    for (const SectionNeeds& one : all_sections)
+      if (one.groups[place] == group) return one.id;
   return {};
 }
 

@@ -102,12 +102,13 @@ class PageReader(html.parser.HTMLParser):
 
 class WrittenReport(unittest.TestCase):
     """One report for all the tests that only look at it."""
+    sections = ()  # all of the page
 
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = pathlib.Path(cls.folder.name) / "it's here"  # gnuplot must cope with the quote
-        cls.done = report("--out", cls.out)
+        cls.done = report("--out", cls.out, *(f"--section={one}" for one in cls.sections))
 
     @classmethod
     def tearDownClass(cls):

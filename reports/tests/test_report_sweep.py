@@ -10,80 +10,117 @@ import shutil
 import tempfile
 
 from program import run
-from report_files import PUBLISHED, SWEEP_FIGURES, WrittenReport, report
+from report_files import PUBLISHED, SWEEP_DATA, SWEEP_FIGURES, WrittenReport, report
 
-NUMBER = r"-?[\d.]+"
+SURFACES = ("rough", "medium", "smooth")
+REPORTED = {"rough": 0.5, "medium": 0.15, "smooth": 0.09}
+CRITERIA = ("film_maximum", "film_departure", "asperity_minimum")
 
 
-def number(cell):
-    return float(re.match(NUMBER, cell)[0])
+def table_after(text, caption):
+    """Rows of a Markdown table under their headings."""
+    lines = text.partition(f"**{caption}**")[2].strip().split("\n\n")[0].splitlines()
+    head, _, *rows = [[cell.strip().strip("`") for cell in line.strip("|").split("|")] for line in lines]
+    return [dict(zip(head, row, strict=True)) for row in rows]
 
 
 class OnsetUncertainty(WrittenReport):
+    sections = ("uncertainty",)
+
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.page = json.loads((cls.out / "report.json").read_text())
-        cls.section = next(s for s in cls.page["sections"] if s["id"] == "sweep")
+        cls.report = json.loads((cls.out / "report.json").read_text())
+        cls.group = cls.report["onset_uncertainty"]
+        cls.page = (cls.out / "report.md").read_text()
+        cls.speeds = {(one["surface"], speed["criterion"]): speed
+                      for one in cls.group["surfaces"] for speed in one["speeds"]}
         shown = run("sweep", "show", cls.out / "sweep/onset_uncertainty.h5", "--format", "csv")
         cls.swept = {(row["scene"], row["column"]): row
                      for row in csv.DictReader(io.StringIO(shown.out))}
 
-    def column(self, row, name="speed"):
-        return self.swept[row[0], f"onset.{row[1].strip('`')}.{name}"]
+    def column(self, surface, criterion, name="speed"):
+        return self.swept[surface, f"onset.{criterion}.{name}"]
 
-    def test_speeds_are_those_of_the_sweep_and_of_onset(self):
-        rows = self.section["tables"][0]["rows"]
-        self.assertEqual(len(rows), 9)
-        for row in rows:
-            column = self.column(row)
-            for cell, level in zip(row[3:6], ("0.025", "0.5", "0.975")):
-                self.assertLess(abs(number(cell) / float(column[f"quantile_{level}"]) - 1), 6e-3)
-            done = run("onset", PUBLISHED / f"{row[0]}.toml", "--criterion", row[1].strip("`"),
-                       "--format", "csv")
-            speed = next(csv.DictReader(io.StringIO(done.out)))["speed"]
-            self.assertLess(abs(number(row[2]) / float(speed) - 1), 6e-3)
-            undefined = float(column["undefined"]) / 8192
-            self.assertLess(abs(number(row[6]) / 100 - undefined), 0.05 * undefined + 1e-9)
+    def test_numbers_are_those_of_the_sweep_and_of_onset(self):
+        self.assertEqual(set(self.speeds), {(surface, criterion) for surface in SURFACES for criterion in CRITERIA})
+        told = {(scene["id"], column["name"]): column["values"][0]
+                for scene in self.group["sweep"]["scenes"] for column in scene["columns"]}
+        self.assertEqual(len(told), 9)
+        for (surface, criterion), speed in self.speeds.items():
+            column, value = self.column(surface, criterion), told[surface, speed["column"]]
+            for one in value["quantiles"]:
+                self.assertEqual(one["value"], float(column[f"quantile_{one['level']:g}"]))
+            self.assertEqual((value["count"], value["undefined"]), (int(column["count"]), int(column["undefined"])))
+            done = run("onset", PUBLISHED / f"{surface}.toml", "--criterion", criterion, "--format", "csv")
+            self.assertEqual(speed["as_printed"], float(next(csv.DictReader(io.StringIO(done.out)))["speed"]))
 
     def test_reported_speeds_lie_where_the_quantiles_say(self):
-        reported = {"rough": 0.5, "medium": 0.15, "smooth": 0.09}
-        for row in self.section["tables"][0]["rows"]:
-            column = self.column(row)
-            self.assertEqual(number(row[7]), reported[row[0]])
-            if row[8] == "below all":
-                self.assertLess(reported[row[0]], float(column["least"]))
-            elif row[8] == "above all":
-                self.assertGreater(reported[row[0]], float(column["greatest"]))
+        reported = {one["surface"]: one["reported"] for one in self.group["surfaces"]}
+        self.assertEqual({surface: one["value"] for surface, one in reported.items()}, REPORTED)
+        for one in reported.values():
+            self.assertLess(one["low"], one["value"])
+            self.assertLess(one["value"], one["high"])
+        for (surface, criterion), speed in self.speeds.items():
+            column = self.column(surface, criterion)
+            below = speed["cases_below_reported"]
+            if REPORTED[surface] < float(column["least"]):
+                self.assertEqual((speed["reported_lies"], below), ("below all", 0))
+            elif REPORTED[surface] > float(column["greatest"]):
+                self.assertEqual((speed["reported_lies"], below), ("above all", 1))
             else:
-                part = number(row[8]) / 100
+                self.assertEqual(speed["reported_lies"], "among them")
                 for level in (0.01, 0.05, 0.25, 0.75, 0.95, 0.99):
-                    if abs(level - part) > 0.02:
-                        self.assertEqual(part > level,
-                                         reported[row[0]] > float(column[f"quantile_{level}"]))
+                    if abs(level - below) > 0.02:
+                        self.assertEqual(below > level, REPORTED[surface] > float(column[f"quantile_{level}"]))
+            self.assertEqual(speed["reported_is_within_95_percent"],
+                             reported[surface]["high"] >= float(column["quantile_0.025"]) and
+                             reported[surface]["low"] <= float(column["quantile_0.975"]))
+        self.assertEqual({one["reported_lies"] for one in self.speeds.values()}, {"below all", "above all"})
+
+    def test_the_table_of_speeds_is_the_data(self):
+        rows = table_after(self.page, "Onset speeds within the precision of Table 1, m/s")
+        self.assertEqual([(row["surface"], row["criterion"]) for row in rows], list(self.speeds))
+        for row in rows:
+            speed, column = self.speeds[row["surface"], row["criterion"]], self.column(row["surface"], row["criterion"])
+            expected = [speed["as_printed"], *(float(column[f"quantile_{level}"]) for level in ("0.025", "0.5", "0.975"))]
+            for name, value in zip(("as printed", "2.5 %", "median", "97.5 %"), expected):
+                self.assertLess(abs(float(row[name]) / value - 1), 6e-3)
+            undefined = 100 * int(column["undefined"]) / 8192
+            self.assertLess(abs(float(row["no onset in"].split()[0]) - undefined), 0.05 * undefined + 1e-9)
+            self.assertEqual(float(row["reported"]), REPORTED[row["surface"]])
+            self.assertEqual(row["cases below the reported speed"], speed["reported_lies"])
 
     def test_totals_are_those_of_the_sweep(self):
-        rows = self.section["tables"][1]["rows"]
+        rows = table_after(self.page, "What carries the uncertainty: total Sobol indices of the onset speed")
         self.assertGreater(len(rows), 6)
-        for criterion, variable, *cells in rows:
-            for surface, cell in zip(("rough", "medium", "smooth"), cells, strict=True):
-                column = self.swept[surface, f"onset.{criterion.strip('`')}.speed"]
-                self.assertLessEqual(abs(number(cell) - float(column["total:" + variable.strip("`")])),
-                                     0.0005001)
+        for row in rows:
+            for surface in SURFACES:
+                total = float(self.column(surface, row["criterion"])["total:" + row["input"]])
+                self.assertLessEqual(abs(float(row[surface].split(" ± ")[0].replace("−", "-")) - total), 0.0005001)
 
     def test_what_carries_most_is_named(self):
-        text = " ".join(self.section["paragraphs"])
-        for surface in ("rough", "medium", "smooth"):
-            column = self.swept[surface, "onset.film_maximum.speed"]
-            totals = {name[len("total:"):]: float(cell) for name, cell in column.items()
-                      if name.startswith("total:")}
-            self.assertRegex(text, f"{max(totals, key=totals.get)} with [\\d.]+ % on the {surface}")
+        for surface in SURFACES:
+            column = self.column(surface, "film_maximum")
+            totals = {name[len("total:"):]: float(cell) for name, cell in column.items() if name.startswith("total:")}
+            most = max(totals, key=totals.get)
+            self.assertRegex(self.page, f"`{most}` on the {surface} surface \\({100 * totals[most]:.0f} %\\)")
 
     def test_both_ways_of_drawing_agree(self):
-        self.assertIn("the two agree", " ".join(self.section["paragraphs"]))
+        finding, = (one for one in self.report["findings"] if one["id"] == "onset_speeds_drawn_twice")
+        self.assertEqual(finding["standing"], "holds")
+        agreement = self.group["agreement"]
+        self.assertTrue(agreement["agree"])
+        self.assertTrue(0 < agreement["in_deviations"] <= agreement["most_deviations"] == 3.5)
+        self.assertLess(agreement["farthest"], 0.03)
+        self.assertIn("**Onset speeds drawn twice:** two generators agree.", self.page)
 
     def test_figures(self):
-        self.assertEqual([figure["id"] for figure in self.section["figures"]], SWEEP_FIGURES)
+        html = (self.out / "index.html").read_text()
+        self.assertEqual(re.findall(r'<figure id="(\w+)"', html)[-2:], SWEEP_FIGURES)
+        for path in SWEEP_DATA:
+            self.assertTrue((self.out / path).is_file())
+            self.assertIn(f'href="{path}"', html)
 
     def test_without_its_sweeps_it_excuses_itself(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -91,14 +128,15 @@ class OnsetUncertainty(WrittenReport):
             shutil.copytree(PUBLISHED, scenes)
             (scenes / "sweeps/onset_medium.toml").unlink()
             out = pathlib.Path(folder) / "out"
-            done = report("--scenes", scenes, "--out", out)
+            done = report("--scenes", scenes, "--out", out, "--section", "uncertainty")
             self.assertEqual(done.returncode, 0, done.stderr)
-            page = json.loads((out / "report.json").read_text())
-            section = next(s for s in page["sections"] if s["id"] == "sweep")
-            self.assertIn("onset_medium.toml", section["paragraphs"][0])
-            self.assertEqual(section["tables"] + section["figures"], [])
-            missing = page["sections"][-1]["tables"][0]["rows"]
-            self.assertTrue(any("onset speeds" in row[0] for row in missing))
+            written = json.loads((out / "report.json").read_text())
+            self.assertIn("onset_medium.toml", written["onset_uncertainty"]["missing"]["why"])
+            finding, = (one for one in written["findings"] if one["id"] == "onset_uncertainty")
+            self.assertEqual((finding["standing"], finding["section"]), ("absent", "uncertainty"))
+            page = (out / "report.md").read_text()
+            self.assertRegex(page, r"This part of the page is missing: \S+onset_medium.toml".replace("_", r"\\?_"))
+            self.assertNotIn("Sobol", page)
 
 
 if __name__ == "__main__":

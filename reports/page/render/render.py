@@ -26,6 +26,7 @@ import markup  # noqa: E402
 import numbers_text as numbers  # noqa: E402
 import schema  # noqa: E402
 import sections  # noqa: E402
+import sweep_pictures  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -41,8 +42,9 @@ class Steps:
 class Figures:
     """What the templates ask to be drawn; each figure is drawn where it stands."""
 
-    def __init__(self, out, steps):
+    def __init__(self, out, steps, files):
         self.out, self.steps = out, steps
+        self.files = files  # of data, for the page to list
         self.written, self.undrawn, self.html, self.missing = [], [], {}, []
         self.gnuplot_is_there = True
 
@@ -87,6 +89,18 @@ class Figures:
         return markup.Markdown(f'<figure id="{name}">\n\n### {heading}\n\n{picture}\n\n<figcaption>\n\n'
                                f'{caller().strip() if caller else ""}\n\n{files}\n\n</figcaption>\n</figure>\n')
 
+    def sweep_figure(self, picture, alternative, label=None, caller=None):
+        """A picture of a sweep: {% call sweep_figure(sweep_pictures.sensitivity(…), …) %} its caption {% endcall %}."""
+        if picture is None:
+            return ""
+        folder = self.out / "data/sweep"
+        folder.mkdir(parents=True, exist_ok=True)
+        path = sweep_pictures.write_blocks(picture, folder).relative_to(self.out).as_posix()
+        self.written.append(path)
+        self.files.append(path)
+        return self.figure(picture.stem, picture.heading, alternative, picture.script, "sweep.gp", "data/sweep",
+                           subtitle=picture.subtitle, height=picture.height, data=[path], label=label, caller=caller)
+
     def into(self, html):
         """The pictures of a section in place of its images."""
         for name, svg in self.html.items():
@@ -119,7 +133,8 @@ def environment(report, figures):
                    for name in ("rounded", "unrounded", "grouped", "percent", "interval")}
     made.filters |= as_markdown | {"code": markup.code, "typeset": markup.typeset, "marked": markup.marked, "link": markup.link,
                                    "enhanced": drawing.enhanced, "md": markup.Markdown, "commit": sections.short_commit}
-    made.globals |= {"figure": figures.figure, "provenance": sections.provenance, "measured": sections.measured,
+    made.globals |= {"figure": figures.figure, "sweep_figure": figures.sweep_figure,
+                     "sweep_pictures": sweep_pictures, "provenance": sections.provenance, "measured": sections.measured,
                      **report}
     return made
 
@@ -129,7 +144,7 @@ def main():
     parser.add_argument("out", type=pathlib.Path, help="the report's folder, with report.json in it")
     out = parser.parse_args().out
     report = json.loads((out / "report.json").read_text(encoding="utf-8"))
-    figures = Figures(out, Steps())
+    figures = Figures(out, Steps(), report["files"])
     text = environment(report, figures)
     made = sections.Page(report, text, figures)
     (out / "report.md").write_text(made.markdown, encoding="utf-8")

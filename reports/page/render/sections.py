@@ -14,6 +14,7 @@ class Section(typing.NamedTuple):
     title: str  # Markdown
     needs: tuple  # the groups of report.json that its template reads
     is_folded: bool = False  # closed until a reader opens it
+    further: tuple = ()  # more templates, each with what it needs: ((name, groups), …)
 
 
 # The paper first, then this software. templates/<id>.md says what each shows.
@@ -23,7 +24,8 @@ SECTIONS = {
     "claims": Section("The paper's claims, and what comes out", ("ledger",)),
     "readings": Section("Interpretations, and which number identifies which", ("ledger",), True),
     "requirements": Section("What would have to be true", ("ledger",), True),
-    "uncertainty": Section("How sure the computed numbers are", ("ledger", "onset_uncertainty")),
+    "uncertainty": Section("How sure the computed numbers are", ("ledger",),
+                           further=(("uncertainty-sweep", ("onset_uncertainty",)),)),
     "misprints": Section("The paper's misprints", ("ledger",), True),
     "model": Section("The model, its equations and inputs", ("paper", "ledger"), True),
     "verification": Section("Verification, quantity by quantity", ("certified",), True),
@@ -82,15 +84,20 @@ class Page:
 
     def section(self, name):
         one = SECTIONS[name]
-        absent = next((self.report[group]["missing"] for group in one.needs if "missing" in self.report[group]), None)
+        texts = [self.part(one.title, template, needs) for template, needs in ((name, one.needs), *one.further)]
+        return Made(name, one.title, "\n".join(texts), one.is_folded)
+
+    def part(self, title, template, needs):
+        """The text of one template, or why it is missing; keeps the sentences of its findings."""
+        absent = next((self.report[group]["missing"] for group in needs if "missing" in self.report[group]), None)
         if absent is not None:
-            self.missing.append({"what": one.title, **absent})
-            return Made(name, one.title, self.render("missing.md", missing=absent)[0], False)
-        text, module = self.render(f"{name}.md")
+            self.missing.append({"what": title, **absent})
+            return self.render("missing.md", missing=absent)[0]
+        text, module = self.render(f"{template}.md")
         for attribute in dir(module):
             if attribute.startswith("finding_"):
                 self.sentences[attribute.removeprefix("finding_")] = markup.indices(getattr(module, attribute)).strip()
-        return Made(name, one.title, text, one.is_folded)
+        return text
 
     def findings(self, about):
         """Those about the paper, or about the software; broken promises first, then missed targets."""

@@ -18,7 +18,7 @@ import pathlib
 import typing
 
 import drawing
-from numbers_text import grouped, percent, rounded
+from numbers_text import NO_ENTRY, grouped, percent, rounded
 
 OKABE_ITO = (0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x8C6D00, 0x000000)
 OF_SURFACES = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2}  # as colour() of style.gp
@@ -230,6 +230,16 @@ def ranked(result, name):
         for variable, one in indices_of(scene, name).items():
             greatest[variable] = max(greatest.get(variable, 0), one["total"]["value"] or 0)
     return sorted(greatest.items(), key=lambda one: -one[1])
+
+
+def total_text(scene, name, variable):
+    """0.712 ± 0.011, and 0.712 where the error is less than its last digit."""
+    total = indices_of(scene, name).get(variable, {}).get("total", {})
+    value, high = total.get("value"), total.get("high")
+    if value is None:
+        return NO_ENTRY
+    return f"{value:.3f}".replace("-", "−") + (
+        "" if high is None or high - value < 0.0005 else f" ± {high - value:.3f}")
 
 
 def with_ends(index):
