@@ -14,14 +14,14 @@
 namespace tribo::scene_detail {
 namespace {
 
+bool is_standard_input(const std::string& path) { return path == "-" || path == "/dev/stdin"; }
+
 // Closes what it opened; standard input stays open.
 class InputFile {
  public:
   explicit InputFile(const std::string& path)
-      // Without O_NONBLOCK, opening a FIFO would wait for somebody to write.
-      : descriptor_(path == "-" ? STDIN_FILENO
-                                : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)),
-        owned_(path != "-") {}
+      : owned_(!is_standard_input(path)),
+        descriptor_(owned_ ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO) {}
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
   ~InputFile() {
@@ -30,18 +30,19 @@ class InputFile {
   int descriptor() const { return descriptor_; }
 
  private:
-  int descriptor_;
   bool owned_;
+  int descriptor_;
 };
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
-// Why a path is not to be opened; empty if it is a regular file.
+// Why a path is not to be opened; empty if it is a file or a pipe.
 std::string refusal_of(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return "cannot be read: " + system_message(errno);
-  if (S_ISDIR(status.st_mode)) return "is a directory; allowed: a regular file";
-  if (!S_ISREG(status.st_mode)) return "is not a regular file; allowed: a regular file";
+  if (S_ISDIR(status.st_mode)) return "is a directory; allowed: a file or a pipe";
+  if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
+    return "is neither a file nor a pipe; allowed: a file, a pipe, or - for standard input";
   return {};
 }
 
@@ -85,7 +86,7 @@ std::string read_up_to_limit(int descriptor, std::string& text) {
 }  // namespace
 
 std::string read_input_text(const std::string& path, std::string_view what, std::string& text) {
-  if (path != "-")
+  if (!is_standard_input(path))
     if (std::string refusal = refusal_of(path); !refusal.empty()) return refusal;
   const InputFile file(path);
   if (file.descriptor() < 0) return "cannot be read: " + system_message(errno);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole text of an input: a regular file of at most 1 MiB, or standard input.
+// The whole text of an input: a file or pipe of at most 1 MiB, or standard input.
 #pragma once
 
 #include <string>

@@ -139,8 +139,9 @@ std::string redefined_field(const std::string& description, std::size_t row,
 bool is_of_sweep(const Entry& entry) {
   if (entry.value.kind != ValueKind::table) return false;
   return entry.path == "sweep" ||
-         std::any_of(entry.inner.begin(), entry.inner.end(), [](const Entry& inner) {
-           return inner.path == "distribution" || inner.path == "printed";
+         std::any_of(entry.inner.begin(), entry.inner.end(), [&entry](const Entry& inner) {
+           return inner.path == "distribution" || inner.path == "printed" ||
+                  (inner.path == "count" && entry.path != "speed");
          });
 }
 

@@ -186,10 +186,7 @@ class Files(BadInputTest):
     def test_missing_empty_and_directory(self):
         empty = self.folder.write("empty.toml", "")
         blank = self.folder.write("blank.json", " \n\t")
-        pipe = self.folder.path("pipe")
-        os.mkfifo(pipe)
-        for path in [self.folder.path("none.toml"), self.folder.name, empty, blank, pipe, "/dev/null",
-                     "/dev/zero"]:
+        for path in [self.folder.path("none.toml"), self.folder.name, empty, blank, "/dev/null", "/dev/zero"]:
             for command in ["solve", "curve", "onset"]:
                 with self.subTest(path=path, command=command):
                     self.assert_refused(run(command, path), path)
@@ -201,6 +198,16 @@ class Files(BadInputTest):
 
     def test_stdin_is_empty(self):
         self.assert_refused(run("solve", "-"), "-")
+
+    def test_pipes_are_read_like_standard_input(self):
+        read, write = os.pipe()
+        os.write(write, toml(scene()).encode())
+        os.close(write)
+        expected = run("solve", "-", "--format", "csv", stdin=toml(scene())).out
+        self.assertEqual(run("solve", f"/dev/fd/{read}", "--format", "csv", pass_fds=[read]).out, expected)
+        os.close(read)
+        self.assertEqual(run("solve", "/dev/stdin", "--format", "csv", stdin=toml(scene())).out, expected)
+        self.assert_refused(run("solve", "/dev/stdin", stdin="#" * ((1 << 20) + 1)), "too large")
 
     def test_other_encodings_are_named(self):
         for text, name in [(toml(scene()), "case.toml"), (json_value(scene()), "case.json")]:
@@ -216,7 +223,8 @@ class Files(BadInputTest):
     def test_a_sweep_is_told_from_a_scene(self):
         normal = Literal('{ distribution = "normal", mean = 0.02, sd = 0.001 }')
         for tree in [scene(sweep={"draws": 64}), with_field(scene(), "lubricant.viscosity", normal),
-                     scene(load=Literal('{ printed = "50" }'))]:
+                     scene(load=Literal('{ printed = "50" }')),
+                     scene(load=Literal("{ from = 40, to = 60, count = 3 }"))]:
             path = self.folder.write("case.toml", tree)
             for command in ["solve", "curve", "onset"]:
                 with self.subTest(tree=tree, command=command):

@@ -74,7 +74,7 @@ inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 20;
 SceneReading parse_scene_toml(std::string_view text, std::string_view source, SceneUse use);
 SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use);
 
-// Reads a regular file of at most 1 MiB; "-" is standard input. `.json` files and text whose first
+// Reads a file or pipe of at most 1 MiB; "-" is standard input. `.json` files and text whose first
 // sign is `{` are read as JSON, all else as TOML. A scene without `id` gets the file's stem.
 SceneReading read_scene(const std::string& path, SceneUse use);
 

@@ -77,12 +77,22 @@ TEST_F(SceneFile, IsJsonByNameOrByItsFirstSign) {
   expect_refused(write("d.json", "x = 1"), "not JSON");
 }
 
-TEST_F(SceneFile, IsRefusedIfItIsNoRegularFile) {
+TEST_F(SceneFile, IsRefusedIfItIsNeitherAFileNorAPipe) {
   expect_refused(folder_.path().string(), "is a directory");
-  expect_refused("/dev/null", "is not a regular file");
-  expect_refused("/dev/zero", "is not a regular file");
+  expect_refused("/dev/null", "is neither a file nor a pipe");
+  expect_refused("/dev/zero", "is neither a file nor a pipe");
+}
+
+TEST_F(SceneFile, MayBeANamedPipe) {
   ASSERT_EQ(::mkfifo(path("fifo.toml").c_str(), 0600), 0);
-  expect_refused(path("fifo.toml"), "is not a regular file");
+  std::thread writer([name = path("fifo.toml")] {
+    const int end = ::open(name.c_str(), O_WRONLY);
+    EXPECT_EQ(::write(end, nameless_toml.data(), nameless_toml.size()),
+              static_cast<ssize_t>(nameless_toml.size()));
+    ::close(end);
+  });
+  EXPECT_EQ(id_of(path("fifo.toml")), "fifo");
+  writer.join();
 }
 
 TEST_F(SceneFile, IsRefusedIfItCannotBeRead) {
