@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace tribo::sweep::hdf5 {
 namespace {
@@ -126,6 +127,42 @@ void write_attribute(hid_t object, const char* name, double value) {
 
 void write_attribute(hid_t object, const char* name, std::uint64_t value) {
   write_attribute(object, name, H5T_STD_U64LE, H5T_NATIVE_UINT64, scalar(), &value);
+}
+
+// HDF5's own functions for this write what happens to lie in the gap of a struct, so that no two
+// files would be equal.
+void make_scale(hid_t scale, const char* name, std::span<const hid_t> datasets) {
+  for (const auto& [attribute, text] :
+       {std::pair{"CLASS", std::string("DIMENSION_SCALE")}, std::pair{"NAME", std::string(name)}}) {
+    const Handle type(H5Tcopy(H5T_C_S1));
+    checked(H5Tset_size(type, text.size() + 1));
+    write_attribute(scale, attribute, type, type, scalar(), text.c_str());
+  }
+  const auto reference_to = [](hid_t object) {
+    hobj_ref_t reference = 0;
+    checked(H5Rcreate(&reference, object, ".", H5R_OBJECT, H5I_INVALID_HID));
+    return reference;
+  };
+  struct Use {
+    hobj_ref_t dataset;
+    int dimension, gap;
+  };
+  std::vector<Use> uses;
+  hobj_ref_t to_scale = reference_to(scale);
+  const Handle list_type(H5Tvlen_create(H5T_STD_REF_OBJ));
+  const hsize_t dimensions = 2;
+  const Handle list_space(H5Screate_simple(1, &dimensions, nullptr));
+  for (const hid_t dataset : datasets) {
+    const std::array<hvl_t, 2> lists{hvl_t{0, nullptr}, hvl_t{1, &to_scale}};
+    write_attribute(dataset, "DIMENSION_LIST", list_type, list_type, list_space, lists.data());
+    uses.push_back({reference_to(dataset), 1, 0});
+  }
+  const Handle use_type(H5Tcreate(H5T_COMPOUND, sizeof(Use)));
+  checked(H5Tinsert(use_type, "dataset", offsetof(Use, dataset), H5T_STD_REF_OBJ));
+  checked(H5Tinsert(use_type, "dimension", offsetof(Use, dimension), H5T_NATIVE_INT));
+  const hsize_t count = uses.size();
+  const Handle use_space(H5Screate_simple(1, &count, nullptr));
+  write_attribute(scale, "REFERENCE_LIST", use_type, use_type, use_space, uses.data());
 }
 
 std::string read_text(hid_t object, const char* name) {

@@ -25,12 +25,14 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
   for (const OutputInfo& info : output_infos)
     if (sweep.outputs.contains(info.output))
       columns.push_back({std::string(info.name), std::string(info.unit), words_of(info.output),
-                         sweep.scene.speeds.size()});
+                         sweep.scene.speeds.size(), std::string(info.meaning)});
   for (const OnsetCriterion criterion : sweep.criteria) {
     const std::string prefix = "onset." + std::string(name(criterion)) + '.';
-    columns.push_back({prefix + "speed", "m/s", {}, 1});
-    columns.push_back({prefix + "film", "m", {}, 1});
-    columns.push_back({prefix + "film_parameter", "", {}, 1});
+    const std::string at = " at the onset by " + std::string(name(criterion)) +
+                           "; undefined where the case has no such onset";
+    columns.push_back({prefix + "speed", "m/s", {}, 1, "u, entrainment speed" + at});
+    columns.push_back({prefix + "film", "m", {}, 1, "h*, film" + at});
+    columns.push_back({prefix + "film_parameter", "", {}, 1, "λ* = h*/σ_s" + at});
   }
   return columns;
 }

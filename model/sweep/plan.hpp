@@ -50,6 +50,7 @@ struct Column {
   std::string unit;
   std::vector<std::string> words;  // of an output of words: values are places in this list
   std::size_t width = 1;           // values a case: one, or one for each speed of the scene
+  std::string meaning = {};
 };
 
 // The sweep of one scene file.

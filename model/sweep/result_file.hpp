@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The result of a sweep: an HDF5 file. Its bytes are a function of the plan and the chunks alone.
+// The result of a sweep: an HDF5 file. Its bytes are a function of the plan, the chunks and the
+// program's commit alone.
 //
-//   /                        attributes: format, tribocheck_version, sweep_digest, arithmetic
+//   /                        attributes: format, title, tribocheck_version, tribocheck_commit (of
+//                            the build; empty: not known), sweep_digest, arithmetic
 //   /<scene id>              attributes: scene (the sweep file's text), file, design, seed, draws,
 //                            cases, points, departure, columns (their names)
-//     speed                  [speeds] the scene's speeds, where operating points are asked
+//     speed                  [speeds] the scene's speeds, where operating points are asked; the
+//                            dimension scale of outputs
 //     inputs/<field>         [cases] attributes: unit, meaning, varies, words
-//     outputs/<column>       [cases] or [cases, speeds] attributes: unit, words
-//     summary/<column>/      attributes: unit, words
+//     outputs/<column>       [cases] or [cases, speeds] attributes: unit, meaning (and why it may
+//                            be NaN), words
+//     summary/<column>/      attributes: unit, meaning, words
 //                            count, undefined, mean, sd, least, greatest: [width];
 //                            quantile_levels: [levels]; quantiles, quantiles_low, quantiles_high:
 //                            [width, levels], attribute relative_error;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "build_commit.hpp"
 #include "sweep/chunk.hpp"
 #include "sweep/disk.hpp"
 #include "sweep/hdf5_handles.hpp"
@@ -119,6 +120,7 @@ class CaseDataset {
 
 void write_summary(hid_t group, const Column& column, const std::vector<ValueSummary>& summaries) {
   write_attribute(group, "unit", column.unit);
+  write_attribute(group, "meaning", column.meaning);
   if (!column.words.empty()) write_attribute(group, "words", column.words);
 
   std::vector<std::uint64_t> count, undefined, histogram_counts;
@@ -282,6 +284,7 @@ class SceneWriter {
 
   void make_outputs() {
     const Handle outputs = hdf5::make_group(group_, "outputs");
+    std::vector<hid_t> over_speed;
     for (const Column& column : scene_.columns) {
       const std::string path = path_of_column(column.name);
       const std::size_t slash = path.rfind('/');
@@ -290,7 +293,11 @@ class SceneWriter {
       datasets_.emplace_back(folder, slash == path.npos ? path : path.substr(slash + 1),
                              column.words, scene_.cases(), scene_.chunk_cases(), column.width);
       write_attribute(datasets_.back().id(), "unit", column.unit);
+      write_attribute(datasets_.back().id(), "meaning", column.meaning);
+      if (column.width > 1) over_speed.push_back(datasets_.back().id());
     }
+    if (!over_speed.empty())
+      hdf5::make_scale(Handle(H5Dopen2(group_, "speed", H5P_DEFAULT)), "speed", over_speed);
   }
 
   bool fits(const Chunk& chunk) const {
@@ -329,8 +336,12 @@ Handle create_file(const std::string& path) {
 void write_file(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
                 const std::function<void(std::uint64_t)>& told) {
   Handle file = create_file(path);
+  std::string title = "Results of tribocheck sweep:";
+  for (const SceneSweep& scene : plan.scenes) title += ' ' + scene.file;
   write_attribute(file, "format", result_format);
+  write_attribute(file, "title", title);
   write_attribute(file, "tribocheck_version", plan.version);
+  write_attribute(file, "tribocheck_commit", build_commit);
   write_attribute(file, "sweep_digest", plan.digest);
   write_attribute(file, "arithmetic", chunks.arithmetics());
   std::uint64_t written = 0;

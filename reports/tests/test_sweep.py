@@ -214,6 +214,26 @@ class Files(SweepTest):
             self.assertEqual(file["smooth/outputs/film"].attrs["unit"], "m")
             version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True).stdout
             self.assertIn(file.attrs["tribocheck_version"], version)
+            self.assertEqual(file.attrs["title"], "Results of tribocheck sweep: sweep.toml")
+            commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=os.environ["TRIBOCHECK_ROOT"],
+                                    capture_output=True, text=True).stdout.strip()
+            self.assertRegex(file.attrs["tribocheck_commit"], r"^([0-9a-f]{40}(-dirty)?)?$")
+            self.assertEqual(bool(file.attrs["tribocheck_commit"]), bool(commit))
+
+    def test_outputs_tell_their_meaning_and_have_the_speeds_as_their_scale(self):
+        self.swept(self.TEXT)
+        with opened(self.path("out.h5")) as file:
+            for name, data in file["smooth/outputs"].items():
+                self.assertGreaterEqual(len(data.attrs["meaning"]), 10, name)
+                self.assertEqual(data.attrs["meaning"], file["smooth/summary"][name].attrs["meaning"])
+                self.assertEqual(list(data.dims[1].keys()), ["speed"])
+                self.assertEqual(data.dims[1][0], file["smooth/speed"])
+                self.assertEqual(len(data.dims[0]), 0)
+            self.assertIn("undefined where the film has collapsed", file["smooth/outputs/friction"].attrs["meaning"])
+        self.swept(self.TEXT + 'onset = ["film_maximum"]\n', "--force")
+        with opened(self.path("out.h5")) as file:
+            self.assertIn("undefined where the case has no such onset",
+                          file["smooth/outputs/onset/film_maximum/speed"].attrs["meaning"])
 
     def test_show_says_what_sweep_said(self):
         for form in ("table", "csv", "json"):

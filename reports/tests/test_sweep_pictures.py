@@ -200,7 +200,7 @@ class Pictures(SweepTest):
         grid = "{ from = 1e-8, to = 1e-7, count = 12 }"
         pictures = self.drawn(sweep({"surface.summit_height_sd": grid, "speed": SPEEDS}))
         self.assertEqual(pictures, ["film_map"])
-        axes, film, ridge = self.blocks("film_map")
+        axes, film, ridge, *_ = self.blocks("film_map")
         self.assertEqual(len(film), 12 * 40)
         self.assertIn("summit height sd (nm)", self.svg_text("film_map"))
         found = [row for row in ridge if list(row.values())[0] != "NaN"]
@@ -211,6 +211,23 @@ class Pictures(SweepTest):
             onset = run("onset", self.folder.write("case.toml", case), "--format", "json").json()
             told = next(one for one in onset if one["criterion"] == "film_maximum")
             self.assertLess(abs(math.log(speed / told["speed"])), 0.05)  # a fifth of the grid
+
+    def test_a_film_map_marks_where_the_film_is_a_floor(self):
+        grid = "{ from = 2e-8, to = 2e-7, count = 10 }"
+        self.drawn(sweep({"surface.summit_height_sd": grid, "speed": SPEEDS, "surface.summit_density": "1e11"}))
+        _, film, _, floor = self.blocks("film_map")
+        rows = [tuple(map(float, row.values())) for row in floor]
+        ends = [end for end, field in rows if not math.isnan(end)]
+        self.assertTrue(3 <= len(ends) < 10 and ends == sorted(ends), rows)  # the rougher, the longer
+        self.assertRegex(self.svg_text("film_map"), r"left of black, \d+ %: a floor, asperities carry the load")
+        with opened(self.path("out.h5")) as file:
+            share = file["smooth/outputs/asperity_load_share"][:]
+            speeds = file["smooth/speed"][:]
+        for (end, _), shares in zip(rows, share):
+            if math.isnan(end):
+                self.assertLess(shares[0], 0.999)
+            else:
+                self.assertGreater(shares[speeds <= end].min(), 0.99)
 
     def test_names_with_any_signs(self):
         id = "'''a_b{c}^2 @ \"q\" & <x> \\\\ ~ %s %d '''"

@@ -11,37 +11,42 @@
 namespace tribo {
 
 enum class Output : std::uint8_t {
-  film_flooded,         // h_ff, film of the fully flooded contact with load sharing, m
-  film,                 // h*, film behind the starved inlet, m (h_ff without a supply)
-  separation,           // max(h*, floor), the distance of the mean planes, m
-  film_parameter,       // λ* = h*/σ_s
-  asperity_load_share,  // A
-  fluid_load_share,     // 1 − A
-  real_area_ratio,      // real area of contact / nominal area, not clipped
-  summit_count,         // summits in contact
-  friction,             // friction coefficient μ
-  regime,               // boundary, mixed, elastohydrodynamic
-  inlet,                // flooded, starved, collapsed
+  film_flooded,
+  film,
+  separation,
+  film_parameter,
+  asperity_load_share,
+  fluid_load_share,
+  real_area_ratio,
+  summit_count,
+  friction,
+  regime,
+  inlet,
 };
 
 struct OutputInfo {
   Output output;
   std::string_view name;
   std::string_view unit;  // empty: dimensionless
+  std::string_view meaning;
 };
 
 inline constexpr std::array<OutputInfo, 11> output_infos{{
-    {Output::film_flooded, "film_flooded", "m"},
-    {Output::film, "film", "m"},
-    {Output::separation, "separation", "m"},
-    {Output::film_parameter, "film_parameter", ""},
-    {Output::asperity_load_share, "asperity_load_share", ""},
-    {Output::fluid_load_share, "fluid_load_share", ""},
-    {Output::real_area_ratio, "real_area_ratio", ""},
-    {Output::summit_count, "summit_count", ""},
-    {Output::friction, "friction", ""},
-    {Output::regime, "regime", ""},
-    {Output::inlet, "inlet", ""},
+    {Output::film_flooded, "film_flooded", "m",
+     "h_ff, film of the fully flooded contact with load sharing"},
+    {Output::film, "film", "m", "h*, film behind the starved inlet (h_ff without a supply)"},
+    {Output::separation, "separation", "m", "max(h*, floor), the distance of the mean planes"},
+    {Output::film_parameter, "film_parameter", "", "λ* = h*/σ_s"},
+    {Output::asperity_load_share, "asperity_load_share", "", "A, part of the load on asperities"},
+    {Output::fluid_load_share, "fluid_load_share", "", "1 − A, part of the load on the film"},
+    {Output::real_area_ratio, "real_area_ratio", "",
+     "real area of contact over the nominal area, not clipped"},
+    {Output::summit_count, "summit_count", "", "summits in contact"},
+    {Output::friction, "friction", "",
+     "μ, friction coefficient; undefined where the film has collapsed and no floor keeps the faces "
+     "apart"},
+    {Output::regime, "regime", "", "boundary, mixed or elastohydrodynamic, by the load shares"},
+    {Output::inlet, "inlet", "", "flooded, starved, or collapsed: without a film"},
 }};
 
 constexpr const OutputInfo& info(Output output) {

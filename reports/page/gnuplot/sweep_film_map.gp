@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # The film over speed and one other field, as colours with contour lines. Loaded by sweep.gp.
 # Blocks: 0 the axes; 1 speed × field → film (nm), a blank line after each value of the field; 2 the
-# greatest film of each value of the field, where it lies within the speeds.
+# greatest film of each value of the field, where it lies within the speeds; 3, where some of the map is
+# a floor: the speed up to which each value of the field has it.
 stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
   is_log = column(5), least = column(6), most = column(7), label = strcol(8), 0) nooutput
+stats data nooutput name "all"
 set lmargin at screen 0.13
 set rmargin at screen 0.84
 set border 15 linewidth 0.8
@@ -59,4 +61,5 @@ splot \
   data index 1 using 1:2:3 with pm3d, \
   $contours using 1:2:(most) with lines linewidth 1 linecolor rgb "#ffffff", \
   data index 2 using 1:2:(most) with lines linewidth 2.4 linecolor rgb "#D55E00", \
+  for [i = 3:all_blocks - 1] data index i using 1:2:(most) with lines linewidth 2.4 linecolor rgb "#000000", \
   $contours using (labelled(column(3))*column(1)):2:(most):(tick_text(column(3))) with labels boxed font tiny

@@ -372,6 +372,18 @@ def speed_of_greatest(speeds, films):
     return speeds[at] * math.exp(min(max(-slope / (2 * curvature), before), after))
 
 
+FLAT = 0.01
+
+
+def end_of_floor(speeds, films):
+    """Up to this speed the film is what it is at the least speed, for asperities carry all of the load; NaN: it follows
+    the speed at once."""
+    flat = 0
+    while flat + 1 < len(films) and films[0] > 0 and abs(films[flat + 1] / films[0] - 1) < FLAT:
+        flat += 1
+    return speeds[flat] if flat else NAN
+
+
 def film_map(scene, number=1):
     if "map" not in scene:
         return None
@@ -381,7 +393,7 @@ def film_map(scene, number=1):
     if len(grid) < 3 or not grid[0][0] < grid[-1][0]:
         return None
     unit, factor = readable_unit(field["unit"], [grid[0][0], grid[-1][0]])
-    shown, table, ridge, has_gaps, has_ridge = [], "", "", False, False
+    shown, table, ridge, floor, has_gaps, has_ridge, on_floor = [], "", "", "", False, False, 0
     for i in thinned(len(grid), MOST_ROWS):
         at, films = factor * grid[i][0], grid[i][1]
         for j in thinned(len(speeds), MOST_COLUMNS):
@@ -393,18 +405,24 @@ def film_map(scene, number=1):
         greatest = speed_of_greatest(speeds, films)
         has_ridge = has_ridge or not math.isnan(greatest)
         ridge += row(greatest, at)
+        end = end_of_floor(speeds, films)
+        floor += row(end, at)
+        on_floor += sum(speed <= end for speed in speeds) / len(speeds)
     if not shown or not min(shown) < max(shown):
         return None
     low, high = factor * grid[0][0], factor * grid[-1][0]
     words = field_words(field["path"])
+    floor_part = percent(on_floor / len(thinned(len(grid), MOST_ROWS)), 2)
     subtitle = (f"{drawing.enhanced(cell(scene['id']))}: {len(speeds)} × {len(grid)} points" +
-                ("; orange: the greatest film" if has_ridge else "") + ("; white: it has collapsed" if has_gaps else ""))
+                ("; orange: the greatest film" if has_ridge else "") + ("; white: it has collapsed" if has_gaps else "") +
+                (f"; left of black, {floor_part}: a floor, asperities carry the load" if on_floor else ""))
     return Picture("film_map" if number == 1 else f"film_map_{number}", "sweep_film_map.gp",
                    f"Film over speed and {words}", subtitle, 720,
                    "# low\thigh\tbottom\ttop\tlog\tleast\tgreatest\tlabel\n" +
                    row(speeds[0], speeds[-1], low, high, 1 if low > 0 and high > 3 * low else 0, min(shown), max(shown),
                        axis_label(words, unit)) +
-                   "\n\n# speed\tfield\tfilm_nm\n" + table + "\n# speed\tfield, of the greatest film\n" + ridge)
+                   "\n\n# speed\tfield\tfilm_nm\n" + table + "\n# speed\tfield, of the greatest film\n" + ridge +
+                   ("\n\n# speed\tfield, at the end of the floor\n" + floor if on_floor else ""))
 
 
 # --- All of them.
