@@ -81,7 +81,7 @@ Command add_report(CLI::App& program) {
   const auto options = std::make_shared<report::ReportOptions>();
   app->add_option("--out", options->out, "folder to write to (default: reports/out)");
   app->add_option("--section", options->sections,
-                  "only this section, by its id (claims, sweep, gates, …); may be repeated")
+                  "only this section, by its id (claims, uncertainty, gates, …); may be repeated")
       ->allow_extra_args(false);
   app->add_option("--scenes", options->scenes,
                   "folder of the scenes (default: reference/published)");
