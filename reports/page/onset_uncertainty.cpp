@@ -24,7 +24,7 @@ namespace {
 using sweep::ColumnResult;
 
 // In the order of the ledger's surfaces.
-constexpr std::array<const char*, 3> surface_names{"rough", "medium", "smooth"};
+constexpr std::array<const char*, 3> table_one_surfaces{"rough", "medium", "smooth"};
 constexpr const char* result_path = "sweep/onset_uncertainty.h5";
 constexpr const char* compared_column = "onset.film_maximum.speed";
 constexpr double most_deviations = 3.5;  // of nine comparisons: by chance once in 200 times
@@ -66,7 +66,7 @@ Reported reported_onset(const reproduction::Ledger& ledger, std::size_t surface)
       return {item.reported, item.reported - item.last_digit / 2,
               item.reported + item.last_digit / 2};
   throw std::runtime_error(fmt::format("no onset speed of the {} surface is reported in claims.tsv",
-                                       surface_names[surface]));
+                                       table_one_surfaces[surface]));
 }
 
 Json nominal_speed(const sweep::SceneSweep& sweep, OnsetCriterion criterion) {
@@ -126,7 +126,7 @@ struct Agreement {
 };
 Agreement agreement(const sweep::SweepResult& result, const reproduction::Uncertainty& print) {
   Agreement found;
-  for (std::size_t i = 0; i < surface_names.size(); ++i) {
+  for (std::size_t i = 0; i < table_one_surfaces.size(); ++i) {
     const ColumnResult::Value& value = result.scenes[i].column(compared_column)->values.front();
     const reproduction::Interval& drawn = print.onset_speed[i];
     for (const auto& [level, other] : {std::pair{0.025, drawn.low}, std::pair{0.5, drawn.median},
@@ -167,17 +167,17 @@ DataFile result_file(const ReportPlaces& places) {
 
 Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Ledger& ledger) {
   std::vector<sweep::SceneSweep> scenes;
-  for (const char* const surface : surface_names) scenes.push_back(read_one(places, surface));
+  for (const char* const surface : table_one_surfaces) scenes.push_back(read_one(places, surface));
   const sweep::SweepPlan plan = sweep::make_plan(std::move(scenes));
   const sweep::SweepResult result = run_sweep(places, plan);
   const reproduction::Uncertainty& print = ledger.uncertainty.front();
 
   Group group;
   Json surfaces = Json::array();
-  for (std::size_t i = 0; i < surface_names.size(); ++i) {
+  for (std::size_t i = 0; i < table_one_surfaces.size(); ++i) {
     const Reported reported = reported_onset(ledger, i);
     surfaces.push_back(
-        {{"surface", surface_names[i]},
+        {{"surface", table_one_surfaces[i]},
          {"reported", {{"value", reported.value}, {"low", reported.low}, {"high", reported.high}}},
          {"speeds", speeds_json(plan.scenes[i], result.scenes[i], reported)}});
   }
