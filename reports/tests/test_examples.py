@@ -128,7 +128,7 @@ class Elsewhere(unittest.TestCase):
         installed = self.folder.path("installed")
         shared = os.path.join(installed, "share/tribocheck")
         shutil.copytree(ROOT / "reference/published", os.path.join(shared, "published"))
-        shutil.copytree(ROOT / "reports/page/gnuplot", os.path.join(shared, "gnuplot"))
+        shutil.copytree(ROOT / "reports/page/render", os.path.join(shared, "page/render"))
         os.mkdir(os.path.join(installed, "bin"))
         program = shutil.copy(PROGRAM, os.path.join(installed, "bin"))
         for command in [[], ["solve"], ["curve"], ["onset"], ["sweep"], ["sweep", "merge"]]:
