@@ -55,7 +55,9 @@ class Page(WrittenReport):
         targets = re.findall(r"\]\(([^)]+)\)", text)
         self.assertEqual(sorted(re.findall(r"!\[[^\]]*\]\(figures/([^)]+)\.png\)", text)), sorted(FIGURES + WORK_FIGURES))
         for target in targets:
-            if not target.startswith(("#", "https://")):
+            if target.startswith("#"):
+                self.assertIn(f'<a id="{target[1:]}"></a>', text)
+            elif not target.startswith("https://"):
                 self.assertTrue((self.out / target).is_file(), target)
 
     def test_sections_and_tables_are_whole(self):
@@ -74,6 +76,8 @@ class Page(WrittenReport):
         standings = {one["standing"] for one in report["findings"]}
         self.assertLessEqual(standings, {"holds", "differs", "missed", "measured"})
         self.assertLessEqual({one["section"] for one in report["findings"]}, set(SECTIONS))
+        self.assertEqual(len(re.findall('<div class="finding ', text)), len(report["findings"]))
+        self.assertNotIn("It has no data.", text)
 
     def test_no_template_leaves_its_marks(self):
         """Neither Jinja's nor those of indices, nor a cell with a name of Python, nor a number with all its digits."""
@@ -84,6 +88,15 @@ class Page(WrittenReport):
                          r"\w~[\w/]+~", r"[1-9]\.\d{15,}|\b0\.0*[1-9]\d{15,}"):
                 found = re.search(f".{{0,40}}(?:{mark}).{{0,40}}", text)
                 self.assertIsNone(found, found and (name, found[0]))
+
+    def test_the_paper_and_this_software_are_told_apart(self):
+        text = (self.out / "report.md").read_text()
+        paper = text.split("\n## The paper\n")[1].split("\n## ")[0]
+        software = text.split("\n## This software\n")[1].split("\n## ")[0]
+        told = json.loads((self.out / "report.json").read_text())
+        for about, part in (("paper", paper), ("software", software)):
+            found = sorted(one["section"] for one in told["findings"] if one["about"] == about)
+            self.assertEqual(sorted(re.findall(r"\(#([a-z-]+)\)", part)), found)
 
     def test_environment_says_where_and_what(self):
         again = pathlib.Path(self.folder.name) / "told"

@@ -80,7 +80,12 @@ class Page:
 
     def render(self, template, **more):
         module = self.templates.get_template(template).make_module(more)
-        return markup.indices(str(module)), module
+        return self.without_dead_links(markup.indices(str(module))), module
+
+    def without_dead_links(self, text):
+        """A link to a section that was not asked for is its text alone."""
+        there = (*self.report["sections"], "not-run", "data")
+        return re.sub(r"\[([^\[\]]*)\]\(#([a-z-]+)\)", lambda m: m[0] if m[2] in there else m[1], text)
 
     def section(self, name):
         one = SECTIONS[name]
@@ -119,7 +124,7 @@ class Page:
     def markdown(self):
         text = self.first
         for part in self.parts:
-            text += f"\n## {part.title}\n\n{part.text}"
+            text += f'\n<a id="{part.id}"></a>\n\n## {part.title}\n\n{part.text}'
         text = text.replace("</summary>\n", "</summary>\n\n")
         text = re.sub(r"</?(?:figure|figcaption|details|summary|div|span)\b[^>]*>\n?", "", text)
         return re.sub(r"\n{3,}", "\n\n", text)
