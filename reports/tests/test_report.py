@@ -273,7 +273,8 @@ class Numbers(WrittenReport):
             row = ledger[item]
             computed = f"{float(row['computed']):.4g}"
             self.assertRegex(first, rf"\| {float(row['reported']):g} \| {computed} \| (yes|partly|no)\b")
-            self.assertRegex(self.done.stdout, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* {row['verdict']}$")
+            self.assertRegex(self.done.stdout, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* "
+                                               rf"{row['verdict']}$")
 
     def test_captions_have_the_ledgers_numbers_and_verdicts(self):
         ledger = json.loads((self.out / "report.json").read_text())["ledger"]
