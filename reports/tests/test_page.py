@@ -263,8 +263,8 @@ class Page(WrittenReport):
         for path in sorted((self.out / "figures").glob("*.svg")):
             if "film_map" in path.name:
                 continue
-            for found in re.findall(r"color=\"(?:#|rgb\()([^\")]+)", path.read_text()):
-                numbers = re.findall(r"\d+", found) if "," in found else [int(found[i:i + 2], 16) for i in (0, 2, 4)]
+            for found in re.findall(r'stroke="rgb\(([^)]+)\)"', path.read_text()):
+                numbers = re.findall(r"\d+", found)
                 colour = tuple(int(number) / 255 for number in numbers)
                 if colour in seen or luminance(colour) > 0.5 and max(colour) - min(colour) < 0.1:
                     continue  # the ground, and the grey lines of the grid
