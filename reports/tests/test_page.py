@@ -233,7 +233,7 @@ class Page(WrittenReport):
                 self.show(360)
                 self.add_style(style)
                 self.assertNotEqual(self.run_script(script), [])
-        self.add_style(".note { color: #888; }")
+        self.add_style("p { color: #888; }")
         self.assertLess(self.run_script(CONTRAST)[0], 4.5)
 
     def test_dark_is_dark_and_so_are_the_pictures(self):
@@ -263,7 +263,7 @@ class Page(WrittenReport):
         for path in sorted((self.out / "figures").glob("*.svg")):
             if "film_map" in path.name:
                 continue
-            for found in re.findall(r'stroke="rgb\(([^)]+)\)"', path.read_text()):
+            for found in re.findall(r"(?:<path stroke|color)='rgb\(([^)]+)\)'", path.read_text()):
                 numbers = re.findall(r"\d+", found)
                 colour = tuple(int(number) / 255 for number in numbers)
                 if colour in seen or luminance(colour) > 0.5 and max(colour) - min(colour) < 0.1:

@@ -34,7 +34,7 @@ def run_gnuplot(frame, *arguments):
 
 
 # What gnuplot's `mousing` leaves: its script's name, calls of it, and where the axes of the last plot lie.
-MOUSING = re.compile(r"""\s+id="gnuplot_plot_\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
+MOUSING = re.compile(r"""\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
 AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|axis_ymin|axis_ymax|logaxis_x|logaxis_y)"
