@@ -458,6 +458,29 @@ class Failures(unittest.TestCase):
         self.assertIn("reference/published/rough.toml",
                       (project / "reports/out/data/curve_rough.tsv").read_text())
 
+    def test_a_changed_verdict_breaks_the_ledgers_promise_and_a_moved_number_does_not(self):
+        project = self.path / "project"
+        for part in ("reference/published", "reference/baselines", "reports/page/gnuplot", "reports/page/render"):
+            shutil.copytree(ROOT / part, project / part)
+        path = project / "reference/baselines/ledger.csv"
+        whole = path.read_text()
+        rows = list(csv.reader(io.StringIO(whole)))
+        for column, value, standing in (("computed", "2.2", "holds"), ("verdict", "in part", "fails"), (None, "", "absent")):
+            with self.subTest(column):
+                path.write_text(whole.replace(",".join(rows[1]), ",".join(
+                    value if name == column else cell for name, cell in zip(rows[0], rows[1]))))
+                if column is None:
+                    path.unlink()
+                done = report("--section", "claims", cwd=project)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                page = json.loads((project / "reports/out/report.json").read_text())
+                self.assertEqual([one["standing"] for one in page["findings"] if one["id"] == "committed_ledger"],
+                                 [standing])
+                self.assertEqual("  FAILS: committed_ledger: verdict changed: C1.rough" in done.stdout,
+                                 standing == "fails", done.stdout)
+                self.assertEqual([one["how_to"] for one in page["not_run"]],
+                                 ["`make ledger`"] if standing == "absent" else [])
+
     def test_help_has_an_example(self):
         done = report("--help")
         self.assertEqual(done.returncode, 0)
