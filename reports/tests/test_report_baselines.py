@@ -19,10 +19,10 @@ class Baselines(unittest.TestCase):
              "sweep.json": "sweep-speed"}
     GROUPS = {"accuracy.json": "certified", "performance.json": "gates", "sweep.json": "sweep_speed"} | {
         f"{name}.json": name for name in ("stress", "planted_faults", "work_precision", "gates")}
-    TITLES = {"verification": "Verification, quantity by quantity",
-              "worst-inputs": "Random inputs, and the worst of them", "planted-faults": "Planted faults",
-              "work-precision": "Speed: error against work", "gates": "Gates of speed",
-              "sweep-speed": "Speed of sweeps"}
+    TITLES = {"verification": "Accuracy, quantity by quantity",
+              "worst-inputs": "Accuracy at random inputs", "planted-faults": "Planted faults: do the checks find errors?",
+              "work-precision": "Run time against error", "gates": "Checks of run time",
+              "sweep-speed": "Run time of sweeps over many inputs"}
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()

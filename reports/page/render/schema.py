@@ -13,11 +13,20 @@ MISSING = {
                        "how_to": {"description": "what gives the group, as Markdown", "type": "string"}}}}}
 
 
+def read(path):
+    """A group's schema, whose own definitions get its name, so that those of all groups can stand in one schema."""
+    text = path.read_text(encoding="utf-8").replace('"#/$defs/', f'"#/$defs/{path.stem}_')
+    group = json.loads(text)
+    return group, {f"{path.stem}_{name}": one for name, one in group.pop("$defs", {}).items()}
+
+
 def joined():
-    groups = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(FOLDER.glob("*.json"))}
-    whole = groups.pop("report")
-    for name, group in groups.items():
+    read_all = {path.stem: read(path) for path in sorted(FOLDER.glob("*.json"))}
+    whole, _ = read_all.pop("report")
+    definitions = {"missing": MISSING}
+    for name, (group, own) in read_all.items():
         del group["$schema"]
+        definitions |= own
         whole["properties"][name] = {"description": group.pop("description"),
                                      "oneOf": [group, {"$ref": "#/$defs/missing"}]}
-    return whole | {"$defs": {"missing": MISSING}}
+    return whole | {"$defs": definitions}
