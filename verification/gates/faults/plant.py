@@ -36,6 +36,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "verification/gates"))
 import inventory  # noqa: E402
+import scratch  # noqa: E402
 CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
 FIELDS = {"id", "fault", "file", "find", "replace", "check"}
 INVENTORY = "inventory:"
@@ -104,11 +105,7 @@ class Scratch:
     def __init__(self, folder):
         self.tree = folder / "tree"
         self.build = folder / "build"
-        files = run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT).stdout
-        for name in filter(None, files.split("\0")):
-            if (ROOT / name).is_file():
-                (self.tree / name).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy2(ROOT / name, self.tree / name)
+        scratch.copy_tree(ROOT, self.tree)
         done = run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
                     "-DCMAKE_CXX_FLAGS=-O1", f"-DTRIBOCHECK_TARGETS_LEFT_OUT={LEFT_OUT}",
                     "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12",

@@ -20,6 +20,8 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
+sys.path.insert(0, str(ROOT / "verification/gates"))
+import scratch  # noqa: E402
 NAME = "oil_density"
 
 
@@ -38,8 +40,11 @@ def insert(path, before, text):
     path.write_text(whole.replace(before, text + before, 1))
 
 
+def piece(name):
+    return (HERE / name).read_text()
+
+
 def add_function(tree):
-    piece = lambda name: (HERE / name).read_text()  # noqa: E731
     shutil.copy(HERE / "oil_density.hpp", tree / "model/include/tribo")
     insert(tree / "model/CMakeLists.txt", "    include/tribo/onset.hpp\n", "    include/tribo/oil_density.hpp\n")
     catalogue = tree / "model/catalogue/catalogue.cpp"
@@ -71,10 +76,11 @@ def verdict_of(said):
     return quantities[NAME], [mistake for one in said["diagnoses"] for mistake in one["mistakes"]]
 
 
-def checks(program, tree, scratch):
+def checks(program, tree, folder):
     """What was seen, a line each."""
-    here = {"cwd": tree}
-    ask = lambda *words, **options: run([program, *words], **here, **options)  # noqa: E731
+    def ask(*words, **options):
+        return run([program, *words], cwd=tree, **options)
+
     if NAME not in ask("functions") or "5.9e8" not in ask("functions", NAME):
         sys.exit("`tribocheck functions` does not show it")
     yield "tribocheck functions lists it, and explains it"
@@ -87,7 +93,7 @@ def checks(program, tree, scratch):
         sys.exit(f"verify says {own[NAME]}")
     yield f"verify certifies it: {own[NAME]['cases']} cases, at most {own[NAME]['worst_ulp']:.2g} ulp"
 
-    solver = scratch / "solver.py"
+    solver = folder / "solver.py"
     ask("init", "subject", "--language", "python", "--out", solver)
     head, rest = solver.read_text().split(f"def {NAME}(", 1)
     for scale, verdict, mistakes in (("1", "held", []), ("1e-6", "FAILED", ["density-pressure-in-MPa"])):
@@ -98,7 +104,7 @@ def checks(program, tree, scratch):
             sys.exit(f"of a solver in Python, pressure times {scale}: {verdict_of(json.loads(said))}")
     yield "a solver in Python from `init` is asked it; a mistake is named"
 
-    solver, library = scratch / "solver.c", scratch / "libsolver.so"
+    solver, library = folder / "solver.c", folder / "libsolver.so"
     ask("init", "subject", "--language", "c", "--out", solver)
     head, rest = solver.read_text().split(f"static int {NAME}(", 1)
     body = rest.replace("return TRIBOCHECK_NOT_OFFERED;",
@@ -110,7 +116,7 @@ def checks(program, tree, scratch):
         sys.exit(f"of a plug-in in C: {verdict_of(said)}")
     yield "a plug-in in C from `init` is asked it"
 
-    out = scratch / "report"
+    out = folder / "report"
     ask("report", "--section", "verification", "--out", out)
     if NAME not in (out / "report.md").read_text():
         sys.exit("the report's page does not show it")
@@ -119,15 +125,12 @@ def checks(program, tree, scratch):
 
 def main():
     argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
-    with tempfile.TemporaryDirectory(prefix="tribocheck-new-function-") as folder:
-        scratch = pathlib.Path(folder)
-        tree = scratch / "tree"
-        for name in run(["git", "ls-files", "-z"], cwd=ROOT).split("\0"):
-            if name and (ROOT / name).is_file():
-                (tree / name).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy2(ROOT / name, tree / name)
+    with tempfile.TemporaryDirectory(prefix="tribocheck-new-function-") as name:
+        folder = pathlib.Path(name)
+        tree = folder / "tree"
+        scratch.copy_tree(ROOT, tree)
         add_function(tree)
-        for seen in checks(build(tree), tree, scratch):
+        for seen in checks(build(tree), tree, folder):
             print(seen, flush=True)
 
 
