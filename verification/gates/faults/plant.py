@@ -7,8 +7,9 @@ that has to turn red: a CTest test (`analytic.Hertz.…`), or with `inventory:` 
 gate on that test, for faults that leave the test green. Red: a patch that no longer applies, a fault that
 does not build, one that survives.
 
-The ledger (--out) has the last verdict on each fault, with the commit that it was planted in. It is written after
-each fault, so that a run that is stopped loses nothing, and --oldest goes on with what was not planted for longest.
+The ledger (--out) has the last verdict on each fault, with the commit that it was planted in; a verdict on a fault whose
+patch or check the catalogue has changed since is dropped. It is written after each fault, so that a run that is
+stopped loses nothing, and --oldest goes on with what was not planted for longest.
 
   verification/gates/faults/plant.py                     all of them; about an hour and a half
   verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
@@ -18,6 +19,7 @@ each fault, so that a run that is stopped loses nothing, and --oldest goes on wi
 import argparse
 import concurrent.futures
 import datetime
+import hashlib
 import json
 import os
 import pathlib
@@ -63,6 +65,12 @@ def read_catalogue():
             sys.exit(f"{CATALOGUE}: {fault.get('id')}: needs the fields {sorted(FIELDS)}, and an id of its own")
         seen.add(fault["id"])
     return faults
+
+
+def digest(fault):
+    """Of what a verdict is on: another patch or another check has another digest."""
+    text = json.dumps([fault[field] for field in ("file", "find", "replace", "check")])
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def stale(fault):
@@ -171,12 +179,12 @@ class Ledger:
 
     def __init__(self, path, catalogue):
         self.path = path
-        self.order = [fault["id"] for fault in catalogue]
+        self.digests = {fault["id"]: digest(fault) for fault in catalogue}
+        self.environment = environment()
         self.rows = {}
         if path is not None and path.is_file():
-            kept = json.loads(path.read_text())
-            since = {"commit": kept["commit"], "date": kept["date"]}  # of rows that do not say it themselves
-            self.rows = {row["id"]: since | row for row in kept["faults"] if row["id"] in self.order}
+            kept = json.loads(path.read_text())["faults"]
+            self.rows = {row["id"]: row for row in kept if row["digest"] == self.digests.get(row["id"])}
 
     def oldest(self, faults, count):
         """Those that were never planted first."""
@@ -186,11 +194,12 @@ class Ledger:
         if self.path is None:
             return
         now = datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds")
-        self.rows[row["id"]] = {**row, "commit": commit_now, "date": now}
-        rows = [self.rows[one] for one in self.order if one in self.rows]
+        self.rows[row["id"]] = {**row, "digest": self.digests[row["id"]], "commit": commit_now, "date": now}
+        rows = [self.rows[one] for one in self.digests if one in self.rows]
         first = min(rows, key=lambda one: one["date"])
-        ledger = {"commit": first["commit"], "date": first["date"][:10], "environment": environment(),
-                  "catalogue": len(self.order), "faults": rows}
+        # The machine of this run; other rows may be from others.
+        ledger = {"commit": first["commit"], "date": first["date"][:10], "environment": self.environment,
+                  "catalogue": len(self.digests), "faults": rows}
         self.path.parent.mkdir(parents=True, exist_ok=True)
         written = self.path.with_suffix(".new")
         written.write_text(json.dumps(ledger, indent=1, ensure_ascii=False) + "\n")
@@ -240,7 +249,7 @@ def main():
     parser.add_argument("--keep", action="store_true", help="leave the scratch copies, and say where")
     arguments = parser.parse_args()
 
-    faults = read_catalogue()
+    catalogue = faults = read_catalogue()
     for fault in faults:
         program_of(fault["check"])
     red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
@@ -251,7 +260,6 @@ def main():
         return 2
     red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"
             for fault in faults if test_of(fault["check"]) not in green]
-    count = len(faults)
     if arguments.only:
         faults = [fault for fault in faults if fault["id"] in arguments.only]
         if len(faults) != len(set(arguments.only)):
@@ -260,9 +268,9 @@ def main():
     if arguments.sample is not None:
         seed = arguments.seed or commit()
         faults = random.Random(seed).sample(faults, min(arguments.sample, len(faults)))
-        print(f"{len(faults)} of {count} faults, seed {seed}")
+        print(f"{len(faults)} of {len(catalogue)} faults, seed {seed}")
     try:
-        ledger = Ledger(arguments.out, read_catalogue())
+        ledger = Ledger(arguments.out, catalogue)
     except (OSError, ValueError, KeyError) as error:
         print(f"plant.py: --out: {arguments.out}: this is no ledger: {error!r}", file=sys.stderr)
         return 2

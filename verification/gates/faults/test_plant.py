@@ -116,6 +116,12 @@ class Ledger(Tree):
     def row(self, name, said="failed"):
         return {"id": name, "caught": said == "failed", "said": said, "seconds": 1}
 
+    def leave(self, **dates):
+        """A ledger with a verdict of each of these dates."""
+        rows = [self.row(name) | {"digest": plant.digest(FAULT), "commit": f"of {name}", "date": date}
+                for name, date in dates.items()]
+        (self.folder / "ledger.json").write_text(json.dumps({"faults": rows}))
+
     def test_it_is_written_after_each_fault_and_read_again(self):
         self.ledger().add(self.row("two"), "first")
         self.ledger().add(self.row("one", "survived"), "second")
@@ -126,16 +132,30 @@ class Ledger(Tree):
         self.assertEqual(kept["catalogue"], 3)
 
     def test_its_commit_and_date_are_those_of_the_oldest_verdict(self):
-        (self.folder / "ledger.json").write_text(json.dumps(
-            {"commit": "old", "date": "2000-01-01", "faults": [self.row("one"), self.row("gone")]}))
+        self.leave(one="2000-01-01T10:00", gone="1999-01-01")
         self.ledger().add(self.row("two"), "new")
         kept = json.loads((self.folder / "ledger.json").read_text())
-        self.assertEqual((kept["commit"], kept["date"]), ("old", "2000-01-01"))
-        self.assertEqual([row["commit"] for row in kept["faults"]], ["old", "new"])
+        self.assertEqual((kept["commit"], kept["date"]), ("of one", "2000-01-01"))
+        self.assertEqual([row["commit"] for row in kept["faults"]], ["of one", "new"])
+
+    def test_a_verdict_on_a_fault_that_has_changed_is_dropped(self):
+        for field in ("file", "find", "replace", "check"):
+            self.leave(one="2000-01-01", two="2000-01-01")
+            changed = [FAULT | {field: "another"}, *self.CATALOGUE[1:]]
+            ledger = plant.Ledger(self.folder / "ledger.json", changed)
+            self.assertEqual(list(ledger.rows), ["two"], field)
+            self.assertEqual(ledger.oldest(changed, 1)[0]["id"], "one")
+            ledger.add(self.row("three"), "new")
+            kept = json.loads((self.folder / "ledger.json").read_text())
+            self.assertEqual([row["id"] for row in kept["faults"]], ["two", "three"], field)
+
+    def test_a_verdict_stays_where_only_the_words_for_the_fault_have_changed(self):
+        self.leave(one="2000-01-01")
+        said_otherwise = [FAULT | {"fault": "2 in place of 1"}, *self.CATALOGUE[1:]]
+        self.assertEqual(list(plant.Ledger(self.folder / "ledger.json", said_otherwise).rows), ["one"])
 
     def test_what_was_never_planted_comes_first_and_then_what_is_oldest(self):
-        (self.folder / "ledger.json").write_text(json.dumps({"commit": "old", "date": "2000-01-01", "faults": [
-            self.row("one"), self.row("two") | {"date": "1999-01-01"}]}))
+        self.leave(one="2000-01-01", two="1999-01-01")
         chosen = self.ledger().oldest(self.CATALOGUE, 2)
         self.assertEqual([fault["id"] for fault in chosen], ["three", "two"])
 
