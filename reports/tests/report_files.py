@@ -2,6 +2,7 @@
 """Runs `tribocheck report`, and what it has to write."""
 
 import html.parser
+import json
 import os
 import pathlib
 import re

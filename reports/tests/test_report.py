@@ -20,7 +20,7 @@ import unittest
 import xml.etree.ElementTree as xml
 
 from program import run
-from report_files import (DATA, FIGURES, JOBS, PAGES, PAPER_FIGURES, PICTURES, PUBLISHED, RESULTS,
+from report_files import (DATA, FIGURES, JOBS, NOT_RUN, PAGES, PAPER_FIGURES, PICTURES, PUBLISHED, RESULTS,
                           ROOT, SCENES, WORK_FIGURES, PageReader, WrittenReport, files_below,
                           report, table, told_page)
 
