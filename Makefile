@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A thin face on CMake's presets: each target sets up what it needs, and no more.
 PURPOSE ?= build report test
-FUZZ_SECONDS ?= 600
+FUZZ_SECONDS ?= 900
 SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
@@ -89,13 +89,13 @@ catalogue-proof: ## add a function to a scratch copy, see it offered everywhere;
 	@.ci/deps build report references
 	verification/gates/new_function/prove.py
 
-fuzz-short: ## run each fuzz target on a fixed number of inputs; some 20 s a target, the build a minute
+fuzz-short: ## run each fuzz target on a fixed number of inputs; half a minute, the build a minute
 	@.ci/deps build check
 	cmake --preset fuzz
 	cmake --build --preset fuzz
 	verification/tests/stress/fuzz/run build/fuzz
 
-fuzz: ## run each fuzz target for FUZZ_SECONDS (default 600): half an hour
+fuzz: ## run all fuzz targets beside each other for FUZZ_SECONDS (default 900)
 	@.ci/deps build check
 	cmake --preset fuzz
 	cmake --build --preset fuzz
