@@ -7,8 +7,7 @@ import pathlib
 import re
 import unittest
 
-from report_files import (FIGURES, NOT_RUN, ROOT, SECTIONS, WORK_FIGURES, PageReader, WrittenReport,
-                          report)
+from report_files import FIGURES, ROOT, SECTIONS, WORK_FIGURES, PageReader, WrittenReport, report
 
 
 class Page(WrittenReport):
