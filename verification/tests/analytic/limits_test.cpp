@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "support/contracts.hpp"
+#include "support/condition.hpp"
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
 #include "tribo/onset.hpp"
@@ -265,6 +265,30 @@ TEST(Units, FrictionUnderRoelandsLawDoesNotDependOnThem) {
   }
 }
 
+// What tells the summit density from the viscosity in eqs 1.19 and 1.32. Roelands' constants have
+// units, and a test of their own.
+TEST(Units, DimensionlessOutputsDoNotDependOnThem) {
+  Sampler sampler(63);
+  for (int i = 0; i < 200; ++i) {
+    Scene scene = random_scene(sampler);
+    if (scene.friction.viscosity == ViscosityLaw::roelands)
+      scene.friction.viscosity = ViscosityLaw::barus;
+    const Scene moved = Units(sampler).of(scene);
+    const double u = scene.speeds[0];
+    const auto here = numbers_of(MixedContact<double>(scene).solve(u));
+    const auto there = numbers_of(MixedContact<double>(moved).solve(moved.speeds[0]));
+    const Conditions condition = conditions_at(scene, u);
+    for (auto k = static_cast<std::size_t>(Output::film_parameter); k < number_count; ++k) {
+      if (here[k] < 1e-290) continue;
+      const Reference expected(here[k]);
+      // The inputs in other units are rounded once more.
+      EXPECT_TRUE(is_close(there[k], expected,
+                           allowed_by(operating_point_contract, expected, condition[k], 2), {}))
+          << output_infos[k].name << describe_scene(scene);
+    }
+  }
+}
+
 TEST(Units, PartsScaleWithTheirDimension) {
   Sampler sampler(73);
   for (int i = 0; i < 200; ++i) {
@@ -366,52 +390,6 @@ void expect_no_step(const char* where, const Edge& edge, const Contract& contrac
       << where;
 }
 
-// The exact change is known here and taken out: what remains is a step.
-TEST(Continuity, MomentsHaveNoStepAtAnyBranch) {
-  std::vector<double> branches{-10, -1, 1, 10};
-  // e^{−d²/2} is split at the sixteenths
-  for (int k = 1; k <= 16 * 37; k += 13) branches.push_back(k / 16.0);
-  for (int k = 1; k <= 16 * 9; k += 13) branches.push_back(-k / 16.0);
-  for (int twice_n = 0; twice_n <= 5; ++twice_n) {
-    const auto n = static_cast<Order>(twice_n);
-    const auto expect_none = [&](double branch, auto&& moment) {
-      const Edge edge = edge_at(branch);
-      const Reference change = moment(Reference(edge.below)) / moment(Reference(edge.above));
-      const Reference expected = Reference(moment(edge.above)) * change;
-      EXPECT_TRUE(is_close(moment(edge.below), expected,
-                           allowed_by(gaussian_moment_contract, expected, 1, 2),
-                           {{"2n", static_cast<double>(twice_n)}, {"d", branch}}));
-    };
-    for (const double branch : branches) {
-      expect_none(branch, [&](const auto& d) { return gaussian_moment(n, d); });
-      expect_none(branch, [&](const auto& d) { return scaled_gaussian_moment(n, d); });
-    }
-    // S_n turns from F_n to e^{d²/2}F_n at 0
-    for (const double tiny : {0x1p-1074, 1e-300, 1e-100})
-      for (const double zero : {0.0, -0.0}) {
-        EXPECT_TRUE(is_close(gaussian_moment(n, tiny), Reference(gaussian_moment(n, zero)),
-                             2 * gaussian_moment_contract.ulp * ulp, {{"d", tiny}}));
-        EXPECT_TRUE(is_close(gaussian_moment(n, -tiny), Reference(gaussian_moment(n, zero)),
-                             2 * gaussian_moment_contract.ulp * ulp, {{"d", -tiny}}));
-        EXPECT_TRUE(is_close(log_gaussian_moment(n, tiny), Reference(log_gaussian_moment(n, zero)),
-                             4 * gaussian_moment_contract.ulp * ulp, {{"d", tiny}}));
-      }
-  }
-}
-
-TEST(Continuity, ShearStressHasNoStepWhereTheLogarithmTakesOver) {
-  // asinh beyond ln(2x) weighs 1/(4x²); friction.hpp: 20 ε
-  const Edge edge = edge_at(1 / epsilon<double>());
-  expect_no_step("x", edge, {20, 0}, [](double x) {
-    return fluid_shear_stress(FluidShear::eyring, 1.0, x, 0.0, 1.0, 1.0);
-  });
-  // x = 0: τ = ηγ̇ of a vanishing speed
-  for (const auto law : {FluidShear::eyring, FluidShear::limiting}) {
-    EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0.0, 1.0), 0);
-    EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0x1p-1074, 1.0), 0x1p-1074);
-  }
-}
-
 TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
   for (const auto closure : closures) {
     if (closure == flooded_inlet) continue;
@@ -479,13 +457,6 @@ TEST(Continuity, FloodedInletFallsToItsCollapse) {
   EXPECT_EQ(starvation_deficit(flooded_inlet, 1.0, 3.0), 1);
 }
 
-double condition_of_root(AsperityModel model, double stiffness, double offset, double lambda0) {
-  const LoadSharing<long double> sharing(model, static_cast<long double>(stiffness),
-                                         static_cast<long double>(offset));
-  return root_condition(model, static_cast<long double>(offset),
-                        sharing.solve(static_cast<long double>(lambda0)));
-}
-
 TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
   for (const auto model : models)
     for (const double stiffness : {3.0, 50.0})
@@ -494,7 +465,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
         const auto film = [&](double lambda0) { return sharing.solve(lambda0).film_parameter; };
         const auto at_root = [&](const char* where, const Edge& edge) {
           expect_no_step(where, edge, load_sharing_contract, film,
-                         condition_of_root(model, stiffness, offset, edge.above));
+                         root_condition(model, stiffness, offset, edge.above));
         };
         ASSERT_TRUE(sharing.has_floor());
         const double floor = sharing.floor();
@@ -507,8 +478,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
           return sharing.solve(lambda0).fluid < 0.5;
         });
         at_root("w = 1/2", half);
-        const double w_condition =
-            1 + condition_of_root(model, stiffness, offset, half.above) / 0.14;
+        const double w_condition = 1 + root_condition(model, stiffness, offset, half.above) / 0.14;
         expect_no_step(
             "A at w = 1/2", half, load_sharing_contract,
             [&](double lambda0) { return sharing.solve(lambda0).asperity; }, w_condition);
@@ -553,7 +523,7 @@ TEST(Continuity, RootsHaveNoStepWhereAFloorAppears) {
               [&](double stiffness) {
                 return LoadSharing<double>(model, stiffness, offset).solve(lambda0).film_parameter;
               },
-              condition_of_root(model, edge.above, offset, lambda0));
+              root_condition(model, edge.above, offset, lambda0));
       if (offset > 0)
         expect_no_step(
             "floor at delta", start, load_sharing_contract,

@@ -31,7 +31,12 @@ TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
     ASSERT_LE(got.film_parameter, upper * (1 + 1e-13)) << inputs;
     ASSERT_TRUE(is_within(got.asperity, 0.5, 0.5)) << inputs;
     ASSERT_TRUE(is_within(got.fluid, 0.5, 0.5)) << inputs;
-    ASSERT_LT(got.iterations, 80) << inputs;
+    // Next to K F_p(−δ) = 1 the rounding of A may keep the kernels from an end: then it is
+    // Newton's.
+    const bool is_critical =
+        std::abs(stiffness * gaussian_moment(load_order(model), -offset) - 1) < 1e-6;
+    const bool is_in_range = lambda0 >= 1e-280 && lambda0 <= 1e280;
+    ASSERT_LE(got.iterations, is_in_range && !is_critical ? max_sharing_steps : 80) << inputs;
     most_iterations = std::max(most_iterations, got.iterations);
   }
   RecordProperty("most_iterations", most_iterations);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operating points in batches, on each instruction set: to their contract against long double, the
-// same bits whatever else is asked beside them, and the work that this takes.
+// Operating points in batches, on each instruction set: the same bits whatever else is asked beside
+// them, and the work that this takes.
 #include "tribo/operating_points.hpp"
 
 #include <gtest/gtest.h>
@@ -9,9 +9,7 @@
 #include <bit>
 #include <vector>
 
-#include "support/contracts.hpp"
 #include "support/instruction_sets.hpp"
-#include "support/long_double.hpp"
 #include "support/point_bits.hpp"
 #include "support/scenes.hpp"
 
@@ -85,58 +83,6 @@ std::vector<Scene> random_scenes(int count) {
   std::vector<Scene> scenes;
   for (int i = 0; i < count; ++i) scenes.push_back(random_scene(sampler));
   return scenes;
-}
-
-void hold_against_long_double(const Scene& scene, std::span<const double> speeds) {
-  const MixedContact<double> contact(scene);
-  const MixedContact<long double> exact(scene);
-  struct Truth {
-    FloodedFilm<long double> film;
-    InletState<long double> inlet;
-    OperatingPoint<long double> point;
-  };
-  std::vector<Truth> truths;
-  for (const double speed : speeds) {
-    const auto film = exact.flooded(static_cast<long double>(speed));
-    const auto inlet = exact.inlet(film);
-    truths.push_back({film, inlet, exact.complete(film, inlet, OutputSet::all())});
-  }
-  constexpr double least =
-      std::max(operating_point_contract.ulp, operating_point_contract.ulp_per_condition);
-  on_each_instruction_set([&] {
-    const OperatingPoints points = solved(contact, speeds);
-    for (std::size_t i = 0; i < speeds.size(); ++i) {
-      const Truth& truth = truths[i];
-      const auto expected = numbers_of(truth.point);
-      for (std::size_t k = 0; k < number_count; ++k) {
-        const double got = (points.*arrays[k])[i];
-        double allowed = least;
-        if (ulps_off(got, expected[k]) > operating_point_contract.ulp)  // a condition takes time
-          allowed *=
-              operating_point_conditions(scene, exact, truth.film, truth.inlet, truth.point)[k];
-        EXPECT_TRUE(is_within_ulp(got, expected[k], allowed, {{"speed", speeds[i]}}))
-            << output_infos[k].name << ", scene " << [&] {
-                 std::string text;
-                 for (const auto& [name, number] : describe_numbers(scene))
-                   text += fmt::format("\n  {} = {} ({:a})", name, number, number);
-                 return text;
-               }();
-      }
-      EXPECT_EQ(points.regime[i], truth.point.regime) << speeds[i];
-      EXPECT_EQ(points.inlet[i], truth.point.inlet) << speeds[i];
-      EXPECT_EQ(points.friction_undefined[i] != 0, truth.point.friction_undefined) << speeds[i];
-    }
-  });
-}
-
-TEST(OperatingPoints, KeepTheirContractOnThePapersScenes) {
-  const std::vector<double> speeds = speeds_between(1e-4, 30, 29);
-  for (const Scene& scene : paper_scenes()) hold_against_long_double(scene, speeds);
-}
-
-TEST(OperatingPoints, KeepTheirContractOnRandomScenes) {
-  const std::vector<double> speeds = speeds_between(1e-5, 30, 7);
-  for (const Scene& scene : random_scenes(500)) hold_against_long_double(scene, speeds);
 }
 
 // Each output alone, and each with another, gives the bits that it has among all; where 1 − A is 1
@@ -230,33 +176,6 @@ TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
           EXPECT_EQ(part.speed[i] + part.friction[i] + part.film[i], 0);
       }
     });
-  }
-}
-
-// A batch and single points: both to the contract, so as near to one another.
-TEST(OperatingPoints, AreThoseOfSinglePoints) {
-  const std::vector<double> speeds = speeds_between(1e-4, 30, 101);
-  for (const Scene& scene : paper_scenes()) {
-    const MixedContact<double> contact(scene);
-    const OperatingPoints points = solved(contact, speeds);
-    for (std::size_t i = 0; i < speeds.size(); ++i) {
-      const OperatingPoint<double> single = contact.solve(speeds[i]);
-      EXPECT_EQ(points.regime[i], single.regime);
-      EXPECT_EQ(points.inlet[i], single.inlet);
-      const auto expected = numbers_of(single);
-      const auto got = numbers_of(points[i]);
-      for (std::size_t k = 0; k < number_count; ++k) {
-        if (got[k] == expected[k]) {  // a case like the others: how many there are is the machine's
-          EXPECT_EQ(got[k], expected[k]);
-          continue;
-        }
-        const double allowed =
-            2 * operating_point_contract.ulp_per_condition * conditions_at(scene, speeds[i])[k];
-        EXPECT_TRUE(is_within_ulp(got[k], static_cast<long double>(expected[k]), allowed,
-                                  {{"speed", speeds[i]}}))
-            << output_infos[k].name;
-      }
-    }
   }
 }
 

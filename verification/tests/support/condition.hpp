@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "support/judge.hpp"
+#include "tribo/contract.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::verification {
@@ -71,6 +73,13 @@ inline double root_condition(AsperityModel model, long double offset,
                              const LoadShares<long double>& root) {
   const RootSlopes slopes = root_slopes(model, offset, root);
   return std::max(1.0, static_cast<double>(slopes.film + slopes.stiffness + slopes.offset));
+}
+
+inline double root_condition(AsperityModel model, double stiffness, double offset, double film0) {
+  const LoadSharing<long double> sharing(model, static_cast<long double>(stiffness),
+                                         static_cast<long double>(offset));
+  return root_condition(model, static_cast<long double>(offset),
+                        sharing.solve(static_cast<long double>(film0)));
 }
 
 // d ln x, as its components by the logarithms of the inputs.
@@ -268,6 +277,25 @@ inline Conditions operating_point_conditions(const Scene& scene,
   for (std::size_t i = 0; i < number_count; ++i)  // what is 0 to either side has no condition
     conditions[i] = values[i] == 0 ? 1 : gradients[i].condition();
   return conditions;
+}
+
+// `multiple` times what a contract allows, relative to the expected value. One ulp is the spacing
+// of doubles there.
+inline double allowed_by(const Contract& contract, const Reference& expected, double condition,
+                         double multiple) {
+  if (expected == 0) return 0;
+  const double value = std::abs(static_cast<double>(expected));
+  const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
+  return multiple * std::max(contract.ulp, contract.ulp_per_condition * condition) * ulp / value;
+}
+
+// The condition numbers of a scene's outputs at a speed.
+inline Conditions conditions_at(const Scene& scene, double speed) {
+  const MixedContact<long double> contact(scene);
+  const FloodedFilm<long double> film = contact.flooded(static_cast<long double>(speed));
+  const InletState<long double> inlet = contact.inlet(film);
+  return operating_point_conditions(scene, contact, film, inlet,
+                                    contact.complete(film, inlet, OutputSet::all()));
 }
 
 }  // namespace tribo::verification

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sampling/philox.hpp"
+
 namespace tribo::verification {
 namespace {
 
@@ -56,6 +58,18 @@ TEST(Sampler, GivesTheSameNumbersEverywhere) {
   Sampler sampler(5489);
   for (int i = 1; i < 10000; ++i) sampler.uniform(0, 1);
   EXPECT_EQ(sampler.uniform(0, 1), static_cast<double>(9981545732273789042ULL >> 11) * 0x1p-53);
+}
+
+// Vectors 1 to 3 of Random123's kat_vectors.
+TEST(Philox, GivesTheKnownAnswersOfRandom123) {
+  EXPECT_EQ(philox_words({0, 0, 0, 0}, {0, 0}),
+            (PhiloxCounter{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(
+      philox_words({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}),
+      (PhiloxCounter{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(
+      philox_words({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
+      (PhiloxCounter{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
 }  // namespace

@@ -2,7 +2,10 @@
 // Scenes that the checks use: the paper's surfaces, and random ones within what is built in steel.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -102,6 +105,13 @@ inline std::vector<std::pair<std::string_view, double>> describe_numbers(Scene s
   all.emplace_back("asperity", static_cast<double>(scene.closures.asperity));
   all.emplace_back("starvation", static_cast<double>(scene.closures.starvation));
   return all;
+}
+
+inline std::string describe_scene(const Scene& scene) {
+  std::string text;
+  for (const auto& [name, number] : describe_numbers(scene))
+    text += fmt::format("\n  {} = {} ({:a})", name, number, number);
+  return text;
 }
 
 }  // namespace tribo::verification

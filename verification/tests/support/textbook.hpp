@@ -3,10 +3,13 @@
 // full, GSL's quadrature and Brent's method, no shared code with model/. Good to about 1e-9.
 #pragma once
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <gsl/gsl_roots.h>
+
 #include <cmath>
 #include <functional>
 
-#include "support/conditioning.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::verification::textbook {
@@ -31,6 +34,49 @@ inline double brent(const std::function<double(double)>& f, double low, double h
   gsl_root_fsolver_free(solver);
   return root;
 }
+
+// GSL: QAGIU for F_p written with pow, Brent for the root.
+class LoadSharing {
+ public:
+  LoadSharing(AsperityModel model, double stiffness, double offset)
+      : is_tripp_(model == AsperityModel::greenwood_tripp), stiffness_(stiffness), offset_(offset) {
+    gsl_set_error_handler_off();
+  }
+
+  static double moment(double order, double d) {
+    double parameters[] = {order, d}, value = 0, error = 0;
+    gsl_function integrand{[](double s, void* p) {
+                             const double* n_and_d = static_cast<const double*>(p);
+                             return std::pow(s - n_and_d[1], n_and_d[0]) * std::exp(-s * s / 2) /
+                                    std::sqrt(2 * M_PI);
+                           },
+                           parameters};
+    gsl_integration_workspace* workspace = gsl_integration_workspace_alloc(2000);
+    gsl_integration_qagiu(&integrand, d, 0, 1e-11, 2000, workspace, &value, &error);
+    gsl_integration_workspace_free(workspace);
+    return value;
+  }
+
+  double asperity_share(double lambda) const {
+    const double load = stiffness_ * moment(is_tripp_ ? 2.5 : 1.5, lambda - offset_);
+    return is_tripp_ ? std::sqrt(load) : load;
+  }
+
+  // Of ln λ − ln λ₀ + 0.14 ln(1 − A), as good as −∞ where A ≥ 1.
+  double solve(double lambda0) const {
+    const auto residual = [&](double lambda) {
+      const double share = asperity_share(lambda);
+      return share >= 1 ? -1e3 : std::log(lambda / lambda0) + 0.14 * std::log1p(-share);
+    };
+    double high = lambda0 * 2;
+    while (residual(high) < 0) high *= 2;
+    return brent(residual, lambda0 / 2, high);
+  }
+
+ private:
+  bool is_tripp_;
+  double stiffness_, offset_;
+};
 
 // h*/h_ff, from the equations for φ, ψ and h* solved together.
 inline double starved_over_flooded(const Scene& scene, double flooded, double inlet) {
@@ -92,7 +138,7 @@ inline Point solve(const Scene& scene, double u) {
                     std::pow(scene.lubricant.pressure_viscosity * e2, 0.53) *
                     std::pow(scene.load / (e2 * b.reduced_radius * b.reduced_radius), -0.067) *
                     (1 - 0.61 * std::exp(-0.73 * b.ellipticity));
-  const GslLoadSharing sharing(scene.closures.asperity, stiffness, offset);
+  const LoadSharing sharing(scene.closures.asperity, stiffness, offset);
   const double flooded = sharing.solve(h0 / s.summit_height_sd) * s.summit_height_sd;
   double film = flooded;
   if (scene.supply.kind != SupplyKind::flooded) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stress/against_long_double/tally.hpp"
+#include "stress/tally.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,22 +22,9 @@ double error_in_ulp(double got, long double expected) {
                              static_cast<long double>(unit));
 }
 
-// Near the ends of the range of double a factor of an operating point may leave it where the output
-// does not: below 1e-290 the output has only to be there too, past 1e280 it may be infinite
-// (mixed_contact.hpp: an overflow shows).
-bool is_at_the_ends(const Contract& contract, double got, long double expected) {
-  if (contract.ulp_per_condition == 0) return false;
-  return (std::abs(expected) < 1e-290L && std::abs(got) < 2e-290) ||
-         (std::isinf(got) && expected > 1e280L);
-}
-
-double bound(const Contract& contract, double condition) {
-  return std::max(contract.ulp, contract.ulp_per_condition * condition);
-}
-
 }  // namespace
 
-Tally::Tally(std::size_t suspects) : suspects_(suspects), rows_(verification::rows().size()) {}
+Tally::Tally(std::size_t suspects) : suspects_(suspects), rows_(stress_rows) {}
 
 void Tally::keep(RowTally& row, const Suspect& suspect) const {
   if (suspects_ == 0) return;
@@ -63,7 +50,7 @@ void Tally::add(std::uint64_t index, const Evaluation& evaluation) {
       row.broken.index = std::min(row.broken.index, index);
       continue;
     }
-    if (is_at_the_ends(contract, number.got, number.expected)) continue;
+    if (contract.ulp_per_condition > 0 && is_at_the_ends(number.got, number.expected)) continue;
     const double error = error_in_ulp(number.got, number.expected);
     row.ulp.add(error, index);
     const double suspected = error / contract.ulp;
@@ -73,7 +60,7 @@ void Tally::add(std::uint64_t index, const Evaluation& evaluation) {
         !may_be_suspect && !(suspected > 1))
       continue;
     const double condition = error == 0 ? 1 : evaluation.condition(i);
-    const double part = error / bound(contract, condition);
+    const double part = error / allowed_ulp(contract, condition);
     row.ulp_per_condition.add(error / condition, index);
     row.part_of_bound.add(part, index);
     if (!(part <= 1)) {
@@ -107,7 +94,7 @@ void Tally::merge(const Tally& other) {
 
 std::vector<ProofTally> prove(const Tally& tally, std::uint64_t seed, std::size_t part,
                               std::size_t parts) {
-  std::vector<ProofTally> proofs(rows().size());
+  std::vector<ProofTally> proofs(stress_rows);
   std::size_t position = 0;
   for (std::size_t r = 0; r < proofs.size(); ++r) {
     const Contract& contract = rows()[r].contract;
@@ -118,7 +105,7 @@ std::vector<ProofTally> prove(const Tally& tally, std::uint64_t seed, std::size_
       const Evaluation evaluation = evaluate(point);
       std::vector<Enclosure> truths;
       try {
-        truths = enclose(point);
+        truths = enclose(point).numbers;
       } catch (const std::runtime_error&) {
       }
       ++proof.cases;
@@ -132,7 +119,7 @@ std::vector<ProofTally> prove(const Tally& tally, std::uint64_t seed, std::size_
       const double error = verification::error_in_ulp(number.got, truth);
       proof.ulp.add(error, suspect.index);
       proof.ulp_per_condition.add(error / condition, suspect.index);
-      if (!(error <= bound(contract, condition))) ++proof.beyond_contract;
+      if (!(error <= allowed_ulp(contract, condition))) ++proof.beyond_contract;
       proof.long_double_ulp_per_condition.add(
           verification::error_in_ulp(number.expected, truth) / condition, suspect.index);
     }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "stress/against_long_double/point.hpp"
+#include "contract/point.hpp"
 
 namespace tribo::verification {
 

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contract/point.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/condition.hpp"
+#include "support/scenes.hpp"
+#include "tribo/batch.hpp"
+#include "tribo/mixed_contact.hpp"
+
+namespace tribo::verification {
+namespace {
+
+// Places in rows().
+constexpr std::size_t scene_row = 0;
+constexpr std::size_t extreme_row = scene_row + number_count + 1;
+constexpr std::size_t sharing_row = extreme_row + number_count + 1;
+constexpr std::size_t ratio_row = sharing_row + 2;
+constexpr std::size_t moment_row = ratio_row + 4;
+constexpr std::size_t scaled_row = moment_row + 6;
+static_assert(scaled_row == stress_rows);
+constexpr std::size_t deficit_row = scaled_row + 12;
+constexpr std::size_t hertz_row = deficit_row + 3;
+constexpr std::size_t film_row = hertz_row + 5;
+constexpr std::size_t rough_row = film_row + 1;
+constexpr std::size_t viscosity_row = rough_row + 3;
+constexpr std::size_t shear_row = viscosity_row + 1;
+
+constexpr std::array orders{Order::zero,         Order::half, Order::one,
+                            Order::three_halves, Order::two,  Order::five_halves};
+
+std::uint64_t mixed(std::uint64_t x) {  // the finalizer of splitmix64
+  x += 0x9e3779b97f4a7c15;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+Scene extreme_scene(Sampler& sampler) {
+  Scene scene = random_scene(sampler);
+  scene.load = sampler.log_uniform(1e-6, 1e8);
+  scene.speeds.list = {sampler.log_uniform(1e-15, 1e6)};
+  scene.surface.summit_height_sd = sampler.log_uniform(1e-12, 1e-3);
+  scene.surface.summit_radius = sampler.log_uniform(1e-9, 1);
+  scene.surface.summit_density = sampler.log_uniform(1e-4, 10) /
+                                 (scene.surface.summit_radius * scene.surface.summit_height_sd);
+  scene.surface.summit_plane_offset =
+      sampler.pick({0, 1}) * sampler.uniform(0, 10) / std::max(1, scene.surface.offset_planes);
+  scene.bodies = {sampler.log_uniform(1e4, 1e13), sampler.log_uniform(1e-7, 1e3),
+                  sampler.log_uniform(1e-3, 50)};
+  const bool roelands = scene.friction.viscosity == ViscosityLaw::roelands;
+  scene.lubricant = {sampler.log_uniform(roelands ? 6.4e-5 : 1e-9, 1e6),
+                     sampler.log_uniform(1e-12, 1e-6), sampler.log_uniform(1, 1e12)};
+  scene.supply.value =
+      scene.supply.kind == SupplyKind::inlet_film_ratio ? sampler.log_uniform(1e-6, 1e6)
+      : scene.supply.kind == SupplyKind::inlet_film     ? sampler.log_uniform(1e-14, 1)
+                                                        : sampler.log_uniform(1e-25, 1e3);
+  scene.friction.boundary_coefficient = sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
+  scene.friction.slide_roll_ratio = sampler.pick({0, 1, 1, 1}) * sampler.log_uniform(1e-6, 1e3);
+  scene.closures.damiens_exponent = sampler.log_uniform(0.1, 20);
+  return scene;
+}
+
+double beside(Sampler& sampler, double x) {  // up to four places to either side
+  for (int steps = sampler.pick({-4, -3, -2, -1, 0, 1, 2, 3, 4}); steps != 0;
+       steps += steps < 0 ? 1 : -1)
+    x = std::nextafter(x, steps < 0 ? -1e300 : 1e300);
+  return x;
+}
+
+double near_one(Sampler& sampler) {
+  return 1 + sampler.pick({-1, 1}) * sampler.log_uniform(1e-16, 0.5);
+}
+
+void draw_load_sharing(Sampler& sampler, Point& point) {
+  point.scene.closures.asperity =
+      sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
+  point.x[1] = sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
+  const int region = sampler.pick({0, 0, 1, 2});
+  if (region == 0) {  // everything
+    point.x[0] = sampler.log_uniform(1e-300, 1e300);
+    point.x[2] = sampler.log_uniform(1e-300, 1e300);
+  } else if (region == 1) {  // where both sides of the equation matter
+    point.x[0] = sampler.log_uniform(1e-6, 1e6);
+    point.x[2] = sampler.log_uniform(1e-4, 100);
+  } else {  // A(0) near 1
+    point.x[0] =
+        near_one(sampler) / gaussian_moment(load_order(point.scene.closures.asperity), -point.x[1]);
+    point.x[2] = sampler.log_uniform(1e-10, 100);
+  }
+}
+
+void draw_film_ratio(Sampler& sampler, Point& point) {
+  point.scene.closures.starvation =
+      sampler.pick({StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
+                    StarvationClosure::printed_exponents, StarvationClosure::damiens});
+  const int region = sampler.pick({0, 1, 2});
+  point.x[0] = region == 0   ? sampler.log_uniform(1e-300, 1e300)
+               : region == 1 ? sampler.log_uniform(1e-3, 1e3)
+                             : near_one(sampler);
+  point.x[1] = sampler.log_uniform(0.1, 20);
+}
+
+void draw_moment(Sampler& sampler, Point& point) {
+  const int region = sampler.pick({0, 0, 0, 0, 0, 0, 1, 2});
+  // Ends of the series, the fraction and the factor of e^{−d²/2}; where they underflow.
+  const double branch = sampler.pick({0.0, 0.0625, 0.5, 1.0, 10.0, 10.845, 25.0, 32.27553, 36.6,
+                                      37.0, 37.3, 37.5, 38.0, 38.4, 38.6, 40.0, 45.0});
+  const double sign = sampler.pick({-1.0, 1.0});
+  point.x[0] = region == 0   ? sampler.uniform(-45, 45)
+               : region == 1 ? beside(sampler, sign * branch)
+                             : sign * sampler.log_uniform(1e-300, 1);
+}
+
+bool is_share(double x) { return x >= 0 && x <= 1; }
+
+// d ln/d ln of ln F is 1/ln F, but the error of a logarithm near 0 is one of F: ε at least.
+double logarithm_condition(double value) {
+  const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
+  return std::max(1.0, std::abs(value)) * 0x1p-52 / ulp;
+}
+
+}  // namespace
+
+std::span<const Row> rows() {
+  static const std::vector<Row> all = [] {
+    std::vector<Row> table;
+    const auto add = [&](std::string_view family, std::initializer_list<std::string_view> names,
+                         const Contract& contract) {
+      for (const std::string_view name : names)
+        table.push_back({fmt::format("{}.{}", family, name), contract});
+    };
+    for (const char* family : {"operating_point", "extreme_operating_point"}) {
+      for (std::size_t i = 0; i < number_count; ++i)
+        add(family, {output_infos[i].name}, operating_point_contract);
+      add(family, {"states"}, {0, 0});
+    }
+    add("load_sharing", {"greenwood_tripp", "greenwood_williamson"}, load_sharing_contract);
+    add("starvation_ratio", {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"},
+        starvation_ratio_contract);
+    const auto by_order = {"0", "1/2", "1", "3/2", "2", "5/2"};
+    for (const auto& order : by_order) add("gaussian_moment", {order}, gaussian_moment_contract);
+    for (const auto& order : by_order) {
+      add("scaled_gaussian_moment", {order}, gaussian_moment_contract);
+      add("log_gaussian_moment", {order}, {0, log_gaussian_moment_contract.ulp});
+    }
+    add("starvation", {"deficit"}, starvation_ratio_contract);
+    add("starvation", {"departure_ratio"}, {0, starvation_ratio_contract.ulp});
+    add("starvation", {"slope"}, {450, 0});
+    add("hertz_point", {"radius", "nominal_area", "mean_pressure", "peak_pressure", "approach"},
+        hertz_contract);
+    add("hamrock_dowson_central", {"value"}, film_contract);
+    add("asperity_contact", {"stiffness", "area_factor", "count_factor"}, {10, 0});
+    add("log_viscosity_ratio", {"value"}, {450, 0});
+    add("fluid_shear_stress", {"value"}, {0, 20});
+    return table;
+  }();
+  return all;
+}
+
+std::size_t first_row(const Point& point) {
+  switch (point.kind) {
+    case Kind::scene:
+      return scene_row;
+    case Kind::extreme_scene:
+      return extreme_row;
+    case Kind::load_sharing:
+      return sharing_row + static_cast<std::size_t>(point.scene.closures.asperity);
+    case Kind::film_ratio:
+      return ratio_row + static_cast<std::size_t>(point.scene.closures.starvation);
+    default: {
+      constexpr std::array first{moment_row, scaled_row, deficit_row,   hertz_row,
+                                 film_row,   rough_row,  viscosity_row, shear_row};
+      return first[static_cast<std::size_t>(point.kind) - static_cast<std::size_t>(Kind::moment)];
+    }
+  }
+}
+
+Point point_at(std::uint64_t seed, std::uint64_t index) {
+  Sampler sampler(mixed(mixed(seed) + index));
+  Point point;
+  // A scene costs as much as a dozen of the functions it is made of.
+  point.kind =
+      sampler.pick({Kind::scene, Kind::scene, Kind::scene, Kind::extreme_scene, Kind::load_sharing,
+                    Kind::load_sharing, Kind::film_ratio, Kind::moment});
+  draw(sampler, point);
+  return point;
+}
+
+std::string_view name(Kind kind) {
+  constexpr std::array<std::string_view, kind_count> names{
+      "scene",   "extreme_scene", "load_sharing", "film_ratio",    "moment",    "scaled_moment",
+      "deficit", "hertz",         "film",         "rough_contact", "viscosity", "shear"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+void draw(Sampler& sampler, Point& point) {
+  const auto numbers = [&](std::initializer_list<std::pair<double, double>> ranges) {
+    std::size_t i = 0;
+    for (const auto& [low, high] : ranges) point.x[i++] = sampler.log_uniform(low, high);
+  };
+  switch (point.kind) {
+    case Kind::scene:
+      point.scene = random_scene(sampler);
+      break;
+    case Kind::extreme_scene:
+      point.scene = extreme_scene(sampler);
+      break;
+    case Kind::load_sharing:
+      draw_load_sharing(sampler, point);
+      break;
+    case Kind::film_ratio:
+      draw_film_ratio(sampler, point);
+      break;
+    case Kind::deficit:
+      draw_film_ratio(sampler, point);
+      point.x = {point.scene.closures.starvation == StarvationClosure::flooded_inlet
+                     ? sampler.log_uniform(1e-8, 1)
+                     : sampler.log_uniform(1e-8, 1e8),
+                 sampler.uniform(0.5, 6), sampler.uniform(0.001, 0.999)};
+      break;
+    case Kind::hertz:  // F, E*, R
+      numbers({{1e-6, 1e6}, {1e6, 1e12}, {1e-6, 10}});
+      break;
+    case Kind::film:  // u, η₀, α, F, E*, R, k
+      numbers(
+          {{1e-6, 100}, {1e-4, 10}, {1e-9, 1e-7}, {1e-3, 1e5}, {1e8, 1e12}, {1e-4, 1}, {0.3, 10}});
+      break;
+    case Kind::rough_contact:  // n, β, σ_s, E*, A_nom, F
+      numbers({{1e8, 1e13}, {1e-7, 1e-3}, {1e-9, 1e-5}, {1e8, 1e12}, {1e-10, 1e-4}, {1e-3, 1e5}});
+      point.scene.closures.asperity =
+          sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
+      break;
+    case Kind::viscosity:  // η₀, α, p
+      numbers({{1e-4, 10}, {1e-9, 5e-8}, {1, 4e9}});
+      point.scene.friction.viscosity =
+          sampler.pick({ViscosityLaw::barus, ViscosityLaw::ambient, ViscosityLaw::roelands});
+      break;
+    case Kind::shear:  // τ₀, η₀, S u, separation, ln(η/η₀)
+      numbers({{1e5, 1e8}, {1e-4, 10}, {1e-6, 100}, {1e-10, 1e-5}});
+      point.x[4] = sampler.uniform(0, 60);
+      point.scene.friction.fluid = sampler.pick({FluidShear::eyring, FluidShear::limiting});
+      break;
+    default:
+      draw_moment(sampler, point);
+  }
+}
+
+std::vector<std::pair<std::string, double>> inputs_of(const Point& point) {
+  switch (point.kind) {
+    case Kind::load_sharing:
+      return {{"asperity", static_cast<double>(point.scene.closures.asperity)},
+              {"stiffness", point.x[0]},
+              {"offset", point.x[1]},
+              {"flooded_film_parameter", point.x[2]}};
+    case Kind::film_ratio:
+      return {{"starvation", static_cast<double>(point.scene.closures.starvation)},
+              {"flooded_over_inlet", point.x[0]},
+              {"damiens_exponent", point.x[1]}};
+    case Kind::moment:
+      return {{"argument", point.x[0]}};
+    default: {
+      std::vector<std::pair<std::string, double>> all;
+      for (const auto& [name, number] : describe_numbers(point.scene))
+        all.emplace_back(name, number);
+      if (point.kind > Kind::moment)  // the words alone count
+        for (std::size_t i = 0; i < point.x.size(); ++i)
+          all.emplace_back(fmt::format("x{}", i), point.x[i]);
+      return all;
+    }
+  }
+}
+
+template <class T>
+Values<T> values_of(const Point& point) {
+  const auto x = [&](std::size_t i) { return T(point.x[i]); };
+  const StarvationClosure closure = point.scene.closures.starvation;
+  const AsperityModel model = point.scene.closures.asperity;
+  switch (point.kind) {
+    case Kind::load_sharing:
+      return {{LoadSharing<T>(model, x(0), x(1)).solve(x(2)).film_parameter}};
+    case Kind::film_ratio:
+      return {{starvation_ratio(closure, x(0), x(1))}};
+    case Kind::deficit:
+      return {{starvation_deficit(closure, x(0), x(1)),
+               departure_flooded_over_inlet(closure, x(2), x(1)),
+               starvation_slope(closure, x(0), x(1))}};
+    case Kind::hertz: {
+      const HertzPoint<T> hertz = hertz_point(x(0), x(1), x(2));
+      return {{hertz.radius, hertz.nominal_area, hertz.mean_pressure, hertz.peak_pressure,
+               hertz.approach}};
+    }
+    case Kind::film:
+      return {{hamrock_dowson_central(x(0), x(1), x(2), x(3), x(4), x(5), x(6))}};
+    case Kind::rough_contact: {
+      const AsperityContact<T> contact =
+          asperity_contact(model, x(0), x(1), x(2), T(1), x(3), x(4), x(5));
+      return {{contact.stiffness, contact.area_factor, contact.count_factor}};
+    }
+    case Kind::viscosity:
+      return {{log_viscosity_ratio(point.scene.friction.viscosity, x(0), x(1), x(2))}};
+    case Kind::shear:
+      return {{fluid_shear_stress(point.scene.friction.fluid, x(0), x(1), x(4), x(2), x(3))}};
+    case Kind::moment: {
+      Values<T> values;
+      for (const Order order : orders) values.numbers.push_back(gaussian_moment(order, x(0)));
+      return values;
+    }
+    case Kind::scaled_moment: {
+      Values<T> values;
+      for (const Order order : orders) {
+        values.numbers.push_back(scaled_gaussian_moment(order, x(0)));
+        if constexpr (std::is_same_v<T, double>) {  // those of the engine
+          double logarithm = 0;
+          log_gaussian_moment(order, std::span(&point.x[0], 1), std::span(&logarithm, 1));
+          values.numbers.push_back(logarithm);
+        } else {
+          values.numbers.push_back(log_gaussian_moment(order, x(0)));
+        }
+      }
+      return values;
+    }
+    default: {
+      const OperatingPoint<T> solved =
+          MixedContact<T>(point.scene).solve(T(point.scene.speeds.list[0]));
+      const auto numbers = numbers_of(solved);
+      return {{numbers.begin(), numbers.end()},
+              {static_cast<int>(solved.regime), static_cast<int>(solved.inlet),
+               solved.friction_undefined ? 1 : 0}};
+    }
+  }
+}
+template Values<float> values_of(const Point& point);
+template Values<double> values_of(const Point& point);
+template Values<long double> values_of(const Point& point);
+template Values<Reference> values_of(const Point& point);
+
+std::vector<double> conditions_of(const Point& point) {
+  const StarvationClosure closure = point.scene.closures.starvation;
+  switch (point.kind) {
+    case Kind::scene:
+    case Kind::extreme_scene: {
+      const Conditions all = conditions_at(point.scene, point.scene.speeds.list[0]);
+      return {all.begin(), all.end()};
+    }
+    case Kind::load_sharing:
+      return {root_condition(point.scene.closures.asperity, point.x[0], point.x[1], point.x[2])};
+    case Kind::film_ratio:
+      return {film_ratio_condition(closure, point.x[0], point.x[1])};
+    case Kind::deficit:
+      return {1, 1 / point.x[2] + 1 / (1 - point.x[2]), 1};
+    case Kind::moment: {
+      std::vector<double> all;
+      for (const Order order : orders) all.push_back(moment_condition(order, point.x[0]));
+      return all;
+    }
+    case Kind::scaled_moment: {
+      std::vector<double> all;
+      for (const Order order : orders) {
+        all.push_back(1);
+        all.push_back(logarithm_condition(log_gaussian_moment(order, point.x[0])));
+      }
+      return all;
+    }
+    case Kind::shear:  // e^thickening carries its rounding
+      return {1 + point.x[4]};
+    default:
+      return std::vector<double>(6, 1);
+  }
+}
+
+Evaluation evaluate(const Point& point) {
+  const Values<double> got = values_of<double>(point);
+  const Values<long double> truth = values_of<long double>(point);
+  Evaluation evaluation;
+  const std::size_t row = first_row(point);
+  for (std::size_t i = 0; i < got.numbers.size(); ++i)
+    evaluation.numbers.push_back({row + i, got.numbers[i], truth.numbers[i]});
+  if (point.kind == Kind::scene || point.kind == Kind::extreme_scene) {
+    evaluation.state_row = row + number_count;
+    evaluation.states_differ =
+        got.states != truth.states || !is_share(got.numbers[4]) || !is_share(got.numbers[5]);
+  }
+  evaluation.condition = [point, known = std::vector<double>()](std::size_t i) mutable {
+    if (known.empty()) known = conditions_of(point);
+    return known[i];
+  };
+  return evaluation;
+}
+
+Values<Enclosure> enclose(const Point& point) {
+  reference::undecided_comparisons = 0;
+  Values<Enclosure> values = values_of<Enclosure>(point);
+  // A root that no ball tells from the floor: whichever of the two the text takes for the greater,
+  // its ball holds both.
+  if (reference::undecided_comparisons != 0 && point.kind <= Kind::extreme_scene &&
+      point.scene.supply.kind == SupplyKind::flooded) {
+    const MixedContact<Enclosure> contact(point.scene);
+    if (contact.sharing().has_floor() &&
+        contact.flooded(point.scene.speeds.list[0]).shares.fluid < Enclosure(0x1p-200))
+      reference::undecided_comparisons = 0;
+  }
+  if (reference::undecided_comparisons != 0) values.numbers.clear();
+  return values;
+}
+
+double allowed_ulp(const Contract& contract, double condition) {
+  return std::max(contract.ulp, contract.ulp_per_condition * condition);
+}
+
+bool is_at_the_ends(double got, long double expected) {
+  return (std::abs(expected) < 1e-290L && std::abs(got) < 2e-290) ||
+         (std::isinf(got) && expected > 1e280L);
+}
+
+}  // namespace tribo::verification

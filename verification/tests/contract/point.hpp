@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table behind all checks of contracts: of each function its domain, from which points are
+// drawn, what the model promises of its results, and its values in any number type, of which ball
+// arithmetic is the truth. A point of `model_stress` follows from seed and index alone, so that any
+// of them can be looked at again, whatever number of threads found it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sampling/sampler.hpp"
+#include "support/enclosure.hpp"
+#include "tribo/contract.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::verification {
+
+// A result: a name, and what the model promises of it.
+struct Row {
+  std::string name;
+  Contract contract;
+};
+std::span<const Row> rows();
+inline constexpr std::size_t stress_rows = 32;  // the first of them, which model_stress draws
+
+enum class Kind : std::uint8_t {
+  scene,          // of steel, as built
+  extreme_scene,  // decades beyond what can be built
+  load_sharing,   // K and λ₀ from 1e-300 to 1e300, and K about its critical value
+  film_ratio,     // r from 1e-300 to 1e300, and about 1
+  moment,         // d from −45 to 45, all orders, and the neighbours of every branch
+  // Of the contract test alone.
+  scaled_moment,  // and logarithms
+  deficit,        // of the starved film, and the ratio at a departure
+  hertz,
+  film,
+  rough_contact,
+  viscosity,
+  shear,
+  count
+};
+inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);
+std::string_view name(Kind kind);
+
+struct Point {
+  Kind kind = Kind::scene;
+  Scene scene;                // of a scene; of the others only the words
+  std::array<double, 7> x{};  // K, δ, λ₀ | r, γ, departure | d | …
+};
+
+Point point_at(std::uint64_t seed, std::uint64_t index);
+// In the domain of this kind; hard ones among them.
+void draw(Sampler& sampler, Point& point);
+
+// Names and numbers that define the point.
+std::vector<std::pair<std::string, double>> inputs_of(const Point& point);
+
+// What a point comes to in one number type.
+template <class T>
+struct Values {
+  std::vector<T> numbers;
+  std::array<int, 3> states{};  // of a scene: regime, inlet, whether friction is undefined
+};
+// Defined for float, double, long double, Reference (support/judge.hpp) and Enclosure.
+template <class T>
+Values<T> values_of(const Point& point);
+
+// The row of the first number of a point; the others follow.
+std::size_t first_row(const Point& point);
+
+// A number in both types, under its row.
+struct Measured {
+  std::size_t row = 0;
+  double got = 0;
+  long double expected = 0;
+};
+
+struct Evaluation {
+  std::vector<Measured> numbers;
+  bool states_differ = false;  // regime, inlet, whether friction is defined; a share beyond [0, 1]
+  std::size_t state_row = 0;   // its row, where the point has states
+  // The condition number of one of the numbers, at least 1; costs more than the rest.
+  std::function<double(std::size_t)> condition;
+};
+
+Evaluation evaluate(const Point& point);
+
+// As Evaluation::condition, of any point.
+std::vector<double> conditions_of(const Point& point);
+
+// What `values_of` has, as enclosures. Throws std::runtime_error where a root has no proof; empty
+// where a branch was not certain.
+Values<Enclosure> enclose(const Point& point);
+
+// |error| in ulp that a contract allows.
+double allowed_ulp(const Contract& contract, double condition);
+
+// Near the ends of the range of double a factor of an operating point may leave it where the output
+// does not: below 1e-290 the output has only to be there too, past 1e280 it may be infinite
+// (mixed_contact.hpp: an overflow shows).
+bool is_at_the_ends(double got, long double expected);
+
+}  // namespace tribo::verification
