@@ -18,15 +18,14 @@ SplineTable inverse_table(const LoadSharing<double>& sharing, int knots) {
   // λ₀ = λ(1−A)^0.14 is lowest where 1 − A is about (lowest/λ_b)^{1/0.14}.
   double nearest = lowest / 10;
   if (sharing.has_floor())
-    nearest = std::exp(std::log(lowest / sharing.floor()) / sharing_film_exponent<double>() -
+    nearest = std::exp(std::log(lowest / sharing.floor()) / sharing.film().sharing_power.value -
                        std::log(sharing.surface().hazard));
   std::vector<double> log_flooded;
   std::vector<double> log_film;
   for (int i = 0; i < knots; ++i) {
     const double distance = nearest * std::pow(highest / nearest, i / (knots - 1.0));
     const LoadShares<double> at = sharing.shares_above_floor(distance);
-    log_flooded.push_back(
-        std::log(LoadSharing<double>::flooded_film_parameter(at.film_parameter, at.fluid)));
+    log_flooded.push_back(std::log(sharing.flooded_film_parameter(at.film_parameter, at.fluid)));
     log_film.push_back(std::log(at.film_parameter));
   }
   return {log_flooded, log_film};

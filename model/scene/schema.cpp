@@ -218,6 +218,12 @@ constexpr std::array<Row, field_count> rows{{
      [](Scene& scene, double place) {
        scene.closures.starvation = enum_at<StarvationClosure>(place);
      }},
+    {{.path = "closures.film",
+      .type = FieldType::choice,
+      .choices = film_formula_words,
+      .default_text = "hamrock_dowson_central",
+      .meaning = "law of the flooded film"},
+     [](Scene& scene, double place) { scene.closures.film = enum_at<FilmFormula>(place); }},
     {{.path = "closures.damiens_exponent",
       .default_text = "3",
       .plausible_minimum = 1,

@@ -19,20 +19,22 @@
 HWY_BEFORE_NAMESPACE();
 namespace tribo::HWY_NAMESPACE {
 
-// λ₀/u^0.67: h₀ at unit speed over σ_s.
+// λ₀/u^a: h₀ at unit speed over σ_s.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V film_at_unit_speed(D d, const detail::SceneNumbers<V>& scene) {
+HWY_INLINE V film_at_unit_speed(D d, const FilmLaw& law, const detail::SceneNumbers<V>& scene) {
   const V modulus = hn::Add(scene.effective_modulus, scene.effective_modulus);
   const V radius = scene.reduced_radius;
   const V speed_number = hn::Div(scene.viscosity, hn::Mul(modulus, radius));
   const V material_number = hn::Mul(scene.pressure_viscosity, modulus);
   const V load_number = hn::Div(scene.load, hn::Mul(hn::Mul(modulus, radius), radius));
-  constexpr FilmLaw law = hamrock_dowson_central_law;
-  const V side =
-      exponential(d, hn::Mul(hn::Set(d, -ratio<double>(law.side_decay)), scene.ellipticity));
-  const V constant =
-      hn::Mul(hn::Set(d, ratio<double>(law.constant)),
-              hn::Sub(hn::Set(d, 1.0), hn::Mul(hn::Set(d, ratio<double>(law.side_leakage)), side)));
+  const V decay = hn::Mul(hn::Set(d, -ratio<double>(law.side_decay)), scene.ellipticity);
+  V bracket;
+  if (law.side_leakage.p == law.side_leakage.q)  // the difference cancels where k is small
+    bracket = hn::Neg(exponential_less_one(d, decay));
+  else
+    bracket = hn::Sub(hn::Set(d, 1.0),
+                      hn::Mul(hn::Set(d, ratio<double>(law.side_leakage)), exponential(d, decay)));
+  const V constant = hn::Mul(hn::Set(d, ratio<double>(law.constant)), bracket);
   const V film = hn::Mul(hn::Mul(radius, constant),
                          decimal_powers(d, speed_number, law.speed_exponent, material_number,
                                         law.material_exponent, load_number, law.load_exponent));
@@ -40,14 +42,14 @@ HWY_INLINE V film_at_unit_speed(D d, const detail::SceneNumbers<V>& scene) {
 }
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE detail::ContactNumbers<V> contact_of(D d, AsperityModel model,
+HWY_INLINE detail::ContactNumbers<V> contact_of(D d, AsperityModel model, const FilmLaw& law,
                                                 const detail::SceneNumbers<V>& scene) {
   const V pi = hn::Set(d, 3.14159265358979323846);
   detail::ContactNumbers<V> contact;
   // a³ = 3FR/(4E*)
   const V cube = hn::Div(hn::Mul(hn::Mul(hn::Set(d, 3.0), scene.load), scene.reduced_radius),
                          hn::Mul(hn::Set(d, 4.0), scene.effective_modulus));
-  contact.radius = decimal_power(d, cube, {1, 3});
+  contact.radius = decimal_power(d, cube, Fraction{1, 3});
   contact.nominal_area = hn::Mul(hn::Mul(pi, contact.radius), contact.radius);
   contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
   contact.approach = hn::Div(hn::Mul(contact.radius, contact.radius), scene.reduced_radius);
@@ -70,9 +72,9 @@ HWY_INLINE detail::ContactNumbers<V> contact_of(D d, AsperityModel model,
     contact.area_factor = hn::Mul(pi, roughness);
     contact.count_factor = hn::Mul(scene.summit_density, contact.nominal_area);
   }
-  contact.surface = surface_of(d, load_order(model), hn::Mul(stiffness, modulus_ratio),
+  contact.surface = surface_of(d, load_order(model), law, hn::Mul(stiffness, modulus_ratio),
                                hn::Mul(scene.offset_planes, scene.summit_plane_offset),
-                               film_at_unit_speed(d, scene));
+                               film_at_unit_speed(d, law, scene));
   contact.summit_height_sd = scene.summit_height_sd;
   contact.supply = scene.supply;
   contact.damiens_exponent = scene.damiens_exponent;

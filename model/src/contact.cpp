@@ -21,13 +21,14 @@ LoadShares<double> narrow(const LoadShares<Wide>& shares) {
           shares.iterations};
 }
 
-LoadSharing<Wide> wide(AsperityModel model, const detail::SurfaceNumbers<double>& surface) {
-  return {model, Wide(surface.stiffness), Wide(surface.offset)};
+LoadSharing<Wide> wide(AsperityModel model, const FilmLaw& film,
+                       const detail::SurfaceNumbers<double>& surface) {
+  return {model, Wide(surface.stiffness), Wide(surface.offset), film};
 }
 
 // Of a surface beyond the engine's range.
 void find_floor(AsperityModel model, detail::SurfaceNumbers<double>& surface) {
-  const LoadSharing<Wide> sharing = wide(model, surface);
+  const LoadSharing<Wide> sharing(model, Wide(surface.stiffness), Wide(surface.offset));
   surface.floor = narrow(sharing.floor());
   surface.floor_argument = sharing.has_floor() ? narrow(sharing.floor() - sharing.offset()) : 0;
   surface.hazard = 0;
@@ -40,15 +41,20 @@ void find_floor(AsperityModel model, detail::SurfaceNumbers<double>& surface) {
   surface.film_from = std::numeric_limits<double>::infinity();
 }
 
+detail::SurfaceNumbers<double> surface_of(AsperityModel model, const FilmLaw& film,
+                                          double stiffness, double offset) {
+  if (detail::is_within_engine(stiffness, offset))
+    return detail::engine().surface(load_order(model), film, stiffness, offset);
+  detail::SurfaceNumbers<double> surface{stiffness, offset, 0, 0, 0, 0, 0, 0};
+  find_floor(model, surface);
+  return surface;
+}
+
 }  // namespace
 
-LoadSharing<double>::LoadSharing(AsperityModel model, double stiffness, double offset)
-    : model_(model), surface_{stiffness, offset, 0, 0, 0, 0, 0, 0} {
-  if (detail::is_within_engine(surface_))
-    surface_ = detail::engine().surface(load_order(model), stiffness, offset);
-  else
-    find_floor(model, surface_);
-}
+LoadSharing<double>::LoadSharing(AsperityModel model, double stiffness, double offset,
+                                 const FilmLaw& film)
+    : model_(model), film_(&film), surface_(surface_of(model, film, stiffness, offset)) {}
 
 double LoadSharing<double>::asperity_share(double film_parameter) const {
   return detail::engine().share(load_order(model_), stiffness(), film_parameter - offset());
@@ -70,14 +76,16 @@ LoadShares<double> LoadSharing<double>::shares_above_floor(double distance) cons
   return detail::engine().shares_above_floor(load_order(model_), surface_, distance);
 }
 
-double LoadSharing<double>::flooded_film_parameter(double film_parameter, double fluid_share) {
-  return film_parameter * detail::engine().power(fluid_share, sharing_exponent_of_film);
+double LoadSharing<double>::flooded_film_parameter(double film_parameter,
+                                                   double fluid_share) const {
+  return film_parameter * detail::engine().power(fluid_share, film_->sharing_power);
 }
 
 SharingRoot<double> LoadSharing<double>::root(double flooded_film_parameter) const {
-  const Root found = detail::engine().root(load_order(model_), surface_, flooded_film_parameter);
+  const Root found =
+      detail::engine().root(load_order(model_), *film_, surface_, flooded_film_parameter);
   if (found.film_parameter == found.film_parameter) return found;
-  const auto exact = wide(model_, surface_).root(Wide(flooded_film_parameter));
+  const auto exact = wide(model_, *film_, surface_).root(Wide(flooded_film_parameter));
   const double lambda = narrow(exact.film_parameter);
   return {lambda < floor() ? floor() : lambda, exact.iterations};
 }
@@ -87,9 +95,11 @@ double LoadSharing<double>::film_parameter(double flooded_film_parameter) const 
 }
 
 LoadShares<double> LoadSharing<double>::solve(double flooded_film_parameter) const {
-  const Root found = detail::engine().root(load_order(model_), surface_, flooded_film_parameter);
+  const Root found =
+      detail::engine().root(load_order(model_), *film_, surface_, flooded_film_parameter);
   if (found.film_parameter == found.film_parameter) return shares_at(flooded_film_parameter, found);
-  LoadShares<double> shares = narrow(wide(model_, surface_).solve(Wide(flooded_film_parameter)));
+  LoadShares<double> shares =
+      narrow(wide(model_, *film_, surface_).solve(Wide(flooded_film_parameter)));
   if (shares.film_parameter < floor()) shares.film_parameter = floor();
   return shares;
 }
@@ -97,7 +107,7 @@ LoadShares<double> LoadSharing<double>::solve(double flooded_film_parameter) con
 LoadShares<double> LoadSharing<double>::shares_at(double flooded_film_parameter,
                                                   const Root& root) const {
   LoadShares<double> shares = detail::engine().shares_at_root(
-      load_order(model_), surface_, flooded_film_parameter, root.film_parameter);
+      load_order(model_), *film_, surface_, flooded_film_parameter, root.film_parameter);
   shares.iterations = root.iterations;
   return shares;
 }
@@ -106,7 +116,7 @@ namespace detail {
 
 ContactWords words_of(const Scene& scene) {
   return {scene.closures.asperity, scene.closures.starvation, scene.supply.kind,
-          scene.friction.fluid, scene.friction.viscosity};
+          scene.friction.fluid,    scene.friction.viscosity,  &film_law(scene.closures.film)};
 }
 
 SceneNumbers<double> numbers_of(const Scene& scene) {
@@ -143,18 +153,23 @@ Scene scene_of(const ContactWords& words, const SceneNumbers<double>& numbers) {
   return scene;
 }
 
-void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
+void prepare(AsperityModel model, const FilmLaw& law, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts) {
-  engine().prepare(model, scenes.data(), contacts.data(), scenes.size());
+  engine().prepare(model, law, scenes.data(), contacts.data(), scenes.size());
   for (ContactNumbers<double>& contact : contacts)
-    if (!is_within_engine(contact.surface)) find_floor(model, contact.surface);
+    if (!is_within_engine(contact.surface.stiffness, contact.surface.offset))
+      find_floor(model, contact.surface);
 }
 
 }  // namespace detail
 
 MixedContact<double>::MixedContact(const Scene& scene)
+    : MixedContact(scene, film_law(scene.closures.film)) {}
+
+MixedContact<double>::MixedContact(const Scene& scene, const FilmLaw& film)
     : words_(detail::words_of(scene)), scene_(detail::numbers_of(scene)) {
-  detail::prepare(words_.model, std::span(&scene_, 1), std::span(&numbers_, 1));
+  words_.film = &film;
+  detail::prepare(words_.model, film, std::span(&scene_, 1), std::span(&numbers_, 1));
 }
 
 double MixedContact<double>::inlet_film_parameter(double speed) const {
@@ -165,12 +180,12 @@ double MixedContact<double>::inlet_film_parameter(double speed) const {
 }
 
 double MixedContact<double>::flooded_film_parameter(double speed) const {
-  return detail::engine().flooded_film_parameter(numbers_, speed);
+  return detail::engine().flooded_film_parameter(film(), numbers_, speed);
 }
 
 double MixedContact<double>::speed_at(double flooded_film_parameter) const {
   return detail::engine().power(flooded_film_parameter / numbers_.surface.film_at_unit_speed,
-                                inverse(speed_exponent));
+                                inverse(film().speed_exponent));
 }
 
 FloodedFilm<double> MixedContact<double>::flooded(double speed) const {
@@ -199,7 +214,7 @@ WalkPoint<double> StribeckWalk<double>::at(double log_speed) const {
   point.inlet = contact_.inlet(point.flooded);
   const LoadShares<double>& shares = point.flooded.shares;
   point.film_slope = detail::film_slope(
-      shares,
+      contact_.film(), shares,
       shares.asperity > 0 ? contact_.sharing().asperity_share_slope(shares.film_parameter) : 0.0);
   point.rate = 1;
   return point;

@@ -113,14 +113,14 @@ HWY_INLINE Binary<V> binary_of(D d, V x) {
   return {hn::Sub(with_bias, bias), m};
 }
 
-// 2^{n/q} e^x of an integer n, as 2^k exp(x + r ln 2/q) with n = kq + r, |r| ≤ q/2.
+// 2^{n/q} e^x of an integer n, as 2^k exp(x + r ln 2/q) with n = kq + r, |r| ≤ q/2; `of` has q.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V two_to_part_times_exp(D d, V n, double q, V x) {
+HWY_INLINE V two_to_part_times_exp(D d, V n, const Exponent& of, V x) {
   const hn::RebindToUnsigned<D> bits;
   const V shifter = hn::Set(d, 0x1.8p52);
-  const V shifted = hn::MulAdd(n, hn::Set(d, 1 / q), shifter);
-  const V r = hn::NegMulAdd(hn::Sub(shifted, shifter), hn::Set(d, q), n);
-  const V argument = hn::MulAdd(r, hn::Set(d, 0.69314718055994530942 / q), x);
+  const V shifted = hn::MulAdd(n, hn::Set(d, of.inverse_q), shifter);
+  const V r = hn::NegMulAdd(hn::Sub(shifted, shifter), hn::Set(d, of.q), n);
+  const V argument = hn::MulAdd(r, hn::Set(d, of.log_two_over_q), x);
   // 2^k in two steps, for where the result is subnormal or near overflow
   const auto k = hn::Sub(hn::BitCast(bits, shifted), hn::BitCast(bits, shifter));
   const auto shift = hn::Set(bits, std::uint64_t{4096});
@@ -136,12 +136,11 @@ HWY_INLINE hn::Mask<D> is_positive_and_finite(D d, V x) {
 // x^{p/q}, x ≥ 0, |p| and q below 2000, |p/q| ≤ 2: with x = 2^e m the exponential's argument is
 // small, so that the rounding of p/q and of ln x costs nothing. Error: 3 ulp.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V decimal_power(D d, V x, const Fraction& exponent) {
+HWY_INLINE V decimal_power(D d, V x, const Exponent& exponent) {
   const Binary<V> of = binary_of(d, x);
-  const V part =
-      hn::Mul(hn::Set(d, double(exponent.p) / exponent.q), rough_logarithm(d, of.mantissa));
-  const V power = two_to_part_times_exp(d, hn::Mul(of.exponent, hn::Set(d, double(exponent.p))),
-                                        exponent.q, part);
+  const V part = hn::Mul(hn::Set(d, exponent.value), rough_logarithm(d, of.mantissa));
+  const V power =
+      two_to_part_times_exp(d, hn::Mul(of.exponent, hn::Set(d, exponent.p)), exponent, part);
   const auto is_ordinary = is_positive_and_finite(d, x);
   if (HWY_LIKELY(hn::AllTrue(d, is_ordinary))) return power;
   const V at_ends = exponent.p > 0 ? x : hn::Div(hn::Set(d, 1.0), x);
@@ -165,7 +164,8 @@ HWY_INLINE V decimal_powers(D d, V x, const Fraction& a, V y, const Fraction& b,
   add(x, a);
   add(y, b);
   add(z, c);
-  const V power = two_to_part_times_exp(d, n, q, part);
+  constexpr Exponent one_thousandth(Fraction{1, q});
+  const V power = two_to_part_times_exp(d, n, one_thousandth, part);
   if (HWY_LIKELY(hn::AllTrue(d, is_ordinary))) return power;
   const V one_by_one =
       hn::Mul(hn::Mul(decimal_power(d, x, a), decimal_power(d, y, b)), decimal_power(d, z, c));

@@ -76,12 +76,13 @@ double logarithm_of(double x) { return hn::GetLane(logarithm(OneLane(), of(x)));
 void logarithms_of(const double* x, double* result, std::size_t count) {
   transform(x, result, count, [](auto d, auto lanes) HWY_ATTR { return logarithm(d, lanes); });
 }
-double power_of(double x, const Fraction& exponent) {
+double power_of(double x, const Exponent& exponent) {
   return hn::GetLane(decimal_power(OneLane(), of(x), exponent));
 }
 
-detail::SurfaceNumbers<double> surface(Order order, double stiffness, double offset) {
-  return first_lane(surface_of(OneLane(), order, of(stiffness), of(offset), of(0)));
+detail::SurfaceNumbers<double> surface(Order order, const FilmLaw& law, double stiffness,
+                                       double offset) {
+  return first_lane(surface_of(OneLane(), order, law, of(stiffness), of(offset), of(0)));
 }
 double share(Order order, double stiffness, double argument) {
   return hn::GetLane(share_at(OneLane(), order, of(stiffness), of(argument)));
@@ -98,10 +99,11 @@ double distance_at(Order order, const detail::SurfaceNumbers<double>& surface, d
   return hn::GetLane(
       distance_above_floor(d, order, FloorSeries<OneLane>(d, order, all), all.hazard, of(fluid)));
 }
-LoadShares<double> at_root(Order order, const detail::SurfaceNumbers<double>& surface,
-                           double flooded, double lambda) {
+LoadShares<double> at_root(Order order, const FilmLaw& law,
+                           const detail::SurfaceNumbers<double>& surface, double flooded,
+                           double lambda) {
   const Shares<One> shares =
-      shares_at_root(OneLane(), order, broadcast(OneLane(), surface), of(flooded), of(lambda));
+      shares_at_root(OneLane(), order, law, broadcast(OneLane(), surface), of(flooded), of(lambda));
   return {lambda, hn::GetLane(shares.asperity), hn::GetLane(shares.fluid), 0};
 }
 
@@ -112,28 +114,28 @@ HWY_INLINE V not_below(V x, V bound) {
 }
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Roots<V> roots_alone(D d, Order order, const detail::SurfaceNumbers<V>& surface,
-                                V flooded) {
+HWY_INLINE Roots<V> roots_alone(D d, Order order, V film_power,
+                                const detail::SurfaceNumbers<V>& surface, V flooded) {
   const SharingInputs<V> in{surface.stiffness, surface.offset, flooded};
-  const auto start = root_start(d, surface, in);
+  const auto start = root_start(d, film_power, surface, in);
   if (hn::AllFalse(d, start.is_open)) return {start.at.film_parameter, 0};
-  const Roots<V> roots = roots_from(d, order, in, start.at);
+  const Roots<V> roots = roots_from(d, order, film_power, in, start.at);
   return {not_below(roots.film_parameter, surface.floor), roots.steps};
 }
 
-SharingRoot<double> root(Order order, const detail::SurfaceNumbers<double>& surface,
-                         double flooded) {
-  const Roots<One> found =
-      roots_alone(OneLane(), order, broadcast(OneLane(), surface), of(flooded));
+SharingRoot<double> root(Order order, const FilmLaw& law,
+                         const detail::SurfaceNumbers<double>& surface, double flooded) {
+  const Roots<One> found = roots_alone(OneLane(), order, of(law.sharing_power.inverse),
+                                       broadcast(OneLane(), surface), of(flooded));
   return {hn::GetLane(found.film_parameter), found.steps};
 }
 
-void prepare(AsperityModel model, const detail::SceneNumbers<double>* scenes,
+void prepare(AsperityModel model, const FilmLaw& law, const detail::SceneNumbers<double>* scenes,
              detail::ContactNumbers<double>* contacts, std::size_t count) {
   const Many d;
   const hn::RebindToUnsigned<Many> bits;
   if (count == 1) {
-    contacts[0] = first_lane(contact_of(OneLane(), model, broadcast(OneLane(), scenes[0])));
+    contacts[0] = first_lane(contact_of(OneLane(), model, law, broadcast(OneLane(), scenes[0])));
     return;
   }
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
@@ -141,7 +143,7 @@ void prepare(AsperityModel model, const detail::SceneNumbers<double>* scenes,
     const auto lane = hn::Iota(bits, 0);
     const auto index = hn::IfThenElse(hn::Lt(lane, hn::Set(bits, some)), lane, hn::Zero(bits));
     const auto contact =
-        contact_of(d, model, rows_of<detail::SceneNumbers>(d, row_begin(scenes[i]), index));
+        contact_of(d, model, law, rows_of<detail::SceneNumbers>(d, row_begin(scenes[i]), index));
     for (std::size_t k = 0; k < row_length<detail::ContactNumbers>; ++k) {
       HWY_ALIGN double lanes[hn::MaxLanes(Many())];
       hn::Store(row_begin(contact)[k], d, lanes);
@@ -160,8 +162,9 @@ InletState<double> inlet(const detail::ContactWords& words,
           hn::AllTrue(d, state.starvation.is_collapsed)};
 }
 
-double film_at(const detail::ContactNumbers<double>& contact, double speed) {
-  return hn::GetLane(flooded_film_parameter(OneLane(), broadcast(OneLane(), contact), of(speed)));
+double film_at(const FilmLaw& law, const detail::ContactNumbers<double>& contact, double speed) {
+  return hn::GetLane(
+      flooded_film_parameter(OneLane(), law, broadcast(OneLane(), contact), of(speed)));
 }
 
 void completed(const detail::ContactWords& words, const detail::ContactNumbers<double>& numbers,
@@ -188,8 +191,10 @@ double point_alone(const detail::ContactWords& words, const detail::ContactNumbe
                    double speed, OutputSet outputs, const detail::Destination& to) {
   const OneLane d;
   const auto contact = broadcast(d, numbers);
-  const One film0 = flooded_film_parameter(d, contact, of(speed));
-  const One lambda = roots_alone(d, load_order(words.model), contact.surface, film0).film_parameter;
+  const One film0 = flooded_film_parameter(d, *words.film, contact, of(speed));
+  const One lambda = roots_alone(d, load_order(words.model), of(words.film->sharing_power.inverse),
+                                 contact.surface, film0)
+                         .film_parameter;
   NoWork none;
   complete_root(d, words, contact, Needs(outputs, words.supply), of(speed), film0, lambda, to, 0, 1,
                 none);
@@ -202,13 +207,15 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
                                 const Needs& needs, const detail::Destination& to, double* lambda,
                                 std::size_t count, Counter& work) {
   const Many d;
+  const Exponent speed_power = words.film->speed_power;  // a copy, which film0 cannot overlap
   HWY_ALIGN double film0[sharing_block];
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
     store(d,
           hn::Mul(surface_at(i).film_at_unit_speed,
-                  decimal_power(d, load(d, speeds + i, count - i), speed_exponent)),
+                  decimal_power(d, load(d, speeds + i, count - i), speed_power)),
           film0 + i, count - i);
   const std::size_t steps = roots_of_block<Many, one_contact>(d, load_order(words.model),
+                                                              words.film->sharing_power.inverse,
                                                               surface_at, film0, lambda, count);
   if constexpr (Counter::counts) {
     work.add(Work::root_step, steps);
@@ -273,27 +280,30 @@ void points(const detail::ContactWords& words, const detail::ContactNumbers<doub
 }
 
 // Roots of one surface, or of as many as there are points.
-std::size_t roots_of_one(Order order, const detail::SurfaceNumbers<double>& surface,
-                         const double* flooded, double* lambda, std::size_t count) {
+std::size_t roots_of_one(Order order, const FilmLaw& law,
+                         const detail::SurfaceNumbers<double>& surface, const double* flooded,
+                         double* lambda, std::size_t count) {
   const Many d;
   const auto all = broadcast(d, surface);
   const std::size_t steps = roots_of_block<Many, true>(
-      d, order, [&](std::size_t) HWY_ATTR -> const auto& { return all; }, flooded, lambda, count);
+      d, order, law.sharing_power.inverse, [&](std::size_t) HWY_ATTR -> const auto& { return all; },
+      flooded, lambda, count);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
     store(d, not_below(load(d, lambda + i, count - i), all.floor), lambda + i, count - i);
   return steps;
 }
-std::size_t roots_of_many(Order order, const double* stiffness, const double* offset,
-                          const double* flooded, double* lambda, std::size_t count) {
+std::size_t roots_of_many(Order order, const FilmLaw& law, const double* stiffness,
+                          const double* offset, const double* flooded, double* lambda,
+                          std::size_t count) {
   const Many d;
   using V = hn::Vec<Many>;
   HWY_ALIGN double floors[sharing_block + 16];
   const std::size_t steps = roots_of_block<Many, false>(
-      d, order,
+      d, order, law.sharing_power.inverse,
       [&](std::size_t i) HWY_ATTR {
         const std::size_t left = count - i;
         const V k = load(d, stiffness + i, left), delta = load(d, offset + i, left);
-        const auto surface = surface_of(d, order, k, delta, k);
+        const auto surface = surface_of(d, order, law, k, delta, k);
         store(d, surface.floor, floors + i, left);
         return surface;
       },
@@ -426,29 +436,29 @@ namespace detail {
 
 const Kernels& engine() { return HWY_DYNAMIC_DISPATCH(kernels)(); }
 
-bool is_within_engine(const SurfaceNumbers<double>& surface) {
-  return surface.stiffness >= sharing_least_stiffness &&
-         surface.stiffness <= sharing_greatest_stiffness && surface.offset >= 0 &&
-         surface.offset <= sharing_greatest_offset;
+bool is_within_engine(double stiffness, double offset) {
+  return stiffness >= sharing_least_stiffness && stiffness <= sharing_greatest_stiffness &&
+         offset >= 0 && offset <= sharing_greatest_offset;
 }
 
 }  // namespace detail
 
-double film_parameter(AsperityModel model, double stiffness, double offset, double flooded) {
-  return LoadSharing<double>(model, stiffness, offset).film_parameter(flooded);
+double film_parameter(AsperityModel model, double stiffness, double offset, double flooded,
+                      const FilmLaw& film) {
+  return LoadSharing<double>(model, stiffness, offset, film).film_parameter(flooded);
 }
 
 SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
                            std::span<const double> offset, std::span<const double> flooded,
-                           std::span<double> film_parameter) {
+                           std::span<double> film_parameter, const FilmLaw& film) {
   return in_blocks(
       flooded.size(), film_parameter,
       [&](std::size_t first, std::size_t count, double* lambda) {
-        return detail::engine().roots_of_many(load_order(model), &stiffness[first], &offset[first],
-                                              &flooded[first], lambda, count);
+        return detail::engine().roots_of_many(load_order(model), film, &stiffness[first],
+                                              &offset[first], &flooded[first], lambda, count);
       },
       [&](std::size_t i) {
-        return LoadSharing<double>(model, stiffness[i], offset[i]).film_parameter(flooded[i]);
+        return LoadSharing<double>(model, stiffness[i], offset[i], film).film_parameter(flooded[i]);
       });
 }
 
@@ -457,8 +467,8 @@ SharingWork film_parameter(const LoadSharing<double>& sharing, std::span<const d
   return in_blocks(
       flooded.size(), film_parameter,
       [&](std::size_t first, std::size_t count, double* lambda) {
-        return detail::engine().roots_of_one(load_order(sharing.model()), sharing.surface(),
-                                             &flooded[first], lambda, count);
+        return detail::engine().roots_of_one(load_order(sharing.model()), sharing.film(),
+                                             sharing.surface(), &flooded[first], lambda, count);
       },
       [&](std::size_t i) { return sharing.film_parameter(flooded[i]); });
 }

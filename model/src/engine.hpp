@@ -37,30 +37,35 @@ struct Kernels {
   void (*exponentials)(const double* x, double* result, std::size_t count);
   double (*logarithm)(double x);
   void (*logarithms)(const double* x, double* result, std::size_t count);
-  double (*power)(double x, const Fraction& exponent);
+  double (*power)(double x, const Exponent& exponent);
   // Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the distance of a fluid
   // share, a root with its steps, the shares at a root.
-  SurfaceNumbers<double> (*surface)(Order order, double stiffness, double offset);
+  SurfaceNumbers<double> (*surface)(Order order, const FilmLaw& law, double stiffness,
+                                    double offset);
   double (*share)(Order order, double stiffness, double argument);
   LoadShares<double> (*shares_above_floor)(Order order, const SurfaceNumbers<double>& surface,
                                            double distance);
   double (*distance_above_floor)(Order order, const SurfaceNumbers<double>& surface, double fluid);
-  SharingRoot<double> (*root)(Order order, const SurfaceNumbers<double>& surface,
-                              double flooded_film_parameter);
-  LoadShares<double> (*shares_at_root)(Order order, const SurfaceNumbers<double>& surface,
+  SharingRoot<double> (*root)(Order order, const FilmLaw& law,
+                              const SurfaceNumbers<double>& surface, double flooded_film_parameter);
+  LoadShares<double> (*shares_at_root)(Order order, const FilmLaw& law,
+                                       const SurfaceNumbers<double>& surface,
                                        double flooded_film_parameter, double film_parameter);
   // Roots of one surface for all points, and of one surface for each point; at most sharing_block
   // points. They return the number of steps.
-  std::size_t (*roots_of_one)(Order order, const SurfaceNumbers<double>& surface,
-                              const double* flooded, double* film_parameter, std::size_t count);
-  std::size_t (*roots_of_many)(Order order, const double* stiffness, const double* offset,
-                               const double* flooded, double* film_parameter, std::size_t count);
-  // Prepares contacts of one asperity model from scenes. Where K or δ is beyond the kernels' range,
-  // the floor that this gives is not valid.
-  void (*prepare)(AsperityModel model, const SceneNumbers<double>* scenes,
+  std::size_t (*roots_of_one)(Order order, const FilmLaw& law,
+                              const SurfaceNumbers<double>& surface, const double* flooded,
+                              double* film_parameter, std::size_t count);
+  std::size_t (*roots_of_many)(Order order, const FilmLaw& law, const double* stiffness,
+                               const double* offset, const double* flooded, double* film_parameter,
+                               std::size_t count);
+  // Prepares contacts of one asperity model and film law from scenes. Where K or δ is beyond the
+  // kernels' range, the floor that this gives is not valid.
+  void (*prepare)(AsperityModel model, const FilmLaw& law, const SceneNumbers<double>* scenes,
                   ContactNumbers<double>* contacts, std::size_t count);
   // λ₀ at a speed, the inlet at a film, and the outputs from both.
-  double (*flooded_film_parameter)(const ContactNumbers<double>& contact, double speed);
+  double (*flooded_film_parameter)(const FilmLaw& law, const ContactNumbers<double>& contact,
+                                   double speed);
   InletState<double> (*inlet)(const ContactWords& words, const ContactNumbers<double>& contact,
                               double speed, double film_parameter);
   void (*complete)(const ContactWords& words, const ContactNumbers<double>& contact,
@@ -81,10 +86,10 @@ struct Kernels {
 const Kernels& engine();
 
 // Are K and δ within the range of the kernels?
-bool is_within_engine(const SurfaceNumbers<double>& surface);
+bool is_within_engine(double stiffness, double offset);
 
 // Like the kernel `prepare`; beyond its range the floors come from the formula text.
-void prepare(AsperityModel model, std::span<const SceneNumbers<double>> scenes,
+void prepare(AsperityModel model, const FilmLaw& law, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts);
 
 }  // namespace tribo::detail

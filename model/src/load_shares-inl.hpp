@@ -50,18 +50,17 @@ HWY_INLINE V log_ratio(D d, V x, V y) {
   return hn::IfThenElse(is_near, logarithm_of_one_plus(d, difference), far);
 }
 
-// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/0.14}.
+// The shares at the root λ of a λ₀: 1 − A = (λ₀/λ)^{1/e}, e = a − b.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Shares<V> shares_at_root(D d, Order order, const detail::SurfaceNumbers<V>& surface,
-                                    V flooded, V lambda) {
-  const V one = hn::Set(d, 1.0), exponent = hn::Set(d, sharing_film_exponent<double>());
-  const double residual = ratio_residual<double>(sharing_exponent_of_film);
+HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
+                                    const detail::SurfaceNumbers<V>& surface, V flooded, V lambda) {
+  const V one = hn::Set(d, 1.0), exponent = hn::Set(d, law.sharing_power.value);
   const V log_film = log_ratio(d, flooded, lambda);
   const V log_fluid = hn::Div(log_film, exponent);
-  // A large logarithm makes much of the rounding of the quotient and of 0.14.
+  // A large logarithm makes much of the rounding of the quotient and of e.
   const Sum<V> exact = product(d, log_fluid, exponent);
   const V short_of = hn::Sub(hn::Sub(hn::Sub(log_film, exact.high), exact.low),
-                             hn::Mul(log_fluid, hn::Set(d, residual)));
+                             hn::Mul(log_fluid, hn::Set(d, law.sharing_power.residual)));
   const V rough = exponential(d, log_fluid);
   const V correction = hn::Mul(rough, hn::Div(short_of, exponent));
   // The correction is left out where it is NaN or not small, as for λ₀ = λ = 0.
@@ -183,14 +182,14 @@ HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceN
 // decreasing: steps of third order from the right of its zero. Within the kernels' range of K and
 // δ.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, V stiffness, V offset,
-                                                V film_at_unit_speed) {
+HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw& law, V stiffness,
+                                                V offset, V film_at_unit_speed) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
   const bool is_root = order == Order::five_halves;
   const V q = hn::Set(d, is_root ? 0.5 : 1.0), n = hn::Set(d, 0.5 * twice(order));
   const V lowest = hn::Neg(offset);
   const V square = hn::MulAdd(exponent_plus_one(d, stiffness), hn::Set(d, free_square_slope),
-                              hn::Set(d, free_square));
+                              hn::Set(d, free_square_of(law.sharing_power.value)));
   detail::SurfaceNumbers<V> surface{stiffness,
                                     offset,
                                     zero,
@@ -227,7 +226,7 @@ HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, V stiffness, V
   surface.hazard = hn::IfThenElseZero(has_floor, hn::Mul(q, hazard_at(x)));
   // A ≤ e^{−h(λ−λ_b)} above the floor, A being log-concave: λ − λ_b ≤ −ln(1 − (λ₀/λ_b)^p)/h.
   const V part = hn::Mul(hn::Set(d, 0.99 * 0x1p-54), hn::Mul(surface.hazard, surface.floor));
-  surface.floor_up_to = hn::Mul(surface.floor, decimal_power(d, part, sharing_exponent_of_film));
+  surface.floor_up_to = hn::Mul(surface.floor, decimal_power(d, part, law.sharing_power));
   return surface;
 }
 

@@ -2,7 +2,8 @@
 // The root of load sharing (load_sharing.hpp) in double, once for each instruction set, for one
 // lane and for vectors of points.
 //
-// In y = ln(λ/λ₀), with A = (K F_p(λ−δ))^q, and w = e^{−py} = 1 − A at the root, p = 1/0.14,
+// In y = ln(λ/λ₀), with A = (K F_p(λ−δ))^q, and w = e^{−py} = 1 − A at the root, p = 1/(a−b) of the
+// film law,
 //
 //   the film's form    g = ln(1 − A) − ln w
 //   the floor's form   g = ln(1 − w) − ln A, where A > w and λ|d ln A/dλ| A/(1 − A) > p
@@ -91,8 +92,8 @@ HWY_INLINE V times_exp(D d, V x, V s) {
 
 // A little above a floor, where A falls as e^{−hx} and (λ₀/λ)^p hardly changes.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Iterate<V> above_floor(D d, V floor, V hazard, V flooded) {
-  const V p = hn::Set(d, sharing_p), one = hn::Set(d, 1.0);
+HWY_INLINE Iterate<V> above_floor(D d, V film_power, V floor, V hazard, V flooded) {
+  const V p = film_power, one = hn::Set(d, 1.0);
   const V log_rise = rough_logarithm(d, hn::Div(floor, flooded));
   const V w = hn::Mul(exponential(d, hn::Neg(hn::Mul(p, log_rise))), hn::Set(d, 0.999));
   const V rest = hn::Sub(one, w);
@@ -104,7 +105,7 @@ HWY_INLINE Iterate<V> above_floor(D d, V floor, V hazard, V flooded) {
 // A start for a λ₀ below the floor. It lies a little above the zero of ln A, continued from λ₀ as a
 // parabola; this zero is taken as no greater than δ + √(2 ln K F_p(0)), which no floor exceeds.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, const SharingInputs<V>& in,
+HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, V film_power, const SharingInputs<V>& in,
                                        const Asperities<V>& at) {
   const V one = hn::Set(d, 1.0), two = hn::Set(d, 2.0);
   const V log_share = rough_logarithm(d, hn::Max(at.share, one));
@@ -115,18 +116,18 @@ HWY_INLINE Iterate<V> jump_above_floor(D d, Order order, const SharingInputs<V>&
   const V limit =
       hn::Add(in.offset, hn::Sqrt(hn::Mul(two, rough_logarithm(d, hn::Max(at_zero, one)))));
   distance = hn::Min(distance, hn::Max(hn::Sub(limit, in.flooded), hn::Zero(d)));
-  return above_floor(d, hn::Add(in.flooded, distance), hn::MulAdd(at.slope, distance, at.hazard),
-                     in.flooded);
+  return above_floor(d, film_power, hn::Add(in.flooded, distance),
+                     hn::MulAdd(at.slope, distance, at.hazard), in.flooded);
 }
 
-// A step is four functions of a point. A batch runs each over all its points before the next: the
-// chain of all four is longer than a processor looks ahead.
+// A step is four functions of a point, with p as film_power. A batch runs each over all its points
+// before the next: the chain of all four is longer than a processor looks ahead.
 
 // w = (λ₀/λ)^p
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V film_share(D d, V log_rise) {
+HWY_INLINE V film_share(D d, V film_power, V log_rise) {
   if (hn::AllTrue(d, hn::Eq(log_rise, hn::Zero(d)))) return hn::Set(d, 1.0);
-  return exponential(d, hn::Mul(hn::Set(d, -sharing_p), log_rise));
+  return exponential(d, hn::Neg(hn::Mul(film_power, log_rise)));
 }
 
 // 1 − x, not below 2^−60
@@ -138,11 +139,11 @@ HWY_INLINE V complement(D d, V x) {
 // Is the floor's form taken? It is where it bends less: near the root, g″/g′ of the film's form is
 // about (q/p)² times that of the floor's, with q = λ|d ln A/dλ| A/(1 − A).
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> is_by_floor(D d, const Iterate<V>& from, const Asperities<V>& at, V w) {
+HWY_INLINE hn::Mask<D> is_by_floor(D d, V film_power, const Iterate<V>& from,
+                                   const Asperities<V>& at, V w) {
   const V a = hn::Mul(at.hazard, from.film_parameter);
-  return hn::And(
-      hn::Gt(at.share, w),
-      hn::Gt(hn::Mul(a, at.share), hn::Mul(hn::Set(d, sharing_p), complement(d, at.share))));
+  return hn::And(hn::Gt(at.share, w),
+                 hn::Gt(hn::Mul(a, at.share), hn::Mul(film_power, complement(d, at.share))));
 }
 
 // g = ln(1 + s), s = (1 − A − w)/w in the film's form and (1 − A − w)/A in the floor's, without the
@@ -172,9 +173,9 @@ struct Step {
 // A step of fourth order on g, by the inverse of its Taylor series. With −ln A and −ln w = py, both
 // 0 or more, g = ln(1 − e^{−v}) + u: v is −ln A in the film's form, and u the other one.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Step<D> sharing_step(D d, V flooded, const Iterate<V>& from, const Asperities<V>& at,
-                                V w, hn::Mask<D> by_floor, V balance) {
-  const V one = hn::Set(d, 1.0), p = hn::Set(d, sharing_p), zero = hn::Zero(d);
+HWY_INLINE Step<D> sharing_step(D d, V film_power, V flooded, const Iterate<V>& from,
+                                const Asperities<V>& at, V w, hn::Mask<D> by_floor, V balance) {
+  const V one = hn::Set(d, 1.0), p = film_power, zero = hn::Zero(d);
   const V lambda = from.film_parameter;
   // of −ln A, in y
   const V a1 = hn::Mul(at.hazard, lambda);
@@ -233,20 +234,21 @@ struct Roots {
   int steps;
 };
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Roots<V> roots_from(D d, Order order, const SharingInputs<V>& in, Iterate<V> now) {
+HWY_INLINE Roots<V> roots_from(D d, Order order, V film_power, const SharingInputs<V>& in,
+                               Iterate<V> now) {
   auto is_open = hn::Eq(in.flooded, in.flooded);
   V root = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
   for (int steps = 1; steps <= max_sharing_steps; ++steps) {
     const Asperities<V> at = asperities(d, order, in, now.film_parameter);
-    const V w = film_share(d, now.log_rise);
-    const auto by_floor = is_by_floor(d, now, at, w);
-    const Step<D> step =
-        sharing_step(d, in.flooded, now, at, w, by_floor, log_balance(d, at.share, w, by_floor));
+    const V w = film_share(d, film_power, now.log_rise);
+    const auto by_floor = is_by_floor(d, film_power, now, at, w);
+    const Step<D> step = sharing_step(d, film_power, in.flooded, now, at, w, by_floor,
+                                      log_balance(d, at.share, w, by_floor));
     const auto below = is_below_floor(d, at, now);
     now = {times_exp(d, step.base, step.shift), step.log_rise};
     auto arrives = hn::And(step.is_last, is_open);
     if (HWY_UNLIKELY(!hn::AllFalse(d, below))) {
-      const Iterate<V> above = jump_above_floor(d, order, in, at);
+      const Iterate<V> above = jump_above_floor(d, order, film_power, in, at);
       now.film_parameter = hn::IfThenElse(below, above.film_parameter, now.film_parameter);
       now.log_rise = hn::IfThenElse(below, above.log_rise, now.log_rise);
       arrives = hn::AndNot(below, arrives);

@@ -102,7 +102,8 @@ class Travellers {
   using V = hn::Vec<D>;
 
   // `surface` is that of all, where there is one.
-  HWY_INLINE Travellers(D d, const detail::SurfaceNumbers<V>& surface) : d_(d) {
+  HWY_INLINE Travellers(D d, double film_power, const detail::SurfaceNumbers<V>& surface)
+      : d_(d), film_power_(film_power) {
     if constexpr (one_surface) {
       stiffness_[0] = hn::GetLane(surface.stiffness);
       offset_[0] = hn::GetLane(surface.offset);
@@ -161,6 +162,7 @@ class Travellers {
   }
 
   HWY_INLINE void move(Order order) {
+    const V film_power = hn::Set(d_, film_power_);
     for_each_vector([&](std::size_t i) HWY_ATTR {
       const auto at = asperities(d_, order, inputs(i), hn::Load(d_, film_parameter_ + i));
       hn::Store(at.share, d_, share_ + i);
@@ -169,19 +171,21 @@ class Travellers {
       hn::Store(at.bend, d_, bend_ + i);
     });
     for_each_vector([&](std::size_t i) HWY_ATTR {
-      hn::Store(film_share(d_, hn::Load(d_, log_rise_ + i)), d_, film_share_ + i);
+      hn::Store(film_share(d_, film_power, hn::Load(d_, log_rise_ + i)), d_, film_share_ + i);
     });
     for_each_vector([&](std::size_t i) HWY_ATTR {
       const V w = hn::Load(d_, film_share_ + i);
       const auto at = asperities_at(i);
-      hn::Store(log_balance(d_, at.share, w, is_by_floor(d_, iterate(i), at, w)), d_, balance_ + i);
+      hn::Store(log_balance(d_, at.share, w, is_by_floor(d_, film_power, iterate(i), at, w)), d_,
+                balance_ + i);
     });
     for_each_vector([&](std::size_t i) HWY_ATTR {
       const V w = hn::Load(d_, film_share_ + i);
       const Iterate<V> from = iterate(i);
       const Asperities<V> at = asperities_at(i);
-      const Step<D> step = sharing_step(d_, hn::Load(d_, flooded_ + i), from, at, w,
-                                        is_by_floor(d_, from, at, w), hn::Load(d_, balance_ + i));
+      const Step<D> step =
+          sharing_step(d_, film_power, hn::Load(d_, flooded_ + i), from, at, w,
+                       is_by_floor(d_, film_power, from, at, w), hn::Load(d_, balance_ + i));
       hn::Store(step.base, d_, base_ + i);
       hn::Store(step.shift, d_, shift_ + i);
       hn::StoreMaskBits(d_, step.is_last, is_last_ + i);
@@ -198,7 +202,8 @@ class Travellers {
   }
 
   HWY_NOINLINE void jump(Order order, std::size_t i, hn::Mask<D> below, const Step<D>& step) {
-    const Iterate<V> at = jump_above_floor(d_, order, inputs(i), asperities_at(i));
+    const Iterate<V> at =
+        jump_above_floor(d_, order, hn::Set(d_, film_power_), inputs(i), asperities_at(i));
     hn::Store(hn::IfThenElse(below, at.film_parameter, step.base), d_, base_ + i);
     hn::Store(hn::IfThenZeroElse(below, step.shift), d_, shift_ + i);
     hn::Store(hn::IfThenElse(below, at.log_rise, step.log_rise), d_, log_rise_ + i);
@@ -227,6 +232,7 @@ class Travellers {
   static constexpr std::size_t room = sharing_block + lanes;
   static constexpr std::size_t surface_room = one_surface ? 1 : room;
   D d_;
+  double film_power_;
   std::size_t count_ = 0;
   HWY_ALIGN double stiffness_[surface_room];
   HWY_ALIGN double offset_[surface_room];
@@ -256,7 +262,7 @@ struct RootStart {
 };
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE RootStart<D> root_start(D d, const detail::SurfaceNumbers<V>& surface,
+HWY_INLINE RootStart<D> root_start(D d, V film_power, const detail::SurfaceNumbers<V>& surface,
                                    const SharingInputs<V>& in) {
   const auto good = in_range(d, in);
   const auto is_film = hn::Ge(in.flooded, surface.film_from);
@@ -268,7 +274,7 @@ HWY_INLINE RootStart<D> root_start(D d, const detail::SurfaceNumbers<V>& surface
   RootStart<D> start{{hn::IfThenElse(good, lambda, nan), hn::Zero(d)}, open};
   if (hn::AllFalse(d, below)) return start;
   const Iterate<V> above =
-      above_floor(d, surface.floor, surface.hazard, hn::Min(in.flooded, surface.floor));
+      above_floor(d, film_power, surface.floor, surface.hazard, hn::Min(in.flooded, surface.floor));
   start.at.film_parameter = hn::IfThenElse(below, above.film_parameter, start.at.film_parameter);
   start.at.log_rise = hn::IfThenElse(below, above.log_rise, start.at.log_rise);
   return start;
@@ -278,17 +284,18 @@ HWY_INLINE RootStart<D> root_start(D d, const detail::SurfaceNumbers<V>& surface
 // of points that starts at i. A root that is left to Newton's method is NaN. Returns the number of
 // steps.
 template <class D, bool one_surface, class SurfaceAt>
-HWY_INLINE std::size_t roots_of_block(D d, Order order, const SurfaceAt& surface_at,
-                                      const double* flooded, double* result, std::size_t count) {
+HWY_INLINE std::size_t roots_of_block(D d, Order order, double film_power,
+                                      const SurfaceAt& surface_at, const double* flooded,
+                                      double* result, std::size_t count) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> integers;
   auto place = hn::Iota(integers, 0);
-  Travellers<D, one_surface> travellers(d, surface_at(0));
+  Travellers<D, one_surface> travellers(d, film_power, surface_at(0));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     const std::size_t left = count - i;
     const detail::SurfaceNumbers<V>& surface = surface_at(i);
     const SharingInputs<V> in{surface.stiffness, surface.offset, load(d, flooded + i, left)};
-    const auto start = root_start(d, surface, in);
+    const auto start = root_start(d, hn::Set(d, film_power), surface, in);
     store(d, start.at.film_parameter, result + i, left);
     travellers.add(hn::And(start.is_open, hn::FirstN(d, left)), in, start.at,
                    hn::BitCast(d, place));

@@ -46,9 +46,12 @@ void MixedContacts::prepare() {
   numbers_.resize(scenes_.size());
   for_each_run(
       old, scenes_.size(),
-      [&](std::size_t i, std::size_t j) { return words_[i].model == words_[j].model; },
+      [&](std::size_t i, std::size_t j) {
+        return words_[i].model == words_[j].model && words_[i].film == words_[j].film;
+      },
       [&](std::size_t first, std::size_t end) {
-        detail::prepare(words_[first].model, std::span(scenes_).subspan(first, end - first),
+        detail::prepare(words_[first].model, *words_[first].film,
+                        std::span(scenes_).subspan(first, end - first),
                         std::span(numbers_).subspan(first, end - first));
       });
 }

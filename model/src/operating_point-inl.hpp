@@ -31,8 +31,9 @@ struct Flooded {
 };
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V flooded_film_parameter(D d, const detail::ContactNumbers<V>& contact, V speed) {
-  return hn::Mul(contact.surface.film_at_unit_speed, decimal_power(d, speed, speed_exponent));
+HWY_INLINE V flooded_film_parameter(D d, const FilmLaw& law,
+                                    const detail::ContactNumbers<V>& contact, V speed) {
+  return hn::Mul(contact.surface.film_at_unit_speed, decimal_power(d, speed, law.speed_power));
 }
 
 // h_oil/σ_s
@@ -113,13 +114,14 @@ HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>
       is_high, hn::Mul(hn::Mul(factor, hn::Div(of_load, surface.stiffness)), ratio), value);
 }
 
-// Is A < 2^−54, half an ulp of 1 − A? This follows from the bound at film_from, where A < 2^−54 p,
-// p = 1/0.14: beyond it the bound falls as e^{−d²/4}.
+// Is A < 2^−54, half an ulp of 1 − A? This follows from the bound at film_from, where A < 2^−54/e,
+// e = a − b: beyond it the bound falls as e^{−d²/4}.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const detail::SurfaceNumbers<V>& surface,
-                                             V film) {
+HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const FilmLaw& law,
+                                             const detail::SurfaceNumbers<V>& surface, V film) {
   const V x = hn::Sub(film, surface.offset), limit = hn::Sub(surface.film_from, surface.offset);
-  const V beyond = hn::MulAdd(limit, limit, hn::Set(d, 7.9));  // 4 ln p < 7.9
+  const V beyond =
+      hn::MulAdd(limit, limit, hn::Set(d, square_beyond_free(law.sharing_power.value)));
   return hn::And(hn::Gt(x, hn::Zero(d)), hn::Gt(hn::Mul(x, x), beyond));
 }
 
@@ -187,7 +189,7 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   Shares<V> shares{zero, zero};
   if (needs_shares) {
     auto is_free = hn::Lt(one, zero);
-    if (!needs.exact_share) is_free = is_free_of_asperities(d, surface, lambda);
+    if (!needs.exact_share) is_free = is_free_of_asperities(d, *words.film, surface, lambda);
     if (!hn::AllTrue(d, is_free))
       shares = needs.is_starved ? starved_shares(d, order, surface, flooded, inlet, lambda)
                                 : flooded.shares;
@@ -263,8 +265,8 @@ HWY_INLINE void complete_root(D d, const detail::ContactWords& words,
   Flooded<V> flooded{speed, film_parameter, {zero, one}};
   // A starved film has shares of its own; only near a floor they rest on those of the flooded one.
   if (shares && (!needs.is_starved || has_floor))
-    flooded.shares =
-        shares_at_root(d, load_order(words.model), contact.surface, flooded_film, film_parameter);
+    flooded.shares = shares_at_root(d, load_order(words.model), *words.film, contact.surface,
+                                    flooded_film, film_parameter);
   Starvation<D> inlet{one, zero, hn::Lt(one, zero)};
   if (needs.inlet) {
     inlet = inlet_of(d, words, contact, speed, film_parameter, shares && has_floor).starvation;

@@ -8,15 +8,21 @@
 
 namespace tribo {
 
-// p = 1/0.14
-inline constexpr double sharing_p = 50.0 / 7;
-
-// Where λ = λ₀ to half an ulp: (λ₀ − δ)² ≥ free_square + free_square_slope·(e + 1), λ₀ ≥ δ, with
-// K < 2^{e+1}. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0, so that with q = 1/2 and p = 5/2
-//   ln A ≤ ½ ln(2^{e+1} F_p(0)) − d²/4 ≤ ln(2^−54/0.14);
+// Where λ = λ₀ to half an ulp: (λ₀ − δ)² ≥ free_square_of(e) + free_square_slope·(k + 1), λ₀ ≥ δ,
+// with K < 2^{k+1} and the film's exponent e = a − b. F_p(d) ≤ F_p(0) e^{−d²/2} for d ≥ 0, so that
+// with q = 1/2 and p = 5/2
+//   ln A ≤ ½ ln(2^{k+1} F_p(0)) − d²/4 ≤ ln(2^−54/e);
 // with q = 1 and p = 3/2 A is below the square of that. 4 ln(0.14·2^54) + 2 ln F_{5/2}(0) = 140.89
-// and 2 ln 2 are rounded up.
+// and 2 ln 2 are rounded up; the first grows by 4 ln(e/0.14) ≤ 4(e/0.14 − 1).
 inline constexpr double free_square = 141.1, free_square_slope = 1.3863;
+constexpr double free_square_of(double film_exponent) {
+  return free_square - 4 + 4 / 0.14 * film_exponent;
+}
+static_assert(free_square_of(0.14) == free_square);
+// Beyond that square by this much A < 2^−54: more than 4 ln(1/e), as the sum of both is 149.
+constexpr double square_beyond_free(double film_exponent) {
+  return 149 + 4 - free_square - 4 / 0.14 * film_exponent;
+}
 
 // The range in which the engine's root may be used: nothing in it overflows or loses digits. Beyond
 // this range the formula text in long double is used.

@@ -54,7 +54,8 @@ HWY_INLINE InverseRatio<V> inverse_ratio(D d, StarvationClosure closure, V x) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V root_of_inlet_length(D d, StarvationClosure closure, V g) {
   const V one = hn::Set(d, 1.0);
-  const V long_inlet = decimal_power(d, hn::Mul(hn::Set(d, crook_constant<double>()), g), {1, 3});
+  const V long_inlet =
+      decimal_power(d, hn::Mul(hn::Set(d, crook_constant<double>()), g), Fraction{1, 3});
   V short_inlet;
   if (closure == StarvationClosure::printed_exponents) {
     const V root =
@@ -85,8 +86,9 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V inlet_length(D d, StarvationClosure closure, V r) {
   const V one = hn::Set(d, 1.0);
   if (closure == StarvationClosure::flooded_inlet)
-    return decimal_power(
-        d, hn::Mul(hn::Div(hn::Sub(one, r), r), hn::Set(d, crook_constant<double>())), {2, 3});
+    return decimal_power(d,
+                         hn::Mul(hn::Div(hn::Sub(one, r), r), hn::Set(d, crook_constant<double>())),
+                         Fraction{2, 3});
   const V root = root_of_inlet_length(d, closure, hn::Div(one, r));
   return hn::Mul(root, root);
 }

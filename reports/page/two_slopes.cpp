@@ -85,7 +85,8 @@ TwoSlopes two_slopes(const SolvedCase& base) {
            {"paper", "as the scene file", base.curve,
             slope_at(base.contact, range.low, range.low * 1.001),
             slope_at(base.contact, range.high / 1.001, range.high), base.at_onset}},
-          {guide(film_speed_exponent<double>(), knee, above, range.low * third, knee / third),
+          {guide(hamrock_dowson_central_law.speed_power.value, knee, above, range.low * third,
+                 knee / third),
            guide(-1, knee, above, knee * std::sqrt(third), knee * third * std::sqrt(third))}};
 }
 

@@ -33,7 +33,7 @@ NUMBERS = {
     "closures.damiens_exponent": (3, False, False),
 }
 CHOICES = ["friction.fluid", "friction.viscosity", "closures.asperity", "closures.starvation",
-           "speed.spacing"]
+           "closures.film", "speed.spacing"]
 
 
 def base_for(path):

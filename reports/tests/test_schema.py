@@ -92,7 +92,7 @@ def corpus():
         for value in VALUES:
             yield with_value(base, path, value)
     for path in ["speed.spacing", "friction.fluid", "friction.viscosity", "closures.asperity",
-                 "closures.starvation"]:
+                 "closures.starvation", "closures.film"]:
         for word in WORDS:
             yield with_value(base_for(path), path, word)
     roelands = with_value(GOOD, "friction.viscosity", "roelands")

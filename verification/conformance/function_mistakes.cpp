@@ -65,7 +65,9 @@ FilmLaw law_of(const json& written) {
       throw std::runtime_error(fmt::format("law: {} is not allowed", name));
     *found->second = fraction_of(value);
   }
-  return law;
+  // a new row, so that its last members follow from these
+  return {law.constant,      law.speed_exponent, law.material_exponent,
+          law.load_exponent, law.side_leakage,   law.side_decay};
 }
 
 struct ArgumentChange {

@@ -141,7 +141,7 @@ Value shared_film_of_exponent(const Arguments& a, Numbers numbers) {
   return with_own_moment(a, a[3], numbers[0]);
 }
 Value shared_film_with_offset_added(const Arguments& a, Numbers) {
-  return with_own_moment(a, -a[3], sharing_film_exponent<double>());
+  return with_own_moment(a, -a[3], hamrock_dowson_central_law.sharing_power.value);
 }
 Value unshared_film(const Arguments& a, Numbers) { return a[1]; }
 

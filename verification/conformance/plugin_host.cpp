@@ -110,10 +110,19 @@ Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) 
   return [=](std::span<const Scene> scenes, std::span<Answer<PointResult>> answers) {
     std::vector<double> speeds;
     for (std::size_t first = 0; first < scenes.size(); first += speeds.size()) {
-      const tribocheck_scene scene = plugin_scene(scenes[first]);
       speeds.clear();
+      // The header knows no film law but the default one.
+      const auto has_its_film = [](const Scene& scene) {
+        return scene.closures.film == FilmFormula::hamrock_dowson_central;
+      };
+      if (!has_its_film(scenes[first])) {
+        speeds.push_back(scenes[first].speeds[0]);
+        answers[first] = point_answer(TRIBOCHECK_NOT_OFFERED, empty_point());
+        continue;
+      }
+      const tribocheck_scene scene = plugin_scene(scenes[first]);
       for (std::size_t i = first; i < scenes.size(); ++i) {
-        if (bytes_of(plugin_scene(scenes[i])) != bytes_of(scene)) break;
+        if (!has_its_film(scenes[i]) || bytes_of(plugin_scene(scenes[i])) != bytes_of(scene)) break;
         speeds.push_back(scenes[i].speeds[0]);
       }
       std::vector<tribocheck_point> points(speeds.size(), empty_point());

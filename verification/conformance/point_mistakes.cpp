@@ -138,7 +138,7 @@ double right_film(const Scene& s) {
 // Multiplies the film formula by a factor: changes the speed, but keeps the sliding speed and the
 // supply as they are.
 void scale_film(Scene& scene, double factor) {
-  const double by = decimal_power(factor, inverse(speed_exponent));
+  const double by = decimal_power(factor, inverse(hamrock_dowson_central_law.speed_exponent));
   for (double& speed : scene.speeds.list) speed *= by;
   scene.friction.slide_roll_ratio /= by;
   if (scene.supply.kind == SupplyKind::inlet_flow) scene.supply.value *= by;

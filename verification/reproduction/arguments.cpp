@@ -166,7 +166,8 @@ Argument onset_spacing(const PaperScenes& scenes, const std::vector<Item>& items
   const double sds =
       scenes.scene[upper].surface.summit_height_sd / scenes.scene[lower].surface.summit_height_sd;
   argument.candidates.push_back(
-      {"σ_s^1/0.67, no load sharing", decimal_power(sds, inverse(speed_exponent)), false});
+      {"σ_s^1/0.67, no load sharing",
+       decimal_power(sds, inverse(hamrock_dowson_central_law.speed_exponent)), false});
   const std::vector<double> speeds =
       speed_grid(scenes.scene[0].speeds.from, scenes.scene[0].speeds.to);
   for (std::size_t k = 0; k < onset_choices.size(); ++k) {

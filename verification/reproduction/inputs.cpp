@@ -74,7 +74,8 @@ double* member(Scene& scene, Field field) {
 }  // namespace
 
 double PaperScenes::film_scale() const {
-  return film_constant_scale * decimal_power(speed_scale, speed_exponent);
+  return film_constant_scale *
+         decimal_power(speed_scale, hamrock_dowson_central_law.speed_exponent);
 }
 
 std::string_view name(Field field) { return field_names[static_cast<std::size_t>(field)]; }

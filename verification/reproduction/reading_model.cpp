@@ -9,6 +9,8 @@
 namespace tribo::reproduction {
 namespace {
 
+constexpr const FilmLaw& law = hamrock_dowson_central_law;
+
 bool is_gt(const Scene& scene) { return scene.closures.asperity == AsperityModel::greenwood_tripp; }
 
 double nominal_area(const Scene& scene, const Reading& reading) {
@@ -35,9 +37,9 @@ AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading
 // E* for 2E* doubles U and W and halves G; the sum of the speeds doubles U.
 double film_factor(const Scene& scene, const Reading& reading) {
   const int doublings = reading.at(Switch::speed_modulus) + reading.at(Switch::speed);
-  double factor = decimal_power(double(1 << doublings), speed_exponent);
-  if (reading.is(Switch::material_modulus, 1)) factor /= decimal_power(2.0, material_exponent);
-  if (reading.is(Switch::load_modulus, 1)) factor *= decimal_power(2.0, load_exponent);
+  double factor = decimal_power(double(1 << doublings), law.speed_exponent);
+  if (reading.is(Switch::material_modulus, 1)) factor /= decimal_power(2.0, law.material_exponent);
+  if (reading.is(Switch::load_modulus, 1)) factor *= decimal_power(2.0, law.load_exponent);
   if (reading.is(Switch::film_constant, 1))
     factor *= 2.69 / hamrock_dowson_constant(scene.bodies.ellipticity);
   return factor;
@@ -67,7 +69,7 @@ ReadContact::ReadContact(const Scene& scene, const Reading& reading, double film
       sharing_(asperities_.model, asperities_.stiffness, asperities_.offset) {}
 
 double ReadContact::flooded_film_parameter(double speed) const {
-  return sharing_.film_parameter(film_at_unit_speed_ * decimal_power(speed, speed_exponent));
+  return sharing_.film_parameter(film_at_unit_speed_ * decimal_power(speed, law.speed_exponent));
 }
 
 double ReadContact::asperity_share(double film_parameter) const {
@@ -105,8 +107,8 @@ double ReadContact::friction(const ContactPoint& point, FrictionLaw law) const {
 std::optional<double> ReadContact::speed_at(double film_parameter) const {
   if (sharing_.has_floor() && film_parameter <= sharing_.floor()) return std::nullopt;
   const double fluid = sharing_.shares_above_floor(film_parameter - sharing_.floor()).fluid;
-  const double flooded = LoadSharing<double>::flooded_film_parameter(film_parameter, fluid);
-  return decimal_power(flooded / film_at_unit_speed_, inverse(speed_exponent));
+  const double flooded = sharing_.flooded_film_parameter(film_parameter, fluid);
+  return decimal_power(flooded / film_at_unit_speed_, inverse(law.speed_exponent));
 }
 
 std::optional<OnsetPoint> ReadContact::onset_at_ratio(double r, const ReadInlet& inlet) const {
@@ -119,10 +121,10 @@ std::optional<OnsetPoint> ReadContact::onset_at_ratio(double r, const ReadInlet&
 double ReadContact::film_slope(double r, const ReadInlet& inlet) const {
   const double lambda = r * inlet_film_ratio_;
   const double share = asperity_share(lambda);
-  const double stiffening = share > 0 ? -sharing_film_exponent<double>() * share *
+  const double stiffening = share > 0 ? -law.sharing_power.value * share *
                                             sharing_.asperity_share_slope(lambda) / (1 - share)
                                       : 0;
-  return film_speed_exponent<double>() / (1 + stiffening) * (1 + inlet.slope(r));
+  return law.speed_power.value / (1 + stiffening) * (1 + inlet.slope(r));
 }
 
 std::optional<OnsetPoint> explicit_onset(const ReadContact& contact, const ReadInlet& inlet,

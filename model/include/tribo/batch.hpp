@@ -38,14 +38,16 @@ struct SharingWork {
 SharingWork film_parameter(AsperityModel model, std::span<const double> stiffness,
                            std::span<const double> offset,
                            std::span<const double> flooded_film_parameter,
-                           std::span<double> film_parameter);
+                           std::span<double> film_parameter,
+                           const FilmLaw& film = hamrock_dowson_central_law);
 SharingWork film_parameter(const LoadSharing<double>& sharing,
                            std::span<const double> flooded_film_parameter,
                            std::span<double> film_parameter);
 
 // The film parameter of a single point; its surface is prepared for this call alone.
 double film_parameter(AsperityModel model, double stiffness, double offset,
-                      double flooded_film_parameter);
+                      double flooded_film_parameter,
+                      const FilmLaw& film = hamrock_dowson_central_law);
 
 // The instruction set that this process uses, by Highway's name: AVX3, AVX2, SSE4, SCALAR
 std::string_view instruction_set();

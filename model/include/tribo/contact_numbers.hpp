@@ -6,6 +6,10 @@
 
 #include "tribo/scene.hpp"
 
+namespace tribo {
+struct FilmLaw;
+}
+
 namespace tribo::detail {
 
 // Of one surface under one load. T is double, or a vector of many surfaces' numbers.
@@ -18,7 +22,7 @@ struct SurfaceNumbers {
   T hazard;              // −d ln A/dλ at the floor: positive; 0 if there is no floor
   T floor_up_to;         // λ = λ_b to half an ulp for λ₀ from 0 to here
   T film_from;           // λ = λ₀ to half an ulp for λ₀ from here on
-  T film_at_unit_speed;  // λ₀/u^0.67
+  T film_at_unit_speed;  // λ₀/u^a
 };
 
 template <class T>
@@ -51,11 +55,13 @@ struct ContactWords {
   SupplyKind supply;
   FluidShear fluid;
   ViscosityLaw viscosity;
+  const FilmLaw* film;
 
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
 
-// Conversions between a scene and the words and numbers that a contact needs of it.
+// Conversions between a scene and the words and numbers that a contact needs of it; a scene made of
+// words and numbers names the default film law, whatever the law of the words.
 ContactWords words_of(const Scene& scene);
 SceneNumbers<double> numbers_of(const Scene& scene);
 Scene scene_of(const ContactWords& words, const SceneNumbers<double>& numbers);

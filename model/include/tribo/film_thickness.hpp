@@ -5,18 +5,24 @@
 //   h/R = C U^a G^b W^c (1 − m e^{−nk}),   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²), E_HD =
 //   2E*.
 //
-// The model's own law is Hamrock and Dowson's central film (paper, eqs 1.20 to 1.22, with 0.61 for
-// the misprinted 0.6): B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point
+// The default is Hamrock and Dowson's central film (paper, eqs 1.20 to 1.22, with 0.61 for the
+// misprinted 0.6): B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point
 // contacts, part III. J. Lubr. Technol. 99 (1977) 264, doi 10.1115/1.3453074.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "tribo/contract.hpp"
 #include "tribo/real.hpp"
+#include "tribo/scene.hpp"
 
 namespace tribo {
 
 inline constexpr Contract film_contract{20, 0};
 
+// A row, and what follows from it. Contacts keep the address of their law, which must outlive them:
+// laws are constants.
 struct FilmLaw {
   Fraction constant;           // C
   Fraction speed_exponent;     // a, of U
@@ -24,9 +30,17 @@ struct FilmLaw {
   Fraction load_exponent;      // c, of W
   Fraction side_leakage;       // m; 0: the constant does not depend on k
   Fraction side_decay;         // n
+
+  // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
+  // divided by it, and W stays: h = h₀ γ^{a−b}.
+  Fraction sharing_exponent = speed_exponent - material_exponent;
+  // In the engine's form.
+  Exponent speed_power = speed_exponent;
+  Exponent sharing_power = sharing_exponent;
 };
 
-// Central and minimum film of Hamrock and Dowson (1977).
+// Central film (0.67 − 0.53 = 0.14 after load sharing) and minimum film (0.19) of Hamrock and
+// Dowson (1977).
 inline constexpr FilmLaw hamrock_dowson_central_law{.constant = {269, 100},
                                                     .speed_exponent = {67, 100},
                                                     .material_exponent = {53, 100},
@@ -40,29 +54,31 @@ inline constexpr FilmLaw hamrock_dowson_minimum_law{.constant = {363, 100},
                                                     .side_leakage = {1, 1},
                                                     .side_decay = {68, 100}};
 
-// The exponents of the model's own law.
-inline constexpr Fraction speed_exponent = hamrock_dowson_central_law.speed_exponent;
-inline constexpr Fraction material_exponent = hamrock_dowson_central_law.material_exponent;
-inline constexpr Fraction load_exponent = hamrock_dowson_central_law.load_exponent;
-
-// d ln h₀/d ln u.
-template <class T>
-T film_speed_exponent() {
-  return ratio<T>(speed_exponent);
+// The law that a scene names.
+constexpr const FilmLaw& film_law(FilmFormula formula) {
+  constexpr std::array<const FilmLaw*, film_formula_words.size()> laws{&hamrock_dowson_central_law,
+                                                                       &hamrock_dowson_minimum_law};
+  return *laws[static_cast<std::size_t>(formula)];
 }
 
-// d ln h₀/d ln α, and the exponent of γ that remains after load sharing is 0.67 − 0.53 = 0.14.
-template <class T>
-T film_material_exponent() {
-  return ratio<T>(material_exponent);
+// Laws that load sharing takes: 0.01 ≤ a − b ≤ 0.3, and exponents of at most three decimals.
+constexpr bool is_law_of_load_sharing(const FilmLaw& law) {
+  return law.sharing_power.value >= 0.01 && law.sharing_power.value <= 0.3 &&
+         1000 % law.speed_exponent.q == 0 && 1000 % law.material_exponent.q == 0 &&
+         1000 % law.load_exponent.q == 0;
 }
+static_assert(is_law_of_load_sharing(hamrock_dowson_central_law));
+static_assert(is_law_of_load_sharing(hamrock_dowson_minimum_law));
 
 // C (1 − m e^{−nk}).
 template <class T>
 T film_constant(const FilmLaw& law, const T& ellipticity) {
   using std::exp;
-  return ratio<T>(law.constant) *
-         (1 - ratio<T>(law.side_leakage) * exp(-ratio<T>(law.side_decay) * ellipticity));
+  using std::expm1;
+  const T decay = -ratio<T>(law.side_decay) * ellipticity;
+  if (law.side_leakage.p == law.side_leakage.q)  // the difference cancels where k is small
+    return ratio<T>(law.constant) * -expm1(decay);
+  return ratio<T>(law.constant) * (1 - ratio<T>(law.side_leakage) * exp(decay));
 }
 
 // 2.69 (1 − 0.61 e^{−0.73k}), 1.8992… for a circular contact, k = 1.
@@ -88,7 +104,7 @@ T film_thickness(const FilmLaw& law, const T& speed, const T& viscosity,
          decimal_power(load_number, law.load_exponent);
 }
 
-// h₀ in m: film_thickness() by the model's own law.
+// h₀ in m: film_thickness() by the default law.
 template <class T>
 T hamrock_dowson_central(const T& speed, const T& viscosity, const T& pressure_viscosity,
                          const T& load, const T& effective_modulus, const T& reduced_radius,

@@ -6,12 +6,13 @@
 // 175. With λ₀ = h₀/σ_s:
 //
 //   A(λ) = (K F_p(λ−δ))^q,                     the load share of the asperities
-//   ln λ − ln λ₀ + 0.14 ln(1 − A(λ)) = 0       on {A < 1}: exactly one root λ.
+//   ln λ − ln λ₀ + e ln(1 − A(λ)) = 0          on {A < 1}: exactly one root λ.
 //
-// The floor λ_b solves A(λ_b) = 1; it exists where A(0) ≥ 1 and is 0 otherwise. With
-// w = (λ₀/λ)^{1/0.14}, the load share of the film at the root, q(λ) = A + w − 1 is decreasing and
-// convex (A″ ≥ 0 by Cauchy and Schwarz), and q ≥ 0 at max(λ₀, λ_b). Newton's steps from there rise
-// monotonically to the root: they never fail.
+// e = a − b is the film law's (film_thickness.hpp), 0.14 for the default law. The floor λ_b solves
+// A(λ_b) = 1; it exists where A(0) ≥ 1 and is 0 otherwise. With w = (λ₀/λ)^{1/e}, the load share of
+// the film at the root, q(λ) = A + w − 1 is decreasing and convex (A″ ≥ 0 by Cauchy and Schwarz),
+// and q ≥ 0 at max(λ₀, λ_b). Newton's steps from there rise monotonically to the root: they never
+// fail.
 #pragma once
 
 #include "tribo/asperity_contact.hpp"
@@ -26,13 +27,6 @@ inline constexpr Contract load_sharing_contract{4, 8.5};
 
 // Steps to a root in double, at most.
 inline constexpr int max_sharing_steps = 16;
-
-// λ = λ₀(1−A)^−0.14
-inline constexpr Fraction sharing_exponent_of_film{14, 100};
-template <class T>
-T sharing_film_exponent() {
-  return ratio<T>(sharing_exponent_of_film);
-}
 
 // The state of load sharing at one film.
 template <class T>
@@ -68,17 +62,21 @@ class MixedContact;
 template <class T>
 class LoadSharing {
  public:
-  // stiffness K ≥ 0, offset δ ≥ 0.
-  LoadSharing(AsperityModel model, const T& stiffness, const T& offset)
-      : order_(load_order(model)),
+  // stiffness K ≥ 0, offset δ ≥ 0. The address of the law is kept.
+  LoadSharing(AsperityModel model, const T& stiffness, const T& offset,
+              const FilmLaw& film = hamrock_dowson_central_law)
+      : film_(&film),
+        order_(load_order(model)),
         exponent_(sharing_exponent<T>(model)),
         stiffness_(stiffness),
         offset_(offset) {
     find_floor();
   }
+  LoadSharing(AsperityModel, const T&, const T&, FilmLaw&&) = delete;
 
   const T& stiffness() const { return stiffness_; }
   const T& offset() const { return offset_; }
+  const FilmLaw& film() const { return *film_; }
   bool has_floor() const { return has_floor_; }
   // λ_b, 0 where there is none. Error: 20 ε × condition, which grows as A(0) → 1.
   const T& floor() const { return floor_; }
@@ -128,9 +126,9 @@ class LoadSharing {
     return log(T(-floor_log_slope_));
   }
 
-  // λ₀ of a film: λ(1−A)^0.14, from λ and its fluid share.
-  static T flooded_film_parameter(const T& film_parameter, const T& fluid_share) {
-    return film_parameter * decimal_power(fluid_share, sharing_exponent_of_film);
+  // λ₀ of a film: λ(1−A)^e, from λ and its fluid share.
+  T flooded_film_parameter(const T& film_parameter, const T& fluid_share) const {
+    return film_parameter * decimal_power(fluid_share, film_exponent());
   }
 
   // The root, with its load shares. λ₀ > 0, or 0 by an underflow. Error: load_sharing_contract.
@@ -163,15 +161,15 @@ class LoadSharing {
     return shares(flooded_film_parameter, root.film_parameter, root.iterations);
   }
 
-  // Newton gains a factor of about 1.14 in λ a step where A stays near 1 (up to 45 steps in double,
-  // 130 in 50 digits), then converges quadratically.
+  // Where A stays near 1 a step of Newton's multiplies λ by about 1 + e, and w by about 1/2.7 (up
+  // to 45 steps in double, 130 in 50 digits); then it converges quadratically.
   static constexpr int max_iterations = 1000;
 
  private:
   // From max(λ₀, λ_b) on the convex q: rises to the root.
   Root newton_root(const T& lambda0) const {
     using std::expm1;
-    const T p = 1 / sharing_film_exponent<T>();
+    const T p = 1 / ratio<T>(film_exponent());
     T lambda = lambda0 < floor_ ? floor_ : lambda0;
     int iterations = 0;
     while (iterations < max_iterations) {
@@ -251,13 +249,13 @@ class LoadSharing {
     using std::exp;
     using std::expm1;
     const T log_film = log_ratio(lambda0, lambda);
-    const T exponent = sharing_film_exponent<T>();
+    const T exponent = ratio<T>(film_exponent());
     const T log_fluid = log_film / exponent;
     T fluid = exp(log_fluid);
-    // Where the logarithm is large, it enlarges the rounding errors of the quotient and of 0.14.
+    // Where the logarithm is large, it enlarges the rounding errors of the quotient and of e.
     if constexpr (std::is_floating_point_v<T>)
       fluid += fluid * ((std::fma(-log_fluid, exponent, log_film) -
-                         log_fluid * ratio_residual<T>(sharing_exponent_of_film)) /
+                         log_fluid * ratio_residual<T>(film_exponent())) /
                         exponent);
     const T asperity = fluid < ratio<T>(1, 2) ? T(-expm1(log_fluid)) : asperity_share(lambda);
     return {lambda, asperity, fluid, iterations};
@@ -300,8 +298,11 @@ class LoadSharing {
     floor_log_slope_ = asperities(floor_argument_).log_slope;
   }
 
+  const Fraction& film_exponent() const { return film_->sharing_exponent; }  // e
+
+  const FilmLaw* film_;
   Order order_;
-  T exponent_;
+  T exponent_;  // q
   T stiffness_;
   T offset_;
   T floor_{};
@@ -317,7 +318,9 @@ class LoadSharing<double> {
  public:
   using Root = SharingRoot<double>;
 
-  LoadSharing(AsperityModel model, double stiffness, double offset);
+  LoadSharing(AsperityModel model, double stiffness, double offset,
+              const FilmLaw& film = hamrock_dowson_central_law);
+  LoadSharing(AsperityModel, double, double, FilmLaw&&) = delete;
 
   double stiffness() const { return surface_.stiffness; }
   double offset() const { return surface_.offset; }
@@ -327,21 +330,24 @@ class LoadSharing<double> {
   double asperity_share_slope(double film_parameter) const;
   LoadShares<double> shares_above_floor(double distance) const;
   double distance_above_floor(double fluid) const;
-  static double flooded_film_parameter(double film_parameter, double fluid_share);
+  double flooded_film_parameter(double film_parameter, double fluid_share) const;
   LoadShares<double> solve(double flooded_film_parameter) const;
   double film_parameter(double flooded_film_parameter) const;
   Root root(double flooded_film_parameter) const;
   LoadShares<double> shares_at(double flooded_film_parameter, const Root& root) const;
 
   AsperityModel model() const { return model_; }
+  const FilmLaw& film() const { return *film_; }
   const detail::SurfaceNumbers<double>& surface() const { return surface_; }
 
  private:
   friend class MixedContact<double>;
-  LoadSharing(AsperityModel model, const detail::SurfaceNumbers<double>& surface)
-      : model_(model), surface_(surface) {}
+  LoadSharing(AsperityModel model, const detail::SurfaceNumbers<double>& surface,
+              const FilmLaw& film)
+      : model_(model), film_(&film), surface_(surface) {}
 
   AsperityModel model_;
+  const FilmLaw* film_;
   detail::SurfaceNumbers<double> surface_;
 };
 

@@ -38,8 +38,12 @@ template <class T>
 class MixedContact {
  public:
   // The scene's fields must be in range (scene_reader.hpp sees to it).
-  explicit MixedContact(const Scene& scene)
-      : load_(T(scene.load)),
+  explicit MixedContact(const Scene& scene) : MixedContact(scene, film_law(scene.closures.film)) {}
+
+  // With a film law that no word names.
+  MixedContact(const Scene& scene, const FilmLaw& film)
+      : film_(&film),
+        load_(T(scene.load)),
         summit_height_sd_(T(scene.surface.summit_height_sd)),
         lubricant_{T(scene.lubricant.viscosity), T(scene.lubricant.pressure_viscosity),
                    T(scene.lubricant.eyring_stress.value_or(1))},
@@ -58,16 +62,18 @@ class MixedContact {
             T(scene.surface.summit_radius), summit_height_sd_,
             T(T(scene.surface.offset_planes) * T(scene.surface.summit_plane_offset)),
             T(scene.bodies.effective_modulus), hertz_.nominal_area, load_)),
-        sharing_(asperities_.model, asperities_.stiffness, asperities_.offset),
+        sharing_(asperities_.model, asperities_.stiffness, asperities_.offset, film),
         film_parameter_at_unit_speed_(
-            hamrock_dowson_central(T(1), lubricant_.viscosity, lubricant_.pressure_viscosity, load_,
-                                   T(scene.bodies.effective_modulus),
-                                   T(scene.bodies.reduced_radius), T(scene.bodies.ellipticity)) /
+            film_thickness(film, T(1), lubricant_.viscosity, lubricant_.pressure_viscosity, load_,
+                           T(scene.bodies.effective_modulus), T(scene.bodies.reduced_radius),
+                           T(scene.bodies.ellipticity)) /
             summit_height_sd_) {}
+  MixedContact(const Scene&, FilmLaw&&) = delete;
 
   const HertzPoint<T>& hertz() const { return hertz_; }
   const AsperityContact<T>& asperities() const { return asperities_; }
   const LoadSharing<T>& sharing() const { return sharing_; }
+  const FilmLaw& film() const { return *film_; }
   StarvationClosure closure() const { return closure_; }
   const T& damiens_exponent() const { return damiens_exponent_; }
   const T& summit_height_sd() const { return summit_height_sd_; }
@@ -85,11 +91,11 @@ class MixedContact {
 
   // λ₀ = h₀/σ_s at speed u in m/s, and the speed at which λ₀ is reached.
   T flooded_film_parameter(const T& speed) const {
-    return film_parameter_at_unit_speed_ * decimal_power(speed, speed_exponent);
+    return film_parameter_at_unit_speed_ * decimal_power(speed, film_->speed_exponent);
   }
   T speed_at(const T& flooded_film_parameter) const {
     return decimal_power(T(flooded_film_parameter / film_parameter_at_unit_speed_),
-                         inverse(speed_exponent));
+                         inverse(film_->speed_exponent));
   }
 
   FloodedFilm<T> flooded(const T& speed) const {
@@ -229,6 +235,7 @@ class MixedContact {
     point.friction += stress * fluid_area / hertz_.mean_pressure;
   }
 
+  const FilmLaw* film_;
   T load_;
   T summit_height_sd_;
   Fluid lubricant_;
@@ -243,7 +250,7 @@ class MixedContact {
   HertzPoint<T> hertz_;
   AsperityContact<T> asperities_;
   LoadSharing<T> sharing_;
-  T film_parameter_at_unit_speed_;  // λ₀/u^0.67
+  T film_parameter_at_unit_speed_;  // λ₀/u^a
 };
 
 // In double the numbers come from the engine (src/engine.hpp): a point has the same bits alone and
@@ -252,6 +259,8 @@ template <>
 class MixedContact<double> {
  public:
   explicit MixedContact(const Scene& scene);
+  MixedContact(const Scene& scene, const FilmLaw& film);
+  MixedContact(const Scene&, FilmLaw&&) = delete;
 
   HertzPoint<double> hertz() const {
     return {numbers_.radius, numbers_.nominal_area, numbers_.mean_pressure,
@@ -261,7 +270,8 @@ class MixedContact<double> {
     return {words_.model, numbers_.surface.stiffness, numbers_.surface.offset, numbers_.area_factor,
             numbers_.count_factor};
   }
-  LoadSharing<double> sharing() const { return {words_.model, numbers_.surface}; }
+  LoadSharing<double> sharing() const { return {words_.model, numbers_.surface, film()}; }
+  const FilmLaw& film() const { return *words_.film; }
   StarvationClosure closure() const { return words_.closure; }
   double damiens_exponent() const { return numbers_.damiens_exponent; }
   double summit_height_sd() const { return numbers_.summit_height_sd; }
@@ -282,7 +292,7 @@ class MixedContact<double> {
   // The same contact in another number type, from the same scene.
   template <class T>
   MixedContact<T> in() const {
-    return MixedContact<T>(detail::scene_of(words_, scene_));
+    return MixedContact<T>(detail::scene_of(words_, scene_), film());
   }
 
  private:

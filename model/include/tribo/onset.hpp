@@ -2,7 +2,7 @@
 // The onset of starvation by four criteria (model/README.md, section 9):
 //
 //   film_maximum      h*(u) has a maximum. Constant h_oil: at an r of the closure, λ = r h_oil/σ_s,
-//                     then λ₀ = λ(1−A)^0.14 and u, explicit. Constant flow: the greatest interior
+//                     then λ₀ = λ(1−A)^{a−b} and u, explicit. Constant flow: the greatest interior
 //                     maximum, d ln h*/d ln u = s + (1 + s) d ln y/d ln r = 0, s = d ln λ/d ln u.
 //   film_departure    h* = (1−ε) h_ff. Constant h_oil: r explicit, then as above. Constant flow:
 //                     one monotone scalar root.
@@ -56,7 +56,7 @@ Onset<T> onset_at_ratio(OnsetCriterion criterion, const MixedContact<T>& contact
     return no_onset<T>(criterion,
                        "the criterion's film lies below the floor that the asperities hold up");
   const LoadShares<T> shares = sharing.shares_above_floor(T(lambda - sharing.floor()));
-  const T lambda0 = LoadSharing<T>::flooded_film_parameter(shares.film_parameter, shares.fluid);
+  const T lambda0 = sharing.flooded_film_parameter(shares.film_parameter, shares.fluid);
   return onset_at(criterion, contact, FloodedFilm<T>{contact.speed_at(lambda0), shares},
                   film_ratio);
 }
@@ -79,10 +79,10 @@ T coordinate_at_flow_ratio(const MixedContact<T>& contact, const StribeckWalk<T>
   using std::exp;
   using std::log;
   const auto excess = [&](const T& s) { return log_flow_ratio(contact, walk.at(s)) - log_r; };
-  // Without load sharing r = λ₀(1)σ_s u^1.67/q.
+  // Without load sharing r = λ₀(1)σ_s u^{1+a}/q.
   const T log_speed = (log_r + log(contact.inlet_flow()) - log(contact.summit_height_sd()) -
                        log(contact.flooded_film_parameter(T(1)))) /
-                      (1 + film_speed_exponent<T>());
+                      (1 + ratio<T>(contact.film().speed_exponent));
   T low = walk.near(T(exp(log_speed)));
   T high = low;
   T width = 1;
@@ -107,9 +107,9 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   using std::exp;
   using std::log;
   const StribeckWalk<T> walk(contact);
-  // At a maximum −d ln y/d ln r is s/(1 + s) ≤ 0.67/1.67, so that r is below 10. Below r = 1e-9
-  // −d ln y/d ln r of the arctan closures is less than 1e-6, and no film slope s that matters is so
-  // small. (Damiens' rule would need an exponent below 0.03, which nobody has.)
+  // At a maximum −d ln y/d ln r is s/(1 + s) ≤ a/(1 + a), about 0.4, so that r is below 10. Below r
+  // = 1e-9 −d ln y/d ln r of the arctan closures is less than 1e-6, and no film slope s that
+  // matters is so small. (Damiens' rule would need an exponent below 0.03, which nobody has.)
   const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
   const T last_log_r =
       contact.closure() == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));

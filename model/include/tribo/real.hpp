@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <type_traits>
 
 namespace tribo {
@@ -79,6 +80,10 @@ T ratio(const Fraction& f) {
   return ratio<T>(f.p, f.q);
 }
 constexpr Fraction inverse(const Fraction& f) { return {f.q, f.p}; }
+constexpr Fraction operator-(const Fraction& x, const Fraction& y) {
+  const int q = std::lcm(x.q, y.q);
+  return {x.p * (q / x.q) - y.p * (q / y.q), q};
+}
 
 // f − ratio<T>(f), the rounding error of the ratio; 0 for types other than the built-in
 // floating-point types.
@@ -105,6 +110,27 @@ T decimal_power(const T& x, const Fraction& exponent) {
     return power;
   }
 }
+
+// An exponent p/q, p ≠ 0 and q below 2000, with the numbers that the engine's powers take of it: so
+// they are computed once for all points.
+struct Exponent {
+  double p, q;
+  double value, residual;  // p/q rounded, and what the rounding has left out
+  double inverse;          // q/p
+  double inverse_q, log_two_over_q;
+
+  constexpr Exponent(const Fraction& f)  // NOLINT(google-explicit-constructor): it is the fraction
+      : p(f.p),
+        q(f.q),
+        value(p / q),
+        // exact but for the last quotient: the product has 53 + 11 digits
+        residual(
+            static_cast<double>(static_cast<long double>(p) - static_cast<long double>(value) * q) /
+            q),
+        inverse(q / p),
+        inverse_q(1 / q),
+        log_two_over_q(0.69314718055994530942 / q) {}
+};
 
 template <class T>
 T quiet_nan() {

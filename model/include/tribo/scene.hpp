@@ -18,6 +18,7 @@
 namespace tribo {
 
 enum class AsperityModel : std::uint8_t { greenwood_tripp, greenwood_williamson };
+enum class FilmFormula : std::uint8_t { hamrock_dowson_central, hamrock_dowson_minimum };
 enum class StarvationClosure : std::uint8_t {
   flooded_inlet,
   starved_inlet,
@@ -33,6 +34,8 @@ enum class Spacing : std::uint8_t { log, lin };
 // supply is named by its field.)
 inline constexpr std::array<std::string_view, 2> asperity_model_words{"greenwood_tripp",
                                                                       "greenwood_williamson"};
+inline constexpr std::array<std::string_view, 2> film_formula_words{"hamrock_dowson_central",
+                                                                    "hamrock_dowson_minimum"};
 inline constexpr std::array<std::string_view, 4> starvation_closure_words{
     "flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
 inline constexpr std::array<std::string_view, 2> fluid_shear_words{"eyring", "limiting"};
@@ -97,6 +100,7 @@ struct Closures {
   AsperityModel asperity = AsperityModel::greenwood_tripp;
   StarvationClosure starvation = StarvationClosure::flooded_inlet;
   double damiens_exponent = 3;  // γ of Damiens' closure
+  FilmFormula film = FilmFormula::hamrock_dowson_central;
 };
 
 struct Scene {

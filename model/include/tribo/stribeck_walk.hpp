@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Stribeck curve without a root: walk the flooded film instead of the speed (model/README.md,
-// section 6). From λ follow A, λ₀ = λ(1−A)^0.14 and u, all explicit. The coordinate of the walk is
+// section 6). From λ follow A, λ₀ = λ(1−A)^{a−b} and u, all explicit. The coordinate of the walk is
 //
 //   s = ln(λ − λ_b)    in general, so that a floor λ_b is approached without cancellation;
 //   ψ = e^{−s}, or ψ = ψ_b/(1 + e^s) above a floor,
@@ -22,17 +22,17 @@ template <class T>
 struct WalkPoint {
   FloodedFilm<T> flooded;
   InletState<T> inlet;
-  T film_slope;  // d ln λ/d ln u, in (0, 0.67]
+  T film_slope;  // d ln λ/d ln u, in (0, a]
   T rate;        // ds/d ln u
 };
 
 namespace detail {
 
-// d ln λ/d ln u = 0.67/(1 − 0.14 λA′/(1−A)), from λA′/A.
+// d ln λ/d ln u = a/(1 − (a−b) λA′/(1−A)), from λA′/A.
 template <class T>
-T film_slope(const LoadShares<T>& shares, const T& asperity_share_slope) {
-  const T stiffening = -sharing_film_exponent<T>() * shares.asperity * asperity_share_slope;
-  return film_speed_exponent<T>() * shares.fluid / (shares.fluid + stiffening);
+T film_slope(const FilmLaw& film, const LoadShares<T>& shares, const T& asperity_share_slope) {
+  const T stiffening = -ratio<T>(film.sharing_exponent) * shares.asperity * asperity_share_slope;
+  return ratio<T>(film.speed_exponent) * shares.fluid / (shares.fluid + stiffening);
 }
 
 }  // namespace detail
@@ -71,22 +71,22 @@ class StribeckWalk {
     if (by_inlet_length_) {
       const T t = log_inlet_length(s);
       log_distance = log_distance_by_inlet_length(s, t);
-      point.flooded = film(log_distance);
+      point.flooded = film_at(log_distance);
       point.inlet = {exp(curve().log_film_ratio(t)), exp(T(-curve().log_inverse_r(t))), false};
       film_rate = curve().slope_of_log_inverse_r(t) * (above_floor_ ? logistic(s) : T(1));
     } else {
-      point.flooded = film(s);
+      point.flooded = film_at(s);
       point.inlet = contact_.inlet(point.flooded);
       film_rate = above_floor_ ? T(1 / (1 + exp(T(log_floor_ - s)))) : T(1);
     }
     const LoadShares<T>& shares = point.flooded.shares;
     point.film_slope = detail::film_slope(
-        shares, shares.asperity > 0
-                    ? sharing_.asperity_share_slope_above_floor(T(exp(log_distance)))
-                    : T(0));
+        film(), shares,
+        shares.asperity > 0 ? sharing_.asperity_share_slope_above_floor(T(exp(log_distance)))
+                            : T(0));
     // In the logarithmic approach to the floor both slopes vanish together.
     point.rate = is_at_floor(point.flooded)
-                     ? T(film_speed_exponent<T>() / sharing_film_exponent<T>())
+                     ? T(ratio<T>(film().speed_exponent) / ratio<T>(film().sharing_exponent))
                      : T(point.film_slope / film_rate);
     return point;
   }
@@ -99,7 +99,7 @@ class StribeckWalk {
     T log_distance = log_film;
     if (above_floor_) {
       // 1 − A = (λ₀/λ_b)^p = e^rate (λ − λ_b) at the floor, λ = λ₀ far above it.
-      const T p = 1 / sharing_film_exponent<T>();
+      const T p = 1 / ratio<T>(film().sharing_exponent);
       const T knee = (p * log_floor_ + log_rate_at_floor_) / (p - 1);
       log_distance -= (p - 1) * log_one_plus_exp(T(knee - log_film));
     }
@@ -135,6 +135,7 @@ class StribeckWalk {
 
  private:
   InletCurve<T> curve() const { return {contact_.closure()}; }
+  const FilmLaw& film() const { return contact_.film(); }
 
   // ln(1 + e^x) without overflow.
   static T log_one_plus_exp(const T& x) {
@@ -153,18 +154,17 @@ class StribeckWalk {
   }
 
   // The film at λ = λ_b + e^log_distance.
-  FloodedFilm<T> film(const T& log_distance) const {
+  FloodedFilm<T> film_at(const T& log_distance) const {
     using std::exp;
     using std::log;
     const T log_fluid = log_rate_at_floor_ + log_distance;
     if (above_floor_ && log_fluid < log(T(epsilon<T>() / 4))) {
       const T fluid = exp(log_fluid);
-      const T film0 = sharing_.floor() * exp(T(sharing_film_exponent<T>() * log_fluid));
+      const T film0 = sharing_.floor() * exp(T(ratio<T>(film().sharing_exponent) * log_fluid));
       return {contact_.speed_at(film0), {sharing_.floor(), 1 - fluid, fluid, 0}};
     }
     const LoadShares<T> shares = sharing_.shares_above_floor(T(exp(log_distance)));
-    return {contact_.speed_at(
-                LoadSharing<T>::flooded_film_parameter(shares.film_parameter, shares.fluid)),
+    return {contact_.speed_at(sharing_.flooded_film_parameter(shares.film_parameter, shares.fluid)),
             shares};
   }
 

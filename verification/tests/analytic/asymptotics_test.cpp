@@ -82,8 +82,8 @@ TEST(Asymptotics, FloodedFilmTendsToTheSlope067AsTheAsperitiesLetGo) {
       const LoadSharing<Reference>& sharing = contact.sharing();
       for (const double above : {2.5, 4.0, 6.0, 10.0}) {
         const Reference lambda = sharing.offset() + above;
-        const Reference u = contact.speed_at(LoadSharing<Reference>::flooded_film_parameter(
-            lambda, Reference(1 - sharing.asperity_share(lambda))));
+        const Reference u = contact.speed_at(
+            sharing.flooded_film_parameter(lambda, Reference(1 - sharing.asperity_share(lambda))));
         const SlopeDeficit bounds =
             flooded_slope_deficit(model, sharing.stiffness(), sharing.offset(), lambda);
         EXPECT_TRUE(is_between(bounds.low, film_exponent - film_log_slope(scene, u), bounds.high,

@@ -35,9 +35,9 @@ TYPED_TEST(Constants, OfTheNumberTypesAreTheNearest) {
 
 TYPED_TEST(Constants, OfTheFilmAreThoseOfHamrockAndDowson) {
   using T = TypeParam;
-  EXPECT_EQ(film_speed_exponent<T>(), this->fraction(67, 100));
-  EXPECT_EQ(film_material_exponent<T>(), this->fraction(53, 100));
-  EXPECT_EQ(sharing_film_exponent<T>(), this->fraction(67 - 53, 100));
+  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.speed_exponent), this->fraction(67, 100));
+  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.material_exponent), this->fraction(53, 100));
+  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.sharing_exponent), this->fraction(67 - 53, 100));
   const auto exact = [](const Reference& k) {
     return Reference(269) / 100 * (1 - Reference(61) / 100 * exp(-Reference(73) / 100 * k));
   };

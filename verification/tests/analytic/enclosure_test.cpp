@@ -53,7 +53,8 @@ reference::Inputs inputs_of(Scene scene) {
 TEST(Enclosure, TheModelsTextOverlapsTheGeneratorsFormulas) {
   Sampler sampler(1907);
   for (int i = 0; i < 100; ++i) {
-    const Scene scene = random_scene(sampler);
+    Scene scene = random_scene(sampler);
+    scene.closures.film = FilmFormula::hamrock_dowson_central;  // the generator's only law
     const auto truth = enclose(scene);
     if (!truth) continue;
     const reference::Outputs formulas = reference::solve(inputs_of(scene), reference::first_way);
@@ -89,10 +90,12 @@ TEST(Enclosure, ConditionNumbersAgreeWithDifferences) {
         if (!(values[k] == 0)) sums[k] += abs((there[k] / values[k] - 1) / step).nearest();
     }
     const Conditions closed = conditions_at(scene, scene.speeds.list[0]);
-    for (std::size_t k = 0; k < number_count; ++k)
+    for (std::size_t k = 0; k < number_count; ++k) {
+      if (abs(values[k]).nearest() < 1e-300) continue;  // an asperity share too small for a double
       EXPECT_LE(std::abs(closed[k] / std::max(1.0, sums[k]) - 1), 1e-5)
           << output_infos[k].name << ": " << closed[k] << " or " << sums[k]
           << describe_scene(scene);
+    }
   }
 }
 

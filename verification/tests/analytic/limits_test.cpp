@@ -730,7 +730,7 @@ TEST(Continuity, OnsetEndsOnTheFloor) {
       // 1 − A is at most the rounding of λ; u goes as (1 − A)^{0.14/0.67}
       const MixedContact<double> contact(scene);
       const double fluid = contact.sharing().surface().hazard * 8 * ulp * floor;
-      EXPECT_LE(last.speed, contact.speed_at(LoadSharing<double>::flooded_film_parameter(
+      EXPECT_LE(last.speed, contact.speed_at(contact.sharing().flooded_film_parameter(
                                 floor * (1 + 8 * ulp), fluid)));
     }
 }

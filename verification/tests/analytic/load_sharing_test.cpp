@@ -71,8 +71,7 @@ TEST(LoadSharing, FilmToFloodedFilmAndBackIsTheSame) {
     const LoadShares<double> start =
         sharing.shares_above_floor(sampler.log_uniform(1e-6, 50) * (1 + sharing.floor()));
     if (start.fluid < 1e-12) continue;
-    const double lambda0 =
-        LoadSharing<double>::flooded_film_parameter(start.film_parameter, start.fluid);
+    const double lambda0 = sharing.flooded_film_parameter(start.film_parameter, start.fluid);
     // the way back is as exact as its problem is conditioned
     const double condition = root_condition(p.model, p.stiffness, p.offset, lambda0);
     EXPECT_TRUE(is_close(sharing.solve(lambda0).film_parameter, Reference(start.film_parameter),

@@ -32,7 +32,9 @@ testing::AssertionResult agree(const Reference& got, const Reference& expected, 
 Reference film_slope(const LoadSharing<Reference>& sharing, const LoadShares<Reference>& at) {
   const Reference hardening =
       -at.asperity * sharing.asperity_share_slope(at.film_parameter) / at.fluid;  // −λA′/(1−A)
-  return Reference("0.67") / (1 + Reference("0.14") * hardening);
+  const FilmLaw& film = sharing.film();
+  return ratio<Reference>(film.speed_exponent) /
+         (1 + ratio<Reference>(film.sharing_exponent) * hardening);
 }
 
 // In 50 digits, times 1/(1 − A): near the floor `sharing_residual` cancels.
@@ -216,7 +218,7 @@ Dual onset_speed(const Scene& scene, const Variables& v, const Dual& ellipticity
   const LoadSharing<Dual> sharing(contact.model, contact.stiffness, contact.offset);
   const Dual lambda = Dual(r) * at(v, Variable::inlet_film) / sd;
   const auto fluid = Dual(1) - sharing.asperity_share(lambda);
-  const Dual film = sd * LoadSharing<Dual>::flooded_film_parameter(lambda, fluid);
+  const Dual film = sd * sharing.flooded_film_parameter(lambda, fluid);
   return pow(Dual(film / film_at(Dual(1), v, ellipticity)), ratio<Dual>(100, 67));
 }
 

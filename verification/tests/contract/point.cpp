@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/condition.hpp"
+#include "support/film_laws.hpp"
 #include "support/scenes.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -76,6 +77,9 @@ double near_one(Sampler& sampler) {
 }
 
 void draw_load_sharing(Sampler& sampler, Point& point) {
+  if (sampler.pick({0, 0, 1}) == 1)
+    point.film = sampler.pick(
+        {other_film_laws[0], other_film_laws[1], other_film_laws[2], other_film_laws[3]});
   point.scene.closures.asperity =
       sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
   point.x[1] = sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
@@ -253,6 +257,7 @@ std::vector<std::pair<std::string, double>> inputs_of(const Point& point) {
   switch (point.kind) {
     case Kind::load_sharing:
       return {{"asperity", static_cast<double>(point.scene.closures.asperity)},
+              {"film law's a - b", point.film->sharing_power.value},
               {"stiffness", point.x[0]},
               {"offset", point.x[1]},
               {"flooded_film_parameter", point.x[2]}};
@@ -281,7 +286,7 @@ Values<T> values_of(const Point& point) {
   const AsperityModel model = point.scene.closures.asperity;
   switch (point.kind) {
     case Kind::load_sharing:
-      return {{LoadSharing<T>(model, x(0), x(1)).solve(x(2)).film_parameter}};
+      return {{LoadSharing<T>(model, x(0), x(1), *point.film).solve(x(2)).film_parameter}};
     case Kind::film_ratio:
       return {{starvation_ratio(closure, x(0), x(1))}};
     case Kind::deficit:
@@ -347,7 +352,8 @@ std::vector<double> conditions_of(const Point& point) {
       return {all.begin(), all.end()};
     }
     case Kind::load_sharing:
-      return {root_condition(point.scene.closures.asperity, point.x[0], point.x[1], point.x[2])};
+      return {root_condition(point.scene.closures.asperity, point.x[0], point.x[1], point.x[2],
+                             *point.film)};
     case Kind::film_ratio:
       return {film_ratio_condition(closure, point.x[0], point.x[1])};
     case Kind::deficit:

@@ -51,8 +51,9 @@ std::string_view name(Kind kind);
 
 struct Point {
   Kind kind = Kind::scene;
-  Scene scene;                // of a scene; of the others only the words
-  std::array<double, 7> x{};  // K, δ, λ₀ | r, γ, departure | d | …
+  Scene scene;                                        // of a scene; of the others only the words
+  const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing
+  std::array<double, 7> x{};                          // K, δ, λ₀ | r, γ, departure | d | …
 };
 
 Point point_at(std::uint64_t seed, std::uint64_t index);

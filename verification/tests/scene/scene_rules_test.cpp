@@ -16,6 +16,7 @@ TEST(Scene, GetsEveryFieldInItsPlace) {
   text.set("friction.slide_roll_ratio", "0.25").set("friction.fluid", "\"limiting\"");
   text.set("friction.viscosity", "\"roelands\"").set("closures.starvation", "\"damiens\"");
   text.set("closures.asperity", "\"greenwood_williamson\"").set("closures.damiens_exponent", "2.5");
+  text.set("closures.film", "\"hamrock_dowson_minimum\"");
   text.set("outputs", R"(["film", "friction"])");
   for (const Format format : formats) {
     const SceneReading reading = read(format, text);
@@ -45,6 +46,7 @@ TEST(Scene, GetsEveryFieldInItsPlace) {
     EXPECT_EQ(scene.friction.viscosity, ViscosityLaw::roelands);
     EXPECT_EQ(scene.closures.asperity, AsperityModel::greenwood_williamson);
     EXPECT_EQ(scene.closures.starvation, StarvationClosure::damiens);
+    EXPECT_EQ(scene.closures.film, FilmFormula::hamrock_dowson_minimum);
     EXPECT_EQ(scene.closures.damiens_exponent, 2.5);
     OutputSet outputs;
     outputs.insert(Output::film);
@@ -98,6 +100,7 @@ TEST(Scene, DefaultsOfTheTableAreThoseOfTheScene) {
   EXPECT_EQ(left.closures.asperity, right.closures.asperity);
   EXPECT_EQ(left.closures.starvation, right.closures.starvation);
   EXPECT_EQ(left.closures.damiens_exponent, right.closures.damiens_exponent);
+  EXPECT_EQ(left.closures.film, right.closures.film);
   EXPECT_EQ(left.supply.kind, right.supply.kind);
 }
 

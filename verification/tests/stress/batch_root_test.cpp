@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/condition.hpp"
+#include "support/film_laws.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/scenes.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -34,10 +35,11 @@ struct Roots {
   std::vector<double> film_parameter;
   SharingWork work;
 };
-Roots roots_of(AsperityModel model, const Points& points) {
+Roots roots_of(AsperityModel model, const Points& points,
+               const FilmLaw& film = hamrock_dowson_central_law) {
   Roots roots{std::vector<double>(points.size()), {}};
-  roots.work =
-      film_parameter(model, points.stiffness, points.offset, points.flooded, roots.film_parameter);
+  roots.work = film_parameter(model, points.stiffness, points.offset, points.flooded,
+                              roots.film_parameter, film);
   return roots;
 }
 Roots roots_of(const LoadSharing<double>& sharing, std::span<const double> flooded) {
@@ -53,6 +55,48 @@ std::string text(const Points& points, std::size_t i) {
 
 double uniform_offset(Sampler& sampler) {
   return sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
+}
+
+// In batches, of one surface and of many. Single roots of each law are the contract test's.
+TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
+  Sampler sampler(77);
+  for (const FilmLaw* const film : other_film_laws)
+    for (const AsperityModel model : models) {
+      Points points;
+      for (int i = 0; i < 300; ++i)
+        points.add(sampler.log_uniform(1e-6, 100), sampler.uniform(0, 4),
+                   sampler.log_uniform(1e-6, 100));
+      for (int i = 0; i < 100; ++i) {  // about film_from and floor_up_to
+        const double k = sampler.log_uniform(1, 1e20), delta = sampler.uniform(0, 4);
+        const auto surface = LoadSharing<double>(model, k, delta, *film).surface();
+        points.add(
+            k, delta,
+            sampler.uniform(0.95, 1.05) * (i % 2 == 0 ? surface.film_from : surface.floor_up_to));
+      }
+      std::vector<Reference> roots;
+      std::vector<double> allowed;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const double k = points.stiffness[i], delta = points.offset[i], film0 = points.flooded[i];
+        const LoadSharing<long double> exact(model, static_cast<long double>(k),
+                                             static_cast<long double>(delta), *film);
+        roots.emplace_back(exact.solve(static_cast<long double>(film0)).film_parameter);
+        allowed.push_back(allowed_by(load_sharing_contract, roots[i],
+                                     root_condition(model, k, delta, film0, *film), 1));
+      }
+      on_each_instruction_set([&] {
+        const Roots many = roots_of(model, points, *film);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const LoadSharing<double> surface(model, points.stiffness[i], points.offset[i], *film);
+          const double one = roots_of(surface, std::span(&points.flooded[i], 1)).film_parameter[0];
+          for (const double got : {many.film_parameter[i], one})
+            EXPECT_TRUE(is_close(got, roots[i], allowed[i],
+                                 {{"a - b", film->sharing_power.value},
+                                  {"K", points.stiffness[i]},
+                                  {"delta", points.offset[i]},
+                                  {"lambda0", points.flooded[i]}}));
+        }
+      });
+    }
 }
 
 // Steps are few, and Newton's method is not needed where anybody computes.

@@ -63,20 +63,22 @@ inline verification::Dual pi<verification::Dual>() {
 
 namespace verification {
 
-// g(λ) = ln λ − ln λ₀ + 0.14 ln(1 − A(λ)), whose root λ is.
+// g(λ) = ln λ − ln λ₀ + e ln(1 − A(λ)), whose root λ is.
 inline Dual sharing_residual(const LoadSharing<Dual>& sharing, const Dual& lambda,
                              const Dual& lambda0) {
   return log(lambda) - log(lambda0) +
-         ratio<Dual>(14, 100) * log1p(Dual(-sharing.asperity_share(lambda)));
+         ratio<Dual>(sharing.film().sharing_exponent) *
+             log1p(Dual(-sharing.asperity_share(lambda)));
 }
 
 // The root with its derivative. Inside `solve` the value may have converged a step before the
 // derivative; one more Newton step at the converged root makes it whole. g′ comes from automatic
 // differentiation too, not from the model's F_p′.
 inline Dual root_with_derivative(AsperityModel model, const Dual& stiffness, const Dual& offset,
-                                 const Dual& lambda0) {
-  const LoadSharing<Dual> moving(model, stiffness, offset);
-  const LoadSharing<Dual> fixed(model, Dual(value(stiffness)), Dual(value(offset)));
+                                 const Dual& lambda0,
+                                 const FilmLaw& film = hamrock_dowson_central_law) {
+  const LoadSharing<Dual> moving(model, stiffness, offset, film);
+  const LoadSharing<Dual> fixed(model, Dual(value(stiffness)), Dual(value(offset)), film);
   const Dual lambda0_fixed(value(lambda0));
   const Reference root = value(fixed.solve(lambda0_fixed).film_parameter);
   const Reference slope = derivative(sharing_residual(fixed, variable(root), lambda0_fixed));
@@ -87,9 +89,9 @@ inline Dual root_with_derivative(AsperityModel model, const Dual& stiffness, con
 inline Reference film_log_slope(const Scene& scene, const Reference& u) {
   const MixedContact<Dual> contact(scene);
   const Dual speed = variable(u);
-  const Dual root =
-      root_with_derivative(scene.closures.asperity, contact.sharing().stiffness(),
-                           contact.sharing().offset(), contact.flooded_film_parameter(speed));
+  const Dual root = root_with_derivative(scene.closures.asperity, contact.sharing().stiffness(),
+                                         contact.sharing().offset(),
+                                         contact.flooded_film_parameter(speed), contact.film());
   // Of the shares `inlet` needs λ alone. Its scalar root ends with a Newton step of its own.
   return log_slope(root * contact.inlet({speed, {root, Dual(0), Dual(1), 0}}).film_ratio, u);
 }

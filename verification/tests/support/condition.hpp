@@ -145,8 +145,9 @@ inline SceneNumbers<verification::Dual> seeded(const Scene& scene) {
 
 // As the template, with derivatives.
 template <>
-inline MixedContact<verification::Dual>::MixedContact(const Scene& scene)
-    : load_(detail::seeded(scene).load),
+inline MixedContact<verification::Dual>::MixedContact(const Scene& scene, const FilmLaw& film)
+    : film_(&film),
+      load_(detail::seeded(scene).load),
       summit_height_sd_(detail::seeded(scene).summit_height_sd),
       lubricant_{detail::seeded(scene).viscosity, detail::seeded(scene).pressure_viscosity,
                  detail::seeded(scene).eyring_stress},
@@ -165,12 +166,12 @@ inline MixedContact<verification::Dual>::MixedContact(const Scene& scene)
           detail::seeded(scene).summit_radius, summit_height_sd_,
           detail::seeded(scene).offset_planes * detail::seeded(scene).summit_plane_offset,
           detail::seeded(scene).effective_modulus, hertz_.nominal_area, load_)),
-      sharing_(asperities_.model, asperities_.stiffness, asperities_.offset),
+      sharing_(asperities_.model, asperities_.stiffness, asperities_.offset, film),
       film_parameter_at_unit_speed_(
-          hamrock_dowson_central(
-              verification::Dual(1), lubricant_.viscosity, lubricant_.pressure_viscosity, load_,
-              detail::seeded(scene).effective_modulus, detail::seeded(scene).reduced_radius,
-              detail::seeded(scene).ellipticity) /
+          film_thickness(film, verification::Dual(1), lubricant_.viscosity,
+                         lubricant_.pressure_viscosity, load_,
+                         detail::seeded(scene).effective_modulus,
+                         detail::seeded(scene).reduced_radius, detail::seeded(scene).ellipticity) /
           summit_height_sd_) {}
 
 namespace verification {
@@ -185,8 +186,9 @@ inline Conditions conditions_at(const Scene& scene, double speed) {
 }
 
 // Of the root λ(λ₀, K, δ), of F_n(d), and of y(r, γ).
-inline double root_condition(AsperityModel model, double stiffness, double offset, double film0) {
-  return LoadSharing<Dual>(model, Dual(stiffness, 0), Dual(offset, 1))
+inline double root_condition(AsperityModel model, double stiffness, double offset, double film0,
+                             const FilmLaw& film = hamrock_dowson_central_law) {
+  return LoadSharing<Dual>(model, Dual(stiffness, 0), Dual(offset, 1), film)
       .solve(Dual(film0, 2))
       .film_parameter.condition();
 }

@@ -204,10 +204,11 @@ inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
                                                     : AsperityModel::greenwood_williamson;
     Ball lambda = verification::as_enclosure(
         LoadSharing<long double>(model, verification::as_long_double(stiffness_),
-                                 verification::as_long_double(offset_))
+                                 verification::as_long_double(offset_), *film_)
             .solve(verification::as_long_double(lambda0))
             .film_parameter);
-    const Ball p = 1 / sharing_film_exponent<Ball>();
+    const Ball exponent = ratio<Ball>(film_exponent());
+    const Ball p = 1 / exponent;
     for (int i = 0; i < 60; ++i) {
       const Asperities at = asperities(Ball(lambda - offset_));
       const Ball fluid = pow(lambda0 / lambda, p);
@@ -216,11 +217,11 @@ inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
       lambda = (lambda + step).midpoint();
       if (abs(step) < lambda * epsilon<Ball>()) break;
     }
-    // ln λ − ln λ₀ + 0.14 ln(1 − A), and as good as −∞ where A ≥ 1.
+    // ln λ − ln λ₀ + e ln(1 − A), and as good as −∞ where A ≥ 1.
     const auto residual = [&](const Ball& x) {
       const Ball share = asperity_share(x);
       if (share >= 1) return Ball(-1);
-      return log(x / lambda0) + sharing_film_exponent<Ball>() * log1p(-share);
+      return log(x / lambda0) + exponent * log1p(-share);
     };
     return verification::proven_zero(residual, lambda, lambda);
   }();

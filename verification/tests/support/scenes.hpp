@@ -70,6 +70,8 @@ inline Scene random_scene(Sampler& sampler) {
       sampler.pick({StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
                     StarvationClosure::printed_exponents, StarvationClosure::damiens});
   scene.closures.damiens_exponent = sampler.uniform(1, 5);
+  scene.closures.film =
+      sampler.pick({FilmFormula::hamrock_dowson_central, FilmFormula::hamrock_dowson_minimum});
   return scene;
 }
 
@@ -104,6 +106,7 @@ inline std::vector<std::pair<std::string_view, double>> describe_numbers(Scene s
   all.emplace_back("viscosity_law", static_cast<double>(scene.friction.viscosity));
   all.emplace_back("asperity", static_cast<double>(scene.closures.asperity));
   all.emplace_back("starvation", static_cast<double>(scene.closures.starvation));
+  all.emplace_back("film_law", static_cast<double>(scene.closures.film));
   return all;
 }
 

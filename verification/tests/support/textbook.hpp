@@ -38,8 +38,11 @@ inline double brent(const std::function<double(double)>& f, double low, double h
 // GSL: QAGIU for F_p written with pow, Brent for the root.
 class LoadSharing {
  public:
-  LoadSharing(AsperityModel model, double stiffness, double offset)
-      : is_tripp_(model == AsperityModel::greenwood_tripp), stiffness_(stiffness), offset_(offset) {
+  LoadSharing(AsperityModel model, double stiffness, double offset, double exponent = 0.14)
+      : is_tripp_(model == AsperityModel::greenwood_tripp),
+        stiffness_(stiffness),
+        offset_(offset),
+        exponent_(exponent) {
     gsl_set_error_handler_off();
   }
 
@@ -62,11 +65,11 @@ class LoadSharing {
     return is_tripp_ ? std::sqrt(load) : load;
   }
 
-  // Of ln λ − ln λ₀ + 0.14 ln(1 − A), as good as −∞ where A ≥ 1.
+  // Of ln λ − ln λ₀ + e ln(1 − A), as good as −∞ where A ≥ 1.
   double solve(double lambda0) const {
     const auto residual = [&](double lambda) {
       const double share = asperity_share(lambda);
-      return share >= 1 ? -1e3 : std::log(lambda / lambda0) + 0.14 * std::log1p(-share);
+      return share >= 1 ? -1e3 : std::log(lambda / lambda0) + exponent_ * std::log1p(-share);
     };
     double high = lambda0 * 2;
     while (residual(high) < 0) high *= 2;
@@ -75,7 +78,7 @@ class LoadSharing {
 
  private:
   bool is_tripp_;
-  double stiffness_, offset_;
+  double stiffness_, offset_, exponent_;
 };
 
 // h*/h_ff, from the equations for φ, ψ and h* solved together.
@@ -133,12 +136,17 @@ inline Point solve(const Scene& scene, double u) {
                                        area / scene.load;
   const double offset = s.offset_planes * s.summit_plane_offset;
   const double e2 = 2 * b.effective_modulus;
-  const double h0 = b.reduced_radius * 2.69 *
-                    std::pow(scene.lubricant.viscosity * u / (e2 * b.reduced_radius), 0.67) *
-                    std::pow(scene.lubricant.pressure_viscosity * e2, 0.53) *
-                    std::pow(scene.load / (e2 * b.reduced_radius * b.reduced_radius), -0.067) *
-                    (1 - 0.61 * std::exp(-0.73 * b.ellipticity));
-  const LoadSharing sharing(scene.closures.asperity, stiffness, offset);
+  const double speed_number = scene.lubricant.viscosity * u / (e2 * b.reduced_radius);
+  const double material_number = scene.lubricant.pressure_viscosity * e2;
+  const double load_number = scene.load / (e2 * b.reduced_radius * b.reduced_radius);
+  const bool is_central = scene.closures.film == FilmFormula::hamrock_dowson_central;
+  const double h0 =
+      b.reduced_radius *
+      (is_central ? 2.69 * std::pow(speed_number, 0.67) * std::pow(material_number, 0.53) *
+                        std::pow(load_number, -0.067) * (1 - 0.61 * std::exp(-0.73 * b.ellipticity))
+                  : 3.63 * std::pow(speed_number, 0.68) * std::pow(material_number, 0.49) *
+                        std::pow(load_number, -0.073) * (1 - std::exp(-0.68 * b.ellipticity)));
+  const LoadSharing sharing(scene.closures.asperity, stiffness, offset, is_central ? 0.14 : 0.19);
   const double flooded = sharing.solve(h0 / s.summit_height_sd) * s.summit_height_sd;
   double film = flooded;
   if (scene.supply.kind != SupplyKind::flooded) {

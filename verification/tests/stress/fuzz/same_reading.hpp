@@ -18,12 +18,12 @@ inline auto values_of(const Scene& scene) {
   const auto& [modulus, reduced_radius, ellipticity] = bodies;
   const auto& [viscosity, pressure_viscosity, eyring_stress] = lubricant;
   const auto& [boundary_coefficient, slide_roll_ratio, fluid, law] = friction;
-  const auto& [asperity, starvation, damiens_exponent] = closures;
+  const auto& [asperity, starvation, damiens_exponent, film] = closures;
   return std::tuple_cat(
       std::tuple(id, load, list, from, to, count, spacing, density, radius, height_sd, offset),
       std::tuple(planes, modulus, reduced_radius, ellipticity, viscosity, pressure_viscosity),
       std::tuple(eyring_stress, supply.kind, supply.value, boundary_coefficient, slide_roll_ratio),
-      std::tuple(fluid, law, asperity, starvation, damiens_exponent));
+      std::tuple(fluid, law, asperity, starvation, damiens_exponent, film));
 }
 
 inline bool same(const Scene& left, const Scene& right) {

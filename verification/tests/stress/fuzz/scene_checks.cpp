@@ -91,6 +91,8 @@ void check_words(const Scene& scene) {
           "asperity is known", scene.id);
   require(is_among(scene.closures.starvation, StarvationClosure::damiens), "starvation is known",
           scene.id);
+  require(is_among(scene.closures.film, FilmFormula::hamrock_dowson_minimum), "film is known",
+          scene.id);
   require(is_among(scene.supply.kind, SupplyKind::inlet_flow), "supply is known", scene.id);
   require(is_among(scene.speeds.spacing, Spacing::lin), "spacing is known", scene.id);
 }
@@ -173,6 +175,7 @@ Json as_json(const Scene& scene) {
   json["closures"] = {
       {"asperity", word_of("closures.asperity", static_cast<int>(closures.asperity))},
       {"starvation", word_of("closures.starvation", static_cast<int>(closures.starvation))},
+      {"film", word_of("closures.film", static_cast<int>(closures.film))},
       {"damiens_exponent", closures.damiens_exponent}};
   return json;
 }

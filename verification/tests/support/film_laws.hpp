@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Film laws beside the default one: the minimum film, and laws that nobody uses, with the least, a
+// small and the greatest a − b that load sharing takes.
+#pragma once
+
+#include <array>
+
+#include "tribo/film_thickness.hpp"
+
+namespace tribo::verification {
+
+constexpr FilmLaw law_with_exponents(Fraction speed, Fraction material) {
+  return {{2, 1}, speed, material, {-7, 100}, {1, 2}, {7, 10}};
+}
+inline constexpr FilmLaw least_exponent_law = law_with_exponents({7, 10}, {69, 100});
+inline constexpr FilmLaw small_exponent_law = law_with_exponents({13, 20}, {3, 5});
+inline constexpr FilmLaw greatest_exponent_law = law_with_exponents({4, 5}, {1, 2});
+
+inline constexpr std::array<const FilmLaw*, 4> other_film_laws{
+    &hamrock_dowson_minimum_law, &least_exponent_law, &small_exponent_law, &greatest_exponent_law};
+static_assert(least_exponent_law.sharing_power.value == 0.01 &&
+              small_exponent_law.sharing_power.value == 0.05 &&
+              greatest_exponent_law.sharing_power.value == 0.3);
+static_assert(is_law_of_load_sharing(least_exponent_law) &&
+              is_law_of_load_sharing(greatest_exponent_law));
+
+}  // namespace tribo::verification
