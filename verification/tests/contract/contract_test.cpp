@@ -28,8 +28,8 @@ struct Drawn {
   Kind kind;
   int points, certain;
 };
-constexpr std::array<Drawn, kind_count> drawn{{{Kind::scene, 400, 650},
-                                               {Kind::load_sharing, 700, 1300},
+constexpr std::array<Drawn, kind_count> drawn{{{Kind::scene, 400, 700},
+                                               {Kind::load_sharing, 700, 1900},
                                                {Kind::film_ratio, 1000, 1000},
                                                {Kind::moment, 600, 1000},
                                                {Kind::scaled_moment, 400, 800},
@@ -84,18 +84,34 @@ void add_hard_sharing(std::vector<Point>& points) {
       const double beside = 1 + sampler.pick({-1, 1}) * sampler.log_uniform(1e-15, 0.3);
       if (floor > 0) add_sharing(points, model, k, delta, floor * beside);
     }
+    for (int i = 0; i < 100; ++i) {  // stiff surfaces, and what is beyond the range of the kernels
+      const double delta = sampler.uniform(0, 10);
+      add_sharing(points, model, sampler.log_uniform(1e-30, 1e300), delta,
+                  sampler.log_uniform(1e-3, 60));
+      add_sharing(points, model, sampler.log_uniform(1e-3, 1e3), delta,
+                  sampler.log_uniform(1e-300, 1e-281));
+      add_sharing(points, model, sampler.log_uniform(1e301, 1e307), delta,
+                  sampler.log_uniform(1e-3, 1e3));
+    }
     for (double lambda0 = 1e-4; lambda0 < 100; lambda0 *= 1.25)
       for (const double k : {0.3, 10.0, 1e9}) add_sharing(points, model, k, 1.146, lambda0);
   }
 }
 
 // The paper's surfaces with each closure and supply, from the floor to the collapse; and floors so
-// high that area and count come from the shares.
+// high that area and count come from the shares; little sliding without boundary friction.
 void add_hard_scenes(std::vector<Point>& points) {
   const auto add = [&](Scene scene, double speed) {
     scene.speeds.list = {speed};
     points.push_back({Kind::scene, scene});
   };
+  Sampler sampler(1907);
+  for (int i = 0; i < 60; ++i) {
+    Scene scene = random_scene(sampler);
+    scene.friction.boundary_coefficient = 0;
+    scene.friction.slide_roll_ratio = sampler.log_uniform(1e-6, 1e-2);
+    add(scene, scene.speeds.list[0]);
+  }
   for (const AsperityModel model : models) {
     for (const PaperSurface surface : paper_surfaces)
       for (const StarvationClosure closure : closures)
