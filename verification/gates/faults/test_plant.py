@@ -47,20 +47,20 @@ class Stale(Tree):
         self.assertIn("is not there", plant.stale(FAULT | {"file": "none.txt"}))
 
 
-class Programs(unittest.TestCase):
-    """Which build target runs a check, in the real tree."""
+class Targets(unittest.TestCase):
+    """Which build targets a check needs, in the real tree."""
 
     def test_of_each_kind_of_check(self):
-        for check, target in (("program.test_solve", "tribocheck"),
-                              ("gates.work_counters", "tribocheck_gate_kernels"),
-                              ("gates.test_rules", None),
-                              ("support.Judge.PassesInsideTheBoundAndFailsOutside", "judge_test"),
-                              ("inventory:support.Judge.PassesInsideTheBoundAndFailsOutside", "judge_test")):
-            self.assertEqual(plant.program_of(check), target)
+        for check, targets in (("program.test_solve", ["tribocheck", "verification/conformance/subjects/all"]),
+                               ("gates.work_counters", ["tribocheck_gate_kernels"]),
+                               ("gates.test_rules", []),
+                               ("support.Judge.PassesInsideTheBoundAndFailsOutside", ["judge_test"]),
+                               ("inventory:support.Judge.PassesInsideTheBoundAndFailsOutside", ["judge_test"])):
+            self.assertEqual(plant.targets_of(check), targets)
 
     def test_a_check_that_no_source_has_ends_the_run(self):
         with self.assertRaises(SystemExit):
-            plant.program_of("support.Judge.DoesNothingOfTheKind")
+            plant.targets_of("support.Judge.DoesNothingOfTheKind")
 
 
 class Look(Tree):
@@ -96,8 +96,8 @@ class Try(Tree):
         scratch.tree = self.folder
         seen = []
 
-        def make(target):
-            seen.append((target, (self.folder / "formula.txt").read_text()))
+        def make(targets):
+            seen.append((targets[0], (self.folder / "formula.txt").read_text()))
             raise plant.Red("does not build")
         scratch.make = make
         with self.assertRaises(plant.Red):
