@@ -22,11 +22,15 @@ namespace tribo::HWY_NAMESPACE {
 // λ₀/u^a: h₀ at unit speed over σ_s.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V film_at_unit_speed(D d, const FilmLaw& law, const detail::SceneNumbers<V>& scene) {
-  const V modulus = hn::Add(scene.effective_modulus, scene.effective_modulus);
+  const auto modulus = [&](int multiple) HWY_ATTR {
+    return hn::Mul(hn::Set(d, multiple), scene.effective_modulus);
+  };
   const V radius = scene.reduced_radius;
-  const V speed_number = hn::Div(scene.viscosity, hn::Mul(modulus, radius));
-  const V material_number = hn::Mul(scene.pressure_viscosity, modulus);
-  const V load_number = hn::Div(scene.load, hn::Mul(hn::Mul(modulus, radius), radius));
+  const V speed_number = hn::Div(hn::Mul(hn::Set(d, law.speed_multiple), scene.viscosity),
+                                 hn::Mul(modulus(law.speed_modulus), radius));
+  const V material_number = hn::Mul(scene.pressure_viscosity, modulus(law.material_modulus));
+  const V load_number =
+      hn::Div(scene.load, hn::Mul(hn::Mul(modulus(law.load_modulus), radius), radius));
   const V decay = hn::Mul(hn::Set(d, -ratio<double>(law.side_decay)), scene.ellipticity);
   V bracket;
   if (law.side_leakage.p == law.side_leakage.q)  // the difference cancels where k is small

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "reproduction/reading_model.hpp"
+#include "tribo/asperity_contact.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/starvation.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -88,13 +90,10 @@ Value moment_error_function_fit(const Arguments& a, Numbers) {
 
 // --- Inlet: arguments closure, r and γ
 
-// With Crook's constant of a circular contact; the readings of the paper have it.
+// With Crook's constant of a circular contact.
 Value inlet_with_circular_gap(const Arguments& a, Numbers) {
-  reproduction::Reading reading = reproduction::corrected_reading();
-  reading.choice[static_cast<std::size_t>(reproduction::Switch::gap)] = 1;
-  reading.choice[static_cast<std::size_t>(reproduction::Switch::inlet)] =
-      static_cast<std::uint8_t>(a[0]);
-  return reproduction::ReadInlet(reading).film_ratio(a[1]);
+  const auto closure = static_cast<StarvationClosure>(static_cast<int>(a[0]));
+  return InletCurve<double>{closure, std::numbers::pi / 4}.film_ratio(a[1]);
 }
 
 Value inlet_with_inverse_exponent(const Arguments& a, Numbers) {

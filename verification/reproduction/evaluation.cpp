@@ -60,10 +60,8 @@ class ReadingStages {
 }  // namespace
 
 double film_constant(const PaperScenes& scenes, const Reading& reading) {
-  const double full = reading.is(Switch::film_constant, 1)
-                          ? 2.69
-                          : hamrock_dowson_constant(scenes.scene[0].bodies.ellipticity);
-  return scenes.film_constant_scale * full;
+  return scenes.film_constant_scale *
+         tribo::film_constant(film_law(reading), scenes.scene[0].bodies.ellipticity);
 }
 
 std::optional<OnsetPoint> onset_of(const FloodedCurve& flooded, const StarvedCurve& starved,

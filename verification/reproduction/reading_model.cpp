@@ -5,11 +5,10 @@
 
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
+#include "tribo/stribeck_walk.hpp"
 
 namespace tribo::reproduction {
 namespace {
-
-constexpr const FilmLaw& law = hamrock_dowson_central_law;
 
 bool is_gt(const Scene& scene) { return scene.closures.asperity == AsperityModel::greenwood_tripp; }
 
@@ -34,17 +33,6 @@ AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading
   return contact;
 }
 
-// E* for 2E* doubles U and W and halves G; the sum of the speeds doubles U.
-double film_factor(const Scene& scene, const Reading& reading) {
-  const int doublings = reading.at(Switch::speed_modulus) + reading.at(Switch::speed);
-  double factor = decimal_power(double(1 << doublings), law.speed_exponent);
-  if (reading.is(Switch::material_modulus, 1)) factor /= decimal_power(2.0, law.material_exponent);
-  if (reading.is(Switch::load_modulus, 1)) factor *= decimal_power(2.0, law.load_exponent);
-  if (reading.is(Switch::film_constant, 1))
-    factor *= 2.69 / hamrock_dowson_constant(scene.bodies.ellipticity);
-  return factor;
-}
-
 }  // namespace
 
 FrictionLaw friction_law(const Reading& reading) {
@@ -52,14 +40,24 @@ FrictionLaw friction_law(const Reading& reading) {
           static_cast<ViscosityLaw>(reading.at(Switch::viscosity))};
 }
 
+FilmLaw film_law(const Reading& reading) {
+  FilmLaw law = hamrock_dowson_central_law;
+  law.speed_modulus -= reading.at(Switch::speed_modulus);
+  law.material_modulus -= reading.at(Switch::material_modulus);
+  law.load_modulus -= reading.at(Switch::load_modulus);
+  law.speed_multiple += reading.at(Switch::speed);
+  if (reading.is(Switch::film_constant, 1)) law.side_leakage = {0, 1};
+  return law;
+}
+
 ReadContact::ReadContact(const Scene& scene, const Reading& reading, double film_scale)
     : inlet_film_ratio_(scene.supply.value),
-      film_at_unit_speed_(
-          film_scale * film_factor(scene, reading) *
-          hamrock_dowson_central(1.0, scene.lubricant.viscosity, scene.lubricant.pressure_viscosity,
-                                 scene.load, scene.bodies.effective_modulus,
-                                 scene.bodies.reduced_radius, scene.bodies.ellipticity) /
-          scene.surface.summit_height_sd),
+      film_at_unit_speed_(film_scale *
+                          film_thickness(film_law(reading), 1.0, scene.lubricant.viscosity,
+                                         scene.lubricant.pressure_viscosity, scene.load,
+                                         scene.bodies.effective_modulus,
+                                         scene.bodies.reduced_radius, scene.bodies.ellipticity) /
+                          scene.surface.summit_height_sd),
       summit_height_sd_(scene.surface.summit_height_sd),
       mean_pressure_(scene.load / nominal_area(scene, reading)),
       lubricant_(scene.lubricant),
@@ -69,7 +67,8 @@ ReadContact::ReadContact(const Scene& scene, const Reading& reading, double film
       sharing_(asperities_.model, asperities_.stiffness, asperities_.offset) {}
 
 double ReadContact::flooded_film_parameter(double speed) const {
-  return sharing_.film_parameter(film_at_unit_speed_ * decimal_power(speed, law.speed_exponent));
+  return sharing_.film_parameter(film_at_unit_speed_ *
+                                 decimal_power(speed, sharing_.film().speed_exponent));
 }
 
 double ReadContact::asperity_share(double film_parameter) const {
@@ -108,7 +107,7 @@ std::optional<double> ReadContact::speed_at(double film_parameter) const {
   if (sharing_.has_floor() && film_parameter <= sharing_.floor()) return std::nullopt;
   const double fluid = sharing_.shares_above_floor(film_parameter - sharing_.floor()).fluid;
   const double flooded = sharing_.flooded_film_parameter(film_parameter, fluid);
-  return decimal_power(flooded / film_at_unit_speed_, inverse(law.speed_exponent));
+  return decimal_power(flooded / film_at_unit_speed_, inverse(sharing_.film().speed_exponent));
 }
 
 std::optional<OnsetPoint> ReadContact::onset_at_ratio(double r, const ReadInlet& inlet) const {
@@ -120,11 +119,10 @@ std::optional<OnsetPoint> ReadContact::onset_at_ratio(double r, const ReadInlet&
 
 double ReadContact::film_slope(double r, const ReadInlet& inlet) const {
   const double lambda = r * inlet_film_ratio_;
-  const double share = asperity_share(lambda);
-  const double stiffening = share > 0 ? -law.sharing_power.value * share *
-                                            sharing_.asperity_share_slope(lambda) / (1 - share)
-                                      : 0;
-  return law.speed_power.value / (1 + stiffening) * (1 + inlet.slope(r));
+  if (sharing_.has_floor() && lambda <= sharing_.floor()) return 0;
+  const LoadShares<double> shares = sharing_.shares_above_floor(lambda - sharing_.floor());
+  const double steepness = shares.asperity > 0 ? sharing_.asperity_share_slope(lambda) : 0;
+  return detail::film_slope(sharing_.film(), shares, steepness) * (1 + inlet.slope(r));
 }
 
 std::optional<OnsetPoint> explicit_onset(const ReadContact& contact, const ReadInlet& inlet,

@@ -13,6 +13,7 @@
 #include "tribo/friction.hpp"
 #include "tribo/load_sharing.hpp"
 #include "tribo/scene.hpp"
+#include "tribo/starvation.hpp"
 
 namespace tribo::reproduction {
 
@@ -23,7 +24,11 @@ struct FrictionLaw {
 };
 FrictionLaw friction_law(const Reading& reading);
 
-// The starved inlet with the reading's gap (model/README.md, section 7, with another c).
+// The film law of a reading: what it takes as E_HD, as u and as the constant.
+FilmLaw film_law(const Reading& reading);
+
+// The starved inlet of a reading: the model's, with the reading's gap, or the one that the print
+// has.
 class ReadInlet {
  public:
   explicit ReadInlet(const Reading& reading);
@@ -39,12 +44,8 @@ class ReadInlet {
   InletRule rule() const { return rule_; }
 
  private:
-  double log_inverse_r(double log_length) const;
-  double slope_of_log_inverse_r(double log_length) const;
-  double log_length(double flooded_over_inlet) const;
-
   InletRule rule_;
-  double crook_;  // c; 3/(4√2) for the line contact
+  InletCurve<double> curve_;
   std::optional<double> maximum_;
   double constant_film_ = 0;  // h*/h_oil of as_printed
 };

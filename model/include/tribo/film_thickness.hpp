@@ -2,8 +2,10 @@
 // Film thickness of the fully flooded, smooth point contact, by a regression that is a row of
 // numbers (model/README.md, section 5):
 //
-//   h/R = C U^a G^b W^c (1 − m e^{−nk}),   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²), E_HD =
-//   2E*.
+//   h/R = C U^a G^b W^c (1 − m e^{−nk}),   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²)
+//
+// E_HD is 2E*, and u the mean of the speeds of the two surfaces; but readings of a law may take E*
+// or the sum.
 //
 // The default is Hamrock and Dowson's central film (paper, eqs 1.20 to 1.22, with 0.61 for the
 // misprinted 0.6): B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point
@@ -30,6 +32,11 @@ struct FilmLaw {
   Fraction load_exponent;      // c, of W
   Fraction side_leakage;       // m; 0: the constant does not depend on k
   Fraction side_decay;         // n
+  // E_HD/E* in U, in G and in W, and what U has over the mean of the speeds.
+  int speed_modulus = 2;
+  int material_modulus = 2;
+  int load_modulus = 2;
+  int speed_multiple = 1;
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
   // divided by it, and W stays: h = h₀ γ^{a−b}.
@@ -94,10 +101,11 @@ template <class T>
 T film_thickness(const FilmLaw& law, const T& speed, const T& viscosity,
                  const T& pressure_viscosity, const T& load, const T& effective_modulus,
                  const T& reduced_radius, const T& ellipticity) {
-  const T modulus = 2 * effective_modulus;
-  const T speed_number = viscosity * speed / (modulus * reduced_radius);
-  const T material_number = pressure_viscosity * modulus;
-  const T load_number = load / (modulus * reduced_radius * reduced_radius);
+  const T speed_number = viscosity * (T(law.speed_multiple) * speed) /
+                         (T(law.speed_modulus) * effective_modulus * reduced_radius);
+  const T material_number = pressure_viscosity * (T(law.material_modulus) * effective_modulus);
+  const T load_number =
+      load / (T(law.load_modulus) * effective_modulus * reduced_radius * reduced_radius);
   return reduced_radius * film_constant(law, ellipticity) *
          decimal_power(speed_number, law.speed_exponent) *
          decimal_power(material_number, law.material_exponent) *

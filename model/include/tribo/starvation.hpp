@@ -74,6 +74,12 @@ T wolveridge_slope(const T& inlet_length) {
 template <class T>
 struct InletCurve {
   StarvationClosure closure;
+  T constant_factor = T(1);  // what c is multiplied by: π/4 for the gap of a circular contact
+
+  template <class Real = T>
+  Real crook() const {
+    return crook_constant<Real>() * Real(constant_factor);
+  }
 
   T log_film_ratio(const T& t) const {  // ln y
     using std::exp;
@@ -83,7 +89,7 @@ struct InletCurve {
   }
   T log_crook_term(const T& t, const T& log_y) const {  // ln of the term with c
     using std::log;
-    const T term = ratio<T>(3, 2) * t - log(crook_constant<T>());
+    const T term = ratio<T>(3, 2) * t - log(crook());
     return closure == StarvationClosure::printed_exponents ? T(term - ratio<T>(5, 4) * log_y)
                                                            : term;
   }
@@ -119,8 +125,7 @@ struct InletCurve {
     using std::exp;
     using std::pow;
     if (closure == StarvationClosure::flooded_inlet)
-      return pow(T((1 - flooded_over_inlet) / flooded_over_inlet * crook_constant<T>()),
-                 ratio<T>(2, 3));
+      return pow(T((1 - flooded_over_inlet) / flooded_over_inlet * crook()), ratio<T>(2, 3));
     const T t = rough_log_inlet_length(flooded_over_inlet);
     if (t < least_log_length()) return least_inlet_length(flooded_over_inlet);
     // The rounding of t and of ln r are the error now; one step on r G(ψ) − 1 takes it out.
@@ -133,6 +138,36 @@ struct InletCurve {
     return t + correction(flooded_over_inlet, t);
   }
 
+  // y at r > 0; exactly 0 where the film has collapsed. Error: 20 ε × condition.
+  T film_ratio(const T& r) const {
+    if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(0);
+    return wolveridge_film_ratio(inlet_length(r));
+  }
+  // d ln y/d ln r
+  T slope(const T& r) const {
+    const T t = log_inlet_length(r);
+    return -slope_of_log_y(t) / slope_of_log_inverse_r(t);
+  }
+  // The r at which y = 1 − ε, 0 < ε < 1. Error: 20 ε.
+  T at_departure(const T& departure) const {
+    using std::sqrt;
+    const T y = 1 - departure;
+    const T psi = wolveridge_inlet_length(y);
+    const T term = psi * sqrt(psi) / crook();
+    if (closure == StarvationClosure::flooded_inlet) return 1 / (1 + term);
+    if (closure == StarvationClosure::starved_inlet) return 1 / (y + term);
+    return 1 / (y + term / (y * sqrt(sqrt(y))));
+  }
+  // The r at which r y(r) is greatest; NaN for starved_inlet, which has no maximum. Error: 20 ε.
+  T at_film_maximum() const {
+    using std::exp;
+    if (closure == StarvationClosure::starved_inlet) return quiet_nan<T>();
+    const T t =
+        bracketed_root([&](const T& x) { return slope_of_log_y(x) - slope_of_log_inverse_r(x); },
+                       T(-10), T(10), epsilon<T>());
+    return exp(T(-log_inverse_r(t)));
+  }
+
  private:
   // Below this ψ the powers of ψ near underflow; arctan v = v there to every digit of T.
   static T least_log_length() { return ratio<T>(1, 4) * T(std::numeric_limits<T>::min_exponent); }
@@ -143,7 +178,7 @@ struct InletCurve {
     using std::sqrt;
     const T kappa = 2 * wolveridge_factor<T>() / pi<T>();
     if (closure == StarvationClosure::printed_exponents) {
-      const T root = crook_constant<T>() * kappa * sqrt(sqrt(kappa)) / flooded_over_inlet;
+      const T root = crook() * kappa * sqrt(sqrt(kappa)) / flooded_over_inlet;
       return root * root * (root * root);
     }
     return 1 / (kappa * flooded_over_inlet);
@@ -173,9 +208,9 @@ struct InletCurve {
     using Wide = WiderType<T>;
     const Wide psi = Wide(T(exp(t)));
     const Wide y = wolveridge_film_ratio(psi);
-    Wide crook = psi * sqrt(psi) / crook_constant<Wide>();
-    if (closure == StarvationClosure::printed_exponents) crook /= y * sqrt(sqrt(y));
-    return T(1 - Wide(r) * (y + crook)) / slope_of_log_inverse_r(t);
+    Wide term = psi * sqrt(psi) / crook<Wide>();
+    if (closure == StarvationClosure::printed_exponents) term /= y * sqrt(sqrt(y));
+    return T(1 - Wide(r) * (y + term)) / slope_of_log_inverse_r(t);
   }
 };
 
@@ -193,8 +228,7 @@ T starvation_ratio(StarvationClosure closure, const T& flooded_over_inlet,
     if (r <= 1) return exp(T(-log1p(pow(r, gamma)) / gamma));
     return exp(T(-log1p(pow(T(1 / r), gamma)) / gamma)) / r;
   }
-  if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(0);
-  return wolveridge_film_ratio(InletCurve<T>{closure}.inlet_length(r));
+  return InletCurve<T>{closure}.film_ratio(r);
 }
 
 // 1 − y, without the cancellation where the inlet is nearly flooded. Error: 20 ε.
@@ -220,9 +254,7 @@ T starvation_slope(StarvationClosure closure, const T& flooded_over_inlet,
   using std::pow;
   if (closure == StarvationClosure::damiens)
     return -1 / (1 + pow(flooded_over_inlet, T(-damiens_exponent)));
-  const InletCurve<T> curve{closure};
-  const T t = curve.log_inlet_length(flooded_over_inlet);
-  return -curve.slope_of_log_y(t) / curve.slope_of_log_inverse_r(t);
+  return InletCurve<T>{closure}.slope(flooded_over_inlet);
 }
 
 // The r at which y = 1 − ε, 0 < ε < 1 (model/README.md, section 9, film_departure). Error: 20 ε.
@@ -230,29 +262,18 @@ template <class T>
 T departure_flooded_over_inlet(StarvationClosure closure, const T& departure,
                                const T& damiens_exponent) {
   using std::pow;
-  using std::sqrt;
   const T y = 1 - departure;
   if (closure == StarvationClosure::damiens)
     return pow(T(1 - pow(y, damiens_exponent)), T(1 / damiens_exponent)) / y;
-  const T psi = wolveridge_inlet_length(y);
-  const T crook = psi * sqrt(psi) / crook_constant<T>();
-  if (closure == StarvationClosure::flooded_inlet) return 1 / (1 + crook);
-  if (closure == StarvationClosure::starved_inlet) return 1 / (y + crook);
-  return 1 / (y + crook / (y * sqrt(sqrt(y))));
+  return InletCurve<T>{closure}.at_departure(departure);
 }
 
 // The r at which h*/h_oil = r y(r) is greatest at constant h_oil: flooded_inlet 0.6327757634209,
 // printed_exponents 0.6962389029717; NaN for the closures that have no maximum. Error: 20 ε.
 template <class T>
 T film_maximum_flooded_over_inlet(StarvationClosure closure) {
-  using std::exp;
-  if (closure == StarvationClosure::starved_inlet || closure == StarvationClosure::damiens)
-    return quiet_nan<T>();
-  const InletCurve<T> curve{closure};
-  const T t = bracketed_root(
-      [&](const T& x) { return curve.slope_of_log_y(x) - curve.slope_of_log_inverse_r(x); }, T(-10),
-      T(10), epsilon<T>());
-  return exp(T(-curve.log_inverse_r(t)));
+  if (closure == StarvationClosure::damiens) return quiet_nan<T>();
+  return InletCurve<T>{closure}.at_film_maximum();
 }
 
 }  // namespace tribo
