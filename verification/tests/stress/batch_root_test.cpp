@@ -146,11 +146,20 @@ TEST(BatchRoot, IsRarelyLeftToNewtonsMethodWithinTheRangeOfTheKernels) {
       const Roots beyond = roots_of(model, outside);
       EXPECT_EQ(beyond.work.by_newton, outside.size());
       EXPECT_EQ(beyond.work.steps, 0u);
-      for (std::size_t i = 0; i < outside.size(); ++i)
-        EXPECT_EQ(beyond.film_parameter[i],
-                  LoadSharing<double>(model, outside.stiffness[i], outside.offset[i])
-                      .film_parameter(outside.flooded[i]))
+      for (std::size_t i = 0; i < outside.size(); ++i) {
+        const double k = outside.stiffness[i], delta = outside.offset[i];
+        const double film0 = outside.flooded[i], got = beyond.film_parameter[i];
+        EXPECT_EQ(got, LoadSharing<double>(model, k, delta).film_parameter(film0))
             << text(outside, i);
+        const Reference root(LoadSharing<long double>(model, static_cast<long double>(k),
+                                                      static_cast<long double>(delta))
+                                 .solve(static_cast<long double>(film0))
+                                 .film_parameter);
+        EXPECT_TRUE(is_close(
+            got, root,
+            allowed_by(load_sharing_contract, root, root_condition(model, k, delta, film0), 1),
+            {{"K", k}, {"delta", delta}, {"lambda0", film0}}));
+      }
     });
   }
 }
