@@ -247,7 +247,8 @@ class Numbers(WrittenReport):
             self.assertEqual((found["agreeing"], found["counted"]), (inside, len(told)))
             factors = [float(row["computed/reported"]) for row in told]
             self.assertEqual(found["factors"], [min(factors), max(factors)])
-            self.assertIn(f"{inside} of {len(told)} computed values agree", (self.out / "report.md").read_text())
+            self.assertRegex((self.out / "report.md").read_text(),
+                             rf"{inside} of {len(told)} values \([^)]*\) round to what it prints")
             standing = next(one["standing"] for one in page["findings"] if one["id"] == quantity)
             self.assertEqual(standing, "holds" if inside == len(told) else "differs")
 
@@ -272,7 +273,8 @@ class Numbers(WrittenReport):
         for item in ("C1.smooth", "C1.medium", "C1.rough", "C2.smooth", "C4.rough", "C4.smooth"):
             row = ledger[item]
             computed = f"{float(row['computed']):.4g}"
-            self.assertRegex(first, rf"\| {float(row['reported']):g} \| {computed} \| (yes|partly|no)\b")
+            shown = {"reproduced": "agrees", "within 10 %": "near: "}.get(row["verdict"], "differs: ")
+            self.assertRegex(first, rf"\| {float(row['reported']):g} \| {float(row['computed']):#.3g} \| {shown}")
             self.assertRegex(self.done.stdout, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* "
                                                rf"{row['verdict']}$")
 
@@ -449,7 +451,7 @@ class Failures(unittest.TestCase):
     def test_default_folders_are_the_projects(self):
         project = self.path / "project"
         shutil.copytree(PUBLISHED, project / "reference/published")
-        for folder in ("gnuplot", "render"):
+        for folder in ("gnuplot", "render", "schema"):
             shutil.copytree(ROOT / "reports/page" / folder, project / "reports/page" / folder)
         (project / "deep/below").mkdir(parents=True)
         done = report(cwd=project / "deep/below")
@@ -460,7 +462,8 @@ class Failures(unittest.TestCase):
 
     def test_a_changed_verdict_breaks_the_ledgers_promise_and_a_moved_number_does_not(self):
         project = self.path / "project"
-        for part in ("reference/published", "reference/baselines", "reports/page/gnuplot", "reports/page/render"):
+        for part in ("reference/published", "reference/baselines", "reports/page/gnuplot", "reports/page/render",
+                     "reports/page/schema"):
             shutil.copytree(ROOT / part, project / part)
         path = project / "reference/baselines/ledger.csv"
         whole = path.read_text()

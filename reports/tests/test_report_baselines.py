@@ -135,7 +135,7 @@ class Baselines(unittest.TestCase):
         self.assertEqual(self.findings["planted_faults"]["standing"], "fails")
         self.assertIn("FAILS: planted_faults", self.terminal)
         self.assertIn("1 fail", self.terminal)
-        first = next(part for part in self.sections["This software"].split("\n\n") if "[more](#" in part)
+        first = next(part for part in self.sections["Results: checks of this software"].split("\n\n") if "[more](#" in part)
         self.assertRegex(first, "^FAILS ")
         self.assertIn("[more](#planted-faults)", first)
         row = self.rows(self.TITLES["planted-faults"])[0]

@@ -91,8 +91,8 @@ class Page(WrittenReport):
 
     def test_the_paper_and_this_software_are_told_apart(self):
         text = (self.out / "report.md").read_text()
-        paper = text.split("\n## The paper\n")[1].split("\n## ")[0]
-        software = text.split("\n## This software\n")[1].split("\n## ")[0]
+        paper = text.split("\n## Results: the paper\n")[1].split("\n## ")[0]
+        software = text.split("\n## Results: checks of this software\n")[1].split("\n## ")[0]
         told = json.loads((self.out / "report.json").read_text())
         for about, part in (("paper", paper), ("software", software)):
             found = sorted(one["section"] for one in told["findings"] if one["about"] == about)
