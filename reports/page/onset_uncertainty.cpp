@@ -173,10 +173,10 @@ Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Le
   const reproduction::Uncertainty& print = ledger.uncertainty.front();
 
   Group group;
-  Json surfaces = Json::array();
+  Json per_surface = Json::array();
   for (std::size_t i = 0; i < table_one_surfaces.size(); ++i) {
     const Reported reported = reported_onset(ledger, i);
-    surfaces.push_back(
+    per_surface.push_back(
         {{"surface", table_one_surfaces[i]},
          {"reported", {{"value", reported.value}, {"low", reported.low}, {"high", reported.high}}},
          {"speeds", speeds_json(plan.scenes[i], result.scenes[i], reported)}});
@@ -184,7 +184,7 @@ Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Le
   const Agreement found = agreement(result, print);
   const bool agree = found.in_deviations <= most_deviations;
   group.data = {{"inputs_drawn", plan.scenes.front().drawn()},
-                {"surfaces", std::move(surfaces)},
+                {"surfaces", std::move(per_surface)},
                 {"agreement",
                  {{"column", compared_column},
                   {"ledger_draws", print.draws},
