@@ -232,10 +232,10 @@ class Travellers {
   static constexpr std::size_t room = sharing_block + lanes;
   static constexpr std::size_t surface_room = one_surface ? 1 : room;
   D d_;
-  double film_power_;
   std::size_t count_ = 0;
   HWY_ALIGN double stiffness_[surface_room];
   HWY_ALIGN double offset_[surface_room];
+  double film_power_;
   HWY_ALIGN double flooded_[room];
   HWY_ALIGN double film_parameter_[room];
   HWY_ALIGN double log_rise_[room];

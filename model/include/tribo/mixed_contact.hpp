@@ -42,8 +42,7 @@ class MixedContact {
 
   // With a film law that no word names.
   MixedContact(const Scene& scene, const FilmLaw& film)
-      : film_(&film),
-        load_(T(scene.load)),
+      : load_(T(scene.load)),
         summit_height_sd_(T(scene.surface.summit_height_sd)),
         lubricant_{T(scene.lubricant.viscosity), T(scene.lubricant.pressure_viscosity),
                    T(scene.lubricant.eyring_stress.value_or(1))},
@@ -52,6 +51,7 @@ class MixedContact {
         fluid_(scene.friction.fluid),
         viscosity_law_(scene.friction.viscosity),
         closure_(scene.closures.starvation),
+        film_(&film),
         damiens_exponent_(T(scene.closures.damiens_exponent)),
         supply_(scene.supply.kind),
         supply_value_(T(scene.supply.value)),
@@ -235,7 +235,6 @@ class MixedContact {
     point.friction += stress * fluid_area / hertz_.mean_pressure;
   }
 
-  const FilmLaw* film_;
   T load_;
   T summit_height_sd_;
   Fluid lubricant_;
@@ -244,6 +243,7 @@ class MixedContact {
   FluidShear fluid_;
   ViscosityLaw viscosity_law_;
   StarvationClosure closure_;
+  const FilmLaw* film_;
   T damiens_exponent_;
   SupplyKind supply_;
   T supply_value_;

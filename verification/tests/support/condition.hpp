@@ -146,8 +146,7 @@ inline SceneNumbers<verification::Dual> seeded(const Scene& scene) {
 // As the template, with derivatives.
 template <>
 inline MixedContact<verification::Dual>::MixedContact(const Scene& scene, const FilmLaw& film)
-    : film_(&film),
-      load_(detail::seeded(scene).load),
+    : load_(detail::seeded(scene).load),
       summit_height_sd_(detail::seeded(scene).summit_height_sd),
       lubricant_{detail::seeded(scene).viscosity, detail::seeded(scene).pressure_viscosity,
                  detail::seeded(scene).eyring_stress},
@@ -156,6 +155,7 @@ inline MixedContact<verification::Dual>::MixedContact(const Scene& scene, const 
       fluid_(scene.friction.fluid),
       viscosity_law_(scene.friction.viscosity),
       closure_(scene.closures.starvation),
+      film_(&film),
       damiens_exponent_(detail::seeded(scene).damiens_exponent),
       supply_(scene.supply.kind),
       supply_value_(detail::seeded(scene).supply),
