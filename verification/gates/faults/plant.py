@@ -92,6 +92,8 @@ def targets_of(check):
         return ["tribocheck", "verification/conformance/subjects/all"]  # the plug-ins, without which a test is red too
     if test_of(check).startswith("gates."):
         return ["tribocheck_gate_kernels"] if test_of(check) == "gates.work_counters" else []
+    if test_of(check) == "stress.model_against_long_double":
+        return ["model_stress"]  # a program of its own, not a test of GoogleTest
     # concern.Suite.Test, with Prefix/ and /parameter where there are parameters or types
     _, suites, test = test_of(check).split(".")
     suite = "|".join(re.escape(part) for part in suites.split("/"))

@@ -58,6 +58,11 @@ class Targets(unittest.TestCase):
                                ("inventory:support.Judge.PassesInsideTheBoundAndFailsOutside", ["judge_test"])):
             self.assertEqual(plant.targets_of(check), targets)
 
+    def test_of_every_fault_of_the_catalogue_are_found(self):
+        for fault in plant.read_catalogue():
+            with self.subTest(fault["id"]):
+                plant.targets_of(fault["check"])
+
     def test_a_check_that_no_source_has_ends_the_run(self):
         with self.assertRaises(SystemExit):
             plant.targets_of("support.Judge.DoesNothingOfTheKind")
