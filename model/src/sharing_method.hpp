@@ -19,7 +19,9 @@ constexpr double free_square_of(double film_exponent) {
   return free_square - 4 + 4 / 0.14 * film_exponent;
 }
 static_assert(free_square_of(0.14) == free_square);
-// Beyond that square by this much A < 2^−54: more than 4 ln(1/e), as the sum of both is 149.
+// Beyond that square by this much A < 2^−54, which the first bound above gives from
+// (λ₀ − δ)² ≥ 4 ln 2^54 + 2 ln F_{5/2}(0) + 2(k + 1) ln 2 on: the sum of both is 149, and
+// 4 ln 2^54 + 2 ln F_{5/2}(0) = 148.76.
 constexpr double square_beyond_free(double film_exponent) {
   return 149 + 4 - free_square - 4 / 0.14 * film_exponent;
 }

@@ -3,8 +3,10 @@
 // templates (render/templates) take every number and every verdict from it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +17,11 @@ namespace tribo::report {
 
 using Json = nlohmann::ordered_json;
 
+// null where there is no number. JSON has no NaN and no infinity: they are written as null too.
+inline Json number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 enum class Standing : std::uint8_t {
   holds,     // agrees, within what is declared
   differs,   // does not agree with what the paper reports, or agrees in part
@@ -23,6 +30,9 @@ enum class Standing : std::uint8_t {
   measured,  // a result, neither good nor bad
   absent,    // not known: its source is missing, or it was not run
 };
+// In the order of the enumeration.
+inline constexpr std::array<std::string_view, 6> standing_words{"holds",  "differs",  "fails",
+                                                                "missed", "measured", "absent"};
 enum class About : std::uint8_t { paper, software };
 
 // A line at the top of the page. Its sentence stands in the section's template, as finding_<id>.

@@ -2,19 +2,14 @@
 #include "page/ledger_json.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "page/group.hpp"
 #include "page/ledger_tables.hpp"
 
 namespace tribo::report {
 namespace {
 
 using namespace reproduction;
-using Json = nlohmann::ordered_json;
-
-Json number(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Json switches(const Reading& reading) {
   Json object = Json::object();

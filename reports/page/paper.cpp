@@ -18,8 +18,6 @@ namespace {
 
 using reproduction::Quantity;
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 Json point_json(const Point& point) {
   return {{"speed", point.speed},
           {"film", point.film},
@@ -48,9 +46,6 @@ std::optional<double> least_friction(const SolvedCase& solved) {
     if (!point.friction_undefined && (!least || point.friction < *least)) least = point.friction;
   return least;
 }
-
-constexpr std::string_view supply_words[] = {"flooded", "inlet_film", "inlet_film_ratio",
-                                             "inlet_flow"};
 
 Json scene_json(const SolvedCase& solved) {
   const Scene& scene = solved.source.scene;

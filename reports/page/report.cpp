@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -81,8 +81,6 @@ std::string_view section_of(std::string_view group) {
   return {};
 }
 
-constexpr std::array<std::string_view, 6> standing_words{"holds",  "differs",  "fails",
-                                                         "missed", "measured", "absent"};
 std::string_view word(Standing standing) {
   return standing_words[static_cast<std::size_t>(standing)];
 }
@@ -106,7 +104,7 @@ class Sources {
       progress_("judging the paper's claims under every reading");
       reproduction::LedgerOptions options;
       options.published = places_.scenes.string();
-      ledger_ = std::make_unique<reproduction::Ledger>(reproduction::make_ledger(options));
+      ledger_ = reproduction::make_ledger(options);
     }
     return *ledger_;
   }
@@ -116,7 +114,7 @@ class Sources {
   const std::vector<Case>& cases_;
   const Progress& progress_;
   std::vector<SolvedCase> solved_;
-  std::unique_ptr<reproduction::Ledger> ledger_;
+  std::optional<reproduction::Ledger> ledger_;
 };
 
 struct GroupMaker {
@@ -193,13 +191,11 @@ class ReportData {
     std::string text;
     if (has_ledger())
       text += fmt::format("The paper: {}.\n", json_["ledger"]["summary"].get<std::string>());
-    std::array<int, standing_words.size()> count{};
+    std::map<std::string, int> count;
     std::string lines;
     for (const Json& one : json_["findings"]) {
       const auto standing = one["standing"].get<std::string>();
-      const auto place = std::find(standing_words.begin(), standing_words.end(), standing);
-      if (one["about"] == "software")
-        ++count[static_cast<std::size_t>(place - standing_words.begin())];
+      if (one["about"] == "software") ++count[standing];
       if (standing == "fails" || standing == "missed" || standing == "absent")
         lines += fmt::format("  {}: {}: {}\n",
                              standing == "fails"    ? "FAILS"
@@ -209,9 +205,8 @@ class ReportData {
     }
     return text +
            fmt::format(
-               "This software: {} checks hold, {} fail, {} missed a target, {} did not "
-               "run.\n",
-               count[0], count[2], count[3], count[5]) +
+               "This software: {} checks hold, {} fail, {} missed a target, {} did not run.\n",
+               count["holds"], count["fails"], count["missed"], count["absent"]) +
            lines;
   }
 

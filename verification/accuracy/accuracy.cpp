@@ -97,8 +97,6 @@ QuantityResult onset_constants(const std::string& folder) {
 }
 
 Scene scene_of(const ReferenceRow& row) {
-  constexpr std::array<std::string_view, 4> supplies{"flooded", "inlet_film", "inlet_film_ratio",
-                                                     "inlet_flow"};
   Scene scene;
   scene.load = row.number("load");
   scene.surface = {row.number("summit_density"), row.number("summit_radius"),
@@ -108,7 +106,7 @@ Scene scene_of(const ReferenceRow& row) {
                   row.number("ellipticity")};
   scene.lubricant = {row.number("viscosity"), row.number("pressure_viscosity"),
                      row.number("eyring_stress")};
-  scene.supply = {parse<SupplyKind>(row.text("supply_kind"), supplies), row.number("supply")};
+  scene.supply = {parse<SupplyKind>(row.text("supply_kind"), supply_words), row.number("supply")};
   scene.friction = {row.number("boundary_coefficient"), row.number("slide_roll_ratio"),
                     parse<FluidShear>(row.text("fluid"), fluid_shear_words),
                     parse<ViscosityLaw>(row.text("viscosity_law"), viscosity_law_words)};

@@ -107,9 +107,9 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   using std::exp;
   using std::log;
   const StribeckWalk<T> walk(contact);
-  // At a maximum −d ln y/d ln r is s/(1 + s) ≤ a/(1 + a), about 0.4, so that r is below 10. Below r
-  // = 1e-9 −d ln y/d ln r of the arctan closures is less than 1e-6, and no film slope s that
-  // matters is so small. (Damiens' rule would need an exponent below 0.03, which nobody has.)
+  // At a maximum −d ln y/d ln r is s/(1 + s) ≤ a/(1 + a), which is 0.4, so that r is below 10.
+  // Below r = 1e-9 −d ln y/d ln r of the arctan closures is less than 1e-6, and no film slope s
+  // that matters is so small. (With Damiens' rule it could be, if his exponent were below 0.03.)
   const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
   const T last_log_r =
       contact.closure() == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));

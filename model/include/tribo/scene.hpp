@@ -30,8 +30,10 @@ enum class ViscosityLaw : std::uint8_t { barus, ambient, roelands };
 enum class SupplyKind : std::uint8_t { flooded, inlet_film, inlet_film_ratio, inlet_flow };
 enum class Spacing : std::uint8_t { log, lin };
 
-// The words for these in scene files, requests and tables, in the order of the enumerations. (A
-// supply is named by its field.)
+// The words for these in scene files, requests and tables, in the order of the enumerations. A
+// supply is named by its field; a scene without a field of supply is flooded.
+inline constexpr std::array<std::string_view, 4> supply_words{"flooded", "inlet_film",
+                                                              "inlet_film_ratio", "inlet_flow"};
 inline constexpr std::array<std::string_view, 2> asperity_model_words{"greenwood_tripp",
                                                                       "greenwood_williamson"};
 inline constexpr std::array<std::string_view, 2> film_formula_words{"hamrock_dowson_central",

@@ -7,13 +7,10 @@ import cmarkgfm
 import markupsafe
 from cmarkgfm.cmark import Options
 
-SPECIAL = re.compile(r"([\\`*_\[\]|#<>~^])")
-
-
 # Text that is Markdown already. Jinja escapes all other text, by escaped().
 Markdown = markupsafe.Markup
 
-
+SPECIAL = re.compile(r"([\\`*_\[\]|#<>~^])")
 CODE = re.compile(r"(?<!\\)(?P<ticks>`+)(?!`)[^\n]*?(?<!`)(?P=ticks)(?!`)")
 CODE_OR_TEXT = re.compile(r"`[^`]+`|[^`]+|`")
 

@@ -64,7 +64,7 @@ class Figures:
         return paths, why
 
     def figure(self, name, heading, alternative, script=None, frame="style.gp", folder="data", data_name=None, title=None,
-               subtitle="", height=640, data=(), label=None, caller=None):
+               subtitle="", height=640, data=(), caller=None):
         """A figure of a template: {% call figure("figure_10", …) %} its caption {% endcall %}."""
         drawn = {"frame": frame, "script": script or f"{name}.gp", "data": folder, "name": data_name or name,
                  "title": title or markup.plain(heading), "subtitle": subtitle, "height": height}
@@ -89,7 +89,7 @@ class Figures:
         return markup.Markdown(f'<figure id="{name}">\n\n### {heading}\n\n{picture}\n\n<figcaption>\n\n'
                                f'{caller().strip() if caller else ""}\n\n{files}\n\n</figcaption>\n</figure>\n')
 
-    def sweep_figure(self, picture, alternative, label=None, caller=None):
+    def sweep_figure(self, picture, alternative, caller=None):
         """A picture of a sweep: {% call sweep_figure(sweep_pictures.sensitivity(…), …) %} its caption {% endcall %}."""
         if picture is None:
             return ""
@@ -99,7 +99,7 @@ class Figures:
         self.written.append(path)
         self.files.append(path)
         return self.figure(picture.stem, picture.heading, alternative, picture.script, "sweep.gp", "data/sweep",
-                           subtitle=picture.subtitle, height=picture.height, data=[path], label=label, caller=caller)
+                           subtitle=picture.subtitle, height=picture.height, data=[path], caller=caller)
 
     def into(self, html):
         """The pictures of a section in place of its images."""
@@ -126,13 +126,18 @@ def shown(value):
     return markup.escaped(str(value)) if isinstance(value, str) else value
 
 
+def as_markdown(function):
+    """A filter whose text is Markdown already."""
+    return lambda *values, **named: markup.Markdown(function(*values, **named))
+
+
 def environment(report, figures):
     made = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), undefined=jinja2.StrictUndefined,
                               trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, finalize=shown, autoescape=True)
-    as_markdown = {name: (lambda f: lambda *a, **k: markup.Markdown(f(*a, **k)))(getattr(numbers, name))
-                   for name in ("rounded", "unrounded", "grouped", "percent", "interval")}
-    made.filters |= as_markdown | {"code": markup.code, "typeset": markup.typeset, "marked": markup.marked, "link": markup.link,
-                                   "enhanced": drawing.enhanced, "md": markup.Markdown, "commit": sections.short_commit}
+    made.filters |= {function.__name__: as_markdown(function) for function in
+                     (numbers.rounded, numbers.unrounded, numbers.grouped, numbers.percent, numbers.interval)}
+    made.filters |= {"code": markup.code, "typeset": markup.typeset, "marked": markup.marked, "link": markup.link,
+                     "enhanced": drawing.enhanced, "md": markup.Markdown, "commit": sections.short_commit}
     made.globals |= {"figure": figures.figure, "sweep_figure": figures.sweep_figure,
                      "sweep_pictures": sweep_pictures, "provenance": sections.provenance, "measured": sections.measured,
                      **report}

@@ -5,6 +5,9 @@ import pathlib
 import re
 import typing
 
+import jinja2
+import jinja2.meta
+import jinja2.nodes
 import markup
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -12,30 +15,28 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 class Section(typing.NamedTuple):
     title: str  # Markdown
-    needs: tuple  # the groups of report.json that its template reads
     is_folded: bool = False  # closed until a reader opens it
-    further: tuple = ()  # more templates, each with what it needs: ((name, groups), …)
+    further: tuple = ()  # more templates; each is left out alone where its data is missing
 
 
 # The paper first, then this software. templates/<id>.md says what each shows.
 SECTIONS = {
-    "figures": Section("The paper's figures, redrawn", ("paper", "ledger")),
-    "comparison": Section("The paper's numbers by each criterion and model", ("paper",)),
-    "claims": Section("The paper's 17 claims, one by one", ("ledger",)),
-    "readings": Section("Interpretations of what the paper leaves open", ("ledger",), True),
-    "requirements": Section("What would make the other claims hold", ("ledger",), True),
-    "uncertainty": Section("How sure the computed numbers are", ("ledger",),
-                           further=(("uncertainty-sweep", ("onset_uncertainty",)),)),
-    "misprints": Section("The paper's misprints", ("ledger",), True),
-    "model": Section("The model, its equations and inputs", ("paper", "ledger"), True),
-    "verification": Section("Accuracy, quantity by quantity", ("certified",), True),
-    "worst-inputs": Section("Accuracy at random inputs", ("stress",), True),
-    "planted-faults": Section("Planted faults: do the checks find errors?", ("planted_faults",), True),
-    "work-precision": Section("Run time against error", ("work_precision",)),
-    "skipped-work": Section("Work that is skipped", ("skipped_work",), True),
-    "gates": Section("Checks of run time", ("gates",), True),
-    "sweep-speed": Section("Run time of sweeps over many inputs", ("sweep_speed",), True),
-    "environment": Section("Where and when this page was made", ("environment",), True),
+    "figures": Section("The paper's figures, redrawn"),
+    "comparison": Section("The paper's numbers by each criterion and model"),
+    "claims": Section("The paper's 17 claims, one by one"),
+    "readings": Section("Interpretations of what the paper leaves open", True),
+    "requirements": Section("What would make the other claims hold", True),
+    "uncertainty": Section("How sure the computed numbers are", further=("uncertainty-sweep",)),
+    "misprints": Section("The paper's misprints", True),
+    "model": Section("The model, its equations and inputs", True),
+    "verification": Section("Accuracy, quantity by quantity", True),
+    "worst-inputs": Section("Accuracy at random inputs", True),
+    "planted-faults": Section("Planted faults: do the checks find errors?", True),
+    "work-precision": Section("Run time against error"),
+    "skipped-work": Section("Work that is skipped", True),
+    "gates": Section("Checks of run time", True),
+    "sweep-speed": Section("Run time of sweeps over many inputs", True),
+    "environment": Section("Where and when this page was made", True),
 }
 STANDINGS = {"holds": "holds", "differs": "differs", "fails": "FAILS", "missed": "missed",
              "measured": "measured", "absent": "not run"}
@@ -77,6 +78,8 @@ class Page:
         self.parts.append(Made("not-run", "What is missing from this page", not_run, False))
         data = self.render("data.md", files=report["files"])[0]
         self.parts.append(Made("data", "Data", data, True))
+        self.first = self.render("first.md", findings=self.findings, standings=STANDINGS)[0]
+        self.title = re.search(r"(?m)^# (.*)$", self.first)[1]
 
     def render(self, template, **more):
         module = self.templates.get_template(template).make_module(more)
@@ -89,16 +92,26 @@ class Page:
 
     def section(self, name):
         one = SECTIONS[name]
-        texts = [self.part(one.title, template, needs) for template, needs in ((name, one.needs), *one.further)]
+        texts = [self.part(one.title, f"{template}.md") for template in (name, *one.further)]
         return Made(name, one.title, "\n".join(texts), one.is_folded)
 
-    def part(self, title, template, needs):
+    def missing_data(self, template):
+        """Why a group of report.json that the template, or one that it imports, reads is missing; or None."""
+        tree = self.templates.parse((HERE / "templates" / template).read_text(encoding="utf-8"))
+        for name in sorted({node.name for node in tree.find_all(jinja2.nodes.Name)}):
+            group = self.report.get(name)
+            if isinstance(group, dict) and "missing" in group:
+                return group["missing"]
+        imported = map(self.missing_data, jinja2.meta.find_referenced_templates(tree))
+        return next(filter(None, imported), None)
+
+    def part(self, title, template):
         """The text of one template, or why it is missing; keeps the sentences of its findings."""
-        absent = next((self.report[group]["missing"] for group in needs if "missing" in self.report[group]), None)
+        absent = self.missing_data(template)
         if absent is not None:
             self.missing.append({"what": title, **absent})
             return self.render("missing.md", missing=absent)[0]
-        text, module = self.render(f"{template}.md")
+        text, module = self.render(template)
         for attribute in dir(module):
             if attribute.startswith("finding_"):
                 self.sentences[attribute.removeprefix("finding_")] = markup.indices(getattr(module, attribute)).strip()
@@ -111,14 +124,6 @@ class Page:
         for one in ours:
             said = self.sentences.get(one["id"]) or markup.indices(markup.escaped(one.get("why") or "It has no data."))
             yield one["standing"], one["section"], markup.Markdown(said)
-
-    @property
-    def first(self):
-        return self.render("first.md", findings=self.findings, standings=STANDINGS)[0]
-
-    @property
-    def title(self):
-        return re.search(r"(?m)^# (.*)$", self.first)[1]
 
     @property
     def markdown(self):

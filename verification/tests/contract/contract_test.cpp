@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Each function of the model keeps its contract at points drawn from its domain (point.hpp) and at
 // its hard ones, against ball arithmetic: in double on each instruction set and in each rounding
-// mode, and in the other number
-// types to 50 ε, of which the templates promise 500.
+// mode, and in the other number types to 50 ε, of which the templates promise 500.
 #include <gtest/gtest.h>
 
 #include <cfenv>

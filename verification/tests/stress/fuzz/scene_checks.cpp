@@ -124,11 +124,6 @@ void check_rules(const Scene& scene) {
 
 // --- A scene written again.
 
-const char* word(SupplyKind kind) {
-  constexpr const char* words[] = {"", "inlet_film", "inlet_film_ratio", "inlet_flow"};
-  return words[static_cast<int>(kind)];
-}
-
 std::string word_of(std::string_view path, int place) {
   for (const FieldInfo& field : scene_fields())
     if (field.path == path) return std::string(field.choices[static_cast<std::size_t>(place)]);
@@ -165,7 +160,8 @@ Json as_json(const Scene& scene) {
   json["lubricant"] = {{"viscosity", lubricant.viscosity},
                        {"pressure_viscosity", lubricant.pressure_viscosity}};
   if (lubricant.eyring_stress) json["lubricant"]["eyring_stress"] = *lubricant.eyring_stress;
-  if (supply.kind != SupplyKind::flooded) json["supply"][word(supply.kind)] = supply.value;
+  if (supply.kind != SupplyKind::flooded)
+    json["supply"][std::string(supply_words[static_cast<std::size_t>(supply.kind)])] = supply.value;
   json["friction"] = {
       {"slide_roll_ratio", friction.slide_roll_ratio},
       {"fluid", word_of("friction.fluid", static_cast<int>(friction.fluid))},
