@@ -55,8 +55,10 @@ Measured measure_number(const Case& asked, const Expected& expected, const nlohm
                                      : infinity,
                 {}};
   if (made.part_of_bound > 1)
-    made.reason = fmt::format("{}, not {}; off by {:.3g} of it, allowed {:.3g}", got, expected.high,
-                              made.relative, limit / std::abs(expected.high));
+    made.reason = expected.high == 0
+                      ? fmt::format("{}, not 0; allowed {:.3g}", got, limit)
+                      : fmt::format("{}, not {}; off by {:.3g} of it, allowed {:.3g}", got,
+                                    expected.high, made.relative, limit / std::abs(expected.high));
   return made;
 }
 
@@ -76,7 +78,9 @@ class Judge {
     for (std::size_t i = 0; i < cases_.size(); ++i)
       for (std::size_t k = 0; k < cases_[i].expected.size(); ++k) judge(i, k);
     for (QuantityVerdict& one : result_.quantities) {
-      one.status = one.failed > 0    ? Status::failed
+      one.status = one.failed_physical > 0 || (one.failed > 0 && one.held_physical == 0)
+                       ? Status::failed
+                   : one.failed > 0  ? Status::held_physically
                    : one.held == 0   ? Status::not_offered
                    : one.skipped > 0 ? Status::partly_held
                                      : Status::held;
@@ -86,7 +90,10 @@ class Judge {
  private:
   QuantityVerdict& quantity(const std::string& name) {
     const auto [place, is_new] = place_.try_emplace(name, result_.quantities.size());
-    if (is_new) result_.quantities.push_back({name, {}, 0, 0, 0, 0, 0, 0, {}, {}});
+    if (is_new) {
+      result_.quantities.emplace_back();
+      result_.quantities.back().quantity = name;
+    }
     return result_.quantities[place->second];
   }
 
@@ -111,6 +118,7 @@ class Judge {
                                   : measure_number(asked, expected, *value, tolerance_);
     if (measured.part_of_bound > 1) return fail(verdict, i, k, measured);
     ++verdict.held;
+    verdict.held_physical += expected.is_physical ? 1 : 0;
     note_worst(verdict, asked, measured);
   }
 
@@ -119,8 +127,12 @@ class Judge {
   }
 
   void fail(QuantityVerdict& verdict, std::size_t i, std::size_t k, const Measured& measured) {
-    if (verdict.failed++ == 0)
+    // The first failure is told, but rather one in the physical range.
+    const bool is_physical = cases_[i].expected[k].is_physical;
+    if (verdict.failed == 0 || (is_physical && verdict.failed_physical == 0))
       verdict.first_reason = fmt::format("{}: {}", cases_[i].id, measured.reason);
+    ++verdict.failed;
+    verdict.failed_physical += is_physical ? 1 : 0;
     note_worst(verdict, cases_[i], measured);
     result_.judged.push_back({i, k, measured.got, measured.part_of_bound});
   }
@@ -148,6 +160,7 @@ Overall overall_of(const ConformanceResult& result) {
                        [&](const QuantityVerdict& one) { return one.status == status; });
   };
   if (any(Status::failed) || result.violation_count > 0) return Overall::failed;
+  if (any(Status::held_physically)) return Overall::physical;
   if (!any(Status::held) && !any(Status::partly_held)) return Overall::nothing;
   return any(Status::partly_held) || any(Status::not_offered) ? Overall::partial
                                                               : Overall::complete;
@@ -161,16 +174,18 @@ double allowed_error(const Case& asked, const Expected& expected, const Toleranc
            std::max(asked.contract.ulp, asked.contract.ulp_per_condition * expected.condition);
   const auto own = tolerance.quantity.find(quantity_name(asked, expected));
   const double relative = own == tolerance.quantity.end() ? tolerance.relative : own->second;
-  return relative * expected.condition * std::abs(expected.high);
+  return std::max(relative * expected.condition * std::abs(expected.high), least_of_engineering);
 }
 
 std::string_view name(Status status) {
-  constexpr std::array<std::string_view, 4> names{"held", "held in part", "FAILED", "not offered"};
+  constexpr std::array<std::string_view, 5> names{"held", "held in the physical range",
+                                                  "held in part", "FAILED", "not offered"};
   return names[static_cast<std::size_t>(status)];
 }
 
 std::string_view name(Overall overall) {
-  constexpr std::array<std::string_view, 4> names{"complete", "partial", "failed", "nothing"};
+  constexpr std::array<std::string_view, 5> names{
+      "complete", "partial", "held in the physical range", "failed", "nothing"};
   return names[static_cast<std::size_t>(overall)];
 }
 

@@ -19,8 +19,8 @@ struct Tolerance {
   std::map<std::string, double> quantity;  // other relative errors, by quantity
 };
 Tolerance strict_tolerance();
-// 1e-6, and nothing asked that is beyond engineering (Case::is_extreme): for code that uses
-// quadrature or fits.
+// 1e-6 of the value or 1e-30, and nothing asked that is beyond engineering (Case::is_extreme): for
+// code that uses quadrature or fits.
 Tolerance engineering_tolerance();
 // Lines "quantity relative", # before comments; "default" for all that are not named. Throws
 // std::runtime_error with one line.
@@ -30,8 +30,9 @@ Tolerance read_tolerance(const std::string& path, const std::vector<Case>& cases
 double allowed_error(const Case& asked, const Expected& expected, const Tolerance& tolerance);
 
 enum class Status : std::uint8_t {
-  held,         // every case
-  partly_held,  // every case that was answered, but some were skipped
+  held,             // every case
+  held_physically,  // every case of contacts on earth (Expected::is_physical), but not all others
+  partly_held,      // every case that was answered, but some were skipped
   failed,
   not_offered,  // no case was answered: all skipped, or the field is never there
 };
@@ -49,12 +50,14 @@ struct QuantityVerdict {
   std::string quantity;
   Status status = Status::not_offered;
   std::size_t asked = 0, held = 0, failed = 0, skipped = 0;
+  std::size_t held_physical = 0, failed_physical = 0;  // of these, in the physical range
   double worst_part_of_bound = 0, worst_relative = 0;
   std::string worst_case;    // its id
   std::string first_reason;  // of the first failure, or of the first skip
 };
 
-enum class Overall : std::uint8_t { complete, partial, failed, nothing };
+// physical: nothing failed but beyond the physical range.
+enum class Overall : std::uint8_t { complete, partial, physical, failed, nothing };
 std::string_view name(Overall overall);
 
 struct ConformanceResult {

@@ -19,9 +19,9 @@ constexpr int schema = 1;
 
 // The order of what a status is worth; failed is least.
 int worth(const std::string& status) {
-  for (int i = 0; i < 4; ++i)
-    if (name(std::array{Status::failed, Status::not_offered, Status::partly_held,
-                        Status::held}[static_cast<std::size_t>(i)]) == status)
+  for (int i = 0; i < 5; ++i)
+    if (name(std::array{Status::failed, Status::not_offered, Status::held_physically,
+                        Status::partly_held, Status::held}[static_cast<std::size_t>(i)]) == status)
       return i;
   throw std::runtime_error(fmt::format("{} is no status", status));
 }

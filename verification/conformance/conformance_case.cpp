@@ -10,6 +10,7 @@
 
 #include "accuracy/reference_table.hpp"
 #include "catalogue/catalogue.hpp"
+#include "conformance/question.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -20,14 +21,34 @@ using nlohmann::json;
 using verification::read_reference_table;
 using verification::ReferenceRow;
 
-// Films and shares are never as small; moments beyond d = 11 are.
-constexpr double least_of_engineering = 1e-30;
-
 Expected expected(const std::string& field, const ReferenceRow& row) {
   if (!row.is_defined()) return {field, 0, 0, 1, true, {}};
   return {
       field, row.number("high"), row.number("low"), std::max(1.0, row.number("condition")), false,
       {}};
+}
+
+// Whether a contact on earth can have these arguments.
+bool is_physical(const catalogue::Function& function, const catalogue::Arguments& arguments) {
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const catalogue::Parameter& one = function.parameters[i];
+    if (one.words.empty() && !(arguments[i] >= one.least && arguments[i] <= one.greatest))
+      return false;
+  }
+  return true;
+}
+
+// Of an operating point: those of the film and of the load sharing in it.
+bool is_physical(const Scene& scene) {
+  const double speed = scene.speeds[0];
+  const MixedContact<double> contact(scene);
+  return is_physical(*catalogue::find("hamrock_dowson_central"),
+                     {speed, scene.lubricant.viscosity, scene.lubricant.pressure_viscosity,
+                      scene.load, scene.bodies.effective_modulus, scene.bodies.reduced_radius,
+                      scene.bodies.ellipticity}) &&
+         is_physical(*catalogue::find("load_sharing"),
+                     {0, contact.flooded_film_parameter(speed), contact.sharing().stiffness(),
+                      contact.sharing().offset()});
 }
 
 bool is_tiny(const Expected& one) {
@@ -184,6 +205,16 @@ std::vector<Case> paper_points(const std::string& folder) {
   return cases;
 }
 
+// Marks what is beyond the physical range.
+void mark_physical(Case& one) {
+  const Question question = question_of(one);
+  const bool has_physical_inputs = question.function != nullptr
+                                       ? is_physical(*question.function, question.arguments)
+                                       : question.scene && is_physical(*question.scene);
+  for (Expected& expected : one.expected)
+    expected.is_physical = has_physical_inputs && (expected.high == 0 || !is_tiny(expected));
+}
+
 }  // namespace
 
 std::string Case::line() const {
@@ -206,6 +237,7 @@ std::vector<Case> read_cases(const CaseSources& sources) {
     add(cases_of(sources.exact, function));
   add(paper_points(sources.published));
   add(operating_points(sources.exact));
+  for (Case& one : all) mark_physical(one);
   return all;
 }
 

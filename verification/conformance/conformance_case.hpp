@@ -19,7 +19,13 @@ struct Expected {
   double condition = 1;
   bool is_undefined = false;
   std::string word{};
+  // The inputs are such as contacts on earth have (catalogue.hpp), and the value is not so small
+  // that it plays no part.
+  bool is_physical = true;
 };
+
+// Films and shares of engineering are never as small; moments beyond d = 11 are.
+inline constexpr double least_of_engineering = 1e-30;
 
 struct Case {
   std::string id;

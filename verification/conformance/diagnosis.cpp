@@ -2,134 +2,33 @@
 #include "conformance/diagnosis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
+
+#include "conformance/mistake_search.hpp"
+#include "conformance/power_law.hpp"
+#include "conformance/where_wrong.hpp"
 
 namespace tribo::conformance {
 namespace {
 
-constexpr double consistent = 0.98;  // of the answers that a mistake changes
-constexpr std::size_t fewest = 3;    // of them
-constexpr double closeness = 2e-3;   // of the change: other quadrature, rounded constants
-constexpr double few = 0.03;         // of the wrong answers
-constexpr int most_mistakes = 3;     // told one after the other
-
-// A number that was answered.
-struct Entry {
-  const Case* asked;
-  const Expected* expected;
-  double got;
-  double allowed;
-  bool is_wrong;
-  bool is_explained = false;
-};
-
-std::vector<Entry> entries_of(const std::string& function, const std::vector<Case>& cases,
-                              const Conversation& conversation, const Tolerance& tolerance) {
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (cases[i].function != function || conversation.answers[i].outcome != Outcome::answered)
-      continue;
-    for (const Expected& expected : cases[i].expected) {
-      if (!expected.word.empty() || expected.is_undefined) continue;
-      const auto value = conversation.answers[i].fields.find(expected.field);
-      if (value == conversation.answers[i].fields.end() || !value->is_number()) continue;
-      const double got = value->get<double>();
-      if (!std::isfinite(got)) continue;
-      const double allowed = allowed_error(cases[i], expected, tolerance);
-      entries.push_back({&cases[i], &expected, got, allowed,
-                         std::abs((got - expected.high) - expected.low) > allowed});
-    }
-  }
-  return entries;
-}
-
-// The group of a case, as one group of a function's cases may be wrong alone: an order of the
-// moments, a closure or an asperity model. Empty: the function has no groups.
-std::string group_of(const Case& asked) {
-  if (asked.function == "gaussian_moment")
-    return fmt::format("order {}", asked.inputs.at("order").get<double>());
-  const char* const word = asked.function == "starvation_ratio" ? "closure"
-                           : asked.function == "load_sharing"   ? "asperity"
-                                                                : nullptr;
-  return word == nullptr ? std::string() : asked.inputs.at(word).get<std::string>();
-}
-
-struct Fit {
-  const Mistake* mistake;
-  std::size_t changed = 0;            // answers that it changes
-  std::size_t met = 0;                // of those, answers that are as it gives them
-  std::vector<std::size_t> explains;  // entries that were wrong, and unexplained
-
-  bool is_consistent() const {
-    return changed >= fewest &&
-           static_cast<double>(met) >= consistent * static_cast<double>(changed);
-  }
-};
-
-// Over all entries, or one group of them.
-Fit fit(const Mistake& mistake, const std::vector<Entry>& entries, const std::string& group) {
-  Fit made{&mistake, 0, 0, {}};
-  // The loop ends early if the mistake is clearly not consistent.
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const Entry& one = entries[i];
-    if (!group.empty() && group_of(*one.asked) != group) continue;
-    const std::optional<double> given = mistake.value(one.asked->inputs, one.expected->field);
-    if (!given || !std::isfinite(*given)) continue;
-    const double change = std::abs((*given - one.expected->high) - one.expected->low);
-    const bool is_met = std::abs(one.got - *given) <= std::max(one.allowed, closeness * change);
-    if (is_met && one.is_wrong && !one.is_explained) made.explains.push_back(i);
-    if (!(change > 5 * one.allowed)) continue;  // too little to tell
-    ++made.changed;
-    made.met += is_met ? 1 : 0;
-    if (made.changed - made.met > 20 && made.met < 10 * (made.changed - made.met)) break;
-  }
-  return made;
-}
+constexpr double few = 0.03;       // of the wrong answers
+constexpr int most_causes = 3;     // told one after the other
+constexpr double rounding = 1e-5;  // of logarithms: single precision too
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
-  if (ratio <= 0) return "of the wrong sign or 0";
+  if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value (another sign convention)";
+  if (ratio == 0) return "0";
+  if (ratio < 0) return fmt::format("{:.4g} times the right value, of the wrong sign", ratio);
   if (ratio > 3) return fmt::format("{:.4g} times too large", ratio);
   if (ratio < 1.0 / 3) return fmt::format("{:.4g} times too small", 1 / ratio);
   return fmt::format("{:.3g} % {}", 100 * std::abs(ratio - 1), ratio < 1 ? "low" : "high");
-}
-
-// How the wrong numbers of one quantity are off.
-std::string pattern(const std::string& quantity, const std::vector<const Entry*>& wrong,
-                    std::size_t answered) {
-  std::vector<double> ratios;
-  for (const Entry* one : wrong)
-    if (one->expected->high != 0) ratios.push_back(one->got / one->expected->high);
-  if (ratios.empty()) return fmt::format("{} is wrong where it should be 0", quantity);
-  std::sort(ratios.begin(), ratios.end());
-  const double least = ratios.front(), greatest = ratios.back(), middle = ratios[ratios.size() / 2];
-  const std::string where = wrong.size() == answered
-                                ? "everywhere"
-                                : fmt::format("in {} of {} cases", wrong.size(), answered);
-  if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
-    return fmt::format("{} is {} {}", quantity, in_words(middle), where);
-  return fmt::format("{} is off {}, between {} and {}, in the middle {}", quantity, where,
-                     in_words(least), in_words(greatest), in_words(middle));
-}
-
-// The quantity with most of the entries, and how it is off.
-struct Shown {
-  std::string quantity, text;
-};
-Shown shown(const std::vector<Entry>& entries, const std::vector<std::size_t>& which) {
-  std::map<std::string, std::vector<const Entry*>> wrong;
-  std::map<std::string, std::size_t> answered;
-  for (const Entry& one : entries) ++answered[quantity_name(*one.asked, *one.expected)];
-  for (const std::size_t i : which)
-    wrong[quantity_name(*entries[i].asked, *entries[i].expected)].push_back(&entries[i]);
-  const auto most = std::max_element(wrong.begin(), wrong.end(), [](const auto& a, const auto& b) {
-    return a.second.size() < b.second.size();
-  });
-  return {most->first, pattern(most->first, most->second, answered[most->first])};
 }
 
 // A factor that people lose or gain.
@@ -169,98 +68,350 @@ std::vector<std::string> rests_on(const std::string& function) {
   return {};
 }
 
+// The numbers of one result in one branch of the function.
+struct Part {
+  std::size_t place;
+  std::string branch;
+  std::vector<const AnsweredNumber*> wrong;  // and unexplained
+  std::size_t answered = 0;
+};
+
+// How the wrong numbers are off: "27.5 % low everywhere".
+std::string pattern(const Part& part) {
+  std::vector<double> ratios;
+  for (const AnsweredNumber* const one : part.wrong)
+    if (one->expected->high != 0) ratios.push_back(one->got / one->expected->high);
+  if (ratios.empty()) return "wrong where it should be 0";
+  std::sort(ratios.begin(), ratios.end());
+  const double least = ratios.front(), greatest = ratios.back(), middle = ratios[ratios.size() / 2];
+  const std::string where =
+      part.wrong.size() == part.answered
+          ? "everywhere"
+          : fmt::format("in {} of {} cases", part.wrong.size(), part.answered);
+  if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
+    return fmt::format("{} {}", in_words(middle), where);
+  return fmt::format("off {}, between {} and {}, in the middle {}", where, in_words(least),
+                     in_words(greatest), in_words(middle));
+}
+
 class Diagnoser {
  public:
-  Diagnoser(std::vector<Entry> entries, const std::vector<Mistake>& mistakes,
-            std::string wrong_below)
-      : entries_(std::move(entries)), mistakes_(mistakes), wrong_below_(std::move(wrong_below)) {
-    for (const Entry& one : entries_) wrong_ += one.is_wrong ? 1 : 0;
+  Diagnoser(std::string function, std::vector<AnsweredCase> cases,
+            const std::vector<Mistake>& mistakes, std::string wrong_below)
+      : function_(std::move(function)),
+        cases_(std::move(cases)),
+        mistakes_(mistakes),
+        wrong_below_(std::move(wrong_below)) {
+    for (const AnsweredCase& one : cases_)
+      for (const AnsweredNumber& number : one.numbers) wrong_ += number.is_wrong ? 1 : 0;
   }
 
   std::vector<Diagnosis> run() {
-    for (int i = 0; i < most_mistakes && left() > 0; ++i)
-      if (!name_one({})) break;
-    std::set<std::string> groups;
-    for (const Entry& one : entries_)
-      if (one.is_wrong && !one.is_explained) groups.insert(group_of(*one.asked));
-    for (const std::string& group : groups)
-      if (!group.empty()) name_one(group);
+    for (int i = 0; i < most_causes && left() > 0; ++i) {
+      Cause cause = find_cause(cases_, mistakes_, {});
+      if (cause.explains.empty()) break;
+      tell(std::move(cause), {});
+    }
+    // Then each branch alone; those with the same cause are told together.
+    std::set<std::string> branches;
+    for (const AnsweredCase& one : cases_)
+      if (has_left(one)) branches.insert(one.branch);
+    std::vector<std::pair<Cause, std::vector<std::string>>> causes;
+    for (const std::string& branch : branches) {
+      if (branch.empty()) continue;
+      Cause cause = find_cause(cases_, mistakes_, branch);
+      if (cause.explains.empty()) continue;
+      const auto same = std::find_if(causes.begin(), causes.end(), [&](const auto& one) {
+        return one.first.choices == cause.choices;
+      });
+      if (same == causes.end()) {
+        causes.push_back({std::move(cause), {branch}});
+        continue;
+      }
+      same->first.changed += cause.changed;
+      same->first.met += cause.met;
+      same->first.explains.insert(same->first.explains.end(), cause.explains.begin(),
+                                  cause.explains.end());
+      same->second.push_back(branch);
+    }
+    for (auto& [cause, of_branches] : causes) tell(std::move(cause), of_branches);
     describe_rest();
     return std::move(found_);
   }
 
  private:
+  static bool is_left(const AnsweredNumber& one) { return one.is_wrong && !one.is_explained; }
+  static bool has_left(const AnsweredCase& one) {
+    return std::any_of(one.numbers.begin(), one.numbers.end(), is_left);
+  }
   std::size_t left() const {
-    return static_cast<std::size_t>(
-        std::count_if(entries_.begin(), entries_.end(),
-                      [](const Entry& one) { return one.is_wrong && !one.is_explained; }));
+    std::size_t count = 0;
+    for (const AnsweredCase& one : cases_)
+      count +=
+          static_cast<std::size_t>(std::count_if(one.numbers.begin(), one.numbers.end(), is_left));
+    return count;
   }
 
-  // Of all entries, or of one group of them.
-  bool name_one(const std::string& group) {
-    std::vector<Fit> fits;
-    for (const Mistake& mistake : mistakes_) {
-      Fit made = fit(mistake, entries_, group);
-      if (made.is_consistent() && !made.explains.empty()) fits.push_back(std::move(made));
-    }
-    if (fits.empty()) return false;
-    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
-      return a.explains.size() > b.explains.size();
-    });
-    // Others that explain the same are as good.
-    const Fit& best = fits.front();
-    Diagnosis one{{}, {}, best.explains.size(), wrong_, {}};
+  std::string quantity(std::size_t place) const {
+    for (const AnsweredCase& one : cases_)
+      for (const AnsweredNumber& number : one.numbers)
+        if (number.place == place) return quantity_name(*one.question.asked, *number.expected);
+    return function_;
+  }
+
+  // The result that most of these numbers are of, with them as its wrong ones.
+  Part shown(const std::vector<AnsweredNumber*>& explained) const {
+    std::map<std::size_t, Part> parts;
+    for (const AnsweredCase& one : cases_)
+      for (const AnsweredNumber& number : one.numbers) {
+        Part& part = parts[number.place];
+        part.place = number.place;
+        ++part.answered;
+      }
+    for (const AnsweredNumber* const one : explained) parts[one->place].wrong.push_back(one);
+    return std::max_element(parts.begin(), parts.end(),
+                            [](const auto& a, const auto& b) {
+                              return a.second.wrong.size() < b.second.wrong.size();
+                            })
+        ->second;
+  }
+
+  // What is found for all cases, or for these branches.
+  void tell(Cause cause, const std::vector<std::string>& branches) {
+    const Part part = shown(cause.explains);
+    Diagnosis one{quantity(part.place), {}, cause.explains.size(), wrong_, {}};
     std::string causes;
-    for (const Fit& other : fits) {
-      if (other.explains != best.explains || one.mistakes.size() == 3) continue;
-      one.mistakes.push_back(other.mistake->name);
-      causes += (causes.empty() ? "" : "; or ") + other.mistake->text;
+    for (const Mistakes& choice : cause.choices) {
+      std::string name, text;
+      for (const Mistake* const mistake : choice) {
+        name += (name.empty() ? "" : " + ") + mistake->name;
+        text += (text.empty() ? "" : ", and ") + mistake->text;
+      }
+      one.mistakes.push_back(name);
+      causes += (causes.empty() ? "" : "; or ") + text;
     }
-    const Shown off = shown(entries_, best.explains);
-    one.quantity = off.quantity;
+    const std::size_t together = cause.choices.front().size();
     one.text = fmt::format(
-        "{}{}. These are the numbers that this gives: {} ({} of {} answers that it would "
+        "{}{} is {}. These are the numbers that {}: {} ({} of {} answers that {} would "
         "change, {} of {} that are wrong).",
-        group.empty() ? "" : fmt::format("For {}: ", group), off.text, causes, best.met,
-        best.changed, best.explains.size(), wrong_);
+        branches.empty() ? "" : fmt::format("For {}: ", fmt::join(branches, ", ")), one.quantity,
+        pattern(part),
+        together == 1   ? "this gives"
+        : together == 2 ? "two mistakes give together"
+                        : "three mistakes give together",
+        causes, cause.met, cause.changed, together == 1 ? "it" : "they", cause.explains.size(),
+        wrong_);
     if (one.mistakes.size() > 1) one.text += " The numbers do not tell these apart.";
-    for (const std::size_t i : best.explains) entries_[i].is_explained = true;
+    for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;
     found_.push_back(std::move(one));
-    return true;
   }
 
-  // What no known mistake gives: how it is off.
-  void describe_rest() {
-    std::vector<std::size_t> rest;
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-      if (entries_[i].is_wrong && !entries_[i].is_explained) rest.push_back(i);
+  // --- What no known mistakes give
+
+  std::vector<Part> parts_left() const {
+    std::map<std::pair<std::size_t, std::string>, Part> parts;
+    for (const AnsweredCase& one : cases_)
+      for (const AnsweredNumber& number : one.numbers) {
+        Part& part = parts[{number.place, one.branch}];
+        part.place = number.place;
+        part.branch = one.branch;
+        ++part.answered;
+        if (is_left(number)) part.wrong.push_back(&number);
+      }
     // After a named mistake, a few other wrong answers, such as near a border, are no news.
-    if (rest.empty() ||
-        (!found_.empty() && static_cast<double>(rest.size()) <= few * static_cast<double>(wrong_)))
-      return;
-    const Shown off = shown(entries_, rest);
-    Diagnosis one{off.quantity, {}, 0, wrong_, off.text + "."};
-    double least = INFINITY, greatest = -INFINITY;
-    for (const std::size_t i : rest) {
-      const Entry& entry = entries_[i];
-      if (quantity_name(*entry.asked, *entry.expected) != off.quantity || entry.expected->high == 0)
-        continue;
-      least = std::min(least, entry.got / entry.expected->high);
-      greatest = std::max(greatest, entry.got / entry.expected->high);
+    std::map<std::string, std::pair<std::size_t, std::size_t>> counts;  // explained, left
+    for (const AnsweredCase& one : cases_)
+      for (const AnsweredNumber& number : one.numbers) {
+        counts[one.branch].first += number.is_wrong && number.is_explained ? 1 : 0;
+        counts[one.branch].second += is_left(number) ? 1 : 0;
+      }
+    std::vector<Part> all;
+    for (auto& [key, part] : parts) {
+      const auto [explained, rest] = counts[part.branch];
+      const bool is_news = static_cast<double>(rest) > few * static_cast<double>(explained);
+      if (!part.wrong.empty() && is_news) all.push_back(std::move(part));
     }
-    const std::string factor =
-        greatest - least < 1e-9 * std::abs(greatest) ? known_factor(least) : "";
-    if (!factor.empty())
-      one.text += ' ' + factor;
-    else if (!wrong_below_.empty())
-      one.text += fmt::format(" It rests on {}, wrong too: that first.", wrong_below_);
-    else
+    return all;
+  }
+
+  // What the exponents say: "It goes as F^+0.49; the law has F^-0.067."
+  std::string exponents_in_words(const Part& part) const {
+    const auto fitted = [&](const NumberOf& number_of) {
+      return fit_power_law(cases_, part.branch, part.place, number_of, rounding);
+    };
+    const auto got = fitted([](const AnsweredCase&, const AnsweredNumber& one) { return one.got; });
+    const auto law =
+        fitted([](const AnsweredCase&, const AnsweredNumber& one) { return one.expected->high; });
+    if (!got || !law) return {};
+    const catalogue::Function& function = *cases_.front().question.function;
+    std::vector<double> extra(got->exponents.size());
+    for (std::size_t i = 0; i < extra.size(); ++i) extra[i] = got->exponents[i] - law->exponents[i];
+    if (powers_in_words(function, extra).empty()) return {};
+    std::string text = same_exponents(part, *got);
+    if (!text.empty()) return text;
+    const std::string in_groups = film_in_groups(function, *got);
+    for (std::size_t i = 0; i < extra.size(); ++i) {
+      if (std::abs(extra[i]) <= 1e-4) continue;
+      const catalogue::Parameter& input = function.parameters[i];
+      // Those of E* and R follow from those of U, G and W.
+      if (!in_groups.empty() &&
+          (input.name == "effective_modulus" || input.name == "reduced_radius"))
+        continue;
+      const std::string symbol = symbol_of(input);
+      if (std::abs(got->exponents[i]) <= 1e-4)
+        text += fmt::format(" It does not depend on {}; the law has {}.", symbol,
+                            power_in_words(input, law->exponents[i]));
+      else if (std::abs(law->exponents[i]) <= 1e-4)
+        text += fmt::format(" It goes as {}; the law does not depend on {}.",
+                            power_in_words(input, got->exponents[i]), symbol);
+      else
+        text +=
+            fmt::format(" It goes as {}; the law has {}.", power_in_words(input, got->exponents[i]),
+                        power_in_words(input, law->exponents[i]));
+    }
+    if (!in_groups.empty()) return text + in_groups;
+    return text + fmt::format(" In all an extra factor {}, times {:.6g}.",
+                              powers_in_words(function, extra), got->constant / law->constant);
+  }
+
+  // " It is h/R = 1.9 U^+0.67 …" of a film that is a law in U, G and W with E′ = 2E*.
+  static std::string film_in_groups(const catalogue::Function& function, const PowerLaw& got) {
+    if (function.name != "hamrock_dowson_central") return {};
+    const std::vector<double>& e = got.exponents;  // of u, η₀, α, F, E*, R, k
+    const double a = e[0], b = e[2], c = e[3];
+    const auto is = [](double x, double y) { return std::abs(x - y) <= 1e-4; };
+    if (!is(e[1], a) || !is(e[4], b - a - c) || !is(e[5], 1 - a - 2 * c)) return {};
+    return fmt::format(" For most of the cases it is h/R = {:.6g} U^{:+.4g} G^{:+.4g} W^{:+.4g}.",
+                       got.constant * std::pow(2, a - b + c), a, std::round(b * 1e5) / 1e5 + 0.0,
+                       c);
+  }
+
+  // A known mistake whose exponents these are, with another constant.
+  std::string same_exponents(const Part& part, const PowerLaw& got) const {
+    for (const Mistake& mistake : mistakes_) {
+      const Mistake* const one = &mistake;
+      const auto its = fit_power_law(
+          cases_, part.branch, part.place,
+          [&](const AnsweredCase& asked, const AnsweredNumber& number) {
+            const std::optional<Numbers> given = numbers_with({&one, 1}, asked.question);
+            return given ? (*given)[number.place] : unsaid;
+          },
+          rounding);
+      if (!its) continue;
+      bool is_same = true;
+      for (std::size_t i = 0; i < got.exponents.size(); ++i)
+        is_same = is_same && std::abs(its->exponents[i] - got.exponents[i]) <= 1e-4;
+      if (!is_same) continue;
+      return fmt::format(
+          " Its exponents, {}, are those of this: {}. Its constant is {:.6g} times the one there.",
+          powers_in_words(*cases_.front().question.function, got.exponents), mistake.text,
+          got.constant / its->constant);
+    }
+    return {};
+  }
+
+  std::string constant_factor(const Part& part) const {
+    double least = INFINITY, greatest = -INFINITY;
+    for (const AnsweredNumber* const one : part.wrong) {
+      if (one->expected->high == 0) return {};
+      least = std::min(least, one->got / one->expected->high);
+      greatest = std::max(greatest, one->got / one->expected->high);
+    }
+    return greatest - least < 1e-9 * std::abs(greatest) ? known_factor(least) : "";
+  }
+
+  struct Description {
+    std::string text;
+    bool is_cause;  // it says what the numbers are, not only where and how far they are off
+  };
+  Description described(const Part& part) const {
+    std::string text = pattern(part);
+    if (part.wrong.size() < part.answered)
+      if (const std::string where = where_wrong(cases_, part.branch, part.place); !where.empty())
+        text += ": " + where;
+    text += '.';
+    const std::string factor = constant_factor(part);
+    if (!factor.empty()) return {text + ' ' + factor, true};
+    const std::string powers = exponents_in_words(part);
+    if (!powers.empty()) return {text + powers, true};
+    if (std::string manner = manner_of_errors(cases_, part.branch, part.place); !manner.empty()) {
+      manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
+      text += ' ' + manner + '.';
+    }
+    return {text, text.starts_with("−1 times")};
+  }
+
+  // The greatest relative error of all answers.
+  double greatest_error() const {
+    double greatest = 0;
+    for (const AnsweredCase& one : cases_)
+      for (const AnsweredNumber& number : one.numbers)
+        if (number.is_wrong)
+          greatest = std::max(greatest, std::abs(number.error() / number.expected->high));
+    return greatest;
+  }
+  bool all_are_nearly_right() const { return greatest_error() < rounding; }
+
+  void describe_rest() {
+    // Branches that are off in the same way are told at once; the part with most wrong answers
+    // first.
+    std::vector<Part> parts = parts_left();
+    if (parts.empty()) return;
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Part& a, const Part& b) { return a.wrong.size() > b.wrong.size(); });
+    std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
+    const std::size_t first = parts.front().place;
+    bool has_causes = true;
+    for (const Part& part : parts) {
+      if (part.place != first) continue;
+      const Description description = described(part);
+      const std::string& sentence = description.text;
+      has_causes = has_causes && description.is_cause;
+      const auto same = std::find_if(told.begin(), told.end(),
+                                     [&](const auto& one) { return one.first == sentence; });
+      if (same == told.end())
+        told.push_back({sentence, {part.branch}});
+      else
+        same->second.push_back(part.branch);
+    }
+    Diagnosis one{quantity(first), {}, 0, wrong_, {}};
+    if (is_single_precision(cases_) && all_are_nearly_right()) {
+      one.text = fmt::format(
+          "{} is off by at most {:.2g} in {} of {} cases. All answers have at most nine digits: "
+          "they "
+          "are computed, or written, in single precision.",
+          one.quantity, greatest_error(), parts.front().wrong.size(), parts.front().answered);
+      found_.push_back(std::move(one));
+      return;
+    }
+    if (!wrong_below_.empty()) {
+      Part whole{first, {}, {}, 0};
+      for (const Part& part : parts)
+        if (part.place == first) {
+          whole.answered += part.answered;
+          whole.wrong.insert(whole.wrong.end(), part.wrong.begin(), part.wrong.end());
+        }
+      one.text = fmt::format("{} is {}. It rests on {}, wrong too: mend that first.", one.quantity,
+                             pattern(whole), wrong_below_);
+      found_.push_back(std::move(one));
+      return;
+    }
+    for (auto& [sentence, branches] : told) {
+      std::sort(branches.begin(), branches.end());
+      if (branches.front().empty())
+        one.text += fmt::format("{} is {}", one.quantity, sentence);
+      else
+        one.text += fmt::format("{}{}: {}", one.text.empty() ? one.quantity + ", " : " For ",
+                                fmt::join(branches, ", "), sentence);
+    }
+    if (!has_causes)
       one.text += found_.empty() ? " None of the known mistakes gives these numbers."
                                  : " None of the known mistakes gives these others.";
     found_.push_back(std::move(one));
   }
 
-  std::vector<Entry> entries_;
+  std::string function_;
+  std::vector<AnsweredCase> cases_;
   const std::vector<Mistake>& mistakes_;
   std::string wrong_below_;  // functions that this one rests on and that are wrong
   std::size_t wrong_ = 0;
@@ -285,7 +436,9 @@ std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversati
     for (const std::string& other : rests_on(function))
       if (wrong.contains(other)) below += (below.empty() ? "" : ", ") + other;
     for (Diagnosis& one :
-         Diagnoser(entries_of(function, cases, conversation, tolerance), mistakes, below).run()) {
+         Diagnoser(function, answered_cases(function, cases, conversation, tolerance), mistakes,
+                   below)
+             .run()) {
       wrong.insert(function);
       found.push_back(std::move(one));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why a subject's numbers are off: which known mistake gives just these, or how they are off.
+// Why a subject's numbers are off: which known mistakes give just these, or how they are off.
 #pragma once
 
 #include <string>
@@ -13,15 +13,16 @@ namespace tribo::conformance {
 struct Diagnosis {
   std::string quantity;               // the one that shows it most
   std::vector<std::string> mistakes;  // names; none: only how the numbers are off. Several: any of
-                                      // these gives the same numbers
+                                      // these gives the same numbers. "a + b": both at once
   std::size_t explained;              // wrong answers that it gives to the digit
   std::size_t wrong;                  // wrong answers of the function
   std::string text;                   // one sentence or two
 };
 
-// A diagnosis of each function that failed. One of `mistakes` is named if it would change at least
-// three answers and gives at least 98 in 100 of them. Other wrong answers are described too, unless
-// a mistake is named and they are at most 3 in 100 of the wrong answers.
+// A diagnosis of each function that failed: the mistakes that give its numbers, alone or together
+// (mistake_search.hpp), of the whole function and then of its branches. Of what no known mistakes
+// give it says by which powers of the inputs it is off, where, and how. Wrong answers that are left
+// are not told if mistakes are named and they are at most 3 in 100 of the wrong answers.
 std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversation& conversation,
                                 const Tolerance& tolerance, const std::vector<Mistake>& mistakes);
 

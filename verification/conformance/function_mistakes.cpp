@@ -5,18 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "conformance/mistake_formulas.hpp"
-#include "tribo/film_thickness.hpp"
 
 namespace tribo::conformance {
 namespace {
 
-using catalogue::Arguments;
 using catalogue::Function;
-using catalogue::Parameter;
-using catalogue::Results;
 using nlohmann::json;
 
 // The place of a parameter or result.
@@ -27,14 +25,6 @@ std::size_t place_of(const List& list, const std::string& name) {
   throw std::runtime_error(fmt::format("the function has no {}", name));
 }
 
-double argument_of(const Parameter& parameter, const json& written) {
-  if (parameter.words.empty() && written.is_number()) return written.get<double>();
-  if (!parameter.words.empty() && written.is_string())
-    if (const auto place = catalogue::place_of(written.get<std::string>(), parameter))
-      return *place;
-  throw std::runtime_error(fmt::format("{}: {} is not allowed", parameter.name, written.dump()));
-}
-
 // 0.61 as 610000/1000000. The laws' numbers have three decimals at most.
 Fraction fraction_of(double number) {
   constexpr int denominator = 1'000'000;
@@ -42,33 +32,77 @@ Fraction fraction_of(double number) {
   if (std::abs(numerator) > 1e9 || std::abs(numerator / denominator - number) > 1e-12)
     throw std::runtime_error(
         fmt::format("law: {} is not allowed; allowed: up to 1000, with six decimals", number));
-  return {static_cast<int>(numerator), denominator};
+  const int p = static_cast<int>(numerator), common = std::gcd(p, denominator);
+  return {p / common, denominator / common};
 }
 
-FilmLaw law_of(const json& written) {
-  if (written == "hamrock_dowson_minimum") return hamrock_dowson_minimum_law;
-  FilmLaw law = hamrock_dowson_central_law;
-  if (!written.is_object()) throw std::runtime_error("law: a table, or hamrock_dowson_minimum");
-  const std::pair<const char*, Fraction*> numbers[] = {
-      {"constant", &law.constant},
-      {"speed_exponent", &law.speed_exponent},
-      {"material_exponent", &law.material_exponent},
-      {"load_exponent", &law.load_exponent},
-      {"side_leakage", &law.side_leakage},
-      {"side_decay", &law.side_decay}};
-  for (const auto& entry : written.items()) {
-    const std::string& name = entry.key();
-    const json& value = entry.value();
-    const auto* const found = std::find_if(std::begin(numbers), std::end(numbers),
-                                           [&](const auto& one) { return one.first == name; });
-    if (found == std::end(numbers) || !value.is_number())
-      throw std::runtime_error(fmt::format("law: {} is not allowed", name));
-    *found->second = fraction_of(value);
+struct LawNumber {
+  std::string_view name;
+  Fraction FilmLaw::*number;
+};
+constexpr LawNumber law_numbers[] = {{"constant", &FilmLaw::constant},
+                                     {"speed_exponent", &FilmLaw::speed_exponent},
+                                     {"material_exponent", &FilmLaw::material_exponent},
+                                     {"load_exponent", &FilmLaw::load_exponent},
+                                     {"side_leakage", &FilmLaw::side_leakage},
+                                     {"side_decay", &FilmLaw::side_decay}};
+struct LawModulus {
+  std::string_view name;
+  int FilmLaw::*multiple;
+};
+constexpr LawModulus law_moduli[] = {{"speed_modulus", &FilmLaw::speed_modulus},
+                                     {"material_modulus", &FilmLaw::material_modulus},
+                                     {"load_modulus", &FilmLaw::load_modulus},
+                                     {"speed_multiple", &FilmLaw::speed_multiple}};
+
+// Adds what an entry says of the law: another law by name, or numbers of the law that is used.
+void add_law(const json& written, Mistake& mistake) {
+  std::vector<std::pair<Fraction FilmLaw::*, Fraction>> numbers;
+  std::vector<std::pair<int FilmLaw::*, int>> moduli;
+  if (written == "hamrock_dowson_minimum") {
+    for (const LawNumber& one : law_numbers) {
+      numbers.emplace_back(one.number, hamrock_dowson_minimum_law.*one.number);
+      mistake.touches.push_back("law." + std::string(one.name));
+    }
+  } else if (!written.is_object()) {
+    throw std::runtime_error("law: a table, or hamrock_dowson_minimum");
+  } else {
+    for (const auto& [name, value] : written.items()) {
+      const auto* const number =
+          std::find_if(std::begin(law_numbers), std::end(law_numbers),
+                       [&name = name](const LawNumber& one) { return one.name == name; });
+      const auto* const modulus =
+          std::find_if(std::begin(law_moduli), std::end(law_moduli),
+                       [&name = name](const LawModulus& one) { return one.name == name; });
+      if (value.is_number() && number != std::end(law_numbers))
+        numbers.emplace_back(number->number, fraction_of(value));
+      else if (modulus != std::end(law_moduli) && (value == 1 || value == 2 || value == 4))
+        moduli.emplace_back(modulus->multiple, value.get<int>());
+      else
+        throw std::runtime_error(fmt::format("law: {} is not allowed", name));
+      mistake.touches.push_back("law." + name);
+    }
   }
-  // a new row, so that its last members follow from these
-  return {law.constant,      law.speed_exponent, law.material_exponent,
-          law.load_exponent, law.side_leakage,   law.side_decay};
+  mistake.before = [inner = std::move(mistake.before), numbers, moduli](Question& question) {
+    if (inner) inner(question);
+    FilmLaw& law = question.law;
+    for (const auto& [member, number] : numbers) law.*member = number;
+    for (const auto& [member, multiple] : moduli) law.*member = multiple;
+    // a new row, so that its last members follow from these
+    law = {law.constant,     law.speed_exponent, law.material_exponent, law.load_exponent,
+           law.side_leakage, law.side_decay,     law.speed_modulus,     law.material_modulus,
+           law.load_modulus, law.speed_multiple};
+  };
 }
+
+constexpr std::pair<std::string_view, double SharingReading::*> sharing_numbers[] = {
+    {"order", &SharingReading::order},
+    {"share_exponent", &SharingReading::share_exponent},
+    {"film_exponent", &SharingReading::film_exponent},
+    {"offset_times", &SharingReading::offset_times},
+    {"fit_constant", &SharingReading::fit_constant},
+    {"fit_end", &SharingReading::fit_end},
+    {"fit_exponent", &SharingReading::fit_exponent}};
 
 struct ArgumentChange {
   std::size_t place;
@@ -78,100 +112,115 @@ struct ArgumentChange {
 struct ResultChange {
   std::size_t place;
   NumberChange change;
-  std::optional<std::size_t> by, over;  // places of arguments
+  // Places of arguments; those of results follow after them.
+  std::optional<std::size_t> by, over;
 };
 struct Condition {
   std::size_t place;
   std::vector<double> values;
 };
 
-// An entry with its names looked up.
-struct Wrong {
-  const Function* function;
+void add_where(const Function& function, const MistakeEntry& entry, Mistake& mistake) {
   std::vector<Condition> where;
-  std::vector<ArgumentChange> inputs;
-  std::vector<ResultChange> results;
-  std::optional<FilmLaw> law;
-  FunctionFormula formula = nullptr;
-  std::vector<double> numbers;
-
-  std::optional<Results> operator()(const Arguments& given) const {
-    for (const Condition& one : where)
-      if (std::find(one.values.begin(), one.values.end(), given[one.place]) == one.values.end())
-        return std::nullopt;
-    Arguments a = given;
-    for (const ArgumentChange& one : inputs)
-      a[one.place] = one.is ? *one.is : one.change.of(a[one.place]);
-    Results found{};
-    if (formula != nullptr) {
-      const std::optional<double> value = formula(a, numbers);
-      if (!value) return std::nullopt;
-      found[0] = *value;
-    } else if (law) {
-      found[0] = film_thickness(*law, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
-    } else {
-      function->value(a, found);
-    }
-    for (const ResultChange& one : results) {
-      double& result = found[one.place];
-      result = one.change.is ? one.change.is->get<double>() : one.change.of(result);
-      if (one.by) result *= given[*one.by];
-      if (one.over) result /= given[*one.over];
-    }
-    return found;
-  }
-};
-
-Wrong wrong_of(const Function& function, const MistakeEntry& entry) {
-  Wrong wrong{&function, {}, {}, {}, {}, nullptr, entry.numbers};
-  const auto parameter = [&](const std::string& name) {
-    return place_of(function.parameters, name);
-  };
   for (const auto& [name, values] : entry.where) {
-    Condition one{parameter(name), {}};
+    Condition one{place_of(function.parameters, name), {}};
     for (const json& value : values)
       one.values.push_back(argument_of(function.parameters[one.place], value));
-    wrong.where.push_back(std::move(one));
+    where.push_back(std::move(one));
   }
+  if (where.empty()) return;
+  mistake.applies = [where](const Question& question) {
+    return std::all_of(where.begin(), where.end(), [&](const Condition& one) {
+      return std::find(one.values.begin(), one.values.end(), question.arguments[one.place]) !=
+             one.values.end();
+    });
+  };
+}
+
+void add_inputs(const Function& function, const MistakeEntry& entry, Mistake& mistake) {
+  std::vector<ArgumentChange> inputs;
   for (const auto& [name, change] : entry.input) {
-    ArgumentChange one{parameter(name), change, {}};
+    ArgumentChange one{place_of(function.parameters, name), change, {}};
     if (!change.by.empty() || !change.over.empty())
       throw std::runtime_error(name + ": by and over are for results");
     if (change.is) one.is = argument_of(function.parameters[one.place], *change.is);
-    wrong.inputs.push_back(std::move(one));
+    // Factors can be made together, other changes of the same input cannot.
+    if (one.is || change.is_inverted) mistake.touches.push_back(name);
+    inputs.push_back(std::move(one));
   }
+  if (inputs.empty()) return;
+  mistake.before = [inputs](Question& question) {
+    for (const ArgumentChange& one : inputs) {
+      double& argument = question.arguments[one.place];
+      argument = one.is ? *one.is : one.change.of(argument);
+    }
+  };
+}
+
+void add_results(const Function& function, const MistakeEntry& entry, Mistake& mistake) {
+  std::vector<ResultChange> results;
+  const std::size_t arguments = function.parameters.size();
+  const auto factor = [&](const std::string& name) {
+    const bool is_result = std::any_of(function.results.begin(), function.results.end(),
+                                       [&](const auto& one) { return one.name == name; });
+    return is_result ? arguments + place_of(function.results, name)
+                     : place_of(function.parameters, name);
+  };
   for (const auto& [name, change] : entry.result) {
     ResultChange one{place_of(function.results, name), change, {}, {}};
-    if (!change.by.empty()) one.by = parameter(change.by);
-    if (!change.over.empty()) one.over = parameter(change.over);
-    wrong.results.push_back(std::move(one));
+    if (!change.by.empty()) one.by = factor(change.by);
+    if (!change.over.empty()) one.over = factor(change.over);
+    if (one.change.is || one.change.is_inverted) mistake.touches.push_back("result " + name);
+    results.push_back(std::move(one));
   }
-  if (!entry.law.is_null()) {
-    if (function.name != "hamrock_dowson_central")
-      throw std::runtime_error("law: only of hamrock_dowson_central");
-    wrong.law = law_of(entry.law);
-  }
-  if (!entry.formula.empty()) {
-    wrong.formula = find_formula(function.name, entry.formula, entry.numbers.size());
-    if (wrong.formula == nullptr)
-      throw std::runtime_error(
-          fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
-  }
-  return wrong;
+  if (results.empty()) return;
+  mistake.after = [results, arguments](const Question& question, Numbers& numbers) {
+    const Numbers before = numbers;
+    const auto factor_at = [&](std::size_t place) {
+      return place < arguments ? question.arguments[place] : before[place - arguments];
+    };
+    for (const ResultChange& one : results) {
+      double& result = numbers[one.place];
+      result = one.change.is ? one.change.is->get<double>() : one.change.of(result);
+      if (one.by) result *= factor_at(*one.by);
+      if (one.over) result /= factor_at(*one.over);
+    }
+  };
+}
+
+void add_formula(const Function& function, const MistakeEntry& entry, Mistake& mistake) {
+  const FunctionFormula formula = find_formula(function.name, entry.formula, entry.numbers.size());
+  if (formula == nullptr)
+    throw std::runtime_error(
+        fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
+  mistake.instead = [formula,
+                     numbers = entry.numbers](const Question& question) -> std::optional<Numbers> {
+    const std::optional<double> value = formula(question.arguments, numbers);
+    if (!value) return std::nullopt;
+    return Numbers{*value};
+  };
+  mistake.touches.emplace_back("formula");
 }
 
 // One for each pair of words of an argument.
-std::vector<FunctionMistake> swaps_of(const Function& function, const MistakeEntry& entry) {
-  std::vector<FunctionMistake> all;
+std::vector<Mistake> swaps_of(const Function& function, const MistakeEntry& entry) {
+  std::vector<Mistake> all;
   const std::size_t place = place_of(function.parameters, entry.swapped);
   const auto& words = function.parameters[place].words;
   for (std::size_t asked = 0; asked < words.size(); ++asked)
     for (std::size_t given = 0; given < words.size(); ++given) {
       if (asked == given) continue;
-      Wrong wrong{&function, {{place, {static_cast<double>(asked)}}}, {}, {}, {}, nullptr, {}};
-      wrong.inputs.push_back({place, {}, static_cast<double>(given)});
-      all.push_back({&function, with_words(entry.name, words[given], words[asked]),
-                     with_words(entry.text, words[given], words[asked]), std::move(wrong)});
+      Mistake swap{.function = std::string(function.name),
+                   .name = with_words(entry.name, words[given], words[asked]),
+                   .text = with_words(entry.text, words[given], words[asked]),
+                   .touches = {entry.swapped}};
+      swap.applies = [place, asked](const Question& question) {
+        return question.arguments[place] == static_cast<double>(asked);
+      };
+      swap.before = [place, given](Question& question) {
+        question.arguments[place] = static_cast<double>(given);
+      };
+      all.push_back(std::move(swap));
     }
   return all;
 }
@@ -186,23 +235,27 @@ std::string with_words(std::string text, std::string_view given, std::string_vie
   return text;
 }
 
-std::vector<FunctionMistake> mistakes_of(const Function& function, const MistakeEntry& entry) {
+std::vector<Mistake> mistakes_of(const Function& function, const MistakeEntry& entry) {
   if (!entry.swapped.empty()) return swaps_of(function, entry);
-  return {{&function, entry.name, entry.text, wrong_of(function, entry)}};
-}
-
-Mistake for_cases(const FunctionMistake& mistake) {
-  return {std::string(mistake.function->name), mistake.name, mistake.text,
-          [mistake](const json& inputs, std::string_view field) -> std::optional<double> {
-            const Function& function = *mistake.function;
-            Arguments arguments{};
-            for (std::size_t i = 0; i < function.parameters.size(); ++i)
-              arguments[i] = argument_of(function.parameters[i],
-                                         inputs.at(std::string(function.parameters[i].name)));
-            const std::optional<Results> results = mistake.results(arguments);
-            if (!results) return std::nullopt;
-            return (*results)[place_of(function.results, std::string(field))];
-          }};
+  Mistake mistake{.function = std::string(function.name),
+                  .name = entry.name,
+                  .text = entry.text,
+                  .touches = {}};
+  add_where(function, entry, mistake);
+  add_inputs(function, entry, mistake);
+  add_results(function, entry, mistake);
+  if (!entry.law.is_null()) {
+    if (function.name != "hamrock_dowson_central")
+      throw std::runtime_error("law: only of hamrock_dowson_central");
+    add_law(entry.law, mistake);
+  }
+  if (!entry.sharing.empty()) {
+    if (function.name != "load_sharing") throw std::runtime_error("sharing: only of load_sharing");
+    add_reading<SharingReading>("sharing", &Question::sharing, sharing_numbers, entry.sharing,
+                                mistake);
+  }
+  if (!entry.formula.empty()) add_formula(function, entry, mistake);
+  return {std::move(mistake)};
 }
 
 }  // namespace tribo::conformance

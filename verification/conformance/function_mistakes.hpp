@@ -9,11 +9,7 @@ namespace tribo::conformance {
 
 // The mistakes of an entry: one, or with `swapped` one for each pair of words. Throws
 // std::runtime_error that says what is wrong with the entry.
-std::vector<FunctionMistake> mistakes_of(const catalogue::Function& function,
-                                         const MistakeEntry& entry);
-
-// For the cases of the function itself.
-Mistake for_cases(const FunctionMistake& mistake);
+std::vector<Mistake> mistakes_of(const catalogue::Function& function, const MistakeEntry& entry);
 
 // "inlet-{given}-for-{asked}" with the two words.
 std::string with_words(std::string text, std::string_view given, std::string_view asked);

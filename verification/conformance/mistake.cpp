@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +11,31 @@
 #include "conformance/point_mistakes.hpp"
 
 namespace tribo::conformance {
+
+bool Mistake::can_stand_beside(const Mistake& other) const {
+  return std::none_of(touches.begin(), touches.end(), [&](const std::string& one) {
+    return std::find(other.touches.begin(), other.touches.end(), one) != other.touches.end();
+  });
+}
+
+std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
+                                    const Question& question) {
+  const auto applies = [&](const Mistake* one) { return !one->applies || one->applies(question); };
+  if (std::none_of(mistakes.begin(), mistakes.end(), applies)) return std::nullopt;
+  Question misread = question;
+  for (const Mistake* const one : mistakes)
+    if (one->before && applies(one)) one->before(misread);
+  std::optional<Numbers> numbers;
+  for (const Mistake* const one : mistakes)
+    if (one->instead && applies(one)) {
+      numbers = one->instead(misread);
+      if (!numbers) return std::nullopt;
+    }
+  if (!numbers) numbers = right_numbers(misread);
+  for (const Mistake* const one : mistakes)
+    if (one->after && applies(one)) one->after(misread, *numbers);
+  return numbers;
+}
 
 std::vector<Mistake> read_mistakes(const std::string& path) {
   std::vector<Mistake> all, of_points;
@@ -20,9 +46,9 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
       }
       const catalogue::Function* const function = catalogue::find(entry.function);
       if (function == nullptr) throw std::runtime_error("no function " + entry.function);
-      for (const FunctionMistake& one : mistakes_of(*function, entry)) {
-        all.push_back(for_cases(one));
+      for (Mistake& one : mistakes_of(*function, entry)) {
         if (std::optional<Mistake> same = for_points(one)) of_points.push_back(std::move(*same));
+        all.push_back(std::move(one));
       }
     } catch (const std::exception& error) {
       throw std::runtime_error(

@@ -1,37 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
-// Known mistakes: what an answer is when one of them is made. Each is a formula that people have
-// written, not a guess at a number. They stand in reference/mistakes.toml.
+// Known mistakes: what an answer is when one of them, or several at once, are made. Each is a
+// formula that people have written, not a guess at a number. They stand in reference/mistakes.toml.
 #pragma once
 
+#include <algorithm>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "catalogue/catalogue.hpp"
+#include "conformance/question.hpp"
 
 namespace tribo::conformance {
 
+// A mistake changes what is read, what is computed, or what is answered; mistakes of which no two
+// touch the same thing can be made together. Factors touch nothing.
 struct Mistake {
-  std::string function;  // whose cases it is about
-  std::string name;      // "radius-halved"
-  std::string text;      // "R/2 in place of R (a ball on a flat has R)"
-  // The number it gives for a field of a case; empty: it says nothing of that field or case.
-  std::function<std::optional<double>(const nlohmann::json& inputs, std::string_view field)> value;
+  std::string function;              // whose cases it is about
+  std::string name;                  // "hertz-radius-halved"
+  std::string text;                  // "R/2 in place of R (a ball on a flat has R)"
+  std::vector<std::string> touches;  // inputs, results, numbers of the film's law, or "formula"
+
+  // Each of these may be empty.
+  std::function<bool(const Question&)> applies = {};  // without it: everywhere
+  std::function<void(Question&)> before = {};         // misreads the question
+  // Another formula. Empty: it says nothing of this question.
+  std::function<std::optional<Numbers>(const Question&)> instead = {};
+  std::function<void(const Question&, Numbers&)> after = {};  // changes the results
+
+  bool can_stand_beside(const Mistake& other) const;
 };
 
-// A mistake in a function of the catalogue, for operating points too, which contain the function.
-struct FunctionMistake {
-  const catalogue::Function* function;
-  std::string name, text;
-  // Empty: it says nothing of these arguments.
-  std::function<std::optional<catalogue::Results>(const catalogue::Arguments&)> results;
-};
+// The results when all of these mistakes are made; empty: they say nothing of this question.
+std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
+                                    const Question& question);
 
 // All mistakes of the file, for single functions and for operating points. Throws
 // std::runtime_error with one line: file, entry, what is wrong.
 std::vector<Mistake> read_mistakes(const std::string& path);
+
+// Adds numbers of a reading to what a mistake misreads; `members` names them. Throws
+// std::runtime_error for another name.
+template <class Reading>
+void add_reading(const std::string& kind, Reading Question::*reading,
+                 std::span<const std::pair<std::string_view, double Reading::*>> members,
+                 const std::vector<std::pair<std::string, double>>& numbers, Mistake& mistake) {
+  std::vector<std::pair<double Reading::*, double>> changes;
+  for (const auto& [name, value] : numbers) {
+    const auto found = std::find_if(members.begin(), members.end(),
+                                    [&name = name](const auto& one) { return one.first == name; });
+    if (found == members.end()) throw std::runtime_error(kind + ": " + name + " is not allowed");
+    changes.emplace_back(found->second, value);
+    mistake.touches.push_back(kind + ' ' + name);
+  }
+  mistake.before = [reading, changes, inner = std::move(mistake.before)](Question& question) {
+    if (inner) inner(question);
+    for (const auto& [member, value] : changes) question.*reading.*member = value;
+  };
+}
 
 }  // namespace tribo::conformance

@@ -97,6 +97,16 @@ NumberChanges changes_of(const json& written) {
   return changes;
 }
 
+NamedNumbers named_numbers(const json& written) {
+  NamedNumbers numbers;
+  if (written.is_null()) return numbers;
+  if (!written.is_object()) throw std::runtime_error("numbers are a table, not " + written.dump());
+  for (const auto& [name, value] : written.items())
+    numbers.emplace_back(name,
+                         value.is_number() ? value.get<double>() : throw not_allowed(name, value));
+  return numbers;
+}
+
 // Of a scene, whose fields stand in tables: { bodies = { reduced_radius = { times = 2 } } }.
 NumberChanges scene_changes_of(const json& written) {
   NumberChanges changes;
@@ -110,17 +120,20 @@ NumberChanges scene_changes_of(const json& written) {
 // An entry is of one kind; changes of arguments and of results may stand together, and beside a law
 // or a formula.
 void check_kinds(const MistakeEntry& entry) {
-  const bool is_of_function =
-      !entry.input.empty() || !entry.result.empty() || !entry.where.empty() || !entry.law.is_null();
+  const bool is_of_function = !entry.input.empty() || !entry.result.empty() ||
+                              !entry.where.empty() || !entry.law.is_null() ||
+                              !entry.sharing.empty();
   const bool changes = !entry.input.empty() || !entry.result.empty() || !entry.law.is_null() ||
-                       !entry.formula.empty();
-  const bool is_of_point = !entry.scene.empty() || entry.area || !entry.stiffness.empty();
+                       !entry.sharing.empty() || !entry.formula.empty();
+  const bool is_of_point =
+      !entry.scene.empty() || entry.area || !entry.stiffness.empty() || !entry.friction.empty();
   const int kinds = (changes ? 1 : 0) + (entry.scene.empty() ? 0 : 1) + (entry.area ? 1 : 0) +
-                    (entry.stiffness.empty() ? 0 : 1) + (entry.swapped.empty() ? 0 : 1);
+                    (entry.stiffness.empty() ? 0 : 1) + (entry.friction.empty() ? 0 : 1) +
+                    (entry.swapped.empty() ? 0 : 1);
   if (entry.function == "operating_point" && is_of_function)
-    throw std::runtime_error("where, input, result and law are for single functions");
+    throw std::runtime_error("where, input, result, law and sharing are for single functions");
   if (entry.function != "operating_point" && is_of_point)
-    throw std::runtime_error("scene, area and stiffness are for operating_point");
+    throw std::runtime_error("scene, area, stiffness and friction are for operating_point");
   if (kinds == 0) throw std::runtime_error("nothing is changed");
   if (kinds > 1 || (!entry.swapped.empty() && !entry.where.empty()) ||
       (!entry.law.is_null() && !entry.formula.empty()))
@@ -137,6 +150,8 @@ MistakeEntry entry_of(const json& written) {
   members.take("stiffness", entry.stiffness);
   if (const json area = members.take_any("area"); !area.is_null())
     entry.area = area.is_number() ? area.get<double>() : throw not_allowed("area", area);
+  entry.sharing = named_numbers(members.take_any("sharing"));
+  entry.friction = named_numbers(members.take_any("friction"));
   if (const json where = members.take_any("where"); !where.is_null()) {
     if (!where.is_object()) throw not_allowed("where", where);
     for (const auto& [name, values] : where.items())

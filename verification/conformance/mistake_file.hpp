@@ -20,6 +20,7 @@ struct NumberChange {
 
   double of(double number) const { return (is_inverted ? 1 / number : number) * times; }
 };
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
 using NumberChanges = std::vector<std::pair<std::string, NumberChange>>;
 
 struct MistakeEntry {
@@ -32,6 +33,7 @@ struct MistakeEntry {
   nlohmann::json law;           // the name of a law, or numbers of it
   std::optional<double> area;
   std::vector<double> stiffness;
+  NamedNumbers sharing, friction;  // numbers of SharingReading and FrictionReading
 };
 
 // Throws std::runtime_error with one line: the file, the entry's name, what is wrong.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "tribo/asperity_contact.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/starvation.hpp"
 
@@ -14,7 +13,7 @@ namespace tribo::conformance {
 namespace {
 
 using catalogue::Arguments;
-using Numbers = std::span<const double>;
+using Constants = std::span<const double>;
 using Value = std::optional<double>;
 
 // --- Moments: arguments n and d
@@ -41,12 +40,12 @@ Value moment_of(double order, double d) {
   return gaussian_moment(static_cast<Order>(static_cast<int>(2 * order)), d);
 }
 
-Value moment_of_order(const Arguments& a, Numbers shift) {
+Value moment_of_order(const Arguments& a, Constants shift) {
   return moment_of(a[0] + shift[0], a[1]);
 }
 
 // ∫ sⁿ φ(s) ds over s > d; half orders have no power of s < 0.
-Value moment_about_zero(const Arguments& a, Numbers) {
+Value moment_about_zero(const Arguments& a, Constants) {
   const double order = a[0], d = a[1];
   if (order == 0) return gaussian_moment(Order::zero, d);
   if (order == 1) return gaussian(d);
@@ -62,28 +61,28 @@ Value moment_about_zero(const Arguments& a, Numbers) {
   return sum * h;
 }
 
-// Numbers: where the integral ends, and how many intervals Simpson's rule has.
-Value moment_cut_at(const Arguments& a, Numbers numbers) {
+// Constants: where the integral ends, and how many intervals Simpson's rule has.
+Value moment_cut_at(const Arguments& a, Constants numbers) {
   return simpson(a[0], a[1], numbers[0], static_cast<int>(numbers[1]));
 }
-Value moment_cut_at_distance(const Arguments& a, Numbers numbers) {
+Value moment_cut_at_distance(const Arguments& a, Constants numbers) {
   return simpson(a[0], a[1], a[1] + numbers[0], static_cast<int>(numbers[1]));
 }
 
-Value moment_over_root(const Arguments& a, Numbers) {
+Value moment_over_root(const Arguments& a, Constants) {
   return a[1] > 0 ? Value(*moment_of(a[0], a[1]) / std::sqrt(a[1])) : std::nullopt;
 }
 
 // Fits say nothing outside of the arguments that they were made for.
-Value moment_power_fit(const Arguments& a, Numbers numbers) {  // c (d₁ − d)^e
+Value moment_power_fit(const Arguments& a, Constants numbers) {  // c (d₁ − d)^e
   if (a[1] < 0 || a[1] > numbers[1]) return std::nullopt;
   return numbers[0] * std::pow(numbers[1] - a[1], numbers[2]);
 }
-Value moment_exponential_fit(const Arguments& a, Numbers numbers) {  // c e^{−bd}
+Value moment_exponential_fit(const Arguments& a, Constants numbers) {  // c e^{−bd}
   if (a[1] < 0 || a[1] > 40) return std::nullopt;
   return numbers[0] * std::exp(-numbers[1] * a[1]);
 }
-Value moment_error_function_fit(const Arguments& a, Numbers) {
+Value moment_error_function_fit(const Arguments& a, Constants) {
   if (a[1] < 0 || a[1] > 4) return std::nullopt;
   return *moment_of(a[0], 0) * std::erfc(a[1]);
 }
@@ -91,58 +90,15 @@ Value moment_error_function_fit(const Arguments& a, Numbers) {
 // --- Inlet: arguments closure, r and γ
 
 // With Crook's constant of a circular contact.
-Value inlet_with_circular_gap(const Arguments& a, Numbers) {
+Value inlet_with_circular_gap(const Arguments& a, Constants) {
   const auto closure = static_cast<StarvationClosure>(static_cast<int>(a[0]));
   return InletCurve<double>{closure, std::numbers::pi / 4}.film_ratio(a[1]);
 }
 
-Value inlet_with_inverse_exponent(const Arguments& a, Numbers) {
+Value inlet_with_inverse_exponent(const Arguments& a, Constants) {
   if (a[1] >= 1) return std::nullopt;
   return wolveridge_film_ratio(std::pow((1 / a[1] - 1) * crook_constant<double>(), 1.5));
 }
-
-// --- Load sharing: arguments model, λ₀, K and δ
-
-// λ of ln λ − ln λ₀ + p ln(1 − (K F_n(λ − δ))^q) = 0, by bisection from where A < 1.
-Value film_that_shares(const Arguments& a, double offset, double order, double q, double p) {
-  const double lambda0 = a[1], stiffness = a[2];
-  // Where powers underflow a mistake tells nothing.
-  if (!(lambda0 > 1e-250 && lambda0 < 1e250 && stiffness < 1e250)) return std::nullopt;
-  const auto share = [&](double lambda) {
-    return std::pow(stiffness * *moment_of(order, lambda - offset), q);
-  };
-  double floor = 0;
-  if (share(0) >= 1) {
-    double low = 0, high = std::max(offset, 0.0) + 50;
-    for (int i = 0; i < 200; ++i) (share((low + high) / 2) >= 1 ? low : high) = (low + high) / 2;
-    floor = high;
-  }
-  double low = floor, high = std::max(lambda0, floor) + std::max(offset, 0.0) + 60;
-  const auto is_below = [&](double lambda) {
-    const double asperities = share(lambda);
-    return asperities >= 1 || std::log(lambda / lambda0) + p * std::log1p(-asperities) < 0;
-  };
-  for (int i = 0; i < 300; ++i) {
-    const double middle = low > 0 && high > 4 * low ? std::sqrt(low * high) : (low + high) / 2;
-    (is_below(middle) ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
-bool is_gt(const Arguments& a) { return a[0] == 0; }
-Value with_own_moment(const Arguments& a, double offset, double p) {
-  return film_that_shares(a, offset, is_gt(a) ? 2.5 : 1.5, is_gt(a) ? 0.5 : 1, p);
-}
-
-Value shared_film(const Arguments& a, Numbers numbers) {  // n, q, p
-  return film_that_shares(a, a[3], numbers[0], numbers[1], numbers[2]);
-}
-Value shared_film_of_exponent(const Arguments& a, Numbers numbers) {
-  return with_own_moment(a, a[3], numbers[0]);
-}
-Value shared_film_with_offset_added(const Arguments& a, Numbers) {
-  return with_own_moment(a, -a[3], hamrock_dowson_central_law.sharing_power.value);
-}
-Value unshared_film(const Arguments& a, Numbers) { return a[1]; }
 
 struct NamedFormula {
   std::string_view function, name;
@@ -160,64 +116,6 @@ constexpr std::array formulas{
     NamedFormula{"gaussian_moment", "moment_error_function_fit", 0, moment_error_function_fit},
     NamedFormula{"starvation_ratio", "inlet_with_circular_gap", 0, inlet_with_circular_gap},
     NamedFormula{"starvation_ratio", "inlet_with_inverse_exponent", 0, inlet_with_inverse_exponent},
-    NamedFormula{"load_sharing", "shared_film", 3, shared_film},
-    NamedFormula{"load_sharing", "shared_film_of_exponent", 1, shared_film_of_exponent},
-    NamedFormula{"load_sharing", "shared_film_with_offset_added", 0, shared_film_with_offset_added},
-    NamedFormula{"load_sharing", "unshared_film", 0, unshared_film},
-};
-
-// --- Friction
-
-using Point = OperatingPoint<double>;
-
-double mean_pressure(const Scene& s) {
-  return hertz_point(s.load, s.bodies.effective_modulus, s.bodies.reduced_radius).mean_pressure;
-}
-
-// Roelands' law with the decimal logarithm of η₀ in place of the natural one.
-Value friction_with_decimal_logarithm(const Scene& s, const Point& p, double dry) {
-  if (s.friction.viscosity != ViscosityLaw::roelands) return p.friction;
-  const double pressure = p.fluid_load_share * mean_pressure(s);
-  const double scale = std::log10(s.lubricant.viscosity) + roelands_log_viscosity<double>();
-  const double z = s.lubricant.pressure_viscosity * roelands_pressure<double>() / scale;
-  const double thickening = scale * (std::pow(1 + pressure / roelands_pressure<double>(), z) - 1);
-  const double fluid_area = 1 - p.real_area_ratio;
-  if (!(fluid_area > 0)) return dry;
-  const double stress =
-      fluid_shear_stress(s.friction.fluid, *s.lubricant.eyring_stress, s.lubricant.viscosity,
-                         thickening, s.friction.slide_roll_ratio * p.speed, p.separation);
-  return dry + stress * fluid_area / mean_pressure(s);
-}
-
-Value friction_of_swapped_shares(const Scene& s, const Point& p, double dry) {
-  return p.friction - dry + *s.friction.boundary_coefficient * p.fluid_load_share;
-}
-
-Value friction_with_whole_boundary(const Scene& s, const Point& p, double dry) {
-  return p.friction - dry + *s.friction.boundary_coefficient;
-}
-
-Value friction_of_asperities(const Scene&, const Point&, double dry) { return dry; }
-
-Value friction_of_film(const Scene&, const Point& p, double dry) { return p.friction - dry; }
-
-Value friction_over_nominal_area(const Scene&, const Point& p, double dry) {
-  const double fluid_area = 1 - p.real_area_ratio;
-  if (!(fluid_area > 1e-3)) return std::nullopt;
-  return dry + (p.friction - dry) / fluid_area;
-}
-
-struct NamedFriction {
-  std::string_view name;
-  FrictionFormula formula;
-};
-constexpr std::array frictions{
-    NamedFriction{"friction_with_decimal_logarithm", friction_with_decimal_logarithm},
-    NamedFriction{"friction_of_swapped_shares", friction_of_swapped_shares},
-    NamedFriction{"friction_with_whole_boundary", friction_with_whole_boundary},
-    NamedFriction{"friction_of_asperities", friction_of_asperities},
-    NamedFriction{"friction_of_film", friction_of_film},
-    NamedFriction{"friction_over_nominal_area", friction_over_nominal_area},
 };
 
 }  // namespace
@@ -226,12 +124,6 @@ FunctionFormula find_formula(std::string_view function, std::string_view name,
                              std::size_t numbers) {
   for (const NamedFormula& one : formulas)
     if (one.function == function && one.name == name && one.numbers == numbers) return one.formula;
-  return nullptr;
-}
-
-FrictionFormula find_friction_formula(std::string_view name) {
-  for (const NamedFriction& one : frictions)
-    if (one.name == name) return one.formula;
   return nullptr;
 }
 

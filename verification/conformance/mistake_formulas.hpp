@@ -20,9 +20,4 @@ using FunctionFormula = std::optional<double> (*)(const catalogue::Arguments& ar
 // Null where there is no formula of this name for the function that takes so many numbers.
 FunctionFormula find_formula(std::string_view function, std::string_view name, std::size_t numbers);
 
-// The friction of an operating point; `dry` is μ_b A.
-using FrictionFormula = std::optional<double> (*)(const Scene& scene,
-                                                  const OperatingPoint<double>& point, double dry);
-FrictionFormula find_friction_formula(std::string_view name);
-
 }  // namespace tribo::conformance

@@ -10,48 +10,43 @@
 #include <utility>
 
 #include "conformance/function_mistakes.hpp"
-#include "conformance/mistake_formulas.hpp"
 #include "scene/schema.hpp"
-#include "tribo/scene_reader.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 using nlohmann::json;
-using Value = std::optional<double>;
-using Point = OperatingPoint<double>;
 
-// A scene with its one speed.
-std::optional<Scene> scene_of(const json& inputs) {
-  return parse_scene_json(inputs.dump(), "case", SceneUse::one_speed).scene;
+// A point whose scene `change` alters.
+Mistake changed(const std::string& name, const std::string& text, std::vector<std::string> touches,
+                std::function<void(Question&)> change) {
+  return {.function = "operating_point",
+          .name = name,
+          .text = text,
+          .touches = std::move(touches),
+          .applies = {},
+          .before =
+              [change = std::move(change)](Question& question) {
+                if (question.scene) change(question);
+              },
+          .instead = {},
+          .after = {}};
 }
 
-Value field_of(const Point& point, std::string_view field) {
-  if (field == "film_flooded") return point.film_flooded;
-  if (field == "film") return point.film;
-  if (field == "separation") return point.separation;
-  if (field == "film_parameter") return point.film_parameter;
-  if (field == "asperity_load_share") return point.asperity_load_share;
-  if (field == "fluid_load_share") return point.fluid_load_share;
-  if (field == "real_area_ratio") return point.real_area_ratio;
-  if (field == "summit_count") return point.summit_count;
-  if (field == "friction" && !point.friction_undefined) return point.friction;
-  return std::nullopt;
-}
-
-// The point of a scene that `change` alters; it returns a factor that undoes the change in the
-// number of summits.
-Mistake changed(const std::string& name, const std::string& text,
-                std::function<double(Scene&, const json& inputs)> change) {
-  return {"operating_point", name, text,
-          [change = std::move(change)](const json& inputs, std::string_view field) -> Value {
-            std::optional<Scene> scene = scene_of(inputs);
-            if (!scene) return std::nullopt;
-            const double count = change(*scene, inputs);
-            Point point = MixedContact<double>(*scene).solve(scene->speeds[0]);
-            point.summit_count *= count;
-            return field_of(point, field);
-          }};
+// A point of which another formula gives a part; it says nothing where that gives nothing.
+Mistake with_formula(const std::string& name, const std::string& text,
+                     std::function<std::optional<Numbers>(const Question&)> instead) {
+  return {.function = "operating_point",
+          .name = name,
+          .text = text,
+          .touches = {"formula"},
+          .applies = {},
+          .before = {},
+          .instead = [instead =
+                          std::move(instead)](const Question& question) -> std::optional<Numbers> {
+            return question.scene ? instead(question) : std::nullopt;
+          },
+          .after = {}};
 }
 
 // --- Changes of fields
@@ -94,19 +89,22 @@ Mistake with_fields(const MistakeEntry& entry) {
     std::optional<double> is;
   };
   std::vector<FieldChange> changes;
+  std::vector<std::string> touches;
   for (const auto& [path, change] : entry.scene) {
     FieldChange one{field_at(path), change, {}};
     if (!change.by.empty() || !change.over.empty())
       throw std::runtime_error(path + ": by and over are for results");
     if (change.is) one.is = number_of(*one.field.info, *change.is);
     changes.push_back(std::move(one));
+    touches.push_back(path);
   }
-  return changed(entry.name, entry.text, [changes](Scene& scene, const json& inputs) {
+  return changed(entry.name, entry.text, std::move(touches), [changes](Question& question) {
     for (const FieldChange& one : changes)
-      one.field.store(scene, one.is ? *one.is
-                                    : one.change.of(number_of(
-                                          *one.field.info, written_at(inputs, *one.field.info))));
-    return 1.0;
+      one.field.store(
+          *question.scene,
+          one.is ? *one.is
+                 : one.change.of(number_of(*one.field.info,
+                                           written_at(question.asked->inputs, *one.field.info))));
   });
 }
 
@@ -118,11 +116,10 @@ std::vector<Mistake> swaps_of(const MistakeEntry& entry) {
     for (const std::string_view given : words)
       if (asked != given)
         all.push_back(changed(with_words(entry.name, given, asked),
-                              with_words(entry.text, given, asked),
-                              [=](Scene& scene, const json& inputs) {
-                                if (written_at(inputs, *field.info) == json(asked))
-                                  field.store(scene, number_of(*field.info, json(given)));
-                                return 1.0;
+                              with_words(entry.text, given, asked), {entry.swapped},
+                              [=](Question& question) {
+                                if (written_at(question.asked->inputs, *field.info) == json(asked))
+                                  field.store(*question.scene, number_of(*field.info, json(given)));
                               }));
   return all;
 }
@@ -161,81 +158,91 @@ double scale_stiffness(Scene& scene, double factor) {
 
 bool is_gt(const Scene& scene) { return scene.closures.asperity == AsperityModel::greenwood_tripp; }
 
-double stiffness_of_greenwood_williamson(Scene& s, const json&) {
-  if (!is_gt(s)) return 1;
+void take_stiffness_of_greenwood_williamson(Question& question) {
+  Scene& s = *question.scene;
+  if (!is_gt(s)) return;
   const double roughness =
       s.surface.summit_density * s.surface.summit_radius * s.surface.summit_height_sd;
-  return scale_stiffness(s, 4.0 / 3 / (16 * std::sqrt(2) / 15 * std::numbers::pi * roughness));
+  question.summit_count_times *=
+      scale_stiffness(s, 4.0 / 3 / (16 * std::sqrt(2) / 15 * std::numbers::pi * roughness));
 }
 
-Mistake with_friction(const MistakeEntry& entry, FrictionFormula wrong) {
-  return {"operating_point", entry.name, entry.text,
-          [wrong](const json& inputs, std::string_view field) -> Value {
-            const std::optional<Scene> scene = scene_of(inputs);
-            if (!scene) return std::nullopt;
-            const Point point = MixedContact<double>(*scene).solve(scene->speeds[0]);
-            if (field != "friction" || point.friction_undefined) return field_of(point, field);
-            return wrong(*scene, point,
-                         *scene->friction.boundary_coefficient * point.asperity_load_share);
-          }};
+constexpr std::pair<std::string_view, double FrictionReading::*> friction_numbers[] = {
+    {"asperities", &FrictionReading::asperities},
+    {"film_boundary", &FrictionReading::film_boundary},
+    {"whole_boundary", &FrictionReading::whole_boundary},
+    {"film", &FrictionReading::film},
+    {"contact_area", &FrictionReading::contact_area},
+    {"roelands_pressure", &FrictionReading::roelands_pressure},
+    {"roelands_logarithm", &FrictionReading::roelands_logarithm},
+    {"limiting_by_minimum", &FrictionReading::limiting_by_minimum}};
+
+// The function's results with the mistake, for arguments that a point has.
+std::optional<double> value_with(const Mistake& wrong, const catalogue::Arguments& arguments) {
+  const Mistake* const one = &wrong;
+  const std::optional<Numbers> numbers =
+      numbers_with({&one, 1}, {nullptr, catalogue::find(wrong.function), arguments});
+  return numbers && std::isfinite((*numbers)[0]) ? std::optional((*numbers)[0]) : std::nullopt;
 }
 
-Mistake with_film(const FunctionMistake& wrong) {
-  return changed(wrong.name, wrong.text + ", in the film formula",
-                 [results = wrong.results](Scene& s, const json&) {
-                   const catalogue::Arguments arguments{s.speeds[0],
-                                                        s.lubricant.viscosity,
-                                                        s.lubricant.pressure_viscosity,
-                                                        s.load,
-                                                        s.bodies.effective_modulus,
-                                                        s.bodies.reduced_radius,
-                                                        s.bodies.ellipticity};
-                   if (const auto film = results(arguments))
-                     scale_film(s, (*film)[0] / right_film(s));
-                   return 1.0;
+Mistake with_film(const Mistake& wrong) {
+  std::vector<std::string> touches;
+  for (const std::string& one : wrong.touches) touches.push_back("film " + one);
+  return changed(wrong.name, wrong.text + ", in the film formula", std::move(touches),
+                 [wrong](Question& question) {
+                   Scene& s = *question.scene;
+                   const auto film = value_with(
+                       wrong,
+                       {s.speeds[0], s.lubricant.viscosity, s.lubricant.pressure_viscosity, s.load,
+                        s.bodies.effective_modulus, s.bodies.reduced_radius, s.bodies.ellipticity});
+                   if (film) scale_film(s, *film / right_film(s));
                  });
 }
 
-Mistake with_inlet(const FunctionMistake& wrong) {
-  return {"operating_point", wrong.name, wrong.text,
-          [results = wrong.results](const json& inputs, std::string_view field) -> Value {
-            const std::optional<Scene> scene = scene_of(inputs);
-            if (!scene || scene->supply.kind == SupplyKind::flooded) return std::nullopt;
-            const MixedContact<double> contact(*scene);
-            const FloodedFilm<double> flooded = contact.flooded(scene->speeds[0]);
-            InletState<double> inlet = contact.inlet(flooded);
-            const auto other = results({static_cast<double>(contact.closure()),
-                                        inlet.flooded_over_inlet, contact.damiens_exponent()});
-            if (!other) return std::nullopt;
-            inlet.film_ratio = (*other)[0];
-            inlet.collapsed = inlet.film_ratio == 0;
-            const Point point = contact.complete(flooded, inlet, OutputSet::all());
-            // Near a floor complete() takes the shares from the right closure, not from `other`.
-            const bool is_of_shares = field != "film" && field != "film_parameter" &&
-                                      field != "film_flooded" && field != "separation";
-            if (is_of_shares && contact.sharing().has_floor()) return std::nullopt;
-            return field_of(point, field);
-          }};
+Mistake with_inlet(const Mistake& wrong) {
+  return with_formula(
+      wrong.name, wrong.text, [wrong](const Question& question) -> std::optional<Numbers> {
+        const Scene& scene = *question.scene;
+        if (scene.supply.kind == SupplyKind::flooded) return std::nullopt;
+        const MixedContact<double> contact(scene);
+        const FloodedFilm<double> flooded = contact.flooded(scene.speeds[0]);
+        InletState<double> inlet = contact.inlet(flooded);
+        const auto ratio =
+            value_with(wrong, {static_cast<double>(contact.closure()), inlet.flooded_over_inlet,
+                               contact.damiens_exponent()});
+        if (!ratio) return std::nullopt;
+        inlet.film_ratio = *ratio;
+        inlet.collapsed = inlet.film_ratio == 0;
+        Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
+        // Near a floor complete() takes the shares from the right closure, not from `wrong`.
+        if (contact.sharing().has_floor())
+          std::fill(numbers.begin() + first_place_of_shares, numbers.end(), unsaid);
+        return numbers;
+      });
 }
 
-// For the outputs film and film_flooded alone.
-Mistake with_sharing(const FunctionMistake& wrong) {
-  return {"operating_point", wrong.name, wrong.text,
-          [results = wrong.results](const json& inputs, std::string_view field) -> Value {
-            if (field != "film_flooded" && field != "film") return std::nullopt;
-            const std::optional<Scene> scene = scene_of(inputs);
-            if (!scene) return std::nullopt;
-            const MixedContact<double> contact(*scene);
-            const double speed = scene->speeds[0];
-            const auto lambda =
-                results({static_cast<double>(scene->closures.asperity),
-                         contact.flooded_film_parameter(speed), contact.sharing().stiffness(),
-                         contact.sharing().offset()});
-            if (!lambda) return std::nullopt;
-            const FloodedFilm<double> flooded{speed, {(*lambda)[0], 0, 1, 0}};
-            const double film = (*lambda)[0] * scene->surface.summit_height_sd;
-            return field == "film" ? film * contact.inlet(flooded).film_ratio : film;
-          }};
+// Of a starved point, the films alone.
+Mistake with_sharing(const Mistake& wrong) {
+  return with_formula(
+      wrong.name, wrong.text, [wrong](const Question& question) -> std::optional<Numbers> {
+        const Scene& scene = *question.scene;
+        const MixedContact<double> contact(scene);
+        const double speed = scene.speeds[0];
+        const auto lambda =
+            value_with(wrong, {static_cast<double>(scene.closures.asperity),
+                               contact.flooded_film_parameter(speed), contact.sharing().stiffness(),
+                               contact.sharing().offset()});
+        if (!lambda) return std::nullopt;
+        // The film is h₀ (1 − A)^−e, whatever gave A.
+        const double fluid = std::pow(contact.flooded_film_parameter(speed) / *lambda,
+                                      1 / contact.film().sharing_power.value);
+        const FloodedFilm<double> flooded{speed, {*lambda, 1 - fluid, fluid, 0}};
+        const InletState<double> inlet = contact.inlet(flooded);
+        Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
+        if (scene.supply.kind != SupplyKind::flooded || *lambda < contact.sharing().floor())
+          std::fill(numbers.begin() + 2, numbers.end(), unsaid);
+        return numbers;
+      });
 }
 
 }  // namespace
@@ -243,32 +250,33 @@ Mistake with_sharing(const FunctionMistake& wrong) {
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
   if (!entry.swapped.empty()) return swaps_of(entry);
   if (entry.area)
-    return {changed(entry.name, entry.text, [by = *entry.area](Scene& s, const json&) {
-      scale_area(s, by);
-      return 1.0;
-    })};
+    return {changed(entry.name, entry.text, {"area"},
+                    [by = *entry.area](Question& question) { scale_area(*question.scene, by); })};
   if (!entry.stiffness.empty() && entry.stiffness.size() != 2)
     throw std::runtime_error("stiffness: two numbers, for each asperity model");
   if (!entry.stiffness.empty())
-    return {changed(entry.name, entry.text, [by = entry.stiffness](Scene& s, const json&) {
-      return scale_stiffness(s, is_gt(s) ? by[0] : by[1]);
+    return {changed(entry.name, entry.text, {}, [by = entry.stiffness](Question& question) {
+      Scene& scene = *question.scene;
+      question.summit_count_times *= scale_stiffness(scene, is_gt(scene) ? by[0] : by[1]);
     })};
   if (entry.formula == "stiffness_of_greenwood_williamson")
-    return {changed(entry.name, entry.text, stiffness_of_greenwood_williamson)};
-  if (!entry.formula.empty()) {
-    const FrictionFormula wrong = find_friction_formula(entry.formula);
-    if (wrong == nullptr || !entry.numbers.empty())
-      throw std::runtime_error(
-          fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
-    return {with_friction(entry, wrong)};
+    return {changed(entry.name, entry.text, {"stiffness"}, take_stiffness_of_greenwood_williamson)};
+  if (!entry.formula.empty())
+    throw std::runtime_error(
+        fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
+  if (!entry.friction.empty()) {
+    Mistake mistake = changed(entry.name, entry.text, {}, [](Question&) {});
+    add_reading<FrictionReading>("friction", &Question::friction, friction_numbers, entry.friction,
+                                 mistake);
+    return {std::move(mistake)};
   }
   return {with_fields(entry)};
 }
 
-std::optional<Mistake> for_points(const FunctionMistake& mistake) {
-  if (mistake.function->name == "hamrock_dowson_central") return with_film(mistake);
-  if (mistake.function->name == "starvation_ratio") return with_inlet(mistake);
-  if (mistake.function->name == "load_sharing") return with_sharing(mistake);
+std::optional<Mistake> for_points(const Mistake& mistake) {
+  if (mistake.function == "hamrock_dowson_central") return with_film(mistake);
+  if (mistake.function == "starvation_ratio") return with_inlet(mistake);
+  if (mistake.function == "load_sharing") return with_sharing(mistake);
   return std::nullopt;
 }
 

@@ -14,6 +14,6 @@ std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry);
 
 // The same mistake in the film, the inlet or the load sharing of an operating point; empty for
 // other functions.
-std::optional<Mistake> for_points(const FunctionMistake& mistake);
+std::optional<Mistake> for_points(const Mistake& mistake);
 
 }  // namespace tribo::conformance

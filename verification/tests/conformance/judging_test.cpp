@@ -161,12 +161,42 @@ TEST(JudgedSubject, IsCompleteOnlyWhereAllOfItIsHeldAndNoRuleBroken) {
   EXPECT_EQ(judge("", {film}, broken, engineering_tolerance()).overall, Overall::failed);
 }
 
+// --- The physical range
+
+Case case_of(double value, bool is_physical) {
+  Case one = asked_for({number(value)});
+  one.expected[0].is_physical = is_physical;
+  return one;
+}
+
+TEST(Verdict, TellsAFailureBeyondThePhysicalRangeApart) {
+  const Answer right = with({{"value", 2.0}}), wrong = with({{"value", 3.0}});
+  const Case inside = case_of(2, true), beyond = case_of(2, false);
+  const auto status = [&](const std::vector<Case>& cases, const std::vector<Answer>& answers) {
+    return judged(cases, answers).quantities[0].status;
+  };
+  EXPECT_EQ(status({inside, beyond}, {right, right}), Status::held);
+  EXPECT_EQ(status({inside, beyond}, {right, wrong}), Status::held_physically);
+  EXPECT_EQ(status({inside, beyond}, {wrong, right}), Status::failed);
+  EXPECT_EQ(status({beyond}, {wrong}), Status::failed);  // nothing was right in the physical range
+  EXPECT_EQ(judged({inside, beyond}, {right, wrong}).overall, Overall::physical);
+  EXPECT_EQ(judged({inside, beyond}, {wrong, wrong}).overall, Overall::failed);
+}
+
 // --- What is worse than a baseline.
 
 QuantityVerdict row(Status status, std::size_t held, std::size_t failed, std::size_t skipped,
                     double worst_relative = 1e-10) {
-  QuantityVerdict one{"film",  status, held + failed + skipped, held, failed,
-                      skipped, 0.5,    worst_relative,          "a",  {}};
+  QuantityVerdict one;
+  one.quantity = "film";
+  one.status = status;
+  one.asked = held + failed + skipped;
+  one.held = held;
+  one.failed = failed;
+  one.skipped = skipped;
+  one.worst_part_of_bound = 0.5;
+  one.worst_relative = worst_relative;
+  one.worst_case = "a";
   return one;
 }
 ConformanceResult result_of(std::vector<QuantityVerdict> quantities) {
@@ -192,7 +222,8 @@ void expect_worse(const QuantityVerdict& before, const QuantityVerdict& now) {
 
 TEST(Baseline, KnowsWhatIsWorse) {
   expect_worse(row(Status::held, 10, 0, 0), row(Status::partly_held, 9, 0, 1));
-  expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::not_offered, 0, 0, 10));
+  expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::held_physically, 9, 1, 0));
+  expect_worse(row(Status::held_physically, 9, 1, 0), row(Status::not_offered, 0, 0, 10));
   expect_worse(row(Status::not_offered, 0, 0, 10), row(Status::failed, 9, 1, 0));
   expect_worse(row(Status::failed, 9, 1, 0), row(Status::failed, 8, 2, 0));
   expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::partly_held, 8, 0, 2));
@@ -280,7 +311,9 @@ std::vector<std::string> named_where(std::size_t with_mistake) {
   for (std::size_t i = 0; i < film_cases().size(); ++i) {
     const Case& asked = film_cases()[i];
     const double wrong = asked.expected[0].high * (1.1 + 0.01 * static_cast<double>(i));
-    const double value = i < with_mistake ? half->value(asked.inputs, "value").value() : wrong;
+    const Mistake* const one = &*half;
+    const double value =
+        i < with_mistake ? numbers_with({&one, 1}, question_of(asked)).value()[0] : wrong;
     conversation.answers.push_back(with({{"value", value}}));
   }
   std::vector<std::string> named;

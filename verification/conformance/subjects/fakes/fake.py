@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A subject with one planted mistake: the solver of python_stdlib with one formula replaced.
 
-  fake.py --mistake NAME    answers JSON lines; NAME none: no mistake
+  fake.py --mistake NAME    answers JSON lines; NAME none: no mistake; A+B: both at once
   fake.py --list            name, description and first wrong capability, separated by tabs
 """
 
@@ -21,15 +21,18 @@ PARTS = (wrong_moments, wrong_film, wrong_contact, wrong_inlet)  # importing the
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     action = parser.add_mutually_exclusive_group(required=True)
-    action.add_argument("--mistake", choices=["none", *MISTAKES], metavar="NAME")
+    action.add_argument("--mistake", metavar="NAME")
     action.add_argument("--list", action="store_true")
     arguments = parser.parse_args()
     if arguments.list:
         for mistake in MISTAKES.values():
             print(mistake.name, mistake.description, mistake.capability, sep="\t")
         return
-    if arguments.mistake != "none":
-        MISTAKES[arguments.mistake].make()
+    for name in arguments.mistake.split("+"):
+        if name not in MISTAKES and name != "none":
+            parser.error(f"--mistake: no {name}; --list has them")
+        if name != "none":
+            MISTAKES[name].make()
     subject.main()
 
 

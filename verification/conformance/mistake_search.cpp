@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/mistake_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tribo::conformance {
+namespace {
+
+constexpr double consistent = 0.98;  // of the answers that a cause changes
+constexpr std::size_t fewest = 3;    // of them
+constexpr double closeness_alone = 2e-3, closeness_together = 1e-5;  // of the change
+constexpr std::size_t most_probes = 12;
+constexpr std::size_t most_choices = 3;
+
+struct Fit {
+  Mistakes mistakes;
+  std::size_t changed = 0, met = 0;
+  std::vector<AnsweredNumber*> explains;
+
+  bool is_consistent() const {
+    return changed >= fewest &&
+           static_cast<double>(met) >= consistent * static_cast<double>(changed);
+  }
+};
+
+class Search {
+ public:
+  Search(std::vector<AnsweredCase>& cases, const std::string& branch) {
+    std::vector<AnsweredCase*> wrong;
+    for (AnsweredCase& one : cases) {
+      if (!branch.empty() && one.branch != branch) continue;
+      cases_.push_back(&one);
+      if (std::any_of(one.numbers.begin(), one.numbers.end(), [](const AnsweredNumber& number) {
+            return number.is_wrong && !number.is_explained;
+          }))
+        wrong.push_back(&one);
+    }
+    // Neighbours are alike: probes lie far from each other.
+    const std::size_t count = std::min(most_probes, wrong.size());
+    for (std::size_t i = 0; i < count; ++i) probes_.push_back(wrong[i * wrong.size() / count]);
+  }
+
+  bool has_wrong() const { return !probes_.empty(); }
+
+  // Whether the probes, but for one, are as the mistakes give them: few evaluations rule out
+  // nearly all causes.
+  bool is_likely(const Mistakes& mistakes) const {
+    std::size_t met = 0, unmet = 0;
+    for (const AnsweredCase* const probe : probes_) {
+      const std::optional<Numbers> given = numbers_with(mistakes, probe->question);
+      if (!given) continue;
+      const bool is_met =
+          std::all_of(probe->numbers.begin(), probe->numbers.end(), [&](const AnsweredNumber& one) {
+            return !std::isfinite((*given)[one.place]) ||
+                   is_close(one, (*given)[one.place], mistakes.size());
+          });
+      ++(is_met ? met : unmet);
+      if (unmet > 1) return false;
+    }
+    return met > 0;
+  }
+
+  // Ends early where the mistakes are clearly not consistent.
+  Fit fit(const Mistakes& mistakes) const {
+    Fit made{mistakes, 0, 0, {}};
+    for (AnsweredCase* const one : cases_) {
+      const std::optional<Numbers> given = numbers_with(mistakes, one->question);
+      if (!given) continue;
+      for (AnsweredNumber& number : one->numbers) {
+        const double value = (*given)[number.place];
+        if (!std::isfinite(value)) continue;
+        const bool is_met = is_close(number, value, mistakes.size());
+        if (is_met && number.is_wrong && !number.is_explained) made.explains.push_back(&number);
+        if (!(change(number, value) > 5 * number.allowed)) continue;  // too little to tell
+        ++made.changed;
+        made.met += is_met ? 1 : 0;
+      }
+      if (made.changed - made.met > 20 && made.met < 10 * (made.changed - made.met)) break;
+    }
+    return made;
+  }
+
+ private:
+  static double change(const AnsweredNumber& number, double given) {
+    return std::abs((given - number.expected->high) - number.expected->low);
+  }
+  static bool is_close(const AnsweredNumber& number, double given, std::size_t mistakes) {
+    const double off = std::abs(number.got - given), by = change(number, given);
+    if (mistakes == 1) return off <= std::max(number.allowed, closeness_alone * by);
+    // There are thousands of sets: with a generous tolerance one would fit by chance.
+    const Expected& expected = *number.expected;
+    const double tight = engineering_tolerance().relative * expected.condition;
+    return off <= std::max(std::min(number.allowed, tight * std::abs(expected.high)),
+                           closeness_together * by);
+  }
+
+  std::vector<AnsweredCase*> cases_;
+  std::vector<const AnsweredCase*> probes_;
+};
+
+// All sets of `count` mistakes that can be made together, in the order of the file.
+template <class Visit>
+void for_each_set(const std::vector<Mistake>& mistakes, std::size_t count, Mistakes& set,
+                  std::size_t from, Visit&& visit) {
+  if (set.size() == count) return visit(std::as_const(set));
+  for (std::size_t i = from; i < mistakes.size(); ++i) {
+    if (std::any_of(set.begin(), set.end(),
+                    [&](const Mistake* one) { return !one->can_stand_beside(mistakes[i]); }))
+      continue;
+    set.push_back(&mistakes[i]);
+    for_each_set(mistakes, count, set, i + 1, visit);
+    set.pop_back();
+  }
+}
+
+}  // namespace
+
+Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& mistakes,
+                 const std::string& branch) {
+  Cause cause;
+  const Search search(cases, branch);
+  if (!search.has_wrong()) return cause;
+  // Three at once of an operating point's many mistakes would take seconds.
+  const std::size_t most = cases.front().question.function == nullptr ? 2 : 3;
+  for (std::size_t count = 1; count <= most; ++count) {
+    std::vector<Fit> fits;
+    Mistakes set;
+    for_each_set(mistakes, count, set, 0, [&](const Mistakes& one) {
+      if (count > 1 && !search.is_likely(one)) return;
+      Fit made = search.fit(one);
+      if (made.is_consistent() && !made.explains.empty()) fits.push_back(std::move(made));
+    });
+    if (fits.empty()) continue;
+    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
+      return a.explains.size() > b.explains.size();
+    });
+    const Fit& best = fits.front();
+    cause.changed = best.changed;
+    cause.met = best.met;
+    cause.explains = best.explains;
+    for (const Fit& other : fits)
+      if (other.explains == best.explains && cause.choices.size() < most_choices)
+        cause.choices.push_back(other.mistakes);
+    break;
+  }
+  return cause;
+}
+
+}  // namespace tribo::conformance

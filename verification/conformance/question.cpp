@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "conformance/question.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tribo/mixed_contact.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+// λ of ln λ − ln λ₀ + e ln(1 − A(λ)) = 0 by bisection from where A < 1; A falls with λ.
+double shared_film(const catalogue::Arguments& a, const SharingReading& reading) {
+  const bool is_gt = a[0] == 0, is_fit = reading.fit_constant != 0;
+  const double lambda0 = a[1], stiffness = a[2], offset = reading.offset_times * a[3];
+  const double order = reading.order != 0 ? reading.order : is_gt ? 2.5 : 1.5;
+  const double q = reading.share_exponent != 0 ? reading.share_exponent : is_gt ? 0.5 : 1;
+  const double e = reading.film_exponent != 0 ? reading.film_exponent
+                                              : hamrock_dowson_central_law.sharing_power.value;
+  // Where powers underflow a mistake tells nothing.
+  if (!(lambda0 > 1e-250 && lambda0 < 1e250 && stiffness < 1e250)) return unsaid;
+  const auto moment = [&](double d) {
+    if (!is_fit) return gaussian_moment(static_cast<Order>(static_cast<int>(2 * order)), d);
+    return d < reading.fit_end
+               ? reading.fit_constant * std::pow(reading.fit_end - d, reading.fit_exponent)
+               : 0.0;
+  };
+  const auto share = [&](double lambda) {
+    return std::pow(stiffness * moment(lambda - offset), q);
+  };
+  double floor = 0;
+  if (share(0) >= 1) {
+    double low = 0, high = std::max(offset, 0.0) + 50;
+    for (int i = 0; i < 200; ++i) (share((low + high) / 2) >= 1 ? low : high) = (low + high) / 2;
+    floor = high;
+  }
+  double low = floor, high = std::max(lambda0, floor) + std::max(offset, 0.0) + 60;
+  const auto is_below = [&](double lambda) {
+    const double asperities = share(lambda);
+    return asperities >= 1 || std::log(lambda / lambda0) + e * std::log1p(-asperities) < 0;
+  };
+  for (int i = 0; i < 300; ++i) {
+    const double middle = low > 0 && high > 4 * low ? std::sqrt(low * high) : (low + high) / 2;
+    if (middle == low || middle == high) break;
+    (is_below(middle) ? low : high) = middle;
+  }
+  const double lambda = (low + high) / 2;
+  return is_fit && lambda - offset < -1 ? unsaid : lambda;  // fits are made for d from about 0
+}
+
+Numbers function_numbers(const Question& question) {
+  catalogue::Results results{};
+  const catalogue::Arguments& a = question.arguments;
+  if (question.function->name == "hamrock_dowson_central")
+    results[0] = film_thickness(question.law, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
+  else if (!(question.sharing == SharingReading{}))
+    results[0] = shared_film(a, question.sharing);
+  else
+    question.function->value(a, results);
+  Numbers numbers{};
+  std::copy(results.begin(), results.end(), numbers.begin());
+  return numbers;
+}
+
+double friction_of(const OperatingPoint<double>& point, const Scene& scene,
+                   const FrictionReading& reading) {
+  const Lubricant& oil = scene.lubricant;
+  const double mean_pressure =
+      hertz_point(scene.load, scene.bodies.effective_modulus, scene.bodies.reduced_radius)
+          .mean_pressure;
+  const double pressure = point.fluid_load_share * mean_pressure;
+  double thickening = 0;  // ln(η/η₀)
+  if (scene.friction.viscosity == ViscosityLaw::barus)
+    thickening = oil.pressure_viscosity * pressure;
+  if (scene.friction.viscosity == ViscosityLaw::roelands) {
+    const double scale =
+        reading.roelands_logarithm * std::log(oil.viscosity) + roelands_log_viscosity<double>();
+    const double z = oil.pressure_viscosity * reading.roelands_pressure / scale;
+    thickening = scale * (std::pow(1 + pressure / reading.roelands_pressure, z) - 1);
+  }
+  const double sliding = scene.friction.slide_roll_ratio * point.speed;
+  const bool is_minimum =
+      reading.limiting_by_minimum != 0 && scene.friction.fluid == FluidShear::limiting;
+  const double stress =
+      is_minimum ? std::min(oil.viscosity * std::exp(thickening) * sliding / point.separation,
+                            *oil.eyring_stress)
+                 : fluid_shear_stress(scene.friction.fluid, *oil.eyring_stress, oil.viscosity,
+                                      thickening, sliding, point.separation);
+  const double boundary = reading.asperities * point.asperity_load_share +
+                          reading.film_boundary * point.fluid_load_share + reading.whole_boundary;
+  const double sheared = std::max(0.0, 1 - reading.contact_area * point.real_area_ratio);
+  return *scene.friction.boundary_coefficient * boundary +
+         reading.film * stress * sheared / mean_pressure;
+}
+
+}  // namespace
+
+double argument_of(const catalogue::Parameter& parameter, const nlohmann::json& written) {
+  if (parameter.words.empty() && written.is_number()) return written.get<double>();
+  if (!parameter.words.empty() && written.is_string())
+    if (const auto place = catalogue::place_of(written.get<std::string>(), parameter))
+      return *place;
+  throw std::runtime_error(fmt::format("{}: {} is not allowed", parameter.name, written.dump()));
+}
+
+Question question_of(const Case& asked) {
+  Question question{&asked, catalogue::find(asked.function)};
+  if (question.function == nullptr) {
+    question.scene = parse_scene_json(asked.inputs.dump(), "case", SceneUse::one_speed).scene;
+    return question;
+  }
+  const auto& parameters = question.function->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    question.arguments[i] =
+        argument_of(parameters[i], asked.inputs.at(std::string(parameters[i].name)));
+  return question;
+}
+
+std::optional<std::size_t> place_of_field(const Question& question, std::string_view field) {
+  if (question.function == nullptr) {
+    const auto* const found = std::find(point_fields.begin(), point_fields.end(), field);
+    if (found == point_fields.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - point_fields.begin());
+  }
+  const auto& results = question.function->results;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i].name == field) return i;
+  return std::nullopt;
+}
+
+Numbers numbers_of(const OperatingPoint<double>& point, const Question& question) {
+  const bool has_own_friction = question.friction == FrictionReading{};
+  return {point.film_flooded,
+          point.film,
+          point.separation,
+          point.film_parameter,
+          point.asperity_load_share,
+          point.fluid_load_share,
+          point.real_area_ratio,
+          point.summit_count * question.summit_count_times,
+          point.friction_undefined ? unsaid
+          : has_own_friction       ? point.friction
+                                   : friction_of(point, *question.scene, question.friction)};
+}
+
+Numbers right_numbers(const Question& question) {
+  if (question.function != nullptr) return function_numbers(question);
+  if (question.scene)
+    return numbers_of(MixedContact<double>(*question.scene).solve(question.scene->speeds[0]),
+                      question);
+  Numbers numbers{};
+  numbers.fill(unsaid);
+  return numbers;
+}
+
+}  // namespace tribo::conformance

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case as mistakes see it: its inputs as numbers, read once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "catalogue/catalogue.hpp"
+#include "conformance/conformance_case.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/scene.hpp"
+
+namespace tribo::conformance {
+
+// The results of a function, in the order of the catalogue, or of an operating point, in the order
+// of point_fields. NaN: nothing is said of this one.
+inline constexpr std::array<std::string_view, 9> point_fields{"film_flooded",
+                                                              "film",
+                                                              "separation",
+                                                              "film_parameter",
+                                                              "asperity_load_share",
+                                                              "fluid_load_share",
+                                                              "real_area_ratio",
+                                                              "summit_count",
+                                                              "friction"};
+using Numbers = std::array<double, point_fields.size()>;
+inline constexpr std::size_t first_place_of_shares = 4, summit_count_place = 7, friction_place = 8;
+inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
+
+// Load sharing: λ = λ₀ (1−A)^−e with A = (K F_n(λ − jδ))^q; 0 stands for the model's own n, q and
+// e. With the numbers of a fit, F is c (d₁ − d)^m, and 0 beyond d₁.
+struct SharingReading {
+  double order = 0, share_exponent = 0, film_exponent = 0;  // n, q, e
+  double offset_times = 1;                                  // j
+  double fit_constant = 0, fit_end = 0, fit_exponent = 0;   // c, d₁, m
+
+  bool operator==(const SharingReading&) const = default;
+};
+
+// How friction is put together: μ = μ_b (a A + b (1−A) + c) + d τ (1 − e A_r/A_nom)/p̄ with the
+// weights a = d = e = 1 and b = c = 0, and the fluid's shear stress τ.
+struct FrictionReading {
+  double asperities = 1, film_boundary = 0, whole_boundary = 0;  // a, b, c
+  double film = 1, contact_area = 1;                             // d, e
+  double roelands_pressure = tribo::roelands_pressure<double>();
+  double roelands_logarithm = 1;   // 1/ln 10: log₁₀ η₀ for ln η₀
+  double limiting_by_minimum = 0;  // 1: min(ηγ̇, τ₀) for τ₀(1 − e^{−ηγ̇/τ₀})
+
+  bool operator==(const FrictionReading&) const = default;
+};
+
+struct Question {
+  const Case* asked;
+  const catalogue::Function* function;       // null for an operating point
+  catalogue::Arguments arguments{};          // of the function
+  FilmLaw law = hamrock_dowson_central_law;  // of hamrock_dowson_central
+  std::optional<Scene> scene = {};           // of an operating point, with its one speed
+  SharingReading sharing = {};               // of load_sharing
+  double summit_count_times = 1;             // of an operating point
+  FrictionReading friction = {};             // likewise
+};
+
+Question question_of(const Case& asked);
+
+// The place of a result in Numbers; empty for a field that is no number.
+std::optional<std::size_t> place_of_field(const Question& question, std::string_view field);
+
+// Of an operating point, with the question's number of summits and friction.
+Numbers numbers_of(const OperatingPoint<double>& point, const Question& question);
+
+// The model's results, with what was misread. NaN where a fit says nothing.
+Numbers right_numbers(const Question& question);
+
+// An argument of the function as the request has it: a number, or a word of its list. Throws
+// std::runtime_error for anything else.
+double argument_of(const catalogue::Parameter& parameter, const nlohmann::json& written);
+
+}  // namespace tribo::conformance
