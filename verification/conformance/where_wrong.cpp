@@ -163,7 +163,7 @@ std::string manner_of_errors(const std::vector<AnsweredCase>& cases, const std::
     const std::size_t third = sizes.size() / 3;
     const double before = middle_of(0, third),
                  after = middle_of(sizes.size() - third, sizes.size());
-    if (part(flips) > 0.2 && (after > 100 * before || before > 100 * after))
+    if (flips >= 3 && part(flips) > 0.05 && (after > 100 * before || before > 100 * after))
       return "the errors have no order and grow: digits cancel there";
     const double greatest = *std::max_element(sizes.begin(), sizes.end());
     const double least = *std::min_element(sizes.begin(), sizes.end());
