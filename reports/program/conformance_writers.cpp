@@ -195,8 +195,9 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   append_examples(to, verdict);
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("\nDiagnosis: {}\n", one.text));
-  append(to, "\n");
-  for (const std::string& line : remarks(verdict)) append(to, line + "\n");
+  const std::vector<std::string> lines = remarks(verdict);
+  if (!lines.empty() || shows_errors(verdict)) append(to, "\n");
+  for (const std::string& line : lines) append(to, line + "\n");
   if (shows_errors(verdict)) append(to, "The last it wrote to stderr:\n");
   if (shows_errors(verdict))
     for (const std::string& line : verdict.last_errors) append(to, "  " + line + "\n");
