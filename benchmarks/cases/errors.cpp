@@ -14,9 +14,11 @@ double ulps_off(double got, double high, double low) {
   return std::abs((got - high) - low) / unit;
 }
 
-void ErrorTally::add(double got, double high, double low) {
+void ErrorTally::add(double got, double high, double low, double condition) {
+  if (got == not_offered) return;
   ++judged_;
-  if (!(std::abs(got - high) <= failed_beyond * std::abs(high))) ++failures_;
+  const double allowed = failed_beyond * std::max(1.0, condition) * std::abs(high);
+  if (!(std::abs((got - high) - low) <= allowed)) ++failures_;
   if (std::isfinite(got)) ulps_.push_back(ulps_off(got, high, low));
 }
 

@@ -3,25 +3,32 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace tribo::benchmarks {
 
 struct Errors {
   std::size_t judged = 0;
-  std::size_t failures = 0;    // no number, or off by more than failed_beyond
+  // No number, or off by more than failed_beyond times the condition, as `verify` with its
+  // tolerance `engineering` has it.
+  std::size_t failures = 0;
   std::size_t no_numbers = 0;  // failures without a number
   double max_ulp = 0;          // over the answers that are numbers, like the next two
   double p99_ulp = 0;
   double mean_ulp = 0;
 };
 
+// In place of an answer: a contender does not offer this case. It is not judged, as `verify` skips
+// it.
+inline constexpr double not_offered = -std::numeric_limits<double>::infinity();
+
 class ErrorTally {
  public:
   static constexpr double failed_beyond = 1e-6;  // relative
 
   // Against high + low.
-  void add(double got, double high, double low);
+  void add(double got, double high, double low, double condition = 1);
   void add(double got, long double exact);
   Errors errors() const;
 

@@ -11,7 +11,7 @@ namespace {
 
 struct Row {
   Order order;
-  double d, high, low;
+  double d, high, low, condition;
 };
 
 const std::vector<Row>& certified_rows() {
@@ -20,7 +20,8 @@ const std::vector<Row>& certified_rows() {
     for (const auto& row :
          verification::read_reference_table(TRIBOCHECK_REFERENCE "/exact/gaussian_moment.csv"))
       all.push_back({static_cast<Order>(static_cast<int>(2 * row.number("order"))),
-                     row.number("argument"), row.number("high"), row.number("low")});
+                     row.number("argument"), row.number("high"), row.number("low"),
+                     row.number("condition")});
     return all;
   }();
   return rows;
@@ -48,7 +49,8 @@ Errors judge(const MomentContender& contender, double from, double to) {
   std::vector<double> moments(d.size());
   if (!d.empty()) contender.run(d, moments);
   ErrorTally tally;
-  for (std::size_t i = 0; i < rows.size(); ++i) tally.add(moments[i], rows[i]->high, rows[i]->low);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    tally.add(moments[i], rows[i]->high, rows[i]->low, rows[i]->condition);
   return tally.errors();
 }
 

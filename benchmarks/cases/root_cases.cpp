@@ -29,6 +29,7 @@ StoredRootCases certified(RootJob job) {
     cases.add(k, delta, lambda0);
     cases.high.push_back(row.number("high"));
     cases.low.push_back(row.number("low"));
+    cases.condition.push_back(row.number("condition"));
   }
   return cases;
 }
@@ -73,7 +74,8 @@ Errors judge(const RootContender& contender, RootJob job) {
   std::vector<double> film(cases.flooded.size());
   contender.prepare(cases.view())(cases.view(), film);
   ErrorTally tally;
-  for (std::size_t i = 0; i < film.size(); ++i) tally.add(film[i], cases.high[i], cases.low[i]);
+  for (std::size_t i = 0; i < film.size(); ++i)
+    tally.add(film[i], cases.high[i], cases.low[i], cases.condition[i]);
   return tally.errors();
 }
 

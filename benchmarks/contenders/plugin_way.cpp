@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contenders/plugin_way.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 
+#include "cases/errors.hpp"
 #include "conformance/plugin_scene.hpp"
 
 namespace tribo::benchmarks {
@@ -34,9 +36,14 @@ struct PointRoom {
   std::vector<int> status;
 };
 
+// A number counts where its status is done, as it does to `verify`.
+double answer_of(int status, double value) {
+  if (status == TRIBOCHECK_NOT_OFFERED) return not_offered;
+  return status == TRIBOCHECK_DONE && std::isfinite(value) ? value : no_number;
+}
+
 void drop_numbers_not_done(const std::vector<int>& status, std::span<double> values) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (status[i] != TRIBOCHECK_DONE) values[i] = no_number;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = answer_of(status[i], values[i]);
 }
 
 // The second of two calls: in the first a library may set itself up.
@@ -60,6 +67,7 @@ MomentBatch moment_batch(const PluginFunctions& functions, Order order) {
   return [=](std::span<const double> d, std::span<double> moments) {
     room->order.resize(d.size(), value_of<double>(order));
     room->status.assign(d.size(), unset);
+    std::fill(moments.begin(), moments.end(), no_number);
     moments_of(functions, room->order.data(), d, moments.data(), room->status.data());
     drop_numbers_not_done(room->status, moments);
   };
@@ -87,6 +95,7 @@ RootRun root_run(const PluginFunctions& functions) {
   return [=](const RootCases& cases, std::span<double> film) {
     room->asperity.resize(cases.size(), TRIBOCHECK_GREENWOOD_TRIPP);
     room->status.assign(cases.size(), unset);
+    std::fill(film.begin(), film.end(), no_number);
     roots_of(functions, room->asperity.data(), cases, film.data(), room->status.data());
     drop_numbers_not_done(room->status, film);
   };
@@ -112,14 +121,14 @@ double seconds_of_root(const RootRun& run) {
 void solve_points(const PluginFunctions& functions, PointRoom& room, const Scene& scene,
                   std::span<const double> speeds, OperatingPoints& points) {
   const tribocheck_scene given = conformance::plugin_scene(scene);
-  room.points.resize(speeds.size(), conformance::empty_point());
+  room.points.assign(speeds.size(), conformance::empty_point());
   room.status.assign(speeds.size(), unset);
   functions.operating_point(&given, speeds.size(), speeds.data(), room.points.data(),
                             room.status.data());
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     const tribocheck_point& point = room.points[i];
     points.speed[i] = speeds[i];
-    points.film[i] = room.status[i] == TRIBOCHECK_DONE ? point.film : no_number;
+    points.film[i] = answer_of(room.status[i], point.film);
     points.asperity_load_share[i] = point.asperity_load_share;
     points.friction[i] = point.friction;
   }

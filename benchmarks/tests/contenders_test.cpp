@@ -194,5 +194,21 @@ TEST(ErrorTally, MeasuresInUnitsInTheLastPlace) {
   EXPECT_EQ(errors.mean_ulp, 1);
 }
 
+TEST(ErrorTally, AllowsSoMuchTimesTheConditionAndSkipsWhatIsNotOffered) {
+  const auto failures = [](double got, double condition) {
+    ErrorTally tally;
+    tally.add(got, 2, 0, condition);
+    return tally.errors().failures;
+  };
+  EXPECT_EQ(failures(2 + 1.9e-6, 1), 0U);
+  EXPECT_EQ(failures(2 + 2.1e-6, 1), 1U);
+  EXPECT_EQ(failures(2 + 1.9e-5, 10), 0U);
+  EXPECT_EQ(failures(2 + 2.1e-5, 10), 1U);
+  EXPECT_EQ(failures(2 + 1.9e-6, 0.1), 0U);
+  ErrorTally tally;
+  tally.add(not_offered, 2, 0);
+  EXPECT_EQ(tally.errors().judged, 0U);
+}
+
 }  // namespace
 }  // namespace tribo::benchmarks

@@ -18,8 +18,8 @@ struct BenchRow {
   double ns;                    // a point: CPU time, the median of the repetitions
   double least_ns;              // and the least of them
   std::optional<double> ratio;  // to the fastest of tribocheck's in this job and run
-  // Empty if nothing was judged. Failures are cases without a number or off by more than 1e-6; the
-  // ulp values are true errors of the cases that are numbers.
+  // Empty if nothing was judged. Failures are cases without a number or off by more than 1e-6 times
+  // their condition; the ulp values are true errors of the cases that are numbers.
   std::optional<double> judged, failures, max_ulp, p99_ulp, mean_ulp;
   std::optional<double> evaluations;  // of the integrand or the moment, a point; none: has none
 };

@@ -2,6 +2,7 @@
 #include "conformance_writers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@ namespace tribo::cli {
 namespace {
 
 using namespace conformance;
+using nlohmann::json;
 
 std::string margin(double part_of_bound) {
   return std::isfinite(part_of_bound) ? fmt::format("{:.3g}", part_of_bound) : "no number";
@@ -63,8 +65,9 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 // What broke the protocol, and what a user should know of the run.
-std::vector<std::string> remarks(const ConformanceResult& result) {
-  std::vector<std::string> lines;
+std::vector<std::string> remarks(const SubjectVerdict& verdict) {
+  const ConformanceResult& result = verdict.result;
+  std::vector<std::string> lines = verdict.notes;
   if (result.violation_count > 0)
     lines.push_back(fmt::format("The protocol was broken {} times:", result.violation_count));
   for (const std::string& one : result.violations) lines.push_back("  " + one);
@@ -75,14 +78,35 @@ std::vector<std::string> remarks(const ConformanceResult& result) {
   if (result.starts > 1)
     lines.push_back(
         fmt::format("It was started {} times, as it died or did not answer.", result.starts));
-  if (!result.last_errors.empty() && result.overall != Overall::complete) {
-    std::string tail = result.last_errors;
-    while (tail.ends_with('\n')) tail.pop_back();
-    const std::size_t line = tail.rfind('\n');
-    lines.push_back("The last it wrote to stderr: " +
-                    (line == std::string::npos ? tail : tail.substr(line + 1)));
-  }
   return lines;
+}
+
+// Is the end of stderr worth to be shown?
+bool shows_errors(const SubjectVerdict& verdict) {
+  return !verdict.last_errors.empty() && verdict.result.overall != Overall::complete;
+}
+
+const Example* worst_of(const SubjectVerdict& verdict, const std::string& quantity) {
+  for (const Example& one : verdict.examples)
+    if (one.quantity == quantity) return &one;
+  return nullptr;
+}
+
+// "got 2.3e-08 m, expected 3.2e-08 m, give or take 3.2e-14: 99 times as far off as is allowed"
+std::string comparison(const Example& one) {
+  const std::string error = error_text(one);
+  return fmt::format("got {}, expected {}{}", got_text(one), expected_text(one),
+                     error.empty() ? "" : ": " + error);
+}
+
+// Of the functions that failed, as one explains the quantities of a function together.
+std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
+                                           const std::string& quantity) {
+  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
+  std::vector<const Diagnosis*> found;
+  for (const Diagnosis& one : verdict.diagnoses)
+    if (function(one.quantity) == function(quantity)) found.push_back(&one);
+  return found;
 }
 
 std::string one_line(std::string text) {
@@ -140,6 +164,17 @@ std::string summary(const SubjectVerdict& verdict) {
   return text + fmt::format(" (tolerance: {}).", result.tolerance);
 }
 
+// The request of a case is written once, where several quantities of it are wrong.
+void append_examples(Text& to, const SubjectVerdict& verdict) {
+  std::string last;
+  for (const Example& one : verdict.examples) {
+    append(to, fmt::format("\nWorst of {}, in case {}: {}\n", one.quantity, one.id,
+                           one_line(comparison(one))));
+    if (one.id != last) append(to, "  " + one.request.dump() + "\n");
+    last = one.id;
+  }
+}
+
 void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   const std::vector<ColumnHead> heads{
       {"quantity", "", 36}, {"asked", "", 6},        {"held", "", 6},     {"failed", "", 6},
@@ -157,17 +192,25 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
     for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
     append(to, "\n");
   }
-  for (const QuantityVerdict& one : verdict.result.quantities)
-    if (one.status == Status::failed)
-      append(to, "\n" + one_line(fmt::format("{}: {}", one.quantity, one.first_reason)));
-  append(to, "\n");
+  append_examples(to, verdict);
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("\nDiagnosis: {}\n", one.text));
-  for (const std::string& line : remarks(verdict.result)) append(to, line + "\n");
+  const std::vector<std::string> lines = remarks(verdict);
+  if (!lines.empty() || shows_errors(verdict)) append(to, "\n");
+  for (const std::string& line : lines) append(to, line + "\n");
+  if (shows_errors(verdict)) append(to, "The last it wrote to stderr:\n");
+  if (shows_errors(verdict))
+    for (const std::string& line : verdict.last_errors) append(to, "  " + line + "\n");
   if (verdict.changes)
     for (const Finding& one : verdict.changes->worse)
       append(to, "Worse than the baseline: " + one_line(one.text) + "\n");
   append(to, "\n" + summary(verdict) + "\n");
+}
+
+nlohmann::ordered_json expected_json(const Example& one) {
+  if (!one.expected.word.empty()) return one.expected.word;
+  if (one.expected.is_undefined) return nullptr;
+  return one.expected.high;
 }
 
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
@@ -181,11 +224,13 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                    {"overall", overall(verdict)},
                    {"summary", summary(verdict)},
                    {"quantities", ordered_json::array()},
+                   {"examples", ordered_json::array()},
                    {"diagnoses", ordered_json::array()},
                    {"violation_count", result.violation_count},
                    {"violations", result.violations},
                    {"starts", result.starts},
                    {"answers_at_end_of_input", result.answers_at_end_of_input},
+                   {"notes", verdict.notes},
                    {"last_errors", result.last_errors}};
   for (const QuantityVerdict& one : result.quantities)
     all["quantities"].push_back({{"quantity", one.quantity},
@@ -198,6 +243,16 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                  {"worst_part_of_bound", number(one.worst_part_of_bound)},
                                  {"worst_case", one.worst_case},
                                  {"reason", one.first_reason}});
+  for (const Example& one : verdict.examples)
+    all["examples"].push_back({{"quantity", one.quantity},
+                               {"case", one.id},
+                               {"request", one.request},
+                               {"expected", expected_json(one)},
+                               {"allowed_error", number(one.allowed)},
+                               {"unit", one.unit},
+                               {"got", one.got ? ordered_json(*one.got) : ordered_json(nullptr)},
+                               {"reason", one.reason},
+                               {"part_of_bound", number(one.part_of_bound)}});
   for (const Diagnosis& one : verdict.diagnoses)
     all["diagnoses"].push_back({{"quantity", one.quantity},
                                 {"mistakes", one.mistakes},
@@ -232,12 +287,31 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
   append(to, "\n");
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("- **Diagnosis.** {}\n", cell(one.text)));
-  for (const std::string& line : remarks(verdict.result)) append(to, "- " + cell(line) + "\n");
+  for (const Example& one : verdict.examples)
+    append(to, fmt::format("- Worst of `{}`, in case {}: {}\n\n  ```json\n  {}\n  ```\n",
+                           one.quantity, cell(one.id), cell(comparison(one)), one.request.dump()));
+  for (const std::string& line : remarks(verdict)) append(to, "- " + cell(line) + "\n");
+  if (shows_errors(verdict)) {
+    append(to, "- The last it wrote to stderr:\n\n  ````text\n");
+    for (const std::string& line : verdict.last_errors) append(to, "  " + line + "\n");
+    append(to, "  ````\n");
+  }
   if (!verdict.changes) return;
   for (const Finding& one : verdict.changes->worse)
     append(to, "- **Worse than the baseline.** " + cell(one.text) + "\n");
   for (const Finding& one : verdict.changes->better)
     append(to, "- Better than the baseline: " + cell(one.text) + "\n");
+}
+
+// The diagnosis of a quantity, and the case that is worst.
+std::string junit_details(const SubjectVerdict& verdict, const std::string& quantity) {
+  std::string text;
+  const Example* const example = worst_of(verdict, quantity);
+  if (example == nullptr) return text;
+  for (const Diagnosis* one : diagnoses_of(verdict, quantity))
+    text += "Diagnosis: " + one->text + "\n";
+  return text + fmt::format("Worst in case {}: {}\n{}\n", example->id, comparison(*example),
+                            example->request.dump());
 }
 
 std::string subject_junit(const SubjectVerdict& verdict) {
@@ -254,8 +328,14 @@ std::string subject_junit(const SubjectVerdict& verdict) {
   const auto add = [&](const std::string& quantity, const char* kind, const std::string& message) {
     ++tests;
     xml += fmt::format("  <testcase classname=\"conformance\" name=\"{}\"", text(quantity));
-    xml += *kind == '\0' ? "/>\n"
-                         : fmt::format("><{} message=\"{}\"/></testcase>\n", kind, text(message));
+    if (*kind == '\0') {
+      xml += "/>\n";
+      return;
+    }
+    const std::string details = text(junit_details(verdict, quantity));
+    xml += fmt::format("><{} message=\"{}\"", kind, text(message));
+    xml += details.empty() ? "/>" : fmt::format(">{}</{}>", details, kind);
+    xml += "</testcase>\n";
   };
   for (const QuantityVerdict& one : result.quantities) {
     const auto why = std::find_if(failed.begin(), failed.end(), [&](const Finding& failure) {
@@ -279,11 +359,37 @@ std::string subject_junit(const SubjectVerdict& verdict) {
                      [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
       add(one.quantity, "failure", one.text);
   if (result.violation_count == 0) add("protocol", "", "");
+  std::string said;  // what a user should know of the run
+  for (const std::string& line : remarks(verdict)) said += line + "\n";
+  if (!said.empty()) xml += fmt::format("  <system-out>{}</system-out>\n", text(said));
+  if (shows_errors(verdict))
+    xml += fmt::format("  <system-err>{}</system-err>\n",
+                       text(fmt::format("{}", fmt::join(verdict.last_errors, "\n"))));
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n"
       "{}</testsuite>\n",
       tests, failed.size(), skipped, xml);
+}
+
+void append_request(Text& to, const Case& asked, const Tolerance& tolerance) {
+  append(to, asked.line() + "\n");
+  for (const Expected& expected : asked.expected) {
+    const Example one = example_of(asked, expected, {}, tolerance);
+    append(to, fmt::format("  {}: expected {}\n", one.quantity, expected_text(one)));
+  }
+}
+
+void append_shown_case(Text& to, const Case& asked, const Answer& answer,
+                       const std::vector<Example>& examples) {
+  append(to, "asked:    " + asked.line() + "\n");
+  append(to, "answered: " +
+                 one_line(answer.outcome == Outcome::answered
+                              ? answer.fields.dump(-1, ' ', true, json::error_handler_t::replace)
+                              : answer.reason) +
+                 "\n");
+  for (const Example& one : examples)
+    append(to, fmt::format("  {}: {}\n", one.quantity, one_line(comparison(one))));
 }
 
 }  // namespace tribo::cli

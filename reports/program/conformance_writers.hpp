@@ -7,6 +7,7 @@
 
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/diagnosis.hpp"
+#include "conformance/evidence.hpp"
 #include "output.hpp"
 
 namespace tribo::cli {
@@ -14,6 +15,9 @@ namespace tribo::cli {
 struct SubjectVerdict {
   conformance::ConformanceResult result;
   std::vector<conformance::Diagnosis> diagnoses;
+  std::vector<conformance::Example> examples;           // the worst of each failed quantity
+  std::vector<std::string> notes;                       // on the answers
+  std::vector<std::string> last_errors;                 // lines of stderr
   std::string baseline;                                 // the file of --baseline
   std::optional<conformance::BaselineChanges> changes;  // against what it says
   std::vector<conformance::Finding> missing;            // of --require, and not held
@@ -28,6 +32,13 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict);
 void append_subject_json(Text& to, const SubjectVerdict& verdict);
 void append_subject_markdown(Text& to, const SubjectVerdict& verdict);
 std::string subject_junit(const SubjectVerdict& verdict);
+
+// One case of --show: the line that asks, what is expected, the answer, and how far off it is. The
+// first is for a case that nobody is asked.
+void append_request(Text& to, const conformance::Case& asked,
+                    const conformance::Tolerance& tolerance);
+void append_shown_case(Text& to, const conformance::Case& asked, const conformance::Answer& answer,
+                       const std::vector<conformance::Example>& examples);
 
 // "PARTIAL: 9 of 14 quantities held, 5 not offered (tolerance: engineering)."
 std::string summary(const SubjectVerdict& verdict);

@@ -42,7 +42,8 @@ struct Language {
   std::string file;     // that is written; its template is this with ".mustache"
   std::string program;  // the interpreter or compiler
   std::string package;  // of Debian, that has it
-  // The command that builds {library} from {file}; {include} is the folder of tribocheck_plugin.h.
+  // The command that builds {library}, in {folder}, from {file}; {include} is the folder of
+  // tribocheck_plugin.h.
   // Without {library} it is the command of the subject itself.
   std::string command;
 };
@@ -121,8 +122,10 @@ std::string next_line(const Language& language, const fs::path& include, const s
   const fs::path path(file);
   const std::string library =
       (path.parent_path() / ("lib" + path.stem().string() + ".so")).string();
-  return with(with(command, "{include}", include.string()), "{library}", library) + " && " +
-         verify + "--plugin " + shell_word(library);
+  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
+  return with(with(with(command, "{include}", include.string()), "{library}", library), "{folder}",
+              folder) +
+         " && " + verify + "--plugin " + shell_word(library);
 }
 
 int init(const InitArguments& arguments, OutputStream& output) {
@@ -146,7 +149,9 @@ int init(const InitArguments& arguments, OutputStream& output) {
     return exit_failed;
   }
   const std::string out = arguments.out.empty() ? language->file : arguments.out;
-  const int why_not = write_new_file(out, filled_template(*text, path.string()), arguments.force);
+  const std::string next = next_line(*language, places.include, out);
+  const int why_not =
+      write_new_file(out, filled_template(*text, path.string(), next), arguments.force);
   if (why_not == EEXIST) {
     complain(out + ": is there already; --force overwrites it");
     return exit_bad;
@@ -155,8 +160,7 @@ int init(const InitArguments& arguments, OutputStream& output) {
     complain(fmt::format("{}: {}", out, std::strerror(why_not)));
     return exit_failed;
   }
-  append(output.text(),
-         fmt::format("{}: written\nnext:\n  {}\n", out, next_line(*language, places.include, out)));
+  append(output.text(), fmt::format("{}: written\nnext:\n  {}\n", out, next));
   output.flush();
   if (found_by_shell(language->program).empty())
     complain(fmt::format(

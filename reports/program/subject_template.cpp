@@ -80,14 +80,17 @@ data function_of(const catalogue::Function& function) {
 
 }  // namespace
 
-std::string filled_template(const std::string& text, const std::string& path) {
+std::string filled_template(const std::string& text, const std::string& path,
+                            const std::string& next) {
   mustache filled(text);
   if (!filled.is_valid()) throw std::runtime_error(path + ": " + filled.error_message());
   filled.set_custom_escape([](const std::string& plain) { return plain; });  // no HTML
   data functions(data::type::list);
   for (const catalogue::Function& function : catalogue::functions())
     functions << function_of(function);
-  return filled.render(data("functions", functions));
+  data all("functions", functions);
+  all.set("next", next);
+  return filled.render(all);
 }
 
 }  // namespace tribo::cli

@@ -7,8 +7,9 @@
 
 namespace tribo::cli {
 
-// Throws std::runtime_error with one line where `text`, which is that of the file `path`, is no
-// Mustache.
-std::string filled_template(const std::string& text, const std::string& path);
+// `next` is what a user types next, for {{next}}. Throws std::runtime_error with one line where
+// `text`, which is that of the file `path`, is no Mustache.
+std::string filled_template(const std::string& text, const std::string& path,
+                            const std::string& next);
 
 }  // namespace tribo::cli

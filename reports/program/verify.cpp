@@ -113,7 +113,9 @@ std::string junit_text(const std::vector<QuantityResult>& results) {
 }
 
 int verify(const VerifyArguments& arguments, OutputStream& output) {
-  if (!arguments.subject.command.empty() || !arguments.subject.plugin.empty()) {
+  const SubjectArguments& asked = arguments.subject;
+  if (!asked.command.empty() || !asked.plugin.empty() || !asked.shown.empty() ||
+      !asked.saved_cases.empty()) {
     SubjectArguments subject = arguments.subject;
     subject.exact = arguments.reference;
     subject.format = arguments.format;
@@ -149,11 +151,18 @@ cases and operating points, and the paper's scenes. A subject is a program that 
 writes one (README.md of verification/conformance says how; `tribocheck init subject` writes a start); a
 plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
 it skips. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than that file says; 1:
-something failed, or it offers nothing; 2: it cannot be started.
+something failed, or it offers nothing; 2: it cannot be started, or never answers. It has 60 s for the
+first answer, as it may have much to load, and 10 s for each one after it.
+
+Each failed quantity is shown with its worst case. --show asks one case again, and prints the line that
+asks, what is expected and how far off it may be, and what came. --save-cases writes the lines that ask
+all cases, one JSON object a line, to be fed to any program; it needs no subject.
 
 Example:
   tribocheck verify --junit verify.xml
   tribocheck verify --subject 'python3 my_solver.py'
+  tribocheck verify --subject 'python3 my_solver.py' --show f0012
+  tribocheck verify --save-cases - | python3 my_solver.py
   tribocheck verify --plugin ./libmine.so --tolerance strict --baseline mine.json)";
 
 }  // namespace
@@ -195,10 +204,19 @@ Command add_verify(CLI::App& program) {
   of_subject(
       app->add_option("--case-timeout", subject.case_timeout, "seconds for one case (default: 10)")
           ->check(CLI::Range(0.01, 1e5)));
+  of_subject(app->add_option("--start-timeout", subject.start_timeout,
+                             "seconds from a start to the first answer (default: 60; never less "
+                             "than those for one case)")
+                 ->check(CLI::Range(0.01, 1e5)));
   of_subject(app->add_option("--timeout", subject.timeout, "seconds for all of them (default: 600)")
                  ->check(CLI::Range(0.01, 1e6)));
   of_subject(app->add_option("--require", subject.required,
-                             "a quantity that has to be held whole; may be repeated"));
+                             "a quantity that has to be held whole, or a function: all of its "
+                             "quantities; may be repeated"));
+  of_subject(app->add_option("--show", subject.shown,
+                             "ask this case alone and print all of it; may be repeated"));
+  of_subject(app->add_option("--save-cases", subject.saved_cases,
+                             "write the lines that ask to this file; -: stdout"));
   of_subject(app->add_option("--baseline", subject.baseline,
                              "fail only on what is worse than this file says"));
   CLI::Option* const update = of_subject(app->add_flag("--update-baseline", subject.update_baseline,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
@@ -21,6 +22,14 @@ namespace {
 
 using namespace conformance;
 
+bool has_subject(const SubjectArguments& arguments) {
+  return !arguments.command.empty() || !arguments.plugin.empty();
+}
+
+const std::string& subject_of(const SubjectArguments& arguments) {
+  return arguments.plugin.empty() ? arguments.command : arguments.plugin;
+}
+
 // A plug-in is asked through a process of its own, so that it cannot take the run with it.
 std::string command_of(const SubjectArguments& arguments) {
   if (arguments.plugin.empty()) return arguments.command;
@@ -30,6 +39,9 @@ std::string command_of(const SubjectArguments& arguments) {
 
 // Checked before the start: a program that does not exist is bad input, not a solver that fails.
 void check_startable(const SubjectArguments& arguments) {
+  if (!arguments.plugin.empty() && !std::filesystem::exists(arguments.plugin))
+    throw std::invalid_argument(fmt::format(
+        "--plugin: there is no file {}; correct the path, or build it first", arguments.plugin));
   if (!arguments.plugin.empty()) return;
   if (const std::optional<std::string> why_not = why_not_startable(arguments.command))
     throw std::invalid_argument("--subject: " + *why_not);
@@ -48,6 +60,19 @@ void check_started(const SubjectArguments& arguments, const Conversation& conver
   if (of_plugin && why.starts_with(own_prefix)) why.erase(0, own_prefix.size());
   throw std::invalid_argument(
       fmt::format("{}: {}", of_plugin ? "--plugin" : "--subject: it cannot be started", why));
+}
+
+void complain_of_errors(const Conversation& conversation) {
+  const std::vector<std::string> lines = last_error_lines(conversation);
+  if (!lines.empty()) complain("the last it wrote to stderr:");
+  for (const std::string& line : lines) std::fprintf(stderr, "  %s\n", line.c_str());
+}
+
+// A subject of which no case has an answer is not judged: what is wrong is one thing.
+int complain_of_silence(const std::string& subject, const Conversation& conversation) {
+  complain(fmt::format("{} never answered: {}", subject, conversation.never_answered));
+  complain_of_errors(conversation);
+  return exit_bad;
 }
 
 // The paper's scenes are in their usual place, or else beside the folder of --reference, as in a
@@ -73,11 +98,21 @@ Tolerance tolerance_of(const std::string& text, const std::vector<Case>& cases) 
   return read_tolerance(text, cases);
 }
 
-void check_required(const SubjectArguments& arguments, const ConformanceResult& result) {
-  for (const std::string& wanted : arguments.required)
-    if (std::none_of(result.quantities.begin(), result.quantities.end(),
-                     [&](const QuantityVerdict& one) { return one.quantity == wanted; }))
+// A function stands for each of its quantities.
+bool stands_for(const std::string& wanted, const std::string& quantity) {
+  return quantity == wanted || quantity.starts_with(wanted + ".");
+}
+
+void check_required(const SubjectArguments& arguments, const std::vector<Case>& cases) {
+  for (const std::string& wanted : arguments.required) {
+    const auto is_wanted = [&](const Case& asked) {
+      return std::any_of(asked.expected.begin(), asked.expected.end(), [&](const Expected& one) {
+        return stands_for(wanted, quantity_name(asked, one));
+      });
+    };
+    if (std::none_of(cases.begin(), cases.end(), is_wanted))
       throw std::invalid_argument(fmt::format("--require: {} is no quantity of the table", wanted));
+  }
 }
 
 // The quantities that were asked for by name and are not held.
@@ -85,8 +120,9 @@ std::vector<Finding> missing_of(const SubjectArguments& arguments,
                                 const ConformanceResult& result) {
   std::vector<Finding> missing;
   for (const QuantityVerdict& one : result.quantities) {
-    const bool wanted = std::find(arguments.required.begin(), arguments.required.end(),
-                                  one.quantity) != arguments.required.end();
+    const bool wanted =
+        std::any_of(arguments.required.begin(), arguments.required.end(),
+                    [&](const std::string& name) { return stands_for(name, one.quantity); });
     if (!wanted || one.status == Status::held) continue;
     missing.push_back(
         {one.quantity, fmt::format("required, but {}: {}", name(one.status), one.quantity)});
@@ -132,29 +168,98 @@ void use_baseline(const SubjectArguments& arguments, SubjectVerdict& verdict) {
   if (arguments.force) verdict.changes = compare(verdict.result, after);
 }
 
-int verify(const SubjectArguments& arguments, OutputStream& output) {
-  check_startable(arguments);
-  std::vector<Case> cases = read_cases(sources_of(arguments));
-  const Tolerance tolerance = tolerance_of(arguments.tolerance, cases);
-  cases = cases_for(std::move(cases), tolerance);
-  if (arguments.sample > 0) cases = sampled(std::move(cases), arguments.sample);
-
-  const std::vector<Mistake> mistakes = read_mistakes(mistakes_of(arguments));
+Limits limits_of(const SubjectArguments& arguments) {
   const auto milliseconds = [](double seconds) {
     return std::chrono::milliseconds(static_cast<long long>(1000 * seconds));
   };
-  const Limits limits{milliseconds(arguments.case_timeout), milliseconds(arguments.timeout)};
+  return {milliseconds(arguments.case_timeout), milliseconds(arguments.start_timeout),
+          milliseconds(arguments.timeout), !arguments.plugin.empty()};
+}
+
+// The cases that --show names.
+std::vector<Case> shown_of(const SubjectArguments& arguments, const std::vector<Case>& all) {
+  std::vector<Case> cases;
+  for (const std::string& id : arguments.shown) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Case& one) { return one.id == id; });
+    if (found == all.end())
+      throw std::invalid_argument(
+          fmt::format("--show: no case is called {}; --save-cases - lists all", id));
+    cases.push_back(*found);
+  }
+  return cases;
+}
+
+// Each case is asked and judged alone, as a quantity's verdict is one on all of its cases.
+int show(const SubjectArguments& arguments, const std::vector<Case>& cases,
+         const Tolerance& tolerance, OutputStream& output) {
+  bool any_failed = false;
+  for (const Case& one : cases) {
+    const std::vector<Case> alone{one};
+    if (!has_subject(arguments)) {
+      append_request(output.text(), one, tolerance);
+      continue;
+    }
+    const Conversation conversation =
+        ask(command_of(arguments), alone, limits_of(arguments), [](std::size_t) {});
+    check_started(arguments, conversation);
+    const ConformanceResult result = judge(subject_of(arguments), alone, conversation, tolerance);
+    any_failed |= result.overall == Overall::failed;
+    append_shown_case(output.text(), one, conversation.answers.front(),
+                      worst_examples(result, alone, conversation, tolerance, true));
+    complain_of_errors(conversation);
+  }
+  output.flush();
+  return any_failed ? exit_failed : exit_done;
+}
+
+// False: nothing is left to do.
+bool save_cases(const SubjectArguments& arguments, const std::vector<Case>& cases,
+                OutputStream& output) {
+  if (arguments.saved_cases.empty()) return true;
+  std::string lines;
+  for (const Case& one : cases) lines += one.line() + "\n";
+  if (arguments.saved_cases != "-") {
+    report::write_file(arguments.saved_cases, lines);
+  } else {
+    append(output.text(), lines);
+    output.flush();
+  }
+  return has_subject(arguments);
+}
+
+int verify(const SubjectArguments& arguments, OutputStream& output) {
+  if (arguments.saved_cases == "-" && (has_subject(arguments) || !arguments.shown.empty()))
+    throw std::invalid_argument(
+        "--save-cases - writes to stdout, as the verdict does; name a file, or leave the subject "
+        "out");
+  if (!arguments.shown.empty() && arguments.format != "table")
+    throw std::invalid_argument("--show writes text; leave --format out");
+  check_startable(arguments);
+  std::vector<Case> cases = read_cases(sources_of(arguments));
+  const Tolerance tolerance = tolerance_of(arguments.tolerance, cases);
+  if (!arguments.shown.empty())
+    return show(arguments, shown_of(arguments, cases), tolerance, output);
+  cases = cases_for(std::move(cases), tolerance);
+  if (arguments.sample > 0) cases = sampled(std::move(cases), arguments.sample);
+  if (!save_cases(arguments, cases, output)) return exit_done;
+  check_required(arguments, cases);
+
+  const std::vector<Mistake> mistakes = read_mistakes(mistakes_of(arguments));
   SubjectVerdict verdict;
   {
     Progress progress(cases.size(), {"cases", 1, true});
-    const Conversation conversation =
-        ask(command_of(arguments), cases, limits, [&](std::size_t) { progress.step(); });
+    const Conversation conversation = ask(command_of(arguments), cases, limits_of(arguments),
+                                          [&](std::size_t) { progress.step(); });
     check_started(arguments, conversation);
-    verdict.result = judge(arguments.plugin.empty() ? arguments.command : arguments.plugin, cases,
-                           conversation, tolerance);
+    if (!conversation.never_answered.empty())
+      return complain_of_silence(subject_of(arguments), conversation);
+    verdict.result = judge(subject_of(arguments), cases, conversation, tolerance);
     verdict.diagnoses = diagnose(cases, conversation, tolerance, mistakes);
+    verdict.examples = worst_examples(verdict.result, cases, conversation, tolerance);
+    verdict.notes = notes_on(cases, conversation);
+    verdict.last_errors = last_error_lines(conversation);
   }
-  check_required(arguments, verdict.result);
   verdict.missing = missing_of(arguments, verdict.result);
   verdict.baseline = arguments.baseline;
   use_baseline(arguments, verdict);

@@ -2,12 +2,14 @@
 """verify --subject: hostile and broken subjects."""
 
 import concurrent.futures
-import json
 import re
 import time
 import unittest
 
 from conformance import BUILT, PYTHON, SUBJECTS, listed, subject, verify
+
+
+SILENT = {"exits_at_once", "exits_with_error", "closes_stdin", "closes_stdout"}
 
 
 class Hostile(unittest.TestCase):
@@ -17,7 +19,7 @@ class Hostile(unittest.TestCase):
         def asked(behaviour):
             start = time.monotonic()
             result = verify("--subject", subject("hostile/hostile.py", behaviour, "--after", "5"),
-                            "--sample", "12", "--case-timeout", "0.7", "--timeout", "15")
+                            "--sample", "12", "--case-timeout", "0.7", "--start-timeout", "6", "--timeout", "15")
             return result, time.monotonic() - start
         behaviours = listed("hostile/hostile.py")
         self.assertGreater(len(behaviours), 30)
@@ -26,6 +28,10 @@ class Hostile(unittest.TestCase):
         for behaviour, (result, seconds) in results.items():
             with self.subTest(behaviour):
                 self.assertLess(seconds, 60)
+                if behaviour in SILENT:
+                    self.assertEqual((result.code, result.out), (2, ""))
+                    self.assertIn("--after 5 never answered: it ", result.error_lines[0])
+                    continue
                 self.assertIn(result.code, (0, 1), result.err)
                 verdict = result.json()
                 for one in verdict["quantities"]:
@@ -44,7 +50,8 @@ class Hostile(unittest.TestCase):
                 ("--subject", "A='1 2' exec 'no-such-program' x", "no program no-such-program is on PATH"),
                 ("--subject", "cd / && no-such-program", "cannot be started: /bin/sh: 1: no-such-program"),
                 ("--subject", "env no-such-program", "cannot be started: env: "),
-                ("--plugin", "/no/such.so", "/no/such.so: cannot be loaded")):
+                ("--plugin", "/no/such.so", "there is no file /no/such.so"),
+                ("--plugin", f"{hostile}/not_executable", "not_executable: cannot be loaded")):
             with self.subTest(command):
                 result = verify(way, command)
                 self.assertEqual((result.code, result.out), (2, ""))
@@ -65,7 +72,10 @@ class Hostile(unittest.TestCase):
         self.assertTrue(crashing)
         result = verify("--plugin", str(crashing[0]), "--sample", "20")
         self.assertEqual(result.code, 1)
-        self.assertIn("signal", json.dumps(result.json()["quantities"]))
+        moment, radius = result.json()["quantities"][:2]
+        self.assertIn("signal", moment["reason"])
+        self.assertEqual((radius["quantity"], radius["skipped"]), ("hertz_point.radius", 0))
+        self.assertNotIn("signal", radius["reason"])  # the other functions are asked all the same
 
 
 if __name__ == "__main__":

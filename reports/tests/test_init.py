@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import unittest
 
@@ -100,6 +101,51 @@ class Init(unittest.TestCase):
         for line, answer in zip(lines, answers_of(python(path), lines), strict=True):
             expected = {"radius": line["load"]} if line["function"] == "hertz_point" else {"value": 1 / 3}
             self.assertEqual(answer, {"id": line["id"], **expected})
+
+    def test_an_exception_or_a_print_in_a_python_solver_is_of_its_own_case(self):
+        path = pathlib.Path(self.folder.path("mine.py"))
+        init("python", "--out", path)
+        path.write_text(path.read_text().replace(
+            "return None  # h₀", "print('film'); os.system('echo film'); return 1 / (load - load)  # h₀").replace(
+            "the two bodies, in m\n    return None", 'the two bodies, in m\n    return {"radius": load}'))
+        result = run("verify", "--subject", f"python3 {path}", "--sample", "5", "--format", "json")
+        self.assertEqual((result.code, result.err), (1, ""))
+        verdict = result.json()
+        self.assertEqual((verdict["notes"], verdict["violations"], verdict["starts"]), ([], [], 1))
+        reasons = {one["quantity"]: one["reason"] for one in verdict["quantities"]}
+        self.assertEqual(reasons["hamrock_dowson_central"], "f0000: ZeroDivisionError: float division by zero")
+        self.assertIn("off by", reasons["hertz_point.radius"])
+        for words in ("film\n", "Traceback", "ZeroDivisionError"):
+            self.assertIn(words, verdict["last_errors"])
+
+    def test_the_printed_line_builds_a_library_from_where_it_was_printed(self):
+        os.mkdir(self.folder.path("a b"))
+        for language, name, program, *_ in LANGUAGES:
+            if language in ("python", "octave") or shutil.which(program) is None:
+                continue
+            for out in (name, f"a b/my_{name}"):
+                with self.subTest(language=language, out=out):
+                    line = init(language, "--out", out, cwd=self.folder.name).out.splitlines()[2].strip()
+                    self.assertIn(line, pathlib.Path(self.folder.path(out)).read_text())
+                    done = subprocess.run(["sh", "-c", line + " --sample 2"], capture_output=True, text=True,
+                                          timeout=TIMEOUT, cwd=self.folder.name, env=ENVIRONMENT)
+                    self.assertEqual((done.returncode, done.stderr), (1, ""))
+                    self.assertIn("NOTHING: 0 of 19", done.stdout)
+
+    def test_an_exception_in_a_cpp_solver_is_of_its_own_case(self):
+        path = pathlib.Path(self.folder.path("solver.cpp"))
+        line = init("cpp", "--out", path).out.splitlines()[2].strip()
+        path.write_text(path.read_text().replace(
+            "{\n  return not_offered;", "{\n  if (std::puts(\"called\") < 0) throw 1;\n"
+            "  throw std::runtime_error(\"no root\");", 1).replace("#include <optional>",
+                                                               "#include <optional>\n#include <stdexcept>"))
+        done = subprocess.run(["sh", "-c", line + " --sample 2 --format json"], capture_output=True, text=True,
+                              timeout=TIMEOUT, env=ENVIRONMENT)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        verdict = json.loads(done.stdout)
+        self.assertEqual((verdict["starts"], verdict["notes"]), (1, []))
+        self.assertEqual([(one["failed"], one["skipped"]) for one in verdict["quantities"][:2]], [(2, 0), (0, 2)])
+        self.assertIn("gaussian_moment: no root", verdict["last_errors"])
 
     def test_a_file_that_is_there_is_left_alone_unless_forced(self):
         path = self.folder.write("solver.py", "mine")

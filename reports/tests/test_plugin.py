@@ -163,6 +163,12 @@ class Process(unittest.TestCase):
         self.assertEqual([list(one)[1] for one in answers], ["radius", "skip", "error", "radius"])
         self.assertEqual(answers[0], {"id": "h", "radius": 1})
 
+    def test_an_exception_is_of_its_own_case(self):
+        done = ask_plugin("throwing", hertz(1), hertz(13), hertz(2))
+        self.assertEqual((done.code, done.err), (0, ""))
+        self.assertEqual([list(one)[1] for one in done.json_lines()], ["radius", "error", "radius"])
+        self.assertEqual(done.json_lines()[1]["error"]["message"], "bad luck")
+
     def test_who_waits_for_an_answer_gets_it(self):
         for command in [[PROGRAM, "plugin-host", plugin("c_plugin")],
                         [os.path.join(os.path.dirname(plugin("x")), "cpp_registration")]]:

@@ -44,9 +44,12 @@ class Rows(unittest.TestCase):
         self.assertEqual((row["name"], row["failures"]), ("talkative plug-in", row["judged"]))
         self.assertIn("greeting", done.err)
 
-    def test_cases_without_the_status_done_are_failures(self):
-        rows = self.rows("every_status", "moment_2/plugin")
-        self.assertEqual([row["failures"] for row in rows], [rows[0]["judged"]])
+    def test_cases_that_are_not_offered_are_not_judged_and_others_without_the_status_done_are_failures(self):
+        all_of_them, = self.rows("own_model_plugin", "moment_2/plugin")
+        row, = self.rows("every_status", "moment_2/plugin")
+        self.assertEqual(row["failures"], row["judged"])
+        self.assertLess(row["judged"], all_of_them["judged"])
+        self.assertGreater(row["judged"], all_of_them["judged"] / 2)
 
 
 class Refusals(unittest.TestCase):

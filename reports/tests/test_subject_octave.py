@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The example solver and the template in GNU Octave; skipped where it is not installed."""
 
+import json
 import shutil
+import subprocess
 import unittest
 
-from program import Folder, run
-from subjects import SUBJECTS, all_lines, answers_of, assert_agree, assert_lockstep, functions_of
+from program import TIMEOUT, Folder, run
+from subjects import (SUBJECTS, all_lines, answers_of, assert_agree, assert_lockstep, functions_of,
+                      text_of)
 
 MISSING = None if shutil.which("octave-cli") else "octave-cli is not installed (Debian: octave)"
 OCTAVE = ["octave-cli", "--norc", "--quiet", "--no-history"]
@@ -34,6 +37,23 @@ class Octave(unittest.TestCase):
             lines = all_lines()
             self.assertEqual(answers_of([*OCTAVE, path], lines),
                              [{"id": line["id"], "skip": "not offered yet"} for line in lines])
+
+    def test_an_error_or_a_print_in_the_template_is_of_its_own_case(self):
+        with Folder() as folder:
+            path = f"{folder}/solver.m"
+            run("init", "subject", "--language", "octave", "--out", path)
+            with open(path) as file:
+                text = file.read()
+            text = text.replace("answer = [];  % h₀", "error ('no \"root\"');  % h₀").replace(
+                'answer = [];  % struct ("film"', 'disp (7); answer = struct ("film", 1);  %')
+            with open(path, "w") as file:
+                file.write(text)
+            lines = [{"id": "a", "function": "hamrock_dowson_central"}, {"id": "p"}]
+            done = subprocess.run([*OCTAVE, path], input=text_of(lines).encode(), capture_output=True,
+                                  timeout=TIMEOUT)
+            self.assertEqual([json.loads(line) for line in done.stdout.decode().splitlines()],
+                             [{"id": "a", "error": 'no "root"'}, {"id": "p", "film": 1}])
+            self.assertEqual(done.stderr.decode().splitlines(), ['a: error: no "root"', "7"])
 
     def test_the_template_writes_what_is_filled_in(self):
         with Folder() as folder:

@@ -9,6 +9,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "conformance/answer_line.hpp"
 #include "conformance/subject_process.hpp"
 
 namespace tribo::conformance {
@@ -19,22 +20,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t window = 32;           // lines asked and not yet answered
 constexpr std::size_t most_violations = 20;  // that are told; all are counted
-constexpr std::size_t flood = 1000;          // lines too many from one process
+constexpr std::size_t flood = 1000;          // wrong answers from one process
+constexpr std::size_t print_flood = 10000;   // lines between two answers
 constexpr int most_failures = 3;             // in a row without an answer between them
+constexpr int most_silent_failures = 2;      // before any answer
 constexpr int most_starts = 25;
-
-// The start of a text, printable, for one line of a message.
-std::string shown(const std::string& text) {
-  std::string made;
-  for (const char c : text.substr(0, 80)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte >= 0x7f)
-      made += fmt::format("\\x{:02x}", byte);
-    else
-      made += c;
-  }
-  return made + (text.size() > 80 ? "…" : "");
-}
 
 class Asker {
  public:
@@ -54,20 +44,46 @@ class Asker {
 
   void run() {
     while (!to_ask_.empty() || !asked_.empty()) {
-      if (Clock::now() > deadline_) return give_up("the time limit of all cases was reached");
-      if (!process_ && !start()) return;
-      send();
-      step();
+      if (Clock::now() > deadline_) {
+        if (last_end_.empty())
+          last_end_ = fmt::format("gives no answer within {} s", seconds(limits_.all_cases));
+        give_up("the time limit of all cases was reached");
+      } else if (process_ || start()) {
+        send();
+        step();
+      }
     }
     end_process();
+    if (!any_answer_ && !cases_.empty()) result.never_answered = why_never_answered();
   }
 
   Conversation result;
 
  private:
+  static double seconds(std::chrono::milliseconds time) {
+    return static_cast<double>(time.count()) / 1000;
+  }
+
+  std::string why_never_answered() const {
+    std::string why =
+        first_garbage_.empty() ? "it " + last_end_ : "its first line is " + first_garbage_;
+    const auto add = [&](const std::string& what) { why += "; " + what; };
+    if (!result.violations.empty()) add(result.violations.front());
+    if (result.print_count > 0) add("it writes lines that are no answers: " + result.first_print);
+    return why;
+  }
+
+  // False: no process is started, as some or all of the cases are given up.
   bool start() {
+    if (!any_answer_ && failures_ >= most_silent_failures) {
+      give_up("it never answers");
+      return false;
+    }
     if (failures_ >= most_failures) {
-      give_up(fmt::format("it {} {} times in a row without an answer", last_end_, failures_));
+      const std::string function = cases_[to_ask_.front()].function;
+      give_up(fmt::format("it {} {} times in a row without an answer", last_end_, failures_),
+              [&](std::size_t i) { return cases_[i].function == function; });
+      failures_ = 0;
       return false;
     }
     if (result.starts >= most_starts) {
@@ -77,7 +93,9 @@ class Asker {
     process_ = std::make_unique<SubjectProcess>(command_);
     ++result.starts;
     stray_ = 0;
-    garbage_ = 0;
+    prints_ = 0;
+    has_answered_ = false;
+    at_once_ = result.answers_at_end_of_input;
     last_progress_ = Clock::now();
     return true;
   }
@@ -97,7 +115,7 @@ class Asker {
       case SubjectProcess::Event::line:
         return hear(line);
       case SubjectProcess::Event::too_long_line:
-        return fail(Outcome::garbage, "it wrote a line over 1 MiB", "wrote a line over 1 MiB");
+        return fail(Outcome::garbage, "it writes a line over 1 MiB", "writes a line over 1 MiB");
       case SubjectProcess::Event::end_of_output:
         return died();
       case SubjectProcess::Event::nothing:
@@ -105,34 +123,72 @@ class Asker {
     }
     const auto waited = Clock::now() - last_progress_;
     if (process_->refuses_input() && waited > std::chrono::seconds(1))
-      return fail(Outcome::died, "it closed its input", "closed its input");
-    if (waited > (at_once_ ? limits_.all_cases : limits_.one_case)) late();
+      return fail(Outcome::died, "it closes its input", "closes its input");
+    note_reading();
+    if (waited > limit()) return late();
+    // It has read its cases and says nothing: perhaps it answers when its input ends.
+    if (!has_answered_ && !at_once_ && !limits_.flushes && waited > limits_.one_case &&
+        process_->unread() == 0)
+      at_once_ = true;
+  }
+
+  std::chrono::milliseconds limit() const {
+    // Nothing comes after a last line that was to be an answer.
+    if (!broken_.empty() && asked_.size() == 1 && to_ask_.empty())
+      return std::min(limits_.one_case, std::chrono::milliseconds(1000));
+    if (result.answers_at_end_of_input) return limits_.all_cases;
+    return has_answered_ ? limits_.one_case : std::max(limits_.first_answer, limits_.one_case);
+  }
+
+  // To read is to go on, where all cases are there to be read.
+  void note_reading() {
+    const std::size_t unread = process_->unread();
+    if (at_once_ && unread < unread_) last_progress_ = Clock::now();
+    unread_ = unread;
   }
 
   // An output line answers the case whose id it has. Earlier cases that still wait get no answer.
   void hear(const std::string& line) {
-    json answer = json::parse(line, nullptr, false);
-    if (answer.is_discarded() || !answer.is_object()) return hear_garbage(line);
+    json answer = read_answer_line(line);
+    if (!answer.is_object()) return hear_garbage(line);
     const auto id = answer.find("id");
-    if (id == answer.end() || !id->is_string())
-      return stray("an answer without an id: " + shown(line));
-    const auto found = index_of_.find(id->get<std::string>());
-    if (found == index_of_.end()) return stray("an id that was not asked: " + shown(line));
+    if (id == answer.end() || !(id->is_string() || id->is_number()))
+      return stray("an answer without an id: " + start_of(line));
+    const auto found = index_of_.find(id->is_string() ? id->get<std::string>() : id->dump());
+    if (found == index_of_.end()) return stray("an id that was not asked: " + start_of(line));
+    if (is_question(answer, cases_[found->second])) return print(line);
     while (!asked_.empty() && asked_.front() != found->second) {
       if (std::find(asked_.begin(), asked_.end(), found->second) == asked_.end())
         return stray(
             fmt::format("{} is answered twice, or out of order", cases_[found->second].id));
-      settle(Outcome::missing, {}, "no answer, though later cases have one");
+      settle_without_answer(Outcome::missing, "no answer, though later cases have one");
     }
     if (asked_.empty())
       return stray(
           fmt::format("{} is answered twice, or before it was asked", cases_[found->second].id));
+    if (!broken_.empty()) note_print(broken_line_);  // about the case, and not its answer
+    note_block();
     take(std::move(answer));
+  }
+
+  static bool is_question(json answer, const Case& asked) {
+    answer.erase("id");
+    return answer == asked.inputs;
+  }
+
+  // Answers that come after the end of the input in blocks that break lines, or all together, were
+  // kept in a buffer.
+  void note_block() {
+    if (has_answered_ || !at_once_) return;
+    if (process_->is_within_a_line() || process_->lines_at_hand() + 1 >= asked_.size())
+      result.answers_at_end_of_input = true;
   }
 
   void take(json answer) {
     failures_ = 0;
+    prints_ = 0;
     any_answer_ = true;
+    has_answered_ = true;
     result.exit_code_without_answer = -1;
     const auto reason = [](const json& what) {
       return what.is_string() ? what.get<std::string>()
@@ -147,41 +203,68 @@ class Asker {
     settle(Outcome::answered, std::move(answer), {});
   }
 
-  // A line that is no JSON object. It counts as the answer to the next case if it has the id of
-  // that case, or if there are already as many such lines as waiting cases.
+  // A line that is no JSON object. If it names the next case it may be meant as the answer to it:
+  // it is, unless the answer comes after it.
   void hear_garbage(const std::string& line) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
-    const bool is_for_next =
-        !asked_.empty() && line.find('"' + cases_[asked_.front()].id + '"') != std::string::npos;
-    if (!is_for_next) {
-      stray("not a line of JSON: " + shown(line));
-      if (!process_ || ++garbage_ < asked_.size()) return;
-      --garbage_;
-    }
-    if (!asked_.empty()) settle(Outcome::garbage, {}, "not a JSON object: " + shown(line));
+    const auto names = [&](std::size_t place) {
+      if (place >= asked_.size()) return false;
+      const std::string& id = cases_[asked_[place]].id;
+      return line.find('"' + id + '"') != std::string::npos ||
+             line.find('\'' + id + '\'') != std::string::npos;
+    };
+    const bool is_for_next = names(0);
+    if (!is_for_next && (broken_.empty() || !names(1))) return print(line);
+    if (!is_for_next) settle_without_answer(Outcome::garbage, {});
+    if (!broken_.empty()) note_print(broken_line_);
+    broken_ = why_no_json(line);
+    broken_line_ = line;
+    if (first_garbage_.empty()) first_garbage_ = broken_;
+  }
+
+  void note_print(const std::string& line) {
+    if (result.print_count++ == 0) result.first_print = start_of(line);
+  }
+  void print(const std::string& line) {
+    note_print(line);
+    if (++prints_ > print_flood) flooded();
   }
 
   void stray(const std::string& what) {
     ++result.violation_count;
     if (result.violations.size() < most_violations) result.violations.push_back(what);
-    if (++stray_ > flood) fail(Outcome::garbage, "it floods its output", "flooded its output");
+    if (++stray_ > flood) return flooded();
+    if (!any_answer_ && stray_ >= asked_.size()) fail(Outcome::garbage, what, "answers no case");
+  }
+
+  void flooded() { fail(Outcome::garbage, "it floods its output", "floods its output"); }
+
+  // As garbage, where a line was to be the answer.
+  void settle_without_answer(Outcome outcome, const std::string& reason) {
+    if (broken_.empty()) return settle(outcome, {}, reason);
+    settle(Outcome::garbage, {}, broken_);
   }
 
   void settle(Outcome outcome, json fields, std::string reason) {
     result.answers[asked_.front()] = {outcome, std::move(fields), std::move(reason)};
     asked_.pop_front();
+    broken_.clear();
     last_progress_ = Clock::now();
     progress_(++settled_);
   }
 
   // The next case is to blame; those asked after it are asked again, of a new process.
   void fail(Outcome outcome, const std::string& reason, const std::string& end) {
-    if (!asked_.empty()) settle(outcome, {}, reason);
+    const std::string function = asked_.empty() ? "" : cases_[asked_.front()].function;
+    if (!asked_.empty()) settle_without_answer(outcome, reason);
     ++failures_;
     last_end_ = end;
     end_process();
     to_ask_.insert(to_ask_.begin(), asked_.begin(), asked_.end());
     asked_.clear();
+    if (!any_answer_)  // perhaps another function has answers
+      std::stable_partition(to_ask_.begin(), to_ask_.end(),
+                            [&](std::size_t i) { return cases_[i].function != function; });
   }
 
   void died() {
@@ -191,33 +274,30 @@ class Asker {
       process_->next_line(ignored, std::chrono::milliseconds(5));
       if (!process_->has_ended()) ::usleep(5000);
     }
-    const std::string end = process_->has_ended() ? process_->end_text() : "closed its output";
+    const std::string end = process_->has_ended() ? process_->end_text() : "closes its output";
     if (!any_answer_) result.exit_code_without_answer = process_->exit_code();
     if (asked_.empty() && to_ask_.empty()) return;
     fail(Outcome::died, fmt::format("it {}", end), end);
   }
 
   void late() {
-    if (!any_answer_ && !at_once_) {
-      // Perhaps it answers when its input ends.
-      at_once_ = true;
-      result.answers_at_end_of_input = true;
-      failures_ = 0;
-      end_process();
-      to_ask_.insert(to_ask_.begin(), asked_.begin(), asked_.end());
-      asked_.clear();
-      return;
-    }
-    fail(Outcome::late,
-         fmt::format("no answer within {} s", static_cast<double>(limits_.one_case.count()) / 1000),
-         "did not answer");
+    const std::string limit_text = fmt::format("within {} s", seconds(limit()));
+    if (!any_answer_ && process_->unread() > 0)
+      failures_ = most_silent_failures;  // it reads nothing
+    fail(Outcome::late, "no answer " + limit_text, "gives no answer " + limit_text);
   }
 
   void give_up(const std::string& why) {
-    if (!asked_.empty()) to_ask_.insert(to_ask_.begin(), asked_.begin(), asked_.end());
+    give_up(why, [](std::size_t) { return true; });
+  }
+  template <class Which>
+  void give_up(const std::string& why, Which&& which) {
+    to_ask_.insert(to_ask_.begin(), asked_.begin(), asked_.end());
     asked_.clear();
-    for (const std::size_t i : to_ask_) result.answers[i] = {Outcome::not_asked, {}, why};
-    to_ask_.clear();
+    std::erase_if(to_ask_, [&](std::size_t i) {
+      if (which(i)) result.answers[i] = {Outcome::not_asked, {}, why};
+      return which(i);
+    });
     end_process();
   }
 
@@ -238,10 +318,16 @@ class Asker {
   std::unique_ptr<SubjectProcess> process_;
   Clock::time_point last_progress_;
   std::size_t settled_ = 0;
-  std::size_t stray_ = 0, garbage_ = 0;  // of this process
+  std::size_t stray_ = 0;      // of this process
+  std::size_t prints_ = 0;     // since its last answer
+  std::size_t unread_ = 0;     // bytes
+  bool has_answered_ = false;  // this process
   int failures_ = 0;
   bool any_answer_ = false;
   bool at_once_ = false;  // all cases in one go, then the end of input
+  std::string broken_;    // why the line that was to answer the next case is no answer
+  std::string broken_line_;
+  std::string first_garbage_;
   std::string last_end_;
 };
 

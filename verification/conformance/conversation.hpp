@@ -31,16 +31,21 @@ struct Answer {
 
 struct Limits {
   std::chrono::milliseconds one_case{10000};
+  std::chrono::milliseconds first_answer{60000};  // of each process: it may have much to load
   std::chrono::milliseconds all_cases{600000};
+  bool flushes = false;  // it is known to write each answer at once
 };
 
 struct Conversation {
   std::vector<Answer> answers;          // in the order of the cases
   std::vector<std::string> violations;  // of the protocol: the first few, one line each
   std::size_t violation_count = 0;
+  std::size_t print_count = 0;  // lines between the answers that are no answers
+  std::string first_print;
   int starts = 0;                        // of the subject
   std::string last_errors;               // what it wrote to stderr last
   bool answers_at_end_of_input = false;  // it does not flush its answers
+  std::string never_answered;            // why; empty where any case has an answer
   int exit_code_without_answer = -1;     // of a subject that ended and never answered
 };
 

@@ -102,15 +102,29 @@ class Server {
     for (std::size_t i = 0; i < cases.size(); ++i) fill(cases[i], waiting_[i]);
     std::vector<Answer<Result>> answers(cases.size());
     output_.flush();
-    try {
-      batch(cases, answers);
-    } catch (const std::exception& error) {
-      std::fill(answers.begin(), answers.end(), failed(error.what()));
-    }
+    if (!answers_all<Case, Result>(batch, cases, answers))
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        answers_all<Case, Result>(batch, {&cases[i], 1}, {&answers[i], 1});
     for (std::size_t i = 0; i < answers.size(); ++i) {
       append(waiting_[i], answers[i]);
       output_.end_row();
     }
+  }
+
+  // False: one of the cases threw an exception, and all have failed. Which one it was shows when
+  // each is asked alone.
+  template <class Case, class Result>
+  static bool answers_all(const Batch<Case, Result>& batch, std::span<const Case> cases,
+                          std::span<Answer<Result>> answers) {
+    try {
+      batch(cases, answers);
+      return true;
+    } catch (const std::exception& error) {
+      std::fill(answers.begin(), answers.end(), failed(error.what()));
+    } catch (...) {
+      std::fill(answers.begin(), answers.end(), failed("the solver threw an exception"));
+    }
+    return false;
   }
 
   void append(const Question& question, const Answer<catalogue::Results>& answer) {

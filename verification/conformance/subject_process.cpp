@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,7 +20,7 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr std::size_t kept_errors = 4096;
+constexpr std::size_t kept_errors = 16384;
 
 struct Ends {
   int reading, writing;
@@ -106,20 +107,33 @@ void SubjectProcess::send(std::string_view line) {
   to_write_ += '\n';
 }
 
+std::size_t SubjectProcess::unread() const {
+  int in_pipe = 0;
+  if (input_ >= 0) ::ioctl(input_, FIONREAD, &in_pipe);
+  return to_write_.size() + static_cast<std::size_t>(in_pipe);
+}
+
+std::size_t SubjectProcess::lines_at_hand() const {
+  return static_cast<std::size_t>(std::count(received_.begin(), received_.end(), '\n'));
+}
+
 void SubjectProcess::close_input() {
   close_when_written_ = true;
   if (to_write_.empty()) close_end(input_);
+}
+
+void SubjectProcess::refuse_input() {
+  refuses_input_ = true;
+  to_write_.clear();
+  close_end(input_);
 }
 
 void SubjectProcess::write_input() {
   const ssize_t count = ::write(input_, to_write_.data(), to_write_.size());
   if (count > 0)
     to_write_.erase(0, static_cast<std::size_t>(count));
-  else if (count < 0 && errno != EAGAIN && errno != EINTR) {
-    refuses_input_ = true;
-    to_write_.clear();
-    close_end(input_);
-  }
+  else if (count < 0 && errno != EAGAIN && errno != EINTR)
+    refuse_input();
   if (to_write_.empty() && close_when_written_) close_end(input_);
 }
 
@@ -144,12 +158,16 @@ void SubjectProcess::read_errors() {
 }
 
 void SubjectProcess::pump(int milliseconds) {
-  std::array<pollfd, 3> wanted{
-      {{output_, POLLIN, 0}, {error_, POLLIN, 0}, {to_write_.empty() ? -1 : input_, POLLOUT, 0}}};
+  std::array<pollfd, 3> wanted{{{output_, POLLIN, 0},
+                                {error_, POLLIN, 0},
+                                {input_, static_cast<short>(to_write_.empty() ? 0 : POLLOUT), 0}}};
   if (::poll(wanted.data(), wanted.size(), milliseconds) <= 0) return;
   if (wanted[0].revents != 0) read_output();
   if (wanted[1].revents != 0) read_errors();
-  if (wanted[2].revents != 0) write_input();
+  if ((wanted[2].revents & POLLERR) != 0)
+    refuse_input();  // nobody reads it any more
+  else if (wanted[2].revents != 0)
+    write_input();
 }
 
 bool SubjectProcess::take_line(std::string& line) {
@@ -211,9 +229,9 @@ void SubjectProcess::kill() {
 int SubjectProcess::exit_code() { return has_ended() && exited_ ? status_ : -1; }
 
 std::string SubjectProcess::end_text() {
-  if (!has_ended()) return "was still running";
-  if (exited_) return fmt::format("exited with code {}", status_);
-  return fmt::format("was killed by signal {} ({})", status_, ::strsignal(status_));
+  if (!has_ended()) return "is still running";
+  if (exited_) return fmt::format("exits with code {}", status_);
+  return fmt::format("is killed by signal {} ({})", status_, ::strsignal(status_));
 }
 
 }  // namespace tribo::conformance

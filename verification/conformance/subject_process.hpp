@@ -26,7 +26,9 @@ class SubjectProcess {
 
   // Queues a line for the child; pump() writes it as fast as the child reads.
   void send(std::string_view line);
-  std::size_t unsent() const { return to_write_.size(); }
+  std::size_t unread() const;         // bytes that the child has not read yet
+  std::size_t lines_at_hand() const;  // that next_line() gives without waiting
+  bool is_within_a_line() const { return !received_.empty() && received_.back() != '\n'; }
   void close_input();  // once all is written
 
   enum class Event : std::uint8_t { line, nothing, too_long_line, end_of_output };
@@ -36,11 +38,11 @@ class SubjectProcess {
 
   bool refuses_input() const { return refuses_input_; }
   void kill();
-  // "exited with code 3", "was killed by signal 11 (Segmentation fault)", "was still running".
+  // "exits with code 3", "is killed by signal 11 (Segmentation fault)", "is still running".
   std::string end_text();
   bool has_ended();
   int exit_code();                                            // of a normal end, else −1
-  const std::string& last_errors() const { return errors_; }  // the last 4 kB of its stderr
+  const std::string& last_errors() const { return errors_; }  // the last 16 kB of its stderr
 
  private:
   bool take_line(std::string& line);
@@ -48,6 +50,7 @@ class SubjectProcess {
   void read_output();
   void read_errors();
   void write_input();
+  void refuse_input();
 
   pid_t child_ = -1;
   int input_ = -1, output_ = -1, error_ = -1;

@@ -121,6 +121,18 @@ class Readme(unittest.TestCase):
         out = self.installed(self.five_minutes.splitlines()[-1], 1)
         self.assertIn(words(newcomer), words(out))
 
+    def test_a_case_to_look_at(self):
+        heading = "A case to look at"
+        show, save = blocks(CONFORMANCE, heading, "sh")
+        shown, = blocks(CONFORMANCE, heading)
+        shutil.copy(NEWCOMER, self.folder / "my_solver.py")
+        pattern = ".*".join(map(re.escape, shown.strip().split("…")))
+        self.assertRegex(self.installed(show, 1).strip(), f"^{pattern}$")
+        self.installed(save)
+        cases, answers = ((self.folder / name).read_text().splitlines() for name in ("cases.jsonl", "answers.jsonl"))
+        self.assertEqual(len(cases), len(answers))
+        self.assertGreater(len(cases), 3000)
+
     def test_the_projects_page_shows_the_same(self):
         shown, = [text for text in blocks(PROJECT, "Commands") if "hertz_point.radius" in text]
         shutil.copy(NEWCOMER, self.folder / "my_solver.py")

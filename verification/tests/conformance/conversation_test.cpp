@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is taken for the answer to a case, and how a line that is none is told.
+#include "conformance/conversation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "conformance/answer_line.hpp"
+
+namespace tribo::conformance {
+namespace {
+
+using nlohmann::json;
+
+Case case_of(const std::string& id) { return {id, "film", {{"load", 1}}, Contract{}, {}, false}; }
+
+// Each case is answered with one of the lines, in their order.
+Conversation said(const std::vector<std::string>& ids, const std::string& lines) {
+  std::vector<Case> cases;
+  for (const std::string& id : ids) cases.push_back(case_of(id));
+  return ask("printf '" + lines + "'; cat > /dev/null", cases, {}, [](std::size_t) {});
+}
+
+TEST(AnswerLine, OfNumbersThatJsonDoesNotHaveIsReadWithTextsInTheirPlace) {
+  for (const std::string word : {"NaN", "nan", "-nan", "Infinity", "-inf", "1e999", "-1e999"}) {
+    const json answer = read_answer_line(R"({"id": "a NaN", "x": )" + word + R"(, "y": [1, 2.5]})");
+    ASSERT_TRUE(answer.is_object()) << word;
+    EXPECT_EQ(answer["id"], "a NaN");
+    EXPECT_EQ(answer["x"], word);
+    EXPECT_EQ(answer["y"][1], 2.5);
+  }
+  for (const char* const line :
+       {"{\"x\": nano}", "{\"x\": 1.2.3}", "no", "{\"x\": \"NaN}", "{", ""})
+    EXPECT_TRUE(read_answer_line(line).is_discarded()) << line;
+}
+
+TEST(AnswerLine, ThatIsNoJsonIsQuotedWhereItStopsToBe) {
+  EXPECT_EQ(why_no_json("{'id': 1}"), "no JSON at character 2, between `{` and `'id': 1}`");
+  EXPECT_EQ(why_no_json("{\"id\": 1,}"), "no JSON at character 10, between `{\"id\": 1,` and `}`");
+  EXPECT_EQ(why_no_json("{\"id\": 1"), "no JSON: the line ends too early, after `{\"id\": 1`");
+  EXPECT_EQ(why_no_json("12"), "a JSON number, no object: 12");
+}
+
+TEST(Conversation, TakesAnIdThatIsANumberForTheTextThatItReadsAs) {
+  const Conversation made = said({"17", "18"}, R"({"id": 17, "value": 1}\n{"id": "18"}\n)");
+  EXPECT_EQ(made.answers[0].outcome, Outcome::answered);
+  EXPECT_EQ(made.answers[0].fields["value"], 1);
+  EXPECT_EQ(made.answers[1].outcome, Outcome::answered);
+  EXPECT_EQ(made.violation_count, 0U);
+}
+
+TEST(Conversation, CountsLinesBetweenTheAnswersEvenWhereTheyNameACase) {
+  const Conversation made =
+      said({"a", "b"}, R"(hello\nasked "a"\n{"id": "a"}\n{"id": "b", broken\n{"id": "b"}\n)");
+  EXPECT_EQ(made.answers[0].outcome, Outcome::answered);
+  EXPECT_EQ(made.answers[1].outcome, Outcome::answered);
+  EXPECT_EQ(made.print_count, 3U);
+  EXPECT_EQ(made.first_print, "hello");
+  EXPECT_EQ(made.violation_count, 0U);
+  EXPECT_EQ(made.never_answered, "");
+}
+
+TEST(Conversation, TakesABrokenLineForTheAnswerWhereTheNextCaseIsAnsweredAfterIt) {
+  const Conversation made = said({"a", "b"}, R"({"id": "a", broken}\n{"id": "b"}\n)");
+  EXPECT_EQ(made.answers[0].outcome, Outcome::garbage);
+  EXPECT_TRUE(made.answers[0].reason.starts_with("no JSON at character 13"))
+      << made.answers[0].reason;
+  EXPECT_EQ(made.answers[1].outcome, Outcome::answered);
+}
+
+TEST(Conversation, SaysWhyNoCaseHasAnAnswer) {
+  const auto why = [](const std::string& command) {
+    return ask(command, {case_of("a")}, {}, [](std::size_t) {}).never_answered;
+  };
+  EXPECT_EQ(why("exit 3"), "it exits with code 3");
+  EXPECT_EQ(why("kill -9 $$"), "it is killed by signal 9 (Killed)");
+  EXPECT_EQ(why("echo '{\"id\": \"a\"}'; cat > /dev/null"), "");
+}
+
+}  // namespace
+}  // namespace tribo::conformance
