@@ -63,7 +63,7 @@ class Outputs(unittest.TestCase):
         self.assertEqual(result.code, 1)
         self.assertIn("| `hamrock_dowson_central` | **FAILED** |", result.out)
         self.assertIn("**Diagnosis.**", result.out)
-        self.assertTrue(result.out.startswith("### tribocheck: FAILED: 4 of 19 quantities held"), result.out)
+        self.assertTrue(result.out.startswith("### tribocheck: FAILED: 4 of 23 quantities held"), result.out)
         suite = ElementTree.parse(path).getroot()
         failed = [case.get("name") for case in suite if case.find("failure") is not None]
         self.assertEqual(failed, ["hamrock_dowson_central"])
@@ -141,7 +141,7 @@ class Baselines(unittest.TestCase):
         self.gate(small, "--update-baseline")
         code, table, markdown, told, junit = self.told(small)
         self.assertEqual(code, 0)
-        self.assertTrue(table.startswith(f"PASSED, no worse than {self.path}: 4 of 19 quantities held"), table)
+        self.assertTrue(table.startswith(f"PASSED, no worse than {self.path}: 4 of 23 quantities held"), table)
         self.assertIn("1 failed as before (hamrock_dowson_central)", table)
         self.assertTrue(markdown.startswith("### tribocheck: PASSED, no worse than "), markdown)
         self.assertEqual((told["overall"], told["summary"]), ("no worse", table))
