@@ -104,9 +104,9 @@ struct Wrong {
       a[one.place] = one.is ? *one.is : one.change.of(a[one.place]);
     Results found{};
     if (formula != nullptr) {
-      const std::optional<double> value = formula(a, numbers);
-      if (!value) return std::nullopt;
-      found[0] = *value;
+      const std::optional<Results> wrong = formula(a, numbers);
+      if (!wrong) return std::nullopt;
+      found = *wrong;
     } else if (law) {
       found[0] = film_thickness(*law, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
     } else {
