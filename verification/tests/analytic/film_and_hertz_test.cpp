@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "support/judge.hpp"
 #include "tribo/film_thickness.hpp"

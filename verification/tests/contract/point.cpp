@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/condition.hpp"
 #include "support/film_laws.hpp"
