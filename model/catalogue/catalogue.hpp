@@ -22,8 +22,15 @@
 
 namespace tribo::catalogue {
 
-// Which numbers are legal; half_order: 0, 1/2 … 5/2.
-enum class Range : std::uint8_t { above_zero, not_below_zero, any, half_order };
+// Which numbers are legal; half_order: 0, 1/2 … 5/2; poisson_ratio: above −1, at most 1/2.
+enum class Range : std::uint8_t {
+  above_zero,
+  not_below_zero,
+  not_zero,
+  any,
+  half_order,
+  poisson_ratio
+};
 bool is_in_range(double number, Range range);
 
 struct Parameter {
@@ -53,6 +60,12 @@ inline constexpr std::size_t most_parameters = 8, most_results = 4;
 using Arguments = std::array<double, most_parameters>;
 using Results = std::array<double, most_results>;
 
+// Why arguments that are each legal are not legal together.
+struct Refusal {
+  std::string_view parameter;  // its name
+  std::string_view reason;     // a sentence
+};
+
 struct Function {
   std::string_view name;  // "hamrock_dowson_central"
   std::string_view meaning;
@@ -61,9 +74,12 @@ struct Function {
   std::span<const Parameter> parameters;
   std::span<const Result> results;
   // The results at arguments in the order of the parameters, each legal; of a word, its place.
+  // Arguments that are refused give NaN.
   void (*value)(const Arguments& arguments, Results& results);
   Contract contract;
   Arguments example;  // legal, for a line that shows how to ask
+  // Null: arguments that are each legal are legal together.
+  std::optional<Refusal> (*refusal)(const Arguments& arguments) = nullptr;
 };
 
 std::span<const Function> functions();

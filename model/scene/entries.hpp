@@ -65,8 +65,10 @@ std::string too_large_text(std::size_t bytes);
 extern const std::string_view too_many_fields_text;
 extern const std::string_view too_deep_text;
 
-// The entries of a TOML text; where it is none, nothing and an error. Text over 1 MiB is refused.
-std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems);
+// The entries of a TOML text; where it is none, nothing and an error. Text over 1 MiB is refused,
+// and text with more fields.
+std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems,
+                                               std::size_t most_fields = max_entries);
 
 // Fills reading.scene from the entries, or reading.errors.
 void bind_scene(std::span<const Entry> entries, SceneUse use, Problems& problems,

@@ -156,7 +156,8 @@ void report(const toml::parse_error& error, const TomlScreen& screen, Problems& 
 
 }  // namespace
 
-std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems) {
+std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems,
+                                               std::size_t most_fields) {
   if (const std::string refusal = too_large_text(text.size()); !refusal.empty()) {
     problems.error("", refusal);
     return std::nullopt;
@@ -164,7 +165,7 @@ std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& 
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   std::string screened(text);
-  const TomlScreen screen = screen_toml(screened);
+  const TomlScreen screen = screen_toml(screened, most_fields);
   if (!screen.complaint.empty()) {
     problems.error_at(screen.row, screen.column, "", screen.complaint);
     return std::nullopt;

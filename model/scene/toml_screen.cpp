@@ -117,7 +117,7 @@ std::optional<Value> wide_value(std::string_view word) {
 
 class Screener {
  public:
-  explicit Screener(std::string& text) : text_(text) {}
+  Screener(std::string& text, std::size_t most_fields) : text_(text), most_fields_(most_fields) {}
 
   TomlScreen run() {
     while (at_ < text_.size() && screen_.complaint.empty()) {
@@ -237,7 +237,7 @@ class Screener {
   }
 
   void count_field() {
-    if (++fields_ > max_entries) complain(std::string(too_many_fields_text));
+    if (++fields_ > most_fields_) complain(std::string(too_many_fields_text));
   }
 
   void expect_value_of_field() {
@@ -295,11 +295,14 @@ class Screener {
   bool in_header_ = false;       // in a line like [surface]
   bool value_expected_ = false;  // after '=' or in a list
   std::size_t dots_ = 0;         // of the key so far
-  std::size_t fields_ = 0;       // '=' and headers
+  std::size_t most_fields_;
+  std::size_t fields_ = 0;  // '=' and headers
 };
 
 }  // namespace
 
-TomlScreen screen_toml(std::string& text) { return Screener(text).run(); }
+TomlScreen screen_toml(std::string& text, std::size_t most_fields) {
+  return Screener(text, most_fields).run();
+}
 
 }  // namespace tribo::scene_detail

@@ -33,7 +33,8 @@ struct TomlScreen {
   std::vector<TableHeader> headers;      // by rising row
 };
 
-// Mends `text`, whose size stays. The result looks into it.
-TomlScreen screen_toml(std::string& text);
+// Mends `text`, whose size stays. The result looks into it. More fields than `most_fields` are
+// refused.
+TomlScreen screen_toml(std::string& text, std::size_t most_fields);
 
 }  // namespace tribo::scene_detail

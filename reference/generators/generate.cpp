@@ -22,7 +22,9 @@ struct Named {
   const char* file;
   Table (*table)();
 };
-constexpr Named tables[] = {{"gaussian_moment.csv", tribo::reference::gaussian_moments},
+constexpr Named tables[] = {{"effective_modulus.csv", tribo::reference::effective_moduli},
+                            {"reduced_radius.csv", tribo::reference::reduced_radii},
+                            {"gaussian_moment.csv", tribo::reference::gaussian_moments},
                             {"load_sharing.csv", tribo::reference::load_sharing_roots},
                             {"starvation_ratio.csv", tribo::reference::starvation_ratios},
                             {"onset_constant.csv", tribo::reference::onset_constants},

@@ -20,6 +20,8 @@ Table gaussian_moments();
 Table load_sharing_roots();
 Table starvation_ratios();
 Table onset_constants();
+Table effective_moduli();
+Table reduced_radii();
 Table hertz_contacts();
 Table flooded_films();
 Table operating_points();

@@ -28,6 +28,19 @@ def moments():
     return [call("gaussian_moment", order=order, argument=d) for order in ORDERS for d in ARGUMENTS]
 
 
+def effective_moduli():
+    return [call("effective_modulus", first_modulus=first, first_poisson_ratio=nu1, second_modulus=second,
+                 second_poisson_ratio=nu2)
+            for first, nu1, second, nu2 in [(206e9, 0.3, 72e9, 0.22), (3e6, 0.5, 110e9, 0), (1e12, -0.9, 1e5, 0.4)]]
+
+
+def reduced_radii():
+    return [call("reduced_radius", first_radius_x=R1x, second_radius_x=R2x, first_radius_y=R1y,
+                 second_radius_y=R2y)
+            for R1x, R2x, R1y, R2y in [(9.5e-3, 1e30, 9.5e-3, 1e30), (5e-3, 22.5e-3, 5e-3, -5.2e-3),
+                                       (-32.5e-3, 5e-3, -5.3e-3, 5e-3), (12e-3, 1e30, 1e30, 20e-3)]]
+
+
 def hertz_points():
     return [call("hertz_point", load=load, effective_modulus=modulus, reduced_radius=radius)
             for load, modulus, radius in [(50, 107.9e9, 9.5e-3), (1e-6, 1e6, 10), (1e6, 1e12, 1e-6)]]
@@ -67,8 +80,8 @@ def operating_points():
 
 
 def all_lines():
-    return numbered(moments() + hertz_points() + films() + starvation_ratios() + load_sharings()
-                    + operating_points())
+    return numbered(moments() + effective_moduli() + reduced_radii() + hertz_points() + films()
+                    + starvation_ratios() + load_sharings() + operating_points())
 
 
 def numbered(lines):

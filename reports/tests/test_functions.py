@@ -8,6 +8,10 @@ import unittest
 from program import run
 
 GOOD = {
+    "effective_modulus": {"first_modulus": 206e9, "first_poisson_ratio": 0.3, "second_modulus": 72e9,
+                          "second_poisson_ratio": 0.22},
+    "reduced_radius": {"first_radius_x": 5e-3, "second_radius_x": 22.5e-3, "first_radius_y": 5e-3,
+                       "second_radius_y": -5.2e-3},
     "gaussian_moment": {"order": 2.5, "argument": -1.146},
     "hertz_point": {"load": 50, "effective_modulus": 107.9e9, "reduced_radius": 9.5e-3},
     "hamrock_dowson_central": {"speed": 1, "viscosity": 0.04, "pressure_viscosity": 2e-8, "load": 20,
@@ -19,8 +23,9 @@ GOOD = {
 }
 OPTIONAL = {"ellipticity", "damiens_exponent"}
 WORDS = {"closure", "asperity"}
-ZERO_IS_LEGAL = {"order", "argument", "stiffness", "offset"}
-MINUS_ONE_IS_LEGAL = {"argument"}
+POISSON = {"first_poisson_ratio", "second_poisson_ratio"}
+ZERO_IS_LEGAL = {"order", "argument", "stiffness", "offset", *POISSON}
+MINUS_ONE_IS_LEGAL = {"argument", *GOOD["reduced_radius"]}
 
 
 def call(function, arguments, identity="f1"):
@@ -79,6 +84,19 @@ class Listed(unittest.TestCase):
 class Values(unittest.TestCase):
     def assert_close(self, found, expected, relative=1e-13):
         self.assertTrue(math.isclose(found, expected, rel_tol=relative), (found, expected))
+
+    def test_effective_modulus(self):
+        expected = 1 / ((1 - 0.3**2) / 206e9 + (1 - 0.22**2) / 72e9)
+        self.assert_close(value("effective_modulus", **GOOD["effective_modulus"]), expected)
+
+    def test_reduced_radius(self):
+        # A ball of 10 mm in the outer ring of a bearing.
+        answer, = ask(call("reduced_radius", {"first_radius_x": 5e-3, "second_radius_x": -45e-3,
+                                              "first_radius_y": 5e-3, "second_radius_y": -5.5e-3}))
+        self.assertEqual(list(answer), ["id", "radius_x", "radius_y", "reduced_radius"])
+        self.assert_close(answer["radius_x"], 5.625e-3)
+        self.assert_close(answer["radius_y"], 55e-3)
+        self.assert_close(answer["reduced_radius"], 0.495 / 97)
 
     def test_gaussian_moment(self):
         at_zero = {n: 2 ** (n / 2 - 1) * math.gamma((n + 1) / 2) / math.sqrt(math.pi)
@@ -161,8 +179,16 @@ class Mistakes(unittest.TestCase):
         bad += [] if name in WORDS else ['"1"', "1e-400"]
         bad += [] if name in ZERO_IS_LEGAL else ["0"]
         bad += [] if name in MINUS_ONE_IS_LEGAL else ["-1"]
+        bad += ["0.5000000000000001"] if name in POISSON else []
         for text in bad:
             self.assert_error(replaced(text), name, "; allowed: ")
+
+    def test_faces_that_do_not_meet_at_a_point(self):
+        for direction in "xy":
+            for first, second in [(5e-3, -4e-3), (5e-3, -5e-3), (-1, -2), (-1, 1e30)]:
+                names = [f"first_radius_{direction}", f"second_radius_{direction}"]
+                line = call("reduced_radius", {**GOOD["reduced_radius"], **dict(zip(names, (first, second)))})
+                self.assert_error(line, names[0], "the faces do not meet at a point: 1/first_radius_" + direction)
 
     def test_orders(self):
         for order in [0.25, 3, 2.4999999999999996, 1e300]:

@@ -49,7 +49,13 @@ class Complete(unittest.TestCase):
                with_field(good, "load", "50"), with_field(good, "bodies.radius", 1),
                with_field(good, "closures.asperity", "gt"), with_field(good, "surface.offset_planes", 3),
                {"function": "gaussian_moment", "order": 0.25, "argument": 0},
-               {"function": "hertz_point", "load": 1, "effective_modulus": 1}]
+               {"function": "hertz_point", "load": 1, "effective_modulus": 1},
+               {"function": "effective_modulus", "first_modulus": 1, "first_poisson_ratio": 0.51,
+                "second_modulus": 1, "second_poisson_ratio": 0.3},
+               {"function": "reduced_radius", "first_radius_x": 0, "second_radius_x": 1, "first_radius_y": 1,
+                "second_radius_y": 1},
+               {"function": "reduced_radius", "first_radius_x": 1, "second_radius_x": 1, "first_radius_y": 5e-3,
+                "second_radius_y": -4e-3}]
         for mine, theirs in zip(reference_answers(numbered(bad)), answers_of(COMPLETE, numbered(bad)),
                                 strict=True):
             self.assertEqual(list(theirs), ["id", "error"])

@@ -195,9 +195,9 @@ void add_formula(const Function& function, const MistakeEntry& entry, Mistake& m
         fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
   mistake.instead = [formula,
                      numbers = entry.numbers](const Question& question) -> std::optional<Numbers> {
-    const std::optional<double> value = formula(question.arguments, numbers);
-    if (!value) return std::nullopt;
-    return Numbers{*value};
+    const std::optional<catalogue::Results> results = formula(question.arguments, numbers);
+    if (!results) return std::nullopt;
+    return numbers_of(*results);
   };
   mistake.touches.emplace_back("formula");
 }

@@ -183,7 +183,7 @@ std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
   if (!file) throw std::runtime_error(path + ": cannot be read");
   SceneReading reading;
   scene_detail::Problems problems(reading, path);
-  const auto written_entries = scene_detail::toml_entries(text, problems);
+  const auto written_entries = scene_detail::toml_entries(text, problems, 100'000);
   if (!written_entries) throw std::runtime_error(reading.errors.front().line());
   json all = json::array();
   for (const scene_detail::Entry& one : *written_entries) {

@@ -8,13 +8,75 @@
 
 #include "tribo/film_thickness.hpp"
 #include "tribo/starvation.hpp"
+#include "tribo/two_bodies.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 using catalogue::Arguments;
+using catalogue::Results;
 using Constants = std::span<const double>;
 using Value = std::optional<double>;
+
+// Of a function with one result.
+template <Value (*formula)(const Arguments&, Constants)>
+std::optional<Results> only(const Arguments& a, Constants numbers) {
+  const Value value = formula(a, numbers);
+  return value ? std::optional(Results{*value}) : std::nullopt;
+}
+
+// --- Effective modulus: arguments E₁, ν₁, E₂ and ν₂
+
+Value modulus_by_one_minus_ratio(const Arguments& a, Constants) {
+  return 1 / ((1 - a[1]) / a[0] + (1 - a[3]) / a[2]);
+}
+Value modulus_added(const Arguments& a, Constants factor) {
+  return factor[0] * (a[0] / (1 - a[1] * a[1]) + a[2] / (1 - a[3] * a[3]));
+}
+Value modulus_of_one_ratio(const Arguments& a, Constants) {
+  return effective_modulus(a[0], a[1], a[2], a[1]);
+}
+Value modulus_of_first_twice(const Arguments& a, Constants) {
+  return effective_modulus(a[0], a[1], a[0], a[1]);
+}
+
+// --- Reduced radius: arguments R₁x, R₂x, R₁y and R₂y. What is wrong may be below 0.
+
+double in_parallel(double a, double b) { return 1 / (1 / a + 1 / b); }
+Results radii(double x, double y) { return {x, y, in_parallel(x, y)}; }
+Results right_radii(const Arguments& a) {
+  return radii(in_parallel(a[0], a[1]), in_parallel(a[2], a[3]));
+}
+
+std::optional<Results> radii_of_difference(const Arguments& a, Constants) {
+  return radii(in_parallel(a[0], -a[1]), in_parallel(a[2], -a[3]));
+}
+std::optional<Results> radii_added(const Arguments& a, Constants factor) {
+  return radii(factor[0] * (a[0] + a[1]), factor[0] * (a[2] + a[3]));
+}
+std::optional<Results> radii_of_first(const Arguments& a, Constants) { return radii(a[0], a[2]); }
+std::optional<Results> radii_exchanged(const Arguments& a, Constants) {
+  return right_radii({a[2], a[3], a[0], a[1]});
+}
+std::optional<Results> radii_without_sign(const Arguments& a, Constants) {
+  return right_radii({std::abs(a[0]), std::abs(a[1]), std::abs(a[2]), std::abs(a[3])});
+}
+// Of R_x and R_y, which are right.
+std::optional<Results> radius_as_mean(const Arguments& a, Constants) {
+  Results right = right_radii(a);
+  right[2] = (right[0] + right[1]) / 2;
+  return right;
+}
+std::optional<Results> radius_as_geometric_mean(const Arguments& a, Constants) {
+  Results right = right_radii(a);
+  right[2] = std::sqrt(right[0]) * std::sqrt(right[1]);
+  return right;
+}
+std::optional<Results> radius_along_x(const Arguments& a, Constants) {
+  Results right = right_radii(a);
+  right[2] = right[0];
+  return right;
+}
 
 // --- Moments: arguments n and d
 
@@ -106,16 +168,31 @@ struct NamedFormula {
   FunctionFormula formula;
 };
 constexpr std::array formulas{
-    NamedFormula{"gaussian_moment", "moment_of_order", 1, moment_of_order},
-    NamedFormula{"gaussian_moment", "moment_about_zero", 0, moment_about_zero},
-    NamedFormula{"gaussian_moment", "moment_cut_at", 2, moment_cut_at},
-    NamedFormula{"gaussian_moment", "moment_cut_at_distance", 2, moment_cut_at_distance},
-    NamedFormula{"gaussian_moment", "moment_over_root", 0, moment_over_root},
-    NamedFormula{"gaussian_moment", "moment_power_fit", 3, moment_power_fit},
-    NamedFormula{"gaussian_moment", "moment_exponential_fit", 2, moment_exponential_fit},
-    NamedFormula{"gaussian_moment", "moment_error_function_fit", 0, moment_error_function_fit},
-    NamedFormula{"starvation_ratio", "inlet_with_circular_gap", 0, inlet_with_circular_gap},
-    NamedFormula{"starvation_ratio", "inlet_with_inverse_exponent", 0, inlet_with_inverse_exponent},
+    NamedFormula{"effective_modulus", "modulus_by_one_minus_ratio", 0,
+                 only<modulus_by_one_minus_ratio>},
+    NamedFormula{"effective_modulus", "modulus_added", 1, only<modulus_added>},
+    NamedFormula{"effective_modulus", "modulus_of_one_ratio", 0, only<modulus_of_one_ratio>},
+    NamedFormula{"effective_modulus", "modulus_of_first_twice", 0, only<modulus_of_first_twice>},
+    NamedFormula{"reduced_radius", "radii_of_difference", 0, radii_of_difference},
+    NamedFormula{"reduced_radius", "radii_added", 1, radii_added},
+    NamedFormula{"reduced_radius", "radii_of_first", 0, radii_of_first},
+    NamedFormula{"reduced_radius", "radii_exchanged", 0, radii_exchanged},
+    NamedFormula{"reduced_radius", "radii_without_sign", 0, radii_without_sign},
+    NamedFormula{"reduced_radius", "radius_as_mean", 0, radius_as_mean},
+    NamedFormula{"reduced_radius", "radius_as_geometric_mean", 0, radius_as_geometric_mean},
+    NamedFormula{"reduced_radius", "radius_along_x", 0, radius_along_x},
+    NamedFormula{"gaussian_moment", "moment_of_order", 1, only<moment_of_order>},
+    NamedFormula{"gaussian_moment", "moment_about_zero", 0, only<moment_about_zero>},
+    NamedFormula{"gaussian_moment", "moment_cut_at", 2, only<moment_cut_at>},
+    NamedFormula{"gaussian_moment", "moment_cut_at_distance", 2, only<moment_cut_at_distance>},
+    NamedFormula{"gaussian_moment", "moment_over_root", 0, only<moment_over_root>},
+    NamedFormula{"gaussian_moment", "moment_power_fit", 3, only<moment_power_fit>},
+    NamedFormula{"gaussian_moment", "moment_exponential_fit", 2, only<moment_exponential_fit>},
+    NamedFormula{"gaussian_moment", "moment_error_function_fit", 0,
+                 only<moment_error_function_fit>},
+    NamedFormula{"starvation_ratio", "inlet_with_circular_gap", 0, only<inlet_with_circular_gap>},
+    NamedFormula{"starvation_ratio", "inlet_with_inverse_exponent", 0,
+                 only<inlet_with_inverse_exponent>},
 };
 
 }  // namespace

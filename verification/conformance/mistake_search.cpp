@@ -88,12 +88,16 @@ class Search {
   }
   static bool is_close(const AnsweredNumber& number, double given, std::size_t mistakes) {
     const double off = std::abs(number.got - given), by = change(number, given);
-    if (mistakes == 1) return off <= std::max(number.allowed, closeness_alone * by);
+    // Of a number that is far too small, little of itself: GPa are no MPa.
+    const double own = std::abs(given);
+    if (mistakes == 1)
+      return off <=
+             std::max(std::min(number.allowed, own / 10), closeness_alone * std::min(by, own));
     // There are thousands of sets: with a generous tolerance one would fit by chance.
     const Expected& expected = *number.expected;
     const double tight = engineering_tolerance().relative * expected.condition;
-    return off <= std::max(std::min(number.allowed, tight * std::abs(expected.high)),
-                           closeness_together * by);
+    return off <= std::max(std::min({number.allowed, tight * std::abs(expected.high), own / 10}),
+                           closeness_together * std::min(by, own));
   }
 
   std::vector<AnsweredCase*> cases_;

@@ -61,9 +61,7 @@ Numbers function_numbers(const Question& question) {
     results[0] = shared_film(a, question.sharing);
   else
     question.function->value(a, results);
-  Numbers numbers{};
-  std::copy(results.begin(), results.end(), numbers.begin());
-  return numbers;
+  return numbers_of(results);
 }
 
 double friction_of(const OperatingPoint<double>& point, const Scene& scene,
@@ -130,6 +128,12 @@ std::optional<std::size_t> place_of_field(const Question& question, std::string_
   for (std::size_t i = 0; i < results.size(); ++i)
     if (results[i].name == field) return i;
   return std::nullopt;
+}
+
+Numbers numbers_of(const catalogue::Results& results) {
+  Numbers numbers{};
+  std::copy(results.begin(), results.end(), numbers.begin());
+  return numbers;
 }
 
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question) {

@@ -69,6 +69,7 @@ Question question_of(const Case& asked);
 // The place of a result in Numbers; empty for a field that is no number.
 std::optional<std::size_t> place_of_field(const Question& question, std::string_view field);
 
+Numbers numbers_of(const catalogue::Results& results);
 // Of an operating point, with the question's number of summits and friction.
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question);
 

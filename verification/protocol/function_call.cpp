@@ -111,7 +111,11 @@ std::optional<Mistake> read_call(const FlatObject& object, FunctionCall& call) {
   call.function = name.kind == FlatMember::Kind::text ? catalogue::find(name.text) : nullptr;
   if (call.function == nullptr) return unknown_function(name);
   if (auto mistake = mistake_in_names(*call.function, object)) return mistake;
-  return read_arguments(*call.function, object, call.arguments);
+  if (auto mistake = read_arguments(*call.function, object, call.arguments)) return mistake;
+  if (call.function->refusal == nullptr) return std::nullopt;
+  const std::optional<catalogue::Refusal> refusal = call.function->refusal(call.arguments);
+  if (!refusal) return std::nullopt;
+  return Mistake{std::string(refusal->parameter), std::string(refusal->reason)};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "support/judge.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
+#include "tribo/two_bodies.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -87,6 +88,8 @@ TEST(Contracts, AreNoWiderThanPromised) {
   };
   same(gaussian_moment_contract, {1, 0});
   same(hertz_contract, {10, 0});
+  same(effective_modulus_contract, {6, 0});
+  same(reduced_radius_contract, {6, 0});
   same(starvation_ratio_contract, {16, 0});
   same(load_sharing_contract, {4, 8.5});
   same(operating_point_contract, {8, 16});

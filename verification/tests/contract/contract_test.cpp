@@ -38,6 +38,8 @@ constexpr std::array<Drawn, kind_count> drawn{{{Kind::scene, 400, 700},
                                                {Kind::rough_contact, 400, 400},
                                                {Kind::viscosity, 600, 600},
                                                {Kind::shear, 600, 600},
+                                               {Kind::effective_modulus, 400, 400},
+                                               {Kind::reduced_radius, 400, 395},
                                                {Kind::extreme_scene, 200, 180}}};
 
 // 0 and its neighbours, the ends of all pieces and series, and where results are subnormal or far.

@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/condition.hpp"
 #include "support/film_laws.hpp"
 #include "support/scenes.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/mixed_contact.hpp"
+#include "tribo/two_bodies.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -29,6 +31,8 @@ constexpr std::size_t film_row = hertz_row + 5;
 constexpr std::size_t rough_row = film_row + 1;
 constexpr std::size_t viscosity_row = rough_row + 3;
 constexpr std::size_t shear_row = viscosity_row + 1;
+constexpr std::size_t modulus_row = shear_row + 1;
+constexpr std::size_t radius_row = modulus_row + 1;
 
 constexpr std::array orders{Order::zero,         Order::half, Order::one,
                             Order::three_halves, Order::two,  Order::five_halves};
@@ -119,6 +123,32 @@ void draw_moment(Sampler& sampler, Point& point) {
                              : sign * sampler.log_uniform(1e-300, 1);
 }
 
+// E₁, ν₁, E₂, ν₂.
+void draw_moduli(Sampler& sampler, Point& point) {
+  const bool is_usual = sampler.pick({0, 1}) == 1;
+  for (const std::size_t i : {0U, 2U}) {
+    point.x[i] = is_usual ? sampler.log_uniform(1e5, 1e12) : sampler.log_uniform(1e-250, 1e250);
+    point.x[i + 1] = is_usual                    ? sampler.uniform(0, 0.5)
+                     : sampler.pick({0, 1}) == 1 ? sampler.uniform(-1, 0.5)
+                                                 : sampler.log_uniform(1e-15, 1) - 1;
+  }
+}
+
+// R₁x, R₂x, R₁y, R₂y of faces that meet at a point, of which some nearly conform.
+void draw_radii(Sampler& sampler, Point& point) {
+  for (const std::size_t i : {0U, 2U}) {
+    const bool is_usual = sampler.pick({0, 1}) == 1;
+    double& first = point.x[i];
+    double& second = point.x[i + 1];
+    first = is_usual ? sampler.log_uniform(1e-6, 10) : sampler.log_uniform(1e-250, 1e250);
+    const int face = sampler.pick({0, 1, 2, 3});  // convex, flat, two concave ones
+    second = face == 0   ? sampler.log_uniform(1e-6, 10)
+             : face == 1 ? 1e30
+                         : -first * (1 + sampler.log_uniform(face == 2 ? 1e-15 : 1e-3, 100));
+    if (sampler.pick({0, 1}) == 1) std::swap(first, second);
+  }
+}
+
 bool is_share(double x) { return x >= 0 && x <= 1; }
 
 // d ln/d ln of ln F is 1/ln F, but the error of a logarithm near 0 is one of F: ε at least.
@@ -160,6 +190,8 @@ std::span<const Row> rows() {
     add("asperity_contact", {"stiffness", "area_factor", "count_factor"}, {10, 0});
     add("log_viscosity_ratio", {"value"}, {450, 0});
     add("fluid_shear_stress", {"value"}, {0, 20});
+    add("effective_modulus", {"value"}, effective_modulus_contract);
+    add("reduced_radius", {"radius_x", "radius_y", "reduced_radius"}, reduced_radius_contract);
     return table;
   }();
   return all;
@@ -176,8 +208,8 @@ std::size_t first_row(const Point& point) {
     case Kind::film_ratio:
       return ratio_row + static_cast<std::size_t>(point.scene.closures.starvation);
     default: {
-      constexpr std::array first{moment_row, scaled_row, deficit_row,   hertz_row,
-                                 film_row,   rough_row,  viscosity_row, shear_row};
+      constexpr std::array first{moment_row, scaled_row,    deficit_row, hertz_row,   film_row,
+                                 rough_row,  viscosity_row, shear_row,   modulus_row, radius_row};
       return first[static_cast<std::size_t>(point.kind) - static_cast<std::size_t>(Kind::moment)];
     }
   }
@@ -195,9 +227,20 @@ Point point_at(std::uint64_t seed, std::uint64_t index) {
 }
 
 std::string_view name(Kind kind) {
-  constexpr std::array<std::string_view, kind_count> names{
-      "scene",   "extreme_scene", "load_sharing", "film_ratio",    "moment",    "scaled_moment",
-      "deficit", "hertz",         "film",         "rough_contact", "viscosity", "shear"};
+  constexpr std::array<std::string_view, kind_count> names{"scene",
+                                                           "extreme_scene",
+                                                           "load_sharing",
+                                                           "film_ratio",
+                                                           "moment",
+                                                           "scaled_moment",
+                                                           "deficit",
+                                                           "hertz",
+                                                           "film",
+                                                           "rough_contact",
+                                                           "viscosity",
+                                                           "shear",
+                                                           "effective_modulus",
+                                                           "reduced_radius"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -247,6 +290,12 @@ void draw(Sampler& sampler, Point& point) {
       numbers({{1e5, 1e8}, {1e-4, 10}, {1e-6, 100}, {1e-10, 1e-5}});
       point.x[4] = sampler.uniform(0, 60);
       point.scene.friction.fluid = sampler.pick({FluidShear::eyring, FluidShear::limiting});
+      break;
+    case Kind::effective_modulus:
+      draw_moduli(sampler, point);
+      break;
+    case Kind::reduced_radius:
+      draw_radii(sampler, point);
       break;
     default:
       draw_moment(sampler, point);
@@ -309,6 +358,12 @@ Values<T> values_of(const Point& point) {
       return {{log_viscosity_ratio(point.scene.friction.viscosity, x(0), x(1), x(2))}};
     case Kind::shear:
       return {{fluid_shear_stress(point.scene.friction.fluid, x(0), x(1), x(4), x(2), x(3))}};
+    case Kind::effective_modulus:
+      return {{effective_modulus(x(0), x(1), x(2), x(3))}};
+    case Kind::reduced_radius: {
+      const ReducedRadius<T> radii = reduced_radius(x(0), x(1), x(2), x(3));
+      return {{radii.radius_x, radii.radius_y, radii.reduced_radius}};
+    }
     case Kind::moment: {
       Values<T> values;
       for (const Order order : orders) values.numbers.push_back(gaussian_moment(order, x(0)));

@@ -44,6 +44,8 @@ enum class Kind : std::uint8_t {
   rough_contact,
   viscosity,
   shear,
+  effective_modulus,
+  reduced_radius,
   count
 };
 inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);

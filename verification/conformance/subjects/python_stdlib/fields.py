@@ -5,10 +5,15 @@ import math
 
 import inlet
 import point
+import solver
 
 REQUIRED = object()
 
+RADII = ("first_radius_x", "second_radius_x", "first_radius_y", "second_radius_y")
 FUNCTIONS = {
+    "effective_modulus": {"first_modulus": ("above 0", REQUIRED), "first_poisson_ratio": ("Poisson", REQUIRED),
+                          "second_modulus": ("above 0", REQUIRED), "second_poisson_ratio": ("Poisson", REQUIRED)},
+    "reduced_radius": {name: ("not 0", REQUIRED) for name in RADII},
     "gaussian_moment": {"order": ("order", REQUIRED), "argument": ("any", REQUIRED)},
     "hertz_point": {name: ("above 0", REQUIRED)
                     for name in ("load", "effective_modulus", "reduced_radius")},
@@ -53,7 +58,8 @@ def number(name, value, allowed):
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         raise InputError(name, "this is no finite number")
     value = float(value)
-    if (allowed == "above 0" and value <= 0) or (allowed == "from 0" and value < 0):
+    if not {"above 0": value > 0, "from 0": value >= 0, "not 0": value != 0,
+            "Poisson": -1 < value <= 0.5, "any": True}[allowed]:
         raise InputError(name, f"{value} is not allowed; allowed: {allowed}")
     return value
 
@@ -81,6 +87,16 @@ def read(given, allowed_fields):
         else:
             result[name] = default
     return result
+
+
+def read_arguments(name, given):
+    """Those of a function."""
+    arguments = read(given, FUNCTIONS[name])
+    if name == "reduced_radius":
+        for first, second in (RADII[:2], RADII[2:]):
+            if not solver.has_point(arguments[first], arguments[second]):
+                raise InputError(first, f"no point of contact: 1/{first} + 1/{second} has to be above 0")
+    return arguments
 
 
 def flattened(line):

@@ -12,6 +12,40 @@ import moments
 TRIPP = "greenwood_tripp"
 
 
+# Two bodies as one
+
+def plane_strain_modulus(E, nu):
+    return E / ((1 - nu) * (1 + nu))
+
+
+def in_series(a, b):
+    """Of two moduli, or of two radii: 1/(1/a + 1/b)."""
+    small, large = sorted((a, b), key=abs)
+    return small * (large / (small + large))
+
+
+def effective_modulus(E1, nu1, E2, nu2):
+    return in_series(plane_strain_modulus(E1, nu1), plane_strain_modulus(E2, nu2))
+
+
+def has_point(R1, R2):
+    """Do the faces touch at a point? A concave face has a radius below 0."""
+    return 1 / R1 + 1 / R2 > 0
+
+
+def radius_of_gap(R1, R2):
+    return in_series(R1, R2)
+
+
+def sum_of_curvatures(Rx, Ry):
+    return 1 / Rx + 1 / Ry
+
+
+def reduced_radius(R1x, R2x, R1y, R2y):
+    Rx, Ry = radius_of_gap(R1x, R2x), radius_of_gap(R1y, R2y)
+    return {"radius_x": Rx, "radius_y": Ry, "reduced_radius": 1 / sum_of_curvatures(Rx, Ry)}
+
+
 # Hertz and the flooded film
 
 def nominal_area(radius):

@@ -15,6 +15,14 @@ import solver
 BEYOND = "outside the range of double precision"
 
 
+def effective_modulus(given):
+    return {"value": solver.effective_modulus(*given.values())}
+
+
+def reduced_radius(given):
+    return solver.reduced_radius(*given.values())
+
+
 def gaussian_moment(given):
     return {"value": moments.gaussian_moment(given["order"], given["argument"])}
 
@@ -36,7 +44,8 @@ def load_sharing(given):
 
 
 FUNCTIONS = {function.__name__: function for function in (
-    gaussian_moment, hertz_point, hamrock_dowson_central, starvation_ratio, load_sharing)}
+    effective_modulus, reduced_radius, gaussian_moment, hertz_point, hamrock_dowson_central,
+    starvation_ratio, load_sharing)}
 
 
 def call(line):
@@ -44,7 +53,7 @@ def call(line):
     if name not in FUNCTIONS:
         return {"skip": f"no function {name}"}, {}
     given = {key: value for key, value in line.items() if key not in ("id", "function")}
-    arguments = fields.read(given, fields.FUNCTIONS[name])
+    arguments = fields.read_arguments(name, given)
     try:
         return FUNCTIONS[name](arguments), {}
     except (OverflowError, ZeroDivisionError):

@@ -201,6 +201,12 @@ void check_function(const Json& question, const Json& answer, const std::string&
               text);
     return;
   }
+  if (name == "reduced_radius") {
+    for (const char* part : {"radius_x", "radius_y", "reduced_radius"})
+      require(number_or(answer, part, 0) >= 0 && answer.contains(part), "radii, not negative",
+              text);
+    return;
+  }
   require(answer.contains("value"), "a function has a value", text);
   const double value = number_or(answer, "value", 0);
   require(value >= 0, "no value is negative", text);
