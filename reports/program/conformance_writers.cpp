@@ -56,7 +56,8 @@ std::string headword(const SubjectVerdict& verdict) {
     return "FAILED, worse than " + verdict.baseline;
   if (!verdict.missing.empty()) return "FAILED";
   if (verdict.changes) return "PASSED, no worse than " + verdict.baseline;
-  constexpr std::array<const char*, 4> words{"COMPLETE", "PARTIAL", "FAILED", "NOTHING"};
+  constexpr std::array<const char*, 5> words{"COMPLETE", "PARTIAL", "HELD IN THE PHYSICAL RANGE",
+                                             "FAILED", "NOTHING"};
   return words[static_cast<std::size_t>(verdict.result.overall)];
 }
 
@@ -154,6 +155,7 @@ std::string summary(const SubjectVerdict& verdict) {
   };
   const std::vector<std::string> then =
       verdict.changes ? verdict.changes->failed_already : std::vector<std::string>{};
+  add(count(result, Status::held_physically), "held in the physical range");
   add(count(result, Status::partly_held), "held in part");
   add(count(result, Status::failed) - then.size(), "failed");
   add(then.size(), fmt::format("failed as before ({})", joined(then)));

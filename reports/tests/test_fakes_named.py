@@ -4,7 +4,7 @@
 import concurrent.futures
 import unittest
 
-from conformance import listed, subject, verify
+from conformance import SUBJECTS, listed, subject, verify
 from program import run
 
 # A fake's mistake, and what the diagnosis may call it. The numbers do not tell some apart.
@@ -75,6 +75,7 @@ NAMED = {
     "moment_fit_error_function": "moment-fit-erf",
     "moment_simpson_201_points": "moment-simpson-201",
     "moment_simpson_200_intervals": "moment-simpson-cut-4.5",
+    "moment_zero_beyond_10": "moment-zero-beyond-10",
     "moment_cut_at_4": "moment-cut-at-4",
     "moment_cut_at_5_beyond": "moment-cut-at-d-plus-5",
     "moment_bessel_stray_root": "moment-stray-root",
@@ -100,7 +101,8 @@ class Fakes(unittest.TestCase):
         for fake, mistake in NAMED.items():
             with self.subTest(fake):
                 result = results[fake]
-                self.assertEqual(result.code, 1)
+                # The physical range ends where this one goes wrong.
+                self.assertEqual(result.code, 0 if fake == "moment_zero_beyond_10" else 1)
                 diagnoses = result.json()["diagnoses"]
                 self.assertIn(mistake, sum((one["mistakes"] for one in diagnoses), []),
                               [one["text"] for one in diagnoses])
@@ -108,6 +110,17 @@ class Fakes(unittest.TestCase):
     def test_nothing_is_named_where_nothing_is_wrong(self):
         result = verify("--subject", subject("fakes/fake.py", "--mistake", "none"))
         self.assertEqual((result.code, result.json()["diagnoses"]), (0, []))
+
+    def test_the_three_verdicts_are_those_of_the_readme(self):
+        readme = (SUBJECTS.parent / "README.md").read_text()
+        shown = readme.split("## Three verdicts")[1].split("```")[1].strip().splitlines()
+        for fake, code, line in zip(("none", "moment_zero_beyond_10", "moment_cut_at_4"), (0, 0, 1), shown, strict=True):
+            with self.subTest(fake):
+                done = run("verify", "--subject", subject("fakes/fake.py", "--mistake", fake))
+                self.assertEqual((done.code, done.out.splitlines()[-1]), (code, line))
+        strict = run("verify", "--tolerance", "strict",
+                     "--subject", subject("fakes/fake.py", "--mistake", "moment_zero_beyond_10"))
+        self.assertEqual(strict.code, 1)
 
     def test_the_newcomers_film_is_told_in_a_sentence(self):
         result = run("verify", "--subject", subject("small_python/my_solver.py"))

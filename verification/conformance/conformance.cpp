@@ -78,12 +78,13 @@ class Judge {
     for (std::size_t i = 0; i < cases_.size(); ++i)
       for (std::size_t k = 0; k < cases_[i].expected.size(); ++k) judge(i, k);
     for (QuantityVerdict& one : result_.quantities) {
-      one.status = one.failed_physical > 0 || (one.failed > 0 && one.held_physical == 0)
-                       ? Status::failed
-                   : one.failed > 0  ? Status::held_physically
-                   : one.held == 0   ? Status::not_offered
-                   : one.skipped > 0 ? Status::partly_held
-                                     : Status::held;
+      const bool has_failed =
+          one.failed_physical > 0 || one.held_physical == 0 || tolerance_.is_strict;
+      one.status = one.failed > 0 && has_failed ? Status::failed
+                   : one.failed > 0             ? Status::held_physically
+                   : one.held == 0              ? Status::not_offered
+                   : one.skipped > 0            ? Status::partly_held
+                                                : Status::held;
     }
   }
 

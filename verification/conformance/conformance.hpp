@@ -30,9 +30,11 @@ Tolerance read_tolerance(const std::string& path, const std::vector<Case>& cases
 double allowed_error(const Case& asked, const Expected& expected, const Tolerance& tolerance);
 
 enum class Status : std::uint8_t {
-  held,             // every case
-  held_physically,  // every case of contacts on earth (Expected::is_physical), but not all others
-  partly_held,      // every case that was answered, but some were skipped
+  held,  // every case
+  // Every case of contacts on earth (Expected::is_physical), but not all others. Never with the
+  // strict tolerance, which asks for all of them.
+  held_physically,
+  partly_held,  // every case that was answered, but some were skipped
   failed,
   not_offered,  // no case was answered: all skipped, or the field is never there
 };

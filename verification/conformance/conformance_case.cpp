@@ -205,14 +205,28 @@ std::vector<Case> paper_points(const std::string& folder) {
   return cases;
 }
 
+// Asperities, or a film, that carry less of the load play no part in a point.
+constexpr double least_share = 1e-9;
+
 // Marks what is beyond the physical range.
 void mark_physical(Case& one) {
   const Question question = question_of(one);
   const bool has_physical_inputs = question.function != nullptr
                                        ? is_physical(*question.function, question.arguments)
                                        : question.scene && is_physical(*question.scene);
-  for (Expected& expected : one.expected)
-    expected.is_physical = has_physical_inputs && (expected.high == 0 || !is_tiny(expected));
+  std::map<std::string, double> value;
+  for (const Expected& expected : one.expected) value[expected.field] = expected.high;
+  const bool is_point = question.function == nullptr;
+  const bool without_asperities = is_point && value["asperity_load_share"] < least_share;
+  const bool without_film = is_point && value["fluid_load_share"] < least_share;
+  for (Expected& expected : one.expected) {
+    const std::string& field = expected.field;
+    const bool is_of_asperities =
+        field == "asperity_load_share" || field == "real_area_ratio" || field == "summit_count";
+    expected.is_physical = has_physical_inputs && (expected.high == 0 || !is_tiny(expected)) &&
+                           !(without_asperities && is_of_asperities) &&
+                           !(without_film && field == "fluid_load_share");
+  }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr double rounding = 1e-5;  // of logarithms: single precision too
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
   if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value (another sign convention)";
-  if (ratio == 0) return "0";
+  if (ratio == 0) return "answered as 0";
   if (ratio < 0) return fmt::format("{:.4g} times the right value, of the wrong sign", ratio);
   if (ratio > 3) return fmt::format("{:.4g} times too large", ratio);
   if (ratio < 1.0 / 3) return fmt::format("{:.4g} times too small", 1 / ratio);
@@ -97,11 +97,13 @@ std::string pattern(const Part& part) {
 class Diagnoser {
  public:
   Diagnoser(std::string function, std::vector<AnsweredCase> cases,
-            const std::vector<Mistake>& mistakes, std::string wrong_below)
+            const std::vector<Mistake>& mistakes, std::string wrong_below,
+            const std::map<std::string, std::string>& named_before)
       : function_(std::move(function)),
         cases_(std::move(cases)),
         mistakes_(mistakes),
-        wrong_below_(std::move(wrong_below)) {
+        wrong_below_(std::move(wrong_below)),
+        named_before_(named_before) {
     for (const AnsweredCase& one : cases_)
       for (const AnsweredNumber& number : one.numbers) wrong_ += number.is_wrong ? 1 : 0;
   }
@@ -201,7 +203,14 @@ class Diagnoser {
                         : "three mistakes give together",
         causes, cause.met, cause.changed, together == 1 ? "it" : "they", cause.explains.size(),
         wrong_);
-    if (one.mistakes.size() > 1) one.text += " The numbers do not tell these apart.";
+    if (const auto before = named_before_.find(cause.choices.front().front()->follows);
+        together == 1 && before != named_before_.end())
+      one.text = fmt::format(
+          "{} is {}. This follows from {}: its answers are taken here as it gives them ({} of {} "
+          "answers that this would change).",
+          one.quantity, pattern(part), before->second, cause.met, cause.changed);
+    else if (one.mistakes.size() > 1)
+      one.text += " The numbers do not tell these apart.";
     for (AnsweredNumber* const explained : cause.explains) explained->is_explained = true;
     found_.push_back(std::move(one));
   }
@@ -414,6 +423,7 @@ class Diagnoser {
   std::vector<AnsweredCase> cases_;
   const std::vector<Mistake>& mistakes_;
   std::string wrong_below_;  // functions that this one rests on and that are wrong
+  const std::map<std::string, std::string>& named_before_;  // mistakes, with their functions
   std::size_t wrong_ = 0;
   std::vector<Diagnosis> found_;
 };
@@ -428,6 +438,7 @@ std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversati
       functions.push_back(one.function);
   std::vector<Diagnosis> found;
   std::set<std::string> wrong;
+  std::map<std::string, std::string> named;
   for (const std::string& function : functions) {
     std::vector<Mistake> mistakes;
     for (const Mistake& one : all)
@@ -437,9 +448,10 @@ std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversati
       if (wrong.contains(other)) below += (below.empty() ? "" : ", ") + other;
     for (Diagnosis& one :
          Diagnoser(function, answered_cases(function, cases, conversation, tolerance), mistakes,
-                   below)
+                   below, named)
              .run()) {
       wrong.insert(function);
+      for (const std::string& mistake : one.mistakes) named[mistake] = function;
       found.push_back(std::move(one));
     }
   }

@@ -120,7 +120,7 @@ std::vector<Example> worst_examples(const ConformanceResult& result, const std::
   for (std::size_t i = 0; i < cases.size(); ++i) index_of[cases[i].id] = i;
   std::vector<Example> examples;
   for (const QuantityVerdict& one : result.quantities) {
-    if (one.status != Status::failed && !of_all) continue;
+    if (one.failed == 0 && !of_all) continue;
     const auto place = index_of.find(one.worst_case.empty() ? cases.front().id : one.worst_case);
     if (place == index_of.end()) continue;
     const Case& asked = cases[place->second];

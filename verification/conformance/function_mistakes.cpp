@@ -240,6 +240,7 @@ std::vector<Mistake> mistakes_of(const Function& function, const MistakeEntry& e
   Mistake mistake{.function = std::string(function.name),
                   .name = entry.name,
                   .text = entry.text,
+                  .follows = entry.follows,
                   .touches = {}};
   add_where(function, entry, mistake);
   add_inputs(function, entry, mistake);

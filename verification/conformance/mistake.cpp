@@ -41,13 +41,19 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
   std::vector<Mistake> all, of_points;
   for (const MistakeEntry& entry : read_mistake_file(path)) try {
       if (entry.function == "operating_point") {
-        for (Mistake& one : point_mistakes_of(entry)) of_points.push_back(std::move(one));
+        for (Mistake& one : point_mistakes_of(entry)) {
+          one.follows = entry.follows;
+          of_points.push_back(std::move(one));
+        }
         continue;
       }
       const catalogue::Function* const function = catalogue::find(entry.function);
       if (function == nullptr) throw std::runtime_error("no function " + entry.function);
       for (Mistake& one : mistakes_of(*function, entry)) {
-        if (std::optional<Mistake> same = for_points(one)) of_points.push_back(std::move(*same));
+        if (std::optional<Mistake> same = for_points(one)) {
+          same->follows = entry.follows;
+          of_points.push_back(std::move(*same));
+        }
         all.push_back(std::move(one));
       }
     } catch (const std::exception& error) {
@@ -55,6 +61,12 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
           fmt::format("{}: mistake \"{}\": {}", path, entry.name, error.what()));
     }
   for (Mistake& one : of_points) all.push_back(std::move(one));
+  for (const Mistake& one : all)
+    if (!one.follows.empty() && std::none_of(all.begin(), all.end(), [&](const Mistake& other) {
+          return other.name == one.follows;
+        }))
+      throw std::runtime_error(
+          fmt::format("{}: mistake \"{}\": follows: no mistake {}", path, one.name, one.follows));
   return all;
 }
 

@@ -23,6 +23,7 @@ struct Mistake {
   std::string function;              // whose cases it is about
   std::string name;                  // "hertz-radius-halved"
   std::string text;                  // "R/2 in place of R (a ball on a flat has R)"
+  std::string follows = {};          // the name of a mistake elsewhere that this one follows from
   std::vector<std::string> touches;  // inputs, results, numbers of the film's law, or "formula"
 
   // Each of these may be empty.

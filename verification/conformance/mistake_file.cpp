@@ -146,6 +146,7 @@ MistakeEntry entry_of(const json& written) {
   members.take("function", entry.function);
   members.take("name", entry.name);
   members.take("text", entry.text);
+  members.take("follows", entry.follows);
   members.take("swapped", entry.swapped);
   members.take("stiffness", entry.stiffness);
   if (const json area = members.take_any("area"); !area.is_null())

@@ -24,7 +24,7 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 using NumberChanges = std::vector<std::pair<std::string, NumberChange>>;
 
 struct MistakeEntry {
-  std::string function, name, text;
+  std::string function, name, text, follows;
   std::vector<std::pair<std::string, std::vector<nlohmann::json>>> where;
   NumberChanges input, result, scene;
   std::string swapped;  // an argument, or a field of a scene

@@ -131,6 +131,9 @@ Value moment_cut_at_distance(const Arguments& a, Constants numbers) {
   return simpson(a[0], a[1], a[1] + numbers[0], static_cast<int>(numbers[1]));
 }
 
+Value moment_zero_beyond(const Arguments& a, Constants numbers) {
+  return a[1] > numbers[0] ? 0 : *moment_of(a[0], a[1]);
+}
 Value moment_over_root(const Arguments& a, Constants) {
   return a[1] > 0 ? Value(*moment_of(a[0], a[1]) / std::sqrt(a[1])) : std::nullopt;
 }
@@ -185,6 +188,7 @@ constexpr std::array formulas{
     NamedFormula{"gaussian_moment", "moment_about_zero", 0, only<moment_about_zero>},
     NamedFormula{"gaussian_moment", "moment_cut_at", 2, only<moment_cut_at>},
     NamedFormula{"gaussian_moment", "moment_cut_at_distance", 2, only<moment_cut_at_distance>},
+    NamedFormula{"gaussian_moment", "moment_zero_beyond", 1, only<moment_zero_beyond>},
     NamedFormula{"gaussian_moment", "moment_over_root", 0, only<moment_over_root>},
     NamedFormula{"gaussian_moment", "moment_power_fit", 3, only<moment_power_fit>},
     NamedFormula{"gaussian_moment", "moment_exponential_fit", 2, only<moment_exponential_fit>},

@@ -17,11 +17,16 @@ constexpr std::size_t most_choices = 3;
 struct Fit {
   Mistakes mistakes;
   std::size_t changed = 0, met = 0;
+  std::size_t met_closely = 0;  // as sets of mistakes have to be met
   std::vector<AnsweredNumber*> explains;
 
-  bool is_consistent() const {
+  bool is_consistent() const { return is_enough(met); }
+  bool is_close() const { return is_enough(met_closely); }
+
+ private:
+  bool is_enough(std::size_t count) const {
     return changed >= fewest &&
-           static_cast<double>(met) >= consistent * static_cast<double>(changed);
+           static_cast<double>(count) >= consistent * static_cast<double>(changed);
   }
 };
 
@@ -64,7 +69,8 @@ class Search {
 
   // Ends early where the mistakes are clearly not consistent.
   Fit fit(const Mistakes& mistakes) const {
-    Fit made{mistakes, 0, 0, {}};
+    Fit made;
+    made.mistakes = mistakes;
     for (AnsweredCase* const one : cases_) {
       const std::optional<Numbers> given = numbers_with(mistakes, one->question);
       if (!given) continue;
@@ -76,6 +82,7 @@ class Search {
         if (!(change(number, value) > 5 * number.allowed)) continue;  // too little to tell
         ++made.changed;
         made.met += is_met ? 1 : 0;
+        made.met_closely += is_close(number, value, 2) ? 1 : 0;
       }
       if (made.changed - made.met > 20 && made.met < 10 * (made.changed - made.met)) break;
     }
@@ -128,6 +135,7 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
   if (!search.has_wrong()) return cause;
   // Three at once of an operating point's many mistakes would take seconds.
   const std::size_t most = cases.front().question.function == nullptr ? 2 : 3;
+  std::vector<Fit> best;
   for (std::size_t count = 1; count <= most; ++count) {
     std::vector<Fit> fits;
     Mistakes set;
@@ -140,15 +148,18 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
       return a.explains.size() > b.explains.size();
     });
-    const Fit& best = fits.front();
-    cause.changed = best.changed;
-    cause.met = best.met;
-    cause.explains = best.explains;
-    for (const Fit& other : fits)
-      if (other.explains == best.explains && cause.choices.size() < most_choices)
-        cause.choices.push_back(other.mistakes);
-    break;
+    const bool is_close = fits.front().is_close();
+    if (best.empty() || is_close) best = std::move(fits);
+    // One mistake that is met roughly may be two that are met closely.
+    if (is_close) break;
   }
+  if (best.empty()) return cause;
+  cause.changed = best.front().changed;
+  cause.met = best.front().met;
+  cause.explains = best.front().explains;
+  for (const Fit& other : best)
+    if (other.explains == cause.explains && cause.choices.size() < most_choices)
+      cause.choices.push_back(other.mistakes);
   return cause;
 }
 

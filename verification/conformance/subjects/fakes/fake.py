@@ -24,6 +24,7 @@ def main():
     action = parser.add_mutually_exclusive_group(required=True)
     action.add_argument("--mistake", metavar="NAME")
     action.add_argument("--list", action="store_true")
+    parser.add_argument("--only", metavar="FUNCTION", help="skip all other questions; operating_point is one too")
     arguments = parser.parse_args()
     if arguments.list:
         for mistake in MISTAKES.values():
@@ -34,6 +35,10 @@ def main():
             parser.error(f"--mistake: no {name}; --list has them")
         if name != "none":
             MISTAKES[name].make()
+    if arguments.only:
+        whole = subject.answer
+        subject.answer = lambda line: (whole(line) if line.get("function", "operating_point") == arguments.only
+                                       else {"skip": "not asked"})
     subject.main()
 
 

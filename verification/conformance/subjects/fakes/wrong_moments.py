@@ -54,6 +54,11 @@ def moment_simpson_200_intervals(right, order, d):
     return simpson(lambda x: x**2.5 * moments.density(x + d), 0, 4.5, 200)
 
 
+@replaces_moment(moments, ALL, "all F_n taken as 0 beyond d = 10")
+def moment_zero_beyond_10(right, order, d):
+    return right(order, d) if d <= 10 else 0.0
+
+
 @replaces_moment(moments, ALL, "all F_n integrated to s = 4 only")
 def moment_cut_at_4(right, order, d):
     return gauss_of_square(lambda x: x**order * moments.density(x + d), 4 - d) if d < 4 else 0.0
