@@ -130,7 +130,7 @@ class Init(unittest.TestCase):
                     done = subprocess.run(["sh", "-c", line + " --sample 2"], capture_output=True, text=True,
                                           timeout=TIMEOUT, cwd=self.folder.name, env=ENVIRONMENT)
                     self.assertEqual((done.returncode, done.stderr), (1, ""))
-                    self.assertIn("NOTHING: 0 of 19", done.stdout)
+                    self.assertIn("NOTHING: 0 of 23", done.stdout)
 
     def test_an_exception_in_a_cpp_solver_is_of_its_own_case(self):
         path = pathlib.Path(self.folder.path("solver.cpp"))
@@ -145,7 +145,7 @@ class Init(unittest.TestCase):
         verdict = json.loads(done.stdout)
         self.assertEqual((verdict["starts"], verdict["notes"]), (1, []))
         self.assertEqual([(one["failed"], one["skipped"]) for one in verdict["quantities"][:2]], [(2, 0), (0, 2)])
-        self.assertIn("gaussian_moment: no root", verdict["last_errors"])
+        self.assertIn("effective_modulus: no root", verdict["last_errors"])
 
     def test_a_file_that_is_there_is_left_alone_unless_forced(self):
         path = self.folder.write("solver.py", "mine")

@@ -84,7 +84,7 @@ class Silence(Trips):
 
     def test_lines_that_are_no_json_are_told(self):
         self.assert_silent(self.command(each="print({'id': question['id']}, flush=True); continue"),
-                           "its first line is no JSON at character 2, between `{` and `'id': 'm0000'}`",
+                           "its first line is no JSON at character 2, between `{` and `'id': 'e0000'}`",
                            "--start-timeout", "10")
 
 
@@ -98,7 +98,7 @@ class Prints(Trips):
                 self.assertEqual((verdict["overall"], verdict["violation_count"]), ("partial", 0))
                 self.assertEqual(self.statuses(verdict)["hertz_point.radius"], "held")
                 note, = verdict["notes"]
-                self.assertRegex(note, "^It wrote 72 lines to stdout that are no answers; print to stderr")
+                self.assertRegex(note, "^It wrote 96 lines to stdout that are no answers; print to stderr")
 
     def test_many_lines_before_an_answer_are_prints(self):
         verdict = self.verdict(self.command("[print('loading', i) for i in range(500)]"))
@@ -114,7 +114,7 @@ class Times(Trips):
         self.assertEqual(verdict["notes"], [])
 
     def test_imports_at_the_first_question_are_a_slow_start_too(self):
-        each = "time.sleep(2) if question['id'] == 'm0000' else None"
+        each = "time.sleep(2) if question['id'] == 'e0000' else None"
         verdict = self.verdict(self.command(each=each), "--case-timeout", "0.5", "--sample", "500")
         self.assertEqual((verdict["overall"], verdict["starts"]), ("partial", 1))
         self.assertFalse(verdict["answers_at_end_of_input"])
@@ -236,7 +236,7 @@ class Evidence(Trips):
         self.assertEqual(answers.code, 0)
         self.assertEqual([json.loads(line)["id"] for line in text.splitlines()],
                          [one["id"] for one in answers.json_lines()])
-        self.assertEqual(len(text.splitlines()), 30)
+        self.assertEqual(len(text.splitlines()), 40)
         both = self.verify(self.SMALL, "--save-cases", path)  # and then the verdict
         self.assertEqual(both.code, 1)
         self.assertEqual(len(pathlib.Path(path).read_text().splitlines()), 72)
