@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -84,6 +84,15 @@ manifest: ## write verification/gates/manifest.tsv anew, from what the last `mak
 faults: ## plant every fault of verification/gates/faults, see it caught; an hour and a half; OLDEST=N: the N oldest verdicts
 	@.ci/deps build test
 	verification/gates/faults/plant.py $(if $(OLDEST),--oldest $(OLDEST)) --out reference/baselines/planted_faults.json
+
+diagnosis: build ## put every fake, alone and together, to verify --subject: writes reference/baselines/diagnosis.json; a minute
+	@.ci/deps build test
+	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
+	cmake --build --preset release --target tribocheck diagnosis_test
+	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_ROOT=$(CURDIR) \
+	  TRIBOCHECK_SUBJECTS=$(CURDIR)/build/release/verification/conformance/subjects \
+	  /usr/bin/python3 -B diagnosis_ledger.py $(CURDIR)/reference/baselines/diagnosis.json \
+	  $(CURDIR)/build/release/verification/tests/diagnosis_test
 
 catalogue-proof: ## add a function to a scratch copy, see it offered everywhere; some two minutes
 	@.ci/deps build report references

@@ -106,6 +106,31 @@ Group planted(const Json& baseline) {
   return group;
 }
 
+// What `verify --subject` said of wrong solvers, and whether it accused right ones.
+Group diagnosed(const Json& baseline) {
+  Json solvers = Json::array();
+  std::size_t named = 0;
+  for (const Json& one : baseline.at("wrong_solvers")) {
+    Json solver;
+    copy<std::string>(one, {"function", "said"}, solver);
+    copy<std::vector<std::string>>(one, {"fakes"}, solver);
+    copy<bool>(one, {"named"}, solver);
+    named += solver["named"].get<bool>() ? 1 : 0;
+    solvers.push_back(std::move(solver));
+  }
+  const std::size_t all = solvers.size();
+  Json right;
+  copy<std::size_t>(baseline.at("right_solvers"), {"tries"}, right);
+  copy<bool>(baseline.at("right_solvers"), {"accused"}, right);
+  const bool accuses = right["accused"].get<bool>();
+  Group group{run_of(baseline)};
+  group.data.update({{"right_solvers", std::move(right)},
+                     {"named", named},
+                     {"wrong_solvers", std::move(solvers)}});
+  group.findings = {promise("diagnosis", "diagnosis", accuses ? 0 : named, all)};
+  return group;
+}
+
 }  // namespace
 
 Group certified_group(const ReportPlaces& places) {
@@ -135,6 +160,10 @@ Group stress_group(const ReportPlaces& places) {
 
 Group planted_faults_group(const ReportPlaces& places) {
   return from_baseline(places, "planted_faults.json", planted);
+}
+
+Group diagnosis_group(const ReportPlaces& places) {
+  return from_baseline(places, "diagnosis.json", diagnosed);
 }
 
 }  // namespace tribo::report

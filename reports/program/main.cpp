@@ -21,6 +21,7 @@
 #include "protocol/line_reader.hpp"
 #include "scene/schema.hpp"
 #include "tribo/version.hpp"
+#include "wrapped.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -63,7 +64,7 @@ int answer_parse_error(const CLI::App& program, const CLI::ParseError& error,
   if (error.get_exit_code() == 0) {
     std::ostringstream text;
     program.exit(error, text, text);
-    append(output.text(), text.str());
+    append(output.text(), wrapped_help(text.str()));
     output.flush();
     return exit_done;
   }

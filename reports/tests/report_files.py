@@ -41,7 +41,7 @@ DATA = sorted(DATA + WORK_DATA + LEDGER_DATA + SWEEP_DATA)
 FAULTS = json.loads((ROOT / "reference/baselines/planted_faults.json").read_text())
 NOT_RUN = int(len(FAULTS["faults"]) < FAULTS["catalogue"])
 SECTIONS = ["figures", "comparison", "claims", "readings", "requirements", "uncertainty", "misprints", "model",
-            "verification", "worst-inputs", "planted-faults", "work-precision", "skipped-work", "gates", "sweep-speed",
+            "verification", "worst-inputs", "planted-faults", "diagnosis", "work-precision", "skipped-work", "gates", "sweep-speed",
             "environment"]
 
 

@@ -14,13 +14,15 @@ from report_files import FIGURES, ROOT, PageReader, report
 class Baselines(unittest.TestCase):
     """A project of its own, whose reference/exact and reference/baselines are as a test leaves them."""
     FILES = {"accuracy.json": "verification", "stress.json": "worst-inputs",
-             "planted_faults.json": "planted-faults", "work_precision.json": "work-precision",
+             "planted_faults.json": "planted-faults", "diagnosis.json": "diagnosis",
+             "work_precision.json": "work-precision",
              "performance.json": "gates", "gates.json": "gates",
              "sweep.json": "sweep-speed"}
     GROUPS = {"accuracy.json": "certified", "performance.json": "gates", "sweep.json": "sweep_speed"} | {
-        f"{name}.json": name for name in ("stress", "planted_faults", "work_precision", "gates")}
+        f"{name}.json": name for name in ("stress", "planted_faults", "diagnosis", "work_precision", "gates")}
     TITLES = {"verification": "Accuracy, quantity by quantity",
               "worst-inputs": "Accuracy at random inputs", "planted-faults": "Planted faults: do the checks find errors?",
+              "diagnosis": "Wrong solvers: are their mistakes named?",
               "work-precision": "Run time against error", "gates": "Checks of run time",
               "sweep-speed": "Run time of sweeps over many inputs"}
 

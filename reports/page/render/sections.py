@@ -32,6 +32,7 @@ SECTIONS = {
     "verification": Section("Accuracy, quantity by quantity", True),
     "worst-inputs": Section("Accuracy at random inputs", True),
     "planted-faults": Section("Planted faults: do the checks find errors?", True),
+    "diagnosis": Section("Wrong solvers: are their mistakes named?", True),
     "work-precision": Section("Run time against error"),
     "skipped-work": Section("Work that is skipped", True),
     "gates": Section("Checks of run time", True),
