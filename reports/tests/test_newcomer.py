@@ -239,7 +239,7 @@ class Evidence(Trips):
         self.assertEqual(len(text.splitlines()), 40)
         both = self.verify(self.SMALL, "--save-cases", path)  # and then the verdict
         self.assertEqual(both.code, 1)
-        self.assertEqual(len(pathlib.Path(path).read_text().splitlines()), 72)
+        self.assertEqual(len(pathlib.Path(path).read_text().splitlines()), 96)
         refused = self.verify(self.SMALL, "--save-cases", "-")
         self.assertEqual((refused.code, refused.out), (2, ""))
 
