@@ -43,7 +43,9 @@ void append_wrapped(std::string& to, const std::string& line, std::size_t width)
   to += rest + '\n';
 }
 
-bool is_prose(const std::string& line) { return !line.empty() && line.front() != ' '; }
+bool is_prose(const std::string& line) {
+  return !line.empty() && line.front() != ' ' && !line.starts_with("Usage:");
+}
 
 }  // namespace
 

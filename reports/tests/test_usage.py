@@ -21,6 +21,13 @@ class Help(unittest.TestCase):
                     self.assertIn("Usage: tribocheck", result.out)
                     self.assertIn("Example:\n", result.out)
 
+    def test_help_fits_80_columns_but_for_examples_and_long_words(self):
+        for arguments in [[], *[[command] for command in COMMANDS], ["init", "subject"], ["sweep", "show"],
+                          ["sweep", "merge"]]:
+            text, _, _ = run(*arguments, "--help").out.partition("\nExample:\n")
+            self.assertEqual([line for line in text.splitlines() if len(line) > 80 and len(line.split()) > 1], [],
+                             arguments)
+
     def test_help_of_the_program_names_every_command(self):
         for command in ["solve", "curve", "onset", "stream"]:
             self.assertIn(command, COMMANDS)
