@@ -36,7 +36,8 @@ void append_wrapped(std::string& to, const std::string& line, std::size_t width)
       if (columns(rest.substr(0, i)) > width) break;
       at = i;
     }
-    if (at == std::string::npos) break;  // one long word
+    if (at == std::string::npos) at = rest.find(' ', first + 1);  // behind a long word
+    if (at == std::string::npos) break;
     to += rest.substr(0, rest.find_last_not_of(' ', at) + 1) + '\n';
     rest = std::string(indent, ' ') + rest.substr(rest.find_first_not_of(' ', at));
   }
