@@ -10,13 +10,13 @@ clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 all: build
 
 ##@ Start here
-report: ## solve the paper's scenes, draw its figures: reports/out/index.html; some 4 minutes the first time
+report: ## solve the paper's scenes, draw its figures: reports/out/index.html; some 2 minutes the first time
 	@.ci/deps build report
 	@$(MAKE) --no-print-directory build
 	build/release/tribocheck report \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*' 2>/dev/null)"
 
-test: ## build, run all tests, hold what ran to the manifest of checks; some 13 minutes the first time
+test: ## build, run all tests, hold what ran to the manifest of checks; some 9 minutes the first time
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release

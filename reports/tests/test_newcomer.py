@@ -119,6 +119,21 @@ class Times(Trips):
         self.assertEqual((verdict["overall"], verdict["starts"]), ("partial", 1))
         self.assertFalse(verdict["answers_at_end_of_input"])
 
+    def test_who_reads_a_line_ahead_answers_the_last_case_too(self):
+        program = """
+import subprocess, sys
+model = subprocess.Popen([sys.argv[1], "stream"], text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+held = sys.stdin.readline()
+while held:
+    ahead = sys.stdin.readline()
+    print(held, end="", file=model.stdin, flush=True)
+    print(model.stdout.readline(), end="", flush=True)
+    held = ahead
+"""
+        path = self.folder.write("ahead.py", program)
+        verdict = self.verdict(f"{PYTHON} -B {path} {PROGRAM}", "--case-timeout", "2")
+        self.assertEqual((verdict["overall"], verdict["starts"]), ("complete", 1))
+
     def test_who_does_not_flush_is_told_so(self):
         verdict = self.verdict(self.command(flush=False), "--case-timeout", "1")
         self.assertEqual((verdict["overall"], verdict["starts"]), ("partial", 1))

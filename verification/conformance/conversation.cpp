@@ -106,7 +106,8 @@ class Asker {
       asked_.push_back(to_ask_.front());
       to_ask_.pop_front();
     }
-    if (at_once_) process_->close_input();
+    // One that reads a line ahead answers the last case at the end of its input.
+    if (at_once_ || (to_ask_.empty() && has_answered_)) process_->close_input();
   }
 
   void step() {

@@ -19,12 +19,12 @@ namespace {
 
 constexpr double few = 0.03;       // of the wrong answers
 constexpr int most_causes = 3;     // told one after the other
+constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr double rounding = 1e-5;  // of logarithms: single precision too
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
   if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value (another sign convention)";
-  if (ratio == 0) return "answered as 0";
   if (ratio < 0) return fmt::format("{:.4g} times the right value, of the wrong sign", ratio);
   if (ratio > 3) return fmt::format("{:.4g} times too large", ratio);
   if (ratio < 1.0 / 3) return fmt::format("{:.4g} times too small", 1 / ratio);
@@ -52,9 +52,9 @@ std::string known_factor(double ratio) {
                                 {6.283185307179586, "2π"}};
   for (const Factor& one : factors) {
     if (std::abs(ratio / one.value - 1) < 1e-6)
-      return fmt::format("It is too large by {}.", one.name);
+      return fmt::format("It is too large by a factor of {}.", one.name);
     if (std::abs(ratio * one.value - 1) < 1e-6)
-      return fmt::format("It is too small by {}.", one.name);
+      return fmt::format("It is too small by a factor of {}.", one.name);
   }
   return {};
 }
@@ -88,6 +88,7 @@ std::string pattern(const Part& part) {
       part.wrong.size() == part.answered
           ? "everywhere"
           : fmt::format("in {} of {} cases", part.wrong.size(), part.answered);
+  if (least == 0 && greatest == 0) return "answered as 0 " + where;
   if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
     return fmt::format("{} {}", in_words(middle), where);
   return fmt::format("off {}, between {} and {}, in the middle {}", where, in_words(least),
@@ -194,15 +195,15 @@ class Diagnoser {
     }
     const std::size_t together = cause.choices.front().size();
     one.text = fmt::format(
-        "{}{} is {}. These are the numbers that {}: {} ({} of {} answers that {} would "
+        "{}{} is {}. These are the numbers that {}: {} ({} of {} answers of {} that {} would "
         "change, {} of {} that are wrong).",
         branches.empty() ? "" : fmt::format("For {}: ", fmt::join(branches, ", ")), one.quantity,
         pattern(part),
         together == 1   ? "this gives"
         : together == 2 ? "two mistakes give together"
                         : "three mistakes give together",
-        causes, cause.met, cause.changed, together == 1 ? "it" : "they", cause.explains.size(),
-        wrong_);
+        causes, cause.met, cause.changed, function_, together == 1 ? "it" : "they",
+        cause.explains.size(), wrong_);
     if (const auto before = named_before_.find(cause.choices.front().front()->follows);
         together == 1 && before != named_before_.end())
       one.text = fmt::format(
@@ -384,6 +385,14 @@ class Diagnoser {
         same->second.push_back(part.branch);
     }
     Diagnosis one{quantity(first), {}, 0, wrong_, {}};
+    if (greatest_error() < few_ulp) {
+      one.text = fmt::format(
+          "{} is off by at most {:.2g} of its value in {} of {} cases: rounding, and no wrong "
+          "formula.",
+          one.quantity, greatest_error(), parts.front().wrong.size(), parts.front().answered);
+      found_.push_back(std::move(one));
+      return;
+    }
     if (is_single_precision(cases_) && all_are_nearly_right()) {
       one.text = fmt::format(
           "{} is off by at most {:.2g} in {} of {} cases. All answers have at most nine digits: "

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace tribo::conformance {
@@ -32,7 +34,10 @@ struct Fit {
 
 class Search {
  public:
-  Search(std::vector<AnsweredCase>& cases, const std::string& branch) {
+  // `left_out`: a result that is not looked at, as it may have a mistake that nobody knows.
+  Search(std::vector<AnsweredCase>& cases, const std::string& branch,
+         std::optional<std::size_t> left_out)
+      : left_out_(left_out) {
     std::vector<AnsweredCase*> wrong;
     for (AnsweredCase& one : cases) {
       if (!branch.empty() && one.branch != branch) continue;
@@ -58,13 +63,25 @@ class Search {
       if (!given) continue;
       const bool is_met =
           std::all_of(probe->numbers.begin(), probe->numbers.end(), [&](const AnsweredNumber& one) {
-            return !std::isfinite((*given)[one.place]) ||
+            return !std::isfinite((*given)[one.place]) || one.place == left_out_ ||
                    is_close(one, (*given)[one.place], mistakes.size());
           });
       ++(is_met ? met : unmet);
       if (unmet > 1) return false;
     }
     return met > 0;
+  }
+
+  // Whether it explains a tenth of the wrong answers of a result that it explains at all: that all
+  // beyond a border is as some mistake gives it says little where answers this side are wrong too.
+  bool is_worth_telling(const Fit& made) const {
+    std::map<std::size_t, std::size_t> explained, wrong;
+    for (const AnsweredNumber* const one : made.explains) ++explained[one->place];
+    for (const AnsweredCase* const one : cases_)
+      for (const AnsweredNumber& number : one->numbers)
+        wrong[number.place] += number.is_wrong && !number.is_explained ? 1 : 0;
+    return std::any_of(explained.begin(), explained.end(),
+                       [&](const auto& one) { return 10 * one.second >= wrong[one.first]; });
   }
 
   // Ends early where the mistakes are clearly not consistent.
@@ -76,7 +93,7 @@ class Search {
       if (!given) continue;
       for (AnsweredNumber& number : one->numbers) {
         const double value = (*given)[number.place];
-        if (!std::isfinite(value)) continue;
+        if (!std::isfinite(value) || number.place == left_out_) continue;
         const bool is_met = is_close(number, value, mistakes.size());
         if (is_met && number.is_wrong && !number.is_explained) made.explains.push_back(&number);
         if (!(change(number, value) > 5 * number.allowed)) continue;  // too little to tell
@@ -107,6 +124,7 @@ class Search {
                            closeness_together * std::min(by, own));
   }
 
+  std::optional<std::size_t> left_out_;
   std::vector<AnsweredCase*> cases_;
   std::vector<const AnsweredCase*> probes_;
 };
@@ -126,15 +144,9 @@ void for_each_set(const std::vector<Mistake>& mistakes, std::size_t count, Mista
   }
 }
 
-}  // namespace
-
-Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& mistakes,
-                 const std::string& branch) {
-  Cause cause;
-  const Search search(cases, branch);
-  if (!search.has_wrong()) return cause;
-  // Three at once of an operating point's many mistakes would take seconds.
-  const std::size_t most = cases.front().question.function == nullptr ? 2 : 3;
+// The causes of the fewest mistakes, the one that explains most first.
+std::vector<Fit> best_fits(const Search& search, const std::vector<Mistake>& mistakes,
+                           std::size_t most) {
   std::vector<Fit> best;
   for (std::size_t count = 1; count <= most; ++count) {
     std::vector<Fit> fits;
@@ -142,7 +154,7 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
     for_each_set(mistakes, count, set, 0, [&](const Mistakes& one) {
       if (count > 1 && !search.is_likely(one)) return;
       Fit made = search.fit(one);
-      if (made.is_consistent() && !made.explains.empty()) fits.push_back(std::move(made));
+      if (made.is_consistent() && search.is_worth_telling(made)) fits.push_back(std::move(made));
     });
     if (fits.empty()) continue;
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
@@ -152,6 +164,27 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
     if (best.empty() || is_close) best = std::move(fits);
     // One mistake that is met roughly may be two that are met closely.
     if (is_close) break;
+  }
+  return best;
+}
+
+}  // namespace
+
+Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& mistakes,
+                 const std::string& branch) {
+  Cause cause;
+  const Search search(cases, branch, {});
+  if (!search.has_wrong()) return cause;
+  const catalogue::Function* const function = cases.front().question.function;
+  // Three at once of an operating point's many mistakes would take seconds.
+  std::vector<Fit> best = best_fits(search, mistakes, function == nullptr ? 2 : 3);
+  // Of several results one may be wrong in a way that nobody knows, which would hide all others.
+  const std::size_t results = function == nullptr ? 0 : function->results.size();
+  for (std::size_t place = 0; results > 1 && place < results; ++place) {
+    std::vector<Fit> fits = best_fits(Search(cases, branch, place), mistakes, 2);
+    if (!fits.empty() &&
+        (best.empty() || fits.front().explains.size() > best.front().explains.size()))
+      best = std::move(fits);
   }
   if (best.empty()) return cause;
   cause.changed = best.front().changed;

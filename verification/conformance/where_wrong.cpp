@@ -131,7 +131,9 @@ std::string where_wrong(const std::vector<AnsweredCase>& cases, const std::strin
 
 std::string manner_of_errors(const std::vector<AnsweredCase>& cases, const std::string& branch,
                              std::size_t place) {
-  for (const std::size_t input : number_inputs(cases)) {
+  const std::vector<std::size_t> inputs = number_inputs(cases);
+  if (inputs.size() != 1) return {};  // along one of several inputs errors look like noise
+  for (const std::size_t input : inputs) {
     std::vector<Point> points = along(cases, branch, place, input);
     std::erase_if(points, [](const Point& one) {
       return !one.number->is_wrong || one.number->expected->high == 0;
