@@ -63,9 +63,9 @@ TEST(ReducedRadius, OfFacesThatDoNotMeetAtAPointIsNaN) {
     for (const ReducedRadius<double>& got :
          {reduced_radius(first, second, 1.0, 2.0), reduced_radius(second, first, 1.0, 2.0),
           reduced_radius(1.0, 2.0, first, second)}) {
-      EXPECT_TRUE(std::isnan(got.radius_x)) << first << ' ' << second;
-      EXPECT_TRUE(std::isnan(got.radius_y)) << first << ' ' << second;
-      EXPECT_TRUE(std::isnan(got.reduced_radius)) << first << ' ' << second;
+      EXPECT_EQ(std::isnan(got.radius_x), true) << first << ' ' << second;
+      EXPECT_EQ(std::isnan(got.radius_y), true) << first << ' ' << second;
+      EXPECT_EQ(std::isnan(got.reduced_radius), true) << first << ' ' << second;
     }
   }
 }
