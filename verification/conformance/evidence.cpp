@@ -150,7 +150,7 @@ std::vector<std::string> notes_on(const std::vector<Case>& cases,
     for (const auto& [field, value] : answer.fields.items()) {
       if (field == "id" || field == "undefined") continue;
       if (std::any_of(results.begin(), results.end(),
-                      [&](const ResultName& one) { return one.name == field; }))
+                      [&field = field](const ResultName& one) { return one.name == field; }))
         with_known.insert(cases[i].function);
       else
         ++strangers[{cases[i].function, field}];
