@@ -5,6 +5,8 @@
 #include <sstream>
 #include <vector>
 
+#include "page/text_table.hpp"
+
 namespace tribo::cli {
 namespace {
 
@@ -26,22 +28,14 @@ std::size_t indent_of(const std::string& line) {
 
 void append_wrapped(std::string& to, const std::string& line, std::size_t width) {
   const std::size_t indent = indent_of(line);
-  std::string rest = line;
-  while (columns(rest) > width) {
-    // The last space that leaves no more than `width` columns before it, behind the indent.
-    std::size_t at = std::string::npos, first = rest.find_first_not_of(' ');
-    if (indent > first) first = indent;  // options are ASCII
-    for (std::size_t i = rest.find(' ', first + 1); i != std::string::npos;
-         i = rest.find(' ', i + 1)) {
-      if (columns(rest.substr(0, i)) > width) break;
-      at = i;
-    }
-    if (at == std::string::npos) at = rest.find(' ', first + 1);  // behind a long word
-    if (at == std::string::npos) break;
-    to += rest.substr(0, rest.find_last_not_of(' ', at) + 1) + '\n';
-    rest = std::string(indent, ' ') + rest.substr(rest.find_first_not_of(' ', at));
+  if (columns(line) <= width || indent >= width) {
+    to += line + '\n';
+    return;
   }
-  to += rest + '\n';
+  // What stands in front of the indent, an option with its type, is ASCII and stays as it is.
+  const std::vector<std::string> parts = report::wrapped(line.substr(indent), width - indent);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    to += (i == 0 ? line.substr(0, indent) : std::string(indent, ' ')) + parts[i] + '\n';
 }
 
 bool is_prose(const std::string& line) {

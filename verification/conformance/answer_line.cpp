@@ -7,26 +7,14 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
+
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t shown_bytes = 80;
-
-// Printable, for one line of a message.
-std::string printable(const std::string& text) {
-  std::string made;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte >= 0x7f)
-      made += fmt::format("\\x{:02x}", byte);
-    else
-      made += c;
-  }
-  return made;
-}
 
 // NaN, -inf, 1e999 … outside of texts.
 std::string with_quoted_non_numbers(const std::string& line) {
@@ -76,14 +64,12 @@ std::string why_no_json(const std::string& line) {
     if (at == line.size())
       return fmt::format("no JSON: the line ends too early, after `{}`", before);
     return fmt::format("no JSON at character {}, between `{}` and `{}`", at + 1, before,
-                       printable(line.substr(at, around)) + (line.size() > at + around ? "…" : ""));
+                       printable(std::string_view(line).substr(at), around));
   } catch (const json::exception&) {
   }
   return "no JSON object: " + start_of(line);
 }
 
-std::string start_of(const std::string& text) {
-  return printable(text.substr(0, shown_bytes)) + (text.size() > shown_bytes ? "…" : "");
-}
+std::string start_of(const std::string& text) { return printable(text, 80); }
 
 }  // namespace tribo::conformance

@@ -24,7 +24,7 @@ constexpr double rounding = 1e-5;  // of logarithms: single precision too
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
-  if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value (another sign convention)";
+  if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value";
   if (ratio < 0) return fmt::format("{:.4g} times the right value, of the wrong sign", ratio);
   if (ratio > 3) return fmt::format("{:.4g} times too large", ratio);
   if (ratio < 1.0 / 3) return fmt::format("{:.4g} times too small", 1 / ratio);
@@ -50,6 +50,7 @@ std::string known_factor(double ratio) {
                                 {100, "100, as with percent"},
                                 {4, "4"},
                                 {6.283185307179586, "2π"}};
+  if (std::abs(ratio + 1) < 1e-6) return "It has another sign convention.";
   for (const Factor& one : factors) {
     if (std::abs(ratio / one.value - 1) < 1e-6)
       return fmt::format("It is too large by a factor of {}.", one.name);
@@ -291,7 +292,8 @@ class Diagnoser {
     const double a = e[0], b = e[2], c = e[3];
     const auto is = [](double x, double y) { return std::abs(x - y) <= 1e-4; };
     if (!is(e[1], a) || !is(e[4], b - a - c) || !is(e[5], 1 - a - 2 * c)) return {};
-    return fmt::format(" For most of the cases it is h/R = {:.6g} U^{:+.4g} G^{:+.4g} W^{:+.4g}.",
+    return fmt::format(" {} h/R = {:.6g} U^{:+.4g} G^{:+.4g} W^{:+.4g}.",
+                       got.held.empty() ? "It is" : fmt::format("Where {}, it is", got.held),
                        got.constant * std::pow(2, a - b + c), a, std::round(b * 1e5) / 1e5 + 0.0,
                        c);
   }
@@ -348,7 +350,7 @@ class Diagnoser {
       manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
       text += ' ' + manner + '.';
     }
-    return {text, text.starts_with("−1 times")};
+    return {text, false};
   }
 
   // The greatest relative error of all answers.
@@ -360,7 +362,6 @@ class Diagnoser {
           greatest = std::max(greatest, std::abs(number.error() / number.expected->high));
     return greatest;
   }
-  bool all_are_nearly_right() const { return greatest_error() < rounding; }
 
   void describe_rest() {
     // Branches that are off in the same way are told at once; the part with most wrong answers
@@ -369,21 +370,7 @@ class Diagnoser {
     if (parts.empty()) return;
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.wrong.size() > b.wrong.size(); });
-    std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
     const std::size_t first = parts.front().place;
-    bool has_causes = true;
-    for (const Part& part : parts) {
-      if (part.place != first) continue;
-      const Description description = described(part);
-      const std::string& sentence = description.text;
-      has_causes = has_causes && description.is_cause;
-      const auto same = std::find_if(told.begin(), told.end(),
-                                     [&](const auto& one) { return one.first == sentence; });
-      if (same == told.end())
-        told.push_back({sentence, {part.branch}});
-      else
-        same->second.push_back(part.branch);
-    }
     Diagnosis one{quantity(first), {}, 0, wrong_, {}};
     if (greatest_error() < few_ulp) {
       one.text = fmt::format(
@@ -393,11 +380,10 @@ class Diagnoser {
       found_.push_back(std::move(one));
       return;
     }
-    if (is_single_precision(cases_) && all_are_nearly_right()) {
+    if (greatest_error() < rounding && is_single_precision(cases_)) {
       one.text = fmt::format(
-          "{} is off by at most {:.2g} in {} of {} cases. All answers have at most nine digits: "
-          "they "
-          "are computed, or written, in single precision.",
+          "{} is off by at most {:.2g} of its value in {} of {} cases. All answers have at most "
+          "nine digits: they are computed, or written, in single precision.",
           one.quantity, greatest_error(), parts.front().wrong.size(), parts.front().answered);
       found_.push_back(std::move(one));
       return;
@@ -413,6 +399,20 @@ class Diagnoser {
                              pattern(whole), wrong_below_);
       found_.push_back(std::move(one));
       return;
+    }
+    std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
+    bool has_causes = true;
+    for (const Part& part : parts) {
+      if (part.place != first) continue;
+      const Description description = described(part);
+      const std::string& sentence = description.text;
+      has_causes = has_causes && description.is_cause;
+      const auto same = std::find_if(told.begin(), told.end(),
+                                     [&](const auto& one) { return one.first == sentence; });
+      if (same == told.end())
+        told.push_back({sentence, {part.branch}});
+      else
+        same->second.push_back(part.branch);
     }
     for (auto& [sentence, branches] : told) {
       std::sort(branches.begin(), branches.end());

@@ -36,62 +36,53 @@ Fraction fraction_of(double number) {
   return {p / common, denominator / common};
 }
 
-struct LawNumber {
-  std::string_view name;
-  Fraction FilmLaw::*number;
-};
-constexpr LawNumber law_numbers[] = {{"constant", &FilmLaw::constant},
-                                     {"speed_exponent", &FilmLaw::speed_exponent},
-                                     {"material_exponent", &FilmLaw::material_exponent},
-                                     {"load_exponent", &FilmLaw::load_exponent},
-                                     {"side_leakage", &FilmLaw::side_leakage},
-                                     {"side_decay", &FilmLaw::side_decay}};
-struct LawModulus {
-  std::string_view name;
-  int FilmLaw::*multiple;
-};
-constexpr LawModulus law_moduli[] = {{"speed_modulus", &FilmLaw::speed_modulus},
-                                     {"material_modulus", &FilmLaw::material_modulus},
-                                     {"load_modulus", &FilmLaw::load_modulus},
-                                     {"speed_multiple", &FilmLaw::speed_multiple}};
+constexpr std::pair<std::string_view, Fraction FilmLaw::*> law_numbers[] = {
+    {"constant", &FilmLaw::constant},
+    {"speed_exponent", &FilmLaw::speed_exponent},
+    {"material_exponent", &FilmLaw::material_exponent},
+    {"load_exponent", &FilmLaw::load_exponent},
+    {"side_leakage", &FilmLaw::side_leakage},
+    {"side_decay", &FilmLaw::side_decay}};
+constexpr std::pair<std::string_view, int FilmLaw::*> law_moduli[] = {
+    {"speed_modulus", &FilmLaw::speed_modulus},
+    {"material_modulus", &FilmLaw::material_modulus},
+    {"load_modulus", &FilmLaw::load_modulus},
+    {"speed_multiple", &FilmLaw::speed_multiple}};
 
 // Adds what an entry says of the law: another law by name, or numbers of the law that is used.
 void add_law(const json& written, Mistake& mistake) {
   std::vector<std::pair<Fraction FilmLaw::*, Fraction>> numbers;
   std::vector<std::pair<int FilmLaw::*, int>> moduli;
   if (written == "hamrock_dowson_minimum") {
-    for (const LawNumber& one : law_numbers) {
-      numbers.emplace_back(one.number, hamrock_dowson_minimum_law.*one.number);
-      mistake.touches.push_back("law." + std::string(one.name));
+    for (const auto& [name, number] : law_numbers) {
+      numbers.emplace_back(number, hamrock_dowson_minimum_law.*number);
+      mistake.touches.push_back("law " + std::string(name));
     }
   } else if (!written.is_object()) {
     throw std::runtime_error("law: a table, or hamrock_dowson_minimum");
   } else {
     for (const auto& [name, value] : written.items()) {
-      const auto* const number =
-          std::find_if(std::begin(law_numbers), std::end(law_numbers),
-                       [&name = name](const LawNumber& one) { return one.name == name; });
-      const auto* const modulus =
-          std::find_if(std::begin(law_moduli), std::end(law_moduli),
-                       [&name = name](const LawModulus& one) { return one.name == name; });
-      if (value.is_number() && number != std::end(law_numbers))
-        numbers.emplace_back(number->number, fraction_of(value));
-      else if (modulus != std::end(law_moduli) && (value == 1 || value == 2 || value == 4))
-        moduli.emplace_back(modulus->multiple, value.get<int>());
+      const auto number = member_of<Fraction FilmLaw::*>(law_numbers, name);
+      const auto modulus = member_of<int FilmLaw::*>(law_moduli, name);
+      if (value.is_number() && number)
+        numbers.emplace_back(*number, fraction_of(value));
+      else if (modulus && (value == 1 || value == 2 || value == 4))
+        moduli.emplace_back(*modulus, value.get<int>());
       else
         throw std::runtime_error(fmt::format("law: {} is not allowed", name));
-      mistake.touches.push_back("law." + name);
+      mistake.touches.push_back("law " + name);
     }
   }
   mistake.before = [inner = std::move(mistake.before), numbers, moduli](Question& question) {
     if (inner) inner(question);
-    FilmLaw& law = question.law;
+    FilmLaw law = question.law.value_or(hamrock_dowson_central_law);
     for (const auto& [member, number] : numbers) law.*member = number;
     for (const auto& [member, multiple] : moduli) law.*member = multiple;
     // a new row, so that its last members follow from these
-    law = {law.constant,     law.speed_exponent, law.material_exponent, law.load_exponent,
-           law.side_leakage, law.side_decay,     law.speed_modulus,     law.material_modulus,
-           law.load_modulus, law.speed_multiple};
+    question.law =
+        FilmLaw{law.constant,     law.speed_exponent, law.material_exponent, law.load_exponent,
+                law.side_leakage, law.side_decay,     law.speed_modulus,     law.material_modulus,
+                law.load_modulus, law.speed_multiple};
   };
 }
 

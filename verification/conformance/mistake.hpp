@@ -3,7 +3,6 @@
 // formula that people have written, not a guess at a number. They stand in reference/mistakes.toml.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
@@ -44,6 +43,15 @@ std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
 // std::runtime_error with one line: file, entry, what is wrong.
 std::vector<Mistake> read_mistakes(const std::string& path);
 
+// The member of this name in a list; empty where there is no such name.
+template <class Member>
+std::optional<Member> member_of(std::span<const std::pair<std::string_view, Member>> members,
+                                std::string_view name) {
+  for (const auto& [known, member] : members)
+    if (known == name) return member;
+  return std::nullopt;
+}
+
 // Adds numbers of a reading to what a mistake misreads; `members` names them. Throws
 // std::runtime_error for another name.
 template <class Reading>
@@ -52,10 +60,9 @@ void add_reading(const std::string& kind, Reading Question::*reading,
                  const std::vector<std::pair<std::string, double>>& numbers, Mistake& mistake) {
   std::vector<std::pair<double Reading::*, double>> changes;
   for (const auto& [name, value] : numbers) {
-    const auto found = std::find_if(members.begin(), members.end(),
-                                    [&name = name](const auto& one) { return one.first == name; });
-    if (found == members.end()) throw std::runtime_error(kind + ": " + name + " is not allowed");
-    changes.emplace_back(found->second, value);
+    const auto member = member_of(members, name);
+    if (!member) throw std::runtime_error(kind + ": " + name + " is not allowed");
+    changes.emplace_back(*member, value);
     mistake.touches.push_back(kind + ' ' + name);
   }
   mistake.before = [reading, changes, inner = std::move(mistake.before)](Question& question) {

@@ -14,6 +14,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t most_fields = 100'000;  // a file of some hundred entries has a thousand
+
 json json_of(const scene_detail::Value& value) {
   switch (value.kind) {
     case scene_detail::ValueKind::number:
@@ -184,7 +186,7 @@ std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
   if (!file) throw std::runtime_error(path + ": cannot be read");
   SceneReading reading;
   scene_detail::Problems problems(reading, path);
-  const auto written_entries = scene_detail::toml_entries(text, problems, 100'000);
+  const auto written_entries = scene_detail::toml_entries(text, problems, most_fields);
   if (!written_entries) throw std::runtime_error(reading.errors.front().line());
   json all = json::array();
   for (const scene_detail::Entry& one : *written_entries) {

@@ -11,6 +11,7 @@
 
 #include "conformance/function_mistakes.hpp"
 #include "scene/schema.hpp"
+#include "tribo/mixed_contact.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -216,7 +217,8 @@ Mistake with_inlet(const Mistake& wrong) {
         Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
         // Near a floor complete() takes the shares from the right closure, not from `wrong`.
         if (contact.sharing().has_floor())
-          std::fill(numbers.begin() + first_place_of_shares, numbers.end(), unsaid);
+          std::fill(numbers.begin() + static_cast<int>(Output::asperity_load_share), numbers.end(),
+                    unsaid);
         return numbers;
       });
 }
@@ -240,7 +242,7 @@ Mistake with_sharing(const Mistake& wrong) {
         const InletState<double> inlet = contact.inlet(flooded);
         Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
         if (scene.supply.kind != SupplyKind::flooded || *lambda < contact.sharing().floor())
-          std::fill(numbers.begin() + 2, numbers.end(), unsaid);
+          std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
         return numbers;
       });
 }

@@ -98,8 +98,10 @@ std::optional<PowerLaw> fit_power_law(const std::vector<AnsweredCase>& cases,
     std::vector<Sample> of_value;
     std::copy_if(samples.begin(), samples.end(), std::back_inserter(of_value),
                  [&](const Sample& one) { return one.one->question.arguments[held] == value; });
-    if (const auto law = fit(of_value, places, function.parameters.size()); is_close(law))
+    if (auto law = fit(of_value, places, function.parameters.size()); is_close(law)) {
+      law->held = fmt::format("{} = {:.4g}", symbol_of(function.parameters[held]), value);
       return law;
+    }
   }
   return std::nullopt;
 }

@@ -16,6 +16,7 @@ struct PowerLaw {
   std::vector<double> exponents;  // of each parameter; 0 for those that were held fixed
   double constant = 0;            // with its sign
   double residual = 0;            // the greatest, of the logarithm
+  std::string held = {};          // "k = 1" where the fit is of those cases alone
 };
 
 // What of a number is fitted: the answer, what is expected, what a mistake gives, or a ratio.

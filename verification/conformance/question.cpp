@@ -55,8 +55,8 @@ double shared_film(const catalogue::Arguments& a, const SharingReading& reading)
 Numbers function_numbers(const Question& question) {
   catalogue::Results results{};
   const catalogue::Arguments& a = question.arguments;
-  if (question.function->name == "hamrock_dowson_central")
-    results[0] = film_thickness(question.law, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
+  if (question.law)
+    results[0] = film_thickness(*question.law, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
   else if (!(question.sharing == SharingReading{}))
     results[0] = shared_film(a, question.sharing);
   else
@@ -70,16 +70,11 @@ double friction_of(const OperatingPoint<double>& point, const Scene& scene,
   const double mean_pressure =
       hertz_point(scene.load, scene.bodies.effective_modulus, scene.bodies.reduced_radius)
           .mean_pressure;
-  const double pressure = point.fluid_load_share * mean_pressure;
-  double thickening = 0;  // ln(η/η₀)
-  if (scene.friction.viscosity == ViscosityLaw::barus)
-    thickening = oil.pressure_viscosity * pressure;
-  if (scene.friction.viscosity == ViscosityLaw::roelands) {
-    const double scale =
-        reading.roelands_logarithm * std::log(oil.viscosity) + roelands_log_viscosity<double>();
-    const double z = oil.pressure_viscosity * reading.roelands_pressure / scale;
-    thickening = scale * (std::pow(1 + pressure / reading.roelands_pressure, z) - 1);
-  }
+  // Another p_R in Roelands' law is the right one with αp_R′/p_R and p·p_R/p_R′; Barus' αp stays.
+  const double times = reading.roelands_pressure / roelands_pressure<double>();
+  const double thickening = log_viscosity_ratio(
+      scene.friction.viscosity, std::pow(oil.viscosity, reading.roelands_logarithm),
+      times * oil.pressure_viscosity, point.fluid_load_share * mean_pressure / times);
   const double sliding = scene.friction.slide_roll_ratio * point.speed;
   const bool is_minimum =
       reading.limiting_by_minimum != 0 && scene.friction.fluid == FluidShear::limiting;
@@ -120,9 +115,9 @@ Question question_of(const Case& asked) {
 
 std::optional<std::size_t> place_of_field(const Question& question, std::string_view field) {
   if (question.function == nullptr) {
-    const auto* const found = std::find(point_fields.begin(), point_fields.end(), field);
-    if (found == point_fields.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - point_fields.begin());
+    const std::optional<Output> output = output_by_name(field);
+    if (!output || static_cast<std::size_t>(*output) >= number_count) return std::nullopt;
+    return static_cast<std::size_t>(*output);
   }
   const auto& results = question.function->results;
   for (std::size_t i = 0; i < results.size(); ++i)
@@ -137,18 +132,14 @@ Numbers numbers_of(const catalogue::Results& results) {
 }
 
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question) {
-  const bool has_own_friction = question.friction == FrictionReading{};
-  return {point.film_flooded,
-          point.film,
-          point.separation,
-          point.film_parameter,
-          point.asperity_load_share,
-          point.fluid_load_share,
-          point.real_area_ratio,
-          point.summit_count * question.summit_count_times,
-          point.friction_undefined ? unsaid
-          : has_own_friction       ? point.friction
-                                   : friction_of(point, *question.scene, question.friction)};
+  Numbers numbers = tribo::numbers_of(point);
+  numbers[static_cast<std::size_t>(Output::summit_count)] *= question.summit_count_times;
+  double& friction = numbers[static_cast<std::size_t>(Output::friction)];
+  if (point.friction_undefined)
+    friction = unsaid;
+  else if (!(question.friction == FrictionReading{}))
+    friction = friction_of(point, *question.scene, question.friction);
+  return numbers;
 }
 
 Numbers right_numbers(const Question& question) {

@@ -11,24 +11,17 @@
 #include "catalogue/catalogue.hpp"
 #include "conformance/conformance_case.hpp"
 #include "tribo/film_thickness.hpp"
-#include "tribo/mixed_contact.hpp"
+#include "tribo/friction.hpp"
+#include "tribo/operating_point.hpp"
+#include "tribo/outputs.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::conformance {
 
-// The results of a function, in the order of the catalogue, or of an operating point, in the order
-// of point_fields. NaN: nothing is said of this one.
-inline constexpr std::array<std::string_view, 9> point_fields{"film_flooded",
-                                                              "film",
-                                                              "separation",
-                                                              "film_parameter",
-                                                              "asperity_load_share",
-                                                              "fluid_load_share",
-                                                              "real_area_ratio",
-                                                              "summit_count",
-                                                              "friction"};
-using Numbers = std::array<double, point_fields.size()>;
-inline constexpr std::size_t first_place_of_shares = 4, summit_count_place = 7, friction_place = 8;
+// The results of a function, in the order of the catalogue, or the numbers of an operating point,
+// in the order of Output. NaN: nothing is said of this one.
+using Numbers = std::array<double, number_count>;
+static_assert(number_count >= catalogue::most_results);
 inline constexpr double unsaid = std::numeric_limits<double>::quiet_NaN();
 
 // Load sharing: λ = λ₀ (1−A)^−e with A = (K F_n(λ − jδ))^q; 0 stands for the model's own n, q and
@@ -55,13 +48,13 @@ struct FrictionReading {
 
 struct Question {
   const Case* asked;
-  const catalogue::Function* function;       // null for an operating point
-  catalogue::Arguments arguments{};          // of the function
-  FilmLaw law = hamrock_dowson_central_law;  // of hamrock_dowson_central
-  std::optional<Scene> scene = {};           // of an operating point, with its one speed
-  SharingReading sharing = {};               // of load_sharing
-  double summit_count_times = 1;             // of an operating point
-  FrictionReading friction = {};             // likewise
+  const catalogue::Function* function;  // null for an operating point
+  catalogue::Arguments arguments{};     // of the function
+  std::optional<FilmLaw> law = {};      // of hamrock_dowson_central, if it is another one
+  std::optional<Scene> scene = {};      // of an operating point, with its one speed
+  SharingReading sharing = {};          // of load_sharing
+  double summit_count_times = 1;        // of an operating point
+  FrictionReading friction = {};        // likewise
 };
 
 Question question_of(const Case& asked);
