@@ -5,9 +5,9 @@
 // other solvers are asked, how these register what they have, and what `tribocheck init` writes for
 // them follow from it.
 //
-// A function is added by its header in include/tribo, one entry in catalogue.cpp, and one function
-// of reference/generators that makes its certified values, reference/exact/<name>.csv, in columns
-// named as the parameters.
+// A function is added by its header in include/tribo, one entry in the file of its family
+// (families.hpp), and one function of reference/generators that makes its certified values,
+// reference/exact/<name>.csv, in columns named as the parameters.
 #pragma once
 
 #include <array>
@@ -56,7 +56,7 @@ struct Result {
   std::string_view unit = "";
 };
 
-inline constexpr std::size_t most_parameters = 8, most_results = 4;
+inline constexpr std::size_t most_parameters = 10, most_results = 6;
 using Arguments = std::array<double, most_parameters>;
 using Results = std::array<double, most_results>;
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film thickness of the fully flooded, smooth point contact, by a regression that is a row of
-// numbers (model/README.md, section 5):
+// Film thickness of the fully flooded, smooth contact, by a regression that is a row of numbers
+// (model/README.md, section 5):
 //
 //   h/R = C U^a G^b W^c (1 − m e^{−nk}),   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²)
 //
-// E_HD is 2E*, and u the mean of the speeds of the two surfaces; but readings of a law may take E*
-// or the sum.
+// R is R_x, along the direction of entrainment, E_HD is 2E*, and u the mean of the speeds of the
+// two surfaces; but readings of a law may take E* or the sum. Of a line W = (F/L)/(E_HD R), which
+// is that of a point with F = (F/L) R, and m is 0.
 //
 // The default is Hamrock and Dowson's central film (paper, eqs 1.20 to 1.22, with 0.61 for the
 // misprinted 0.6): B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point
@@ -37,6 +38,7 @@ struct FilmLaw {
   int material_modulus = 2;
   int load_modulus = 2;
   int speed_multiple = 1;
+  bool is_of_lines = false;  // or of points
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
   // divided by it, and W stays: h = h₀ γ^{a−b}.
@@ -60,6 +62,64 @@ inline constexpr FilmLaw hamrock_dowson_minimum_law{.constant = {363, 100},
                                                     .load_exponent = {-73, 1000},
                                                     .side_leakage = {1, 1},
                                                     .side_decay = {68, 100}};
+
+// Films of soft bodies in liquids whose viscosity does not rise with pressure: B. J. Hamrock, D.
+// Dowson: Elastohydrodynamic lubrication of elliptical contacts for materials of low elastic
+// modulus, part I. J. Lubr. Technol. 100 (1978) 236.
+inline constexpr FilmLaw hamrock_dowson_soft_central_law{.constant = {732, 100},
+                                                         .speed_exponent = {64, 100},
+                                                         .material_exponent = {0, 1},
+                                                         .load_exponent = {-22, 100},
+                                                         .side_leakage = {72, 100},
+                                                         .side_decay = {28, 100}};
+inline constexpr FilmLaw hamrock_dowson_soft_minimum_law{.constant = {743, 100},
+                                                         .speed_exponent = {65, 100},
+                                                         .material_exponent = {0, 1},
+                                                         .load_exponent = {-21, 100},
+                                                         .side_leakage = {85, 100},
+                                                         .side_decay = {31, 100}};
+
+// Lines. Minimum film: D. Dowson: Elastohydrodynamics. Proc. Inst. Mech. Eng. 182 (1967) 151.
+// Central film: D. Dowson, A. Toyoda: A central film thickness formula for elastohydrodynamic line
+// contacts. Proc. 5th Leeds–Lyon Symp. (1979) 60.
+inline constexpr FilmLaw dowson_higginson_minimum_law{.constant = {265, 100},
+                                                      .speed_exponent = {70, 100},
+                                                      .material_exponent = {54, 100},
+                                                      .load_exponent = {-13, 100},
+                                                      .side_leakage = {0, 1},
+                                                      .side_decay = {0, 1},
+                                                      .is_of_lines = true};
+inline constexpr FilmLaw dowson_toyoda_central_law{.constant = {306, 100},
+                                                   .speed_exponent = {69, 100},
+                                                   .material_exponent = {56, 100},
+                                                   .load_exponent = {-10, 100},
+                                                   .side_leakage = {0, 1},
+                                                   .side_decay = {0, 1},
+                                                   .is_of_lines = true};
+// Both films of J. Pan, B. J. Hamrock: Simple formulas for performance parameters used in
+// elastohydrodynamically lubricated line contacts. J. Tribol. 111 (1989) 246.
+inline constexpr FilmLaw pan_hamrock_minimum_law{.constant = {1714, 1000},
+                                                 .speed_exponent = {694, 1000},
+                                                 .material_exponent = {568, 1000},
+                                                 .load_exponent = {-128, 1000},
+                                                 .side_leakage = {0, 1},
+                                                 .side_decay = {0, 1},
+                                                 .is_of_lines = true};
+inline constexpr FilmLaw pan_hamrock_central_law{.constant = {2922, 1000},
+                                                 .speed_exponent = {692, 1000},
+                                                 .material_exponent = {470, 1000},
+                                                 .load_exponent = {-166, 1000},
+                                                 .side_leakage = {0, 1},
+                                                 .side_decay = {0, 1},
+                                                 .is_of_lines = true};
+// A. N. Grubin's film (1949) of A. M. Ertel's inlet: a = b, so that load sharing does not move it.
+inline constexpr FilmLaw ertel_grubin_law{.constant = {195, 100},
+                                          .speed_exponent = {8, 11},
+                                          .material_exponent = {8, 11},
+                                          .load_exponent = {-1, 11},
+                                          .side_leakage = {0, 1},
+                                          .side_decay = {0, 1},
+                                          .is_of_lines = true};
 
 // The law that a scene names.
 constexpr const FilmLaw& film_law(FilmFormula formula) {

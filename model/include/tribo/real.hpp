@@ -111,12 +111,12 @@ T decimal_power(const T& x, const Fraction& exponent) {
   }
 }
 
-// An exponent p/q, p ≠ 0 and q below 2000, with the numbers that the engine's powers take of it: so
+// An exponent p/q, q below 2000, with the numbers that the engine's powers take of it: so
 // they are computed once for all points.
 struct Exponent {
   double p, q;
   double value, residual;  // p/q rounded, and what the rounding has left out
-  double inverse;          // q/p
+  double inverse;          // q/p; ∞ where p = 0
   double inverse_q, log_two_over_q;
 
   constexpr Exponent(const Fraction& f)  // NOLINT(google-explicit-constructor): it is the fraction
@@ -127,7 +127,7 @@ struct Exponent {
         residual(
             static_cast<double>(static_cast<long double>(p) - static_cast<long double>(value) * q) /
             q),
-        inverse(q / p),
+        inverse(p == 0 ? std::numeric_limits<double>::infinity() : q / p),
         inverse_q(1 / q),
         log_two_over_q(0.69314718055994530942 / q) {}
 };

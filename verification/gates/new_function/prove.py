@@ -47,10 +47,10 @@ def piece(name):
 def add_function(tree):
     shutil.copy(HERE / "oil_density.hpp", tree / "model/include/tribo")
     insert(tree / "model/CMakeLists.txt", "    include/tribo/onset.hpp\n", "    include/tribo/oil_density.hpp\n")
-    catalogue = tree / "model/catalogue/catalogue.cpp"
-    insert(catalogue, '#include "tribo/scene.hpp"\n', '#include "tribo/oil_density.hpp"\n')
-    insert(catalogue, "constexpr std::array all{\n", piece("parameters.inc"))
-    insert(catalogue, '    Function{.name = "hertz_point"', piece("entry.inc"))
+    family = tree / "model/catalogue/smooth_contact.cpp"
+    insert(family, '#include "tribo/hertz.hpp"\n', '#include "tribo/oil_density.hpp"\n')
+    insert(family, "constexpr std::array entries{\n", piece("parameters.inc"))
+    insert(family, '    Function{.name = "hertz_point"', piece("entry.inc"))
     generators = tree / "reference/generators"
     insert(generators / "small_tables.cpp", "Table flooded_films() {", piece("generator.inc"))
     insert(generators / "quantities.hpp", "Table operating_points();", "Table oil_densities();\n")

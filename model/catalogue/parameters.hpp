@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What entries of several families take.
+#pragma once
+
+#include "catalogue/catalogue.hpp"
+
+namespace tribo::catalogue {
+
+// A parameter's word from its place.
+template <class Enum>
+Enum enum_at(double place) {
+  return static_cast<Enum>(static_cast<int>(place));
+}
+
+inline constexpr Parameter load{
+    .name = "load", .meaning = "F", .unit = "N", .least = 1e-3, .greatest = 1e6};
+inline constexpr Parameter effective_modulus{
+    .name = "effective_modulus",
+    .meaning = "E*, 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂, never 2E*",
+    .unit = "Pa",
+    .least = 1e5,
+    .greatest = 1e12};
+inline constexpr Parameter reduced_radius{.name = "reduced_radius",
+                                          .meaning = "R, of a ball on a flat the ball's radius",
+                                          .unit = "m",
+                                          .least = 1e-6,
+                                          .greatest = 10};
+
+}  // namespace tribo::catalogue

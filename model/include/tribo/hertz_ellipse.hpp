@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hertz' elliptical contact of two smooth elastic bodies (model/README.md, section 3). Source: H.
+// Hertz: Über die Berührung fester elastischer Körper. J. reine angew. Math. 92 (1881) 156; K. L.
+// Johnson: Contact Mechanics (1985), section 4.2(c); integrals: R. Bulirsch: Numerical calculation
+// of elliptic integrals and elliptic functions III. Numer. Math. 13 (1969) 305.
+//
+// With α = R_y/R_x ≥ 1 and q = 1 − 1/k², the axes' ratio k = a_y/a_x solves
+//
+//   α = (k²E − K)/(K − E) = k² B/D,     B = ∫cos²/√(1 − q sin²), D = ∫sin²/√(1 − q sin²) to π/2,
+//
+// K = B + D and E = B + D/k² the complete elliptic integrals of parameter q. B and D are sums of
+// positive numbers: nothing cancels, at k = 1 either, where K − E does.
+#pragma once
+
+#include "tribo/contract.hpp"
+#include "tribo/real.hpp"
+#include "tribo/two_bodies.hpp"
+
+namespace tribo {
+
+// Of all results; the condition is that of F, E*, R_x and R_y.
+inline constexpr Contract hertz_ellipse_contract{0, 4};
+
+// The shape of an ellipse of contact, which follows from α alone.
+template <class T>
+struct EllipseShape {
+  T ellipticity;      // k ≥ 1, the greater axis over the smaller one
+  T first_integral;   // K, of parameter 1 − 1/k²
+  T second_integral;  // E
+};
+
+namespace detail {
+
+// B and D of Bulirsch's cel(), for 1/k² = 1 − q.
+template <class T>
+struct AssociatedIntegrals {
+  T b, d;
+};
+template <class T>
+AssociatedIntegrals<T> associated_integrals(const T& ellipticity) {
+  using std::sqrt;
+  const T accuracy = sqrt(epsilon<T>());
+  T complement = 1 / ellipticity, e = complement, m = 1, p = 1;
+  T b_cos = 1, b_sin = 0, d_cos = 0, d_sin = 1;  // of cos² and sin² in both integrals
+  for (;;) {
+    const T g = e / p, inverse = 1 / p;
+    const T b_before = b_cos, d_before = d_cos, m_before = m;
+    b_cos += b_sin * inverse;
+    d_cos += d_sin * inverse;
+    b_sin = 2 * (b_sin + b_before * g);
+    d_sin = 2 * (d_sin + d_before * g);
+    p += g;
+    m += complement;
+    if (!(m_before - complement > m_before * accuracy)) break;
+    complement = 2 * sqrt(e);
+    e = complement * m;
+  }
+  const T scale = pi<T>() / (2 * m * (m + p));
+  return {scale * (b_sin + b_cos * m), scale * (d_sin + d_cos * m)};
+}
+
+}  // namespace detail
+
+// The shape at radius_ratio α = R_y/R_x ≥ 1, finite. Error of each number: 3 ulp. By Newton's
+// method on α(k), which is increasing and convex, so that it cannot fail.
+template <class T>
+EllipseShape<T> ellipse_shape(const T& radius_ratio) {
+  using std::abs;
+  using std::sqrt;
+  const T accuracy = sqrt(epsilon<T>()) / 4;
+  // k ≈ α^{5/8}, the same bits on every machine
+  const T root = sqrt(radius_ratio);
+  T k = root * sqrt(sqrt(root));
+  for (;;) {
+    const auto [b, d] = detail::associated_integrals(k);
+    const T square = k * k, q = (k - 1) * (k + 1) / square;
+    // C = (D − B)/q by its series where the difference cancels; d ln α/d ln k = 1 + C/D + C/(k²B).
+    const T c = q < ratio<T>(1, 1000)
+                    ? T(pi<T>() / 16 * (1 + q * (ratio<T>(3, 4) + q * ratio<T>(75, 128))))
+                    : T((d - b) / q);
+    const T slope = 1 + c / d + c / (square * b);
+    const T step = (radius_ratio * d / (square * b) - 1) / slope;
+    // α(k) is convex: no step goes below its root, and the first may go far above it.
+    k += k * step;
+    if (!(k > 1)) k = 1;
+    if (!(abs(step) > accuracy)) break;
+  }
+  const auto [b, d] = detail::associated_integrals(WiderType<T>(k));
+  return {k, T(b + d), T(b + d / k / k)};
+}
+
+template <class T>
+struct HertzEllipse {
+  T semi_axis_x;    // a_x, m: along the direction of entrainment
+  T semi_axis_y;    // a_y = k a_x, m
+  T ellipticity;    // k = a_y/a_x, below 1 where R_y < R_x
+  T mean_pressure;  // F/(πa_xa_y), Pa
+  T peak_pressure;  // 3/2 of it, Pa
+  T approach;       // m: of the two bodies
+};
+
+// load F > 0 in N, effective_modulus E* > 0 in Pa (never 2E*), radius_x R_x and radius_y R_y > 0 in
+// m (two_bodies.hpp). Error: hertz_ellipse_contract; overflow gives ∞ or NaN, underflow 0. R_x =
+// R_y is the circle, R_x the R of hertz_point().
+template <class T>
+HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
+                              const T& radius_y) {
+  // The arithmetic behind the shape is in a wider type, as its dozen roundings would add up.
+  using Wide = WiderType<T>;
+  const bool is_exchanged = radius_y < radius_x;
+  const T& smaller = is_exchanged ? radius_y : radius_x;
+  const T& greater = is_exchanged ? radius_x : radius_y;
+  const EllipseShape<T> shape = ellipse_shape(T(greater / smaller));
+  const Wide k = shape.ellipticity, second = shape.second_integral;
+  const Wide reduced = relative_radius(Wide(radius_x), Wide(radius_y));
+  const Wide minor =
+      cube_root(Wide(3 * second * load * reduced / (pi<Wide>() * k * effective_modulus)));
+  const Wide major = k * minor;
+  const Wide mean_pressure = load / (pi<Wide>() * minor * major);
+  return {T(is_exchanged ? major : minor),
+          T(is_exchanged ? minor : major),
+          T(is_exchanged ? Wide(1 / k) : k),
+          T(mean_pressure),
+          T(3 * mean_pressure / 2),
+          T(minor * minor / reduced * (shape.first_integral / (2 * second)))};
+}
+
+}  // namespace tribo
