@@ -8,11 +8,14 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "scene/entries.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "scene/value_text.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/hertz_contact.hpp"
 
 namespace tribo::scene_detail {
 namespace {
@@ -46,11 +49,16 @@ class SceneBinder {
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
     for (std::size_t field = 0; field < field_count; ++field) take(field);
+    for (const FieldGroup& group : scene_field_groups()) check_group(group);
     check_supply();
     check_outputs();
     check_speed_range();
     check_roelands();
     if (problems_.any()) return;
+    check_faces();
+    check_film();
+    if (problems_.any()) return;
+    complete_bodies();
     warn_of_odd_pairs();
     reading_.scene = std::move(scene_);
   }
@@ -177,6 +185,7 @@ class SceneBinder {
     if (value.fault == NumberFault::overflow) return " is beyond 1.8e308; it must be finite";
     if (value.fault == NumberFault::underflow)
       return " underflows: it is nearer to 0 than 4.9e-324";
+    if (info.is_radius_of_face) return number < 0 || number > 0 ? "" : " is not allowed";
     if (!std::isfinite(number)) return " is not allowed: it must be finite";
     if (info.type == FieldType::integer && !is_whole(number)) return " is not whole";
     const bool low = info.exclusive_minimum ? number <= info.minimum : number < info.minimum;
@@ -320,6 +329,105 @@ class SceneBinder {
 
   // --- Rules on several fields.
 
+  bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
+
+  // One set of the group is given, whole, and nothing of the others.
+  void check_group(const FieldGroup& group) {
+    for (std::size_t field = 0; field < field_count; ++field)
+      if (explained_[field] && is_of(group, scene_fields()[field].path)) return;
+    std::vector<std::string_view> given;
+    std::vector<const FieldSet*> fitting;  // those that have all fields that are given
+    for (const FieldSet& set : group.sets) fitting.push_back(&set);
+    for (std::size_t field = 0; field < field_count; ++field) {
+      const std::string_view path = scene_fields()[field].path;
+      if (given_[field] == nullptr || !is_of(group, path)) continue;
+      const auto lacks = [&](const FieldSet* set) { return !contains(set->fields, path); };
+      if (std::all_of(fitting.begin(), fitting.end(), lacks))
+        return refuse_beside(group, path, given);
+      std::erase_if(fitting, lacks);
+      given.push_back(path);
+    }
+    const auto is_whole = [&](const FieldSet* set) { return set->fields.size() == given.size(); };
+    const auto whole = std::find_if(fitting.begin(), fitting.end(), is_whole);
+    const FieldSet& chosen = whole == fitting.end() ? *fitting.front() : **whole;
+    for (const std::string_view path : chosen.fields)
+      if (!is_given(path)) report_missing_of(group, path, given);
+    for (const FieldSet& set : group.sets)
+      for (const std::string_view path : set.optional)
+        if (is_given(path) && !given.empty() && !contains(chosen.optional, path))
+          problems_.error(path, "given beside " + std::string(given.front()) +
+                                    "; allowed: only beside " + std::string(set.fields.front()));
+  }
+
+  static bool contains(std::span<const std::string_view> names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+  static bool is_of(const FieldGroup& group, std::string_view path) {
+    return std::any_of(group.sets.begin(), group.sets.end(),
+                       [&](const FieldSet& set) { return contains(set.fields, path); });
+  }
+
+  void refuse_beside(const FieldGroup& group, std::string_view path,
+                     const std::vector<std::string_view>& given) {
+    problems_.error(
+        path, "given beside " + std::string(given.front()) + "; allowed: " + sets_text(group));
+  }
+
+  void report_missing_of(const FieldGroup& group, std::string_view path,
+                         const std::vector<std::string_view>& given) {
+    const std::size_t field = field_at(path);
+    if (given.empty() && group.sets.front().fields.size() > 1) return report_missing(field, "");
+    if (given.empty())
+      return problems_.error(path, "missing; allowed: " + allowed_text(scene_fields()[field]) +
+                                       "; or, in its place, " + sets_text(group, 1));
+    problems_.error(
+        path, "missing beside " + std::string(given.front()) + "; allowed: " + sets_text(group));
+  }
+
+  // Two faces that meet at a point, or along a line.
+  void check_faces() {
+    const auto& [first, second] = scene_.bodies.bodies;
+    if (first.radius_x != 0) check_pair("x", first.radius_x, second.radius_x);
+    if (first.radius_y != 0) check_pair("y", first.radius_y, second.radius_y);
+  }
+  void check_pair(const std::string& direction, double first, double second) {
+    const double radius = relative_radius(first, second);
+    if (radius > 0 && std::isfinite(radius)) return;
+    const std::string one = "first_radius_" + direction, other = "second_radius_" + direction;
+    std::string text = number_text(first) + " is not allowed beside " + other + ", which is " +
+                       number_text(second) + ": the faces do not meet at a point; allowed: 1/" +
+                       one + " + 1/" + other + " above 0";
+    if (direction == "y") text += ", or length in place of both radii, for a line";
+    problems_.error("bodies." + one, text);
+  }
+
+  // Laws of points are for points, and those of lines for lines.
+  void check_film() {
+    const bool is_line = scene_.bodies.shape() == ContactShape::line;
+    if (film_law(scene_.closures.film).is_of_lines == is_line) return;
+    std::vector<std::string_view> fitting;
+    for (std::size_t i = 0; i < film_formula_words.size(); ++i)
+      if (film_law(static_cast<FilmFormula>(i)).is_of_lines == is_line)
+        fitting.push_back(film_formula_words[i]);
+    const std::string contact =
+        is_line ? "the contact is a line (bodies.length)" : "the contact is no line";
+    const Entry* const film = given_[field_at("closures.film")];
+    problems_.error("closures.film",
+                    (film == nullptr ? "missing" : value_text(film->value) + " is not allowed") +
+                        ": " + contact + "; allowed: " + joined(fitting, " or "));
+  }
+
+  // What follows from two bodies stands in the scene as if it had been given.
+  void complete_bodies() {
+    if (!scene_.bodies.has_bodies()) return;
+    const auto numbers = detail::numbers_of<double>(scene_);
+    Bodies& bodies = scene_.bodies;
+    bodies.effective_modulus = numbers.effective_modulus;
+    if (bodies.shape() == ContactShape::circle) return;
+    bodies.radius_x = numbers.radius_x;
+    if (bodies.shape() == ContactShape::ellipse) bodies.radius_y = numbers.across;
+  }
+
   void check_supply() {
     std::string_view first;
     for (std::size_t field = 0; field < field_count; ++field) {
@@ -360,15 +468,39 @@ class SceneBinder {
       problems_.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
                                        rounded_text(roughness) +
                                        " is legal but implausible: usual are 0.03 to 0.05");
-    const Bodies& bodies = scene_.bodies;
-    const double radius =
-        std::cbrt(0.75 * scene_.load / bodies.effective_modulus * bodies.reduced_radius);
-    if (radius > 0.5 * bodies.reduced_radius)
-      problems_.warning("bodies.reduced_radius",
-                        number_text(bodies.reduced_radius) +
-                            " m is legal but implausible: Hertz's contact radius is " +
-                            rounded_text(radius) +
-                            " m, and his formulas hold where it is far smaller");
+    const auto numbers = detail::numbers_of<double>(scene_);
+    const ContactShape shape = scene_.bodies.shape();
+    const HertzContact<double> hertz = hertz_contact(shape, numbers);
+    const auto warn_if_large = [&](std::string_view field, double radius, std::string_view axis,
+                                   double size) {
+      if (size > 0.5 * radius)
+        problems_.warning(field, rounded_text(radius) + " m is legal but implausible: Hertz's " +
+                                     std::string(axis) + " is " + rounded_text(size) +
+                                     " m, and his formulas hold where it is far smaller");
+    };
+    if (shape == ContactShape::circle) {
+      warn_if_large("bodies.reduced_radius", numbers.radius_x, "contact radius", hertz.semi_axis_x);
+      return;
+    }
+    const bool is_line = shape == ContactShape::line;
+    warn_if_large("bodies.radius_x", numbers.radius_x, is_line ? "half-width" : "semi-axis along x",
+                  hertz.semi_axis_x);
+    if (is_line && hertz.semi_axis_x > hertz.semi_axis_y)
+      problems_.warning("bodies.length", number_text(numbers.across) +
+                                             " m is legal but implausible: the contact is wider, " +
+                                             rounded_text(2 * hertz.semi_axis_x) + " m");
+    if (is_line) return;
+    warn_if_large("bodies.radius_y", numbers.across, "semi-axis along y", hertz.semi_axis_y);
+    const FilmLaw& law = film_law(scene_.closures.film);
+    if (!(numbers.ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
+          numbers.ellipticity <= law.greatest_ellipticity))
+      problems_.warning(
+          "bodies.radius_y",
+          number_text(numbers.across) +
+              " m makes an ellipse of k = " + rounded_text(numbers.ellipticity) + ", and " +
+              std::string(film_formula_words[static_cast<std::size_t>(scene_.closures.film)]) +
+              " was fitted to k from " + rounded_text(law.least_ellipticity) + " to " +
+              rounded_text(law.greatest_ellipticity));
   }
 
   SceneUse use_;

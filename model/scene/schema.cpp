@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "scene/text.hpp"
 
@@ -25,6 +26,26 @@ struct Row {
   FieldInfo info;
   Store store = nullptr;
 };
+
+constexpr Row modulus_row(std::string_view path, std::string_view meaning, Store store) {
+  return {{.path = path,
+           .unit = "Pa",
+           .plausible_minimum = 1e3,
+           .plausible_maximum = 2e12,
+           .meaning = meaning},
+          store};
+}
+constexpr Row ratio_row(std::string_view path, std::string_view meaning, Store store) {
+  return {{.path = path, .minimum = -1, .maximum = 0.5, .meaning = meaning}, store};
+}
+constexpr Row face_row(std::string_view path, std::string_view meaning, Store store) {
+  return {{.path = path,
+           .unit = "m",
+           .is_radius_of_face = true,
+           .plausible_minimum = -1e4,
+           .meaning = meaning},
+          store};
+}
 
 constexpr std::array<Row, field_count> rows{{
     {{.path = "id",
@@ -71,14 +92,12 @@ constexpr std::array<Row, field_count> rows{{
 
     {{.path = "bodies.effective_modulus",
       .unit = "Pa",
-      .required = true,
       .plausible_minimum = 1e3,
       .plausible_maximum = 2e12,
       .meaning = "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*"},
      [](Scene& scene, double value) { scene.bodies.effective_modulus = value; }},
     {{.path = "bodies.reduced_radius",
       .unit = "m",
-      .required = true,
       .plausible_minimum = 1e-6,
       .plausible_maximum = 1,
       .meaning = "R of the circular contact; a ball on a flat: the radius of the ball"},
@@ -89,6 +108,43 @@ constexpr std::array<Row, field_count> rows{{
       .plausible_maximum = 1,
       .meaning = "k; enters the constant of the film formula alone, Hertz stays circular"},
      [](Scene& scene, double value) { scene.bodies.ellipticity = value; }},
+    {{.path = "bodies.radius_x",
+      .unit = "m",
+      .plausible_minimum = 1e-6,
+      .plausible_maximum = 10,
+      .meaning = "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
+                 "1/R₂x"},
+     [](Scene& scene, double value) { scene.bodies.radius_x = value; }},
+    {{.path = "bodies.radius_y",
+      .unit = "m",
+      .plausible_minimum = 1e-6,
+      .plausible_maximum = 1e4,
+      .meaning = "R_y of an ellipse, across the direction of entrainment, 1/R_y = 1/R₁y + 1/R₂y"},
+     [](Scene& scene, double value) { scene.bodies.radius_y = value; }},
+    {{.path = "bodies.length",
+      .unit = "m",
+      .plausible_minimum = 1e-6,
+      .plausible_maximum = 10,
+      .meaning = "L of a line; load stays the whole load"},
+     [](Scene& scene, double value) { scene.bodies.length = value; }},
+    modulus_row("bodies.first_modulus", "E₁, Young's modulus of the first body",
+                [](Scene& scene, double value) { scene.bodies.bodies[0].modulus = value; }),
+    ratio_row("bodies.first_poisson_ratio", "ν₁",
+              [](Scene& scene, double value) { scene.bodies.bodies[0].poisson_ratio = value; }),
+    modulus_row("bodies.second_modulus", "E₂, Young's modulus of the second body",
+                [](Scene& scene, double value) { scene.bodies.bodies[1].modulus = value; }),
+    ratio_row("bodies.second_poisson_ratio", "ν₂",
+              [](Scene& scene, double value) { scene.bodies.bodies[1].poisson_ratio = value; }),
+    face_row("bodies.first_radius_x",
+             "R₁x of the first body's face, along the direction of entrainment: above 0 convex, "
+             "below 0 concave, 1e30 (in TOML also inf) flat",
+             [](Scene& scene, double value) { scene.bodies.bodies[0].radius_x = value; }),
+    face_row("bodies.second_radius_x", "R₂x of the second body's face, likewise",
+             [](Scene& scene, double value) { scene.bodies.bodies[1].radius_x = value; }),
+    face_row("bodies.first_radius_y", "R₁y of the first body's face, across that direction",
+             [](Scene& scene, double value) { scene.bodies.bodies[0].radius_y = value; }),
+    face_row("bodies.second_radius_y", "R₂y of the second body's face, likewise",
+             [](Scene& scene, double value) { scene.bodies.bodies[1].radius_y = value; }),
 
     {{.path = "lubricant.viscosity",
       .unit = "Pa·s",
@@ -237,6 +293,27 @@ constexpr std::array<Row, field_count> rows{{
       .meaning = "what to compute"}},
 }};
 
+constexpr std::array by_modulus{Words("bodies.effective_modulus")};
+constexpr std::array by_materials{
+    Words("bodies.first_modulus"), Words("bodies.first_poisson_ratio"),
+    Words("bodies.second_modulus"), Words("bodies.second_poisson_ratio")};
+constexpr std::array elasticity{FieldSet{by_modulus, {}}, FieldSet{by_materials, {}}};
+
+constexpr std::array of_circle{Words("bodies.reduced_radius")};
+constexpr std::array beside_circle{Words("bodies.ellipticity")};
+constexpr std::array of_ellipse{Words("bodies.radius_x"), Words("bodies.radius_y")};
+constexpr std::array of_line{Words("bodies.radius_x"), Words("bodies.length")};
+constexpr std::array of_faces{Words("bodies.first_radius_x"), Words("bodies.second_radius_x"),
+                              Words("bodies.first_radius_y"), Words("bodies.second_radius_y")};
+constexpr std::array of_faces_of_line{Words("bodies.first_radius_x"),
+                                      Words("bodies.second_radius_x"), Words("bodies.length")};
+constexpr std::array shapes{FieldSet{of_circle, beside_circle}, FieldSet{of_ellipse, {}},
+                            FieldSet{of_line, {}}, FieldSet{of_faces, {}},
+                            FieldSet{of_faces_of_line, {}}};
+
+constexpr std::array groups{FieldGroup{"the elasticity of the bodies", elasticity},
+                            FieldGroup{"the shape of the contact", shapes}};
+
 constexpr std::array<FieldInfo, field_count> infos = [] {
   std::array<FieldInfo, field_count> result;
   for (std::size_t i = 0; i < field_count; ++i) result[i] = rows[i].info;
@@ -299,18 +376,12 @@ class Nearest {
   std::string_view name_;
 };
 
-std::string joined(std::span<const std::string_view> words, std::string_view last_link) {
-  std::string result;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) result += i + 1 == words.size() ? last_link : std::string_view(", ");
-    result += words[i];
-  }
-  return result;
-}
-
 std::string allowed_number(const FieldInfo& field) {
+  if (field.is_radius_of_face) return "a number other than 0, in m; inf or 1e30 is a flat face";
   std::string text = field.type == FieldType::integer ? "a whole number" : "a number";
-  if (field.maximum) {
+  if (field.maximum && field.exclusive_minimum) {
+    text += " above " + number_text(field.minimum) + " and at most " + number_text(*field.maximum);
+  } else if (field.maximum) {
     text += " from " + number_text(field.minimum) + " to " + number_text(*field.maximum);
   } else {
     text += field.exclusive_minimum ? " above " : " not below ";
@@ -330,6 +401,26 @@ std::string output_names() {
 }
 
 }  // namespace
+
+std::string joined(std::span<const std::string_view> words, std::string_view last_link) {
+  std::string result;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) result += i + 1 == words.size() ? last_link : std::string_view(", ");
+    result += words[i];
+  }
+  return result;
+}
+
+std::string sets_text(const FieldGroup& group, std::size_t first) {
+  std::string text;
+  for (std::size_t i = first; i < group.sets.size(); ++i) {
+    if (i > first) text += ", or ";
+    std::vector<std::string_view> names;
+    for (const std::string_view path : group.sets[i].fields) names.push_back(last_part(path));
+    text += joined(names, " and ");
+  }
+  return text;
+}
 
 Store store_of(std::size_t field) { return rows[field].store; }
 
@@ -403,6 +494,7 @@ std::string names_in(std::string_view section) {
 
 }  // namespace scene_detail
 
+std::span<const FieldGroup> scene_field_groups() { return scene_detail::groups; }
 std::span<const FieldInfo> scene_fields() { return scene_detail::infos; }
 
 }  // namespace tribo

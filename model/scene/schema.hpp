@@ -12,7 +12,7 @@
 
 namespace tribo::scene_detail {
 
-inline constexpr std::size_t field_count = 30;
+inline constexpr std::size_t field_count = 41;
 inline constexpr std::size_t section_count = 7;
 
 // Puts a number, a whole number, or the place of a chosen word into the scene. Null for the fields
@@ -36,6 +36,10 @@ std::string_view section_of(std::string_view path);
 std::string_view nearest_name(std::string_view path, bool sections, bool fields);
 std::string_view nearest_choice(std::string_view word, std::span<const std::string_view> choices);
 
+// "reduced_radius, or radius_x and radius_y …": the sets of a group, from number `first` on.
+std::string sets_text(const FieldGroup& group, std::size_t first = 0);
+// "a, b or c"
+std::string joined(std::span<const std::string_view> words, std::string_view last_link);
 // "a number above 0, in m"
 std::string allowed_text(const FieldInfo& field);
 // "summit_density, summit_radius, …": the names legal in a section, or on top for "".

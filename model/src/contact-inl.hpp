@@ -4,6 +4,8 @@
 // instruction set, for one lane and for vectors of scenes.
 #include <hwy/highway.h>
 
+#include <limits>
+
 #include "load_shares-inl.hpp"
 #include "tribo/contact_numbers.hpp"
 #include "tribo/film_thickness.hpp"
@@ -22,15 +24,17 @@ namespace tribo::HWY_NAMESPACE {
 // λ₀/u^a: h₀ at unit speed over σ_s.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V film_at_unit_speed(D d, const FilmLaw& law, const detail::SceneNumbers<V>& scene) {
+  // W = F/(E_HD R²), of a line F/(E_HD R L)
+  const V second_length = law.is_of_lines ? scene.across : scene.radius_x;
   const auto modulus = [&](int multiple) HWY_ATTR {
     return hn::Mul(hn::Set(d, multiple), scene.effective_modulus);
   };
-  const V radius = scene.reduced_radius;
+  const V radius = scene.radius_x;
   const V speed_number = hn::Div(hn::Mul(hn::Set(d, law.speed_multiple), scene.viscosity),
                                  hn::Mul(modulus(law.speed_modulus), radius));
   const V material_number = hn::Mul(scene.pressure_viscosity, modulus(law.material_modulus));
   const V load_number =
-      hn::Div(scene.load, hn::Mul(hn::Mul(modulus(law.load_modulus), radius), radius));
+      hn::Div(scene.load, hn::Mul(hn::Mul(modulus(law.load_modulus), radius), second_length));
   const V decay = hn::Mul(hn::Set(d, -ratio<double>(law.side_decay)), scene.ellipticity);
   V bracket;
   if (law.side_leakage.p == law.side_leakage.q)  // the difference cancels where k is small
@@ -46,17 +50,41 @@ HWY_INLINE V film_at_unit_speed(D d, const FilmLaw& law, const detail::SceneNumb
 }
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE detail::ContactNumbers<V> contact_of(D d, AsperityModel model, const FilmLaw& law,
+HWY_INLINE void add_hertz(D d, ContactShape shape, const detail::SceneNumbers<V>& scene,
+                          detail::ContactNumbers<V>& contact) {
+  const V pi = hn::Set(d, 3.14159265358979323846), four = hn::Set(d, 4.0);
+  V& axis = contact.semi_axis_x;
+  if (shape == ContactShape::line) {
+    // b² = 4FR/(πE*L)
+    const V square = hn::Div(hn::Mul(hn::Mul(four, scene.load), scene.radius_x),
+                             hn::Mul(hn::Mul(pi, scene.effective_modulus), scene.across));
+    axis = hn::Sqrt(square);
+    contact.nominal_area = hn::Mul(hn::Mul(hn::Set(d, 2.0), axis), scene.across);
+    contact.approach = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
+  } else {
+    // a³ = 3FR/(4E*)
+    V cube = hn::Div(hn::Mul(hn::Mul(hn::Set(d, 3.0), scene.load), scene.radius_x),
+                     hn::Mul(four, scene.effective_modulus));
+    if (shape == ContactShape::ellipse) cube = hn::Mul(cube, scene.ellipse.axis_cube);
+    axis = decimal_power(d, cube, Fraction{1, 3});
+    contact.nominal_area = hn::Mul(hn::Mul(pi, axis), axis);
+    contact.approach = hn::Div(hn::Mul(axis, axis), scene.radius_x);
+    if (shape == ContactShape::ellipse) {
+      contact.nominal_area = hn::Mul(contact.nominal_area, scene.ellipse.axes_ratio);
+      contact.approach = hn::Mul(contact.approach, scene.ellipse.approach);
+    }
+  }
+  contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE detail::ContactNumbers<V> contact_of(D d, const detail::ContactWords& words,
                                                 const detail::SceneNumbers<V>& scene) {
   const V pi = hn::Set(d, 3.14159265358979323846);
+  const AsperityModel model = words.model;
+  const FilmLaw& law = *words.film;
   detail::ContactNumbers<V> contact;
-  // a³ = 3FR/(4E*)
-  const V cube = hn::Div(hn::Mul(hn::Mul(hn::Set(d, 3.0), scene.load), scene.reduced_radius),
-                         hn::Mul(hn::Set(d, 4.0), scene.effective_modulus));
-  contact.radius = decimal_power(d, cube, Fraction{1, 3});
-  contact.nominal_area = hn::Mul(hn::Mul(pi, contact.radius), contact.radius);
-  contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
-  contact.approach = hn::Div(hn::Mul(contact.radius, contact.radius), scene.reduced_radius);
+  add_hertz(d, words.shape, scene, contact);
   // K and the factors of area and count, from nβσ_s, E*/p̄ and √(σ_s/β)
   const V roughness =
       hn::Mul(hn::Mul(scene.summit_density, scene.summit_radius), scene.summit_height_sd);

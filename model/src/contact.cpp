@@ -114,51 +114,47 @@ LoadShares<double> LoadSharing<double>::shares_at(double flooded_film_parameter,
 
 namespace detail {
 
-ContactWords words_of(const Scene& scene) {
-  return {scene.closures.asperity, scene.closures.starvation, scene.supply.kind,
-          scene.friction.fluid,    scene.friction.viscosity,  &film_law(scene.closures.film)};
+ContactWords words_of(const Scene& scene) { return words_of(scene, film_law(scene.closures.film)); }
+ContactWords words_of(const Scene& scene, const FilmLaw& film) {
+  return {scene.bodies.shape(),
+          scene.closures.asperity,
+          scene.closures.starvation,
+          scene.supply.kind,
+          scene.friction.fluid,
+          scene.friction.viscosity,
+          &film};
 }
 
-SceneNumbers<double> numbers_of(const Scene& scene) {
+SceneNumbers<double> given_numbers(const Scene& scene) {
   const Surface& surface = scene.surface;
+  const Bodies& bodies = scene.bodies;
+  const ContactShape shape = bodies.shape();
   return {scene.load,
           surface.summit_density,
           surface.summit_radius,
           surface.summit_height_sd,
           surface.summit_plane_offset,
           static_cast<double>(surface.offset_planes),
-          scene.bodies.effective_modulus,
-          scene.bodies.reduced_radius,
-          scene.bodies.ellipticity,
+          bodies.effective_modulus,
+          shape == ContactShape::circle ? bodies.reduced_radius : bodies.radius_x,
+          bodies.ellipticity,
           scene.lubricant.viscosity,
           scene.lubricant.pressure_viscosity,
           scene.lubricant.eyring_stress.value_or(1),
           scene.supply.value,
           scene.friction.boundary_coefficient.value_or(0),
           scene.friction.slide_roll_ratio,
-          scene.closures.damiens_exponent};
+          scene.closures.damiens_exponent,
+          shape == ContactShape::line ? bodies.length : bodies.radius_y,
+          {}};
 }
 
-Scene scene_of(const ContactWords& words, const SceneNumbers<double>& numbers) {
-  Scene scene;
-  scene.load = numbers.load;
-  scene.surface = {numbers.summit_density, numbers.summit_radius, numbers.summit_height_sd,
-                   numbers.summit_plane_offset, static_cast<int>(numbers.offset_planes)};
-  scene.bodies = {numbers.effective_modulus, numbers.reduced_radius, numbers.ellipticity};
-  scene.lubricant = {numbers.viscosity, numbers.pressure_viscosity, numbers.eyring_stress};
-  scene.supply = {words.supply, numbers.supply};
-  scene.friction = {numbers.boundary_coefficient, numbers.slide_roll_ratio, words.fluid,
-                    words.viscosity};
-  scene.closures = {words.model, words.closure, numbers.damiens_exponent};
-  return scene;
-}
-
-void prepare(AsperityModel model, const FilmLaw& law, std::span<const SceneNumbers<double>> scenes,
+void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts) {
-  engine().prepare(model, law, scenes.data(), contacts.data(), scenes.size());
+  engine().prepare(words, scenes.data(), contacts.data(), scenes.size());
   for (ContactNumbers<double>& contact : contacts)
     if (!is_within_engine(contact.surface.stiffness, contact.surface.offset))
-      find_floor(model, contact.surface);
+      find_floor(words.model, contact.surface);
 }
 
 }  // namespace detail
@@ -167,9 +163,20 @@ MixedContact<double>::MixedContact(const Scene& scene)
     : MixedContact(scene, film_law(scene.closures.film)) {}
 
 MixedContact<double>::MixedContact(const Scene& scene, const FilmLaw& film)
-    : words_(detail::words_of(scene)), scene_(detail::numbers_of(scene)) {
-  words_.film = &film;
-  detail::prepare(words_.model, film, std::span(&scene_, 1), std::span(&numbers_, 1));
+    : words_(detail::words_of(scene, film)), scene_(detail::numbers_of<double>(scene)) {
+  detail::prepare(words_, std::span(&scene_, 1), std::span(&numbers_, 1));
+}
+
+HertzContact<double> MixedContact<double>::hertz() const {
+  const double axis = numbers_.semi_axis_x, mean = numbers_.mean_pressure;
+  HertzContact<double> contact{axis, axis,         numbers_.nominal_area,
+                               mean, 3 * mean / 2, numbers_.approach};
+  if (words_.shape == ContactShape::ellipse) contact.semi_axis_y = axis * scene_.ellipse.axes_ratio;
+  if (words_.shape == ContactShape::line) {
+    contact.semi_axis_y = scene_.across / 2;
+    contact.peak_pressure = 2 * two_over_pi<double>() * mean;
+  }
+  return contact;
 }
 
 double MixedContact<double>::inlet_film_parameter(double speed) const {

@@ -130,12 +130,12 @@ SharingRoot<double> root(Order order, const FilmLaw& law,
   return {hn::GetLane(found.film_parameter), found.steps};
 }
 
-void prepare(AsperityModel model, const FilmLaw& law, const detail::SceneNumbers<double>* scenes,
+void prepare(const detail::ContactWords& words, const detail::SceneNumbers<double>* scenes,
              detail::ContactNumbers<double>* contacts, std::size_t count) {
   const Many d;
   const hn::RebindToUnsigned<Many> bits;
   if (count == 1) {
-    contacts[0] = first_lane(contact_of(OneLane(), model, law, broadcast(OneLane(), scenes[0])));
+    contacts[0] = first_lane(contact_of(OneLane(), words, broadcast(OneLane(), scenes[0])));
     return;
   }
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
@@ -143,7 +143,7 @@ void prepare(AsperityModel model, const FilmLaw& law, const detail::SceneNumbers
     const auto lane = hn::Iota(bits, 0);
     const auto index = hn::IfThenElse(hn::Lt(lane, hn::Set(bits, some)), lane, hn::Zero(bits));
     const auto contact =
-        contact_of(d, model, law, rows_of<detail::SceneNumbers>(d, row_begin(scenes[i]), index));
+        contact_of(d, words, rows_of<detail::SceneNumbers>(d, row_begin(scenes[i]), index));
     for (std::size_t k = 0; k < row_length<detail::ContactNumbers>; ++k) {
       HWY_ALIGN double lanes[hn::MaxLanes(Many())];
       hn::Store(row_begin(contact)[k], d, lanes);

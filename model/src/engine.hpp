@@ -59,9 +59,9 @@ struct Kernels {
   std::size_t (*roots_of_many)(Order order, const FilmLaw& law, const double* stiffness,
                                const double* offset, const double* flooded, double* film_parameter,
                                std::size_t count);
-  // Prepares contacts of one asperity model and film law from scenes. Where K or δ is beyond the
-  // kernels' range, the floor that this gives is not valid.
-  void (*prepare)(AsperityModel model, const FilmLaw& law, const SceneNumbers<double>* scenes,
+  // Prepares contacts of one shape, asperity model and film law from scenes. Where K or δ is beyond
+  // the kernels' range, the floor that this gives is not valid.
+  void (*prepare)(const ContactWords& words, const SceneNumbers<double>* scenes,
                   ContactNumbers<double>* contacts, std::size_t count);
   // λ₀ at a speed, the inlet at a film, and the outputs from both.
   double (*flooded_film_parameter)(const FilmLaw& law, const ContactNumbers<double>& contact,
@@ -89,7 +89,7 @@ const Kernels& engine();
 bool is_within_engine(double stiffness, double offset);
 
 // Like the kernel `prepare`; beyond its range the floors come from the formula text.
-void prepare(AsperityModel model, const FilmLaw& law, std::span<const SceneNumbers<double>> scenes,
+void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts);
 
 }  // namespace tribo::detail

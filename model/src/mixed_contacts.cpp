@@ -32,7 +32,7 @@ void MixedContacts::clear() {
 }
 
 void MixedContacts::add(const Scene& scene) {
-  add(detail::words_of(scene), detail::numbers_of(scene));
+  add(detail::words_of(scene), detail::numbers_of<double>(scene));
 }
 
 detail::SceneNumbers<double>& MixedContacts::add(const detail::ContactWords& words,
@@ -47,11 +47,11 @@ void MixedContacts::prepare() {
   for_each_run(
       old, scenes_.size(),
       [&](std::size_t i, std::size_t j) {
-        return words_[i].model == words_[j].model && words_[i].film == words_[j].film;
+        return words_[i].shape == words_[j].shape && words_[i].model == words_[j].model &&
+               words_[i].film == words_[j].film;
       },
       [&](std::size_t first, std::size_t end) {
-        detail::prepare(words_[first].model, *words_[first].film,
-                        std::span(scenes_).subspan(first, end - first),
+        detail::prepare(words_[first], std::span(scenes_).subspan(first, end - first),
                         std::span(numbers_).subspan(first, end - first));
       });
 }

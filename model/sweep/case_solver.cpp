@@ -21,7 +21,7 @@ constexpr std::size_t cases_in_hand = 256;
 
 using Numbers = std::array<double, sizeof(detail::SceneNumbers<double>) / sizeof(double)>;
 
-Numbers numbers_of(const Scene& scene) { return std::bit_cast<Numbers>(detail::numbers_of(scene)); }
+Numbers numbers_of(const Scene& scene) { return std::bit_cast<Numbers>(detail::numbers_of<double>(scene)); }
 
 // The place, among a contact's numbers, of the number that a variable sets, found by trying two
 // values of the variable. Nothing where the variable changes anything else.
@@ -47,7 +47,7 @@ CaseSolver::CaseSolver(const SceneSweep& sweep)
     : sweep_(sweep),
       scene_(sweep.scene),
       words_(detail::words_of(scene_)),
-      numbers_(detail::numbers_of(scene_)) {
+      numbers_(detail::numbers_of<double>(scene_)) {
   contact_of_.reserve(cases_in_hand);
   while (speed_variable_ < sweep.variables.size() &&
          sweep.variables[speed_variable_].path != "speed")

@@ -4,6 +4,7 @@
 // double or a whole vector.
 #pragma once
 
+#include "tribo/hertz_ellipse.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo {
@@ -34,22 +35,35 @@ struct ContactNumbers {
   T damiens_exponent;
   T boundary_coefficient, slide_roll_ratio, eyring_stress;
   T viscosity, pressure_viscosity;
-  T roelands_scale, roelands_exponent;              // ln η₀ + 9.67 and z
-  T radius, nominal_area, mean_pressure, approach;  // of the smooth contact
+  T roelands_scale, roelands_exponent;  // ln η₀ + 9.67 and z
+  // Of the smooth contact: a_x (b of a line), A_nom, p̄; of a line there is no approach.
+  T semi_axis_x, nominal_area, mean_pressure, approach;
 };
 
-// The numbers of a scene that a contact is prepared from, as scene.hpp has them.
+// The numbers of a scene that a contact is prepared from, as scene.hpp has them; where it gives two
+// bodies or spectral moments, what follows from these.
 template <class T>
 struct SceneNumbers {
   T load;
   T summit_density, summit_radius, summit_height_sd, summit_plane_offset, offset_planes;
-  T effective_modulus, reduced_radius, ellipticity;
+  T effective_modulus;
+  T radius_x;     // R_x; of a circle R
+  T ellipticity;  // k of the film's constant: of a circle as given, of an ellipse Hertz'
   T viscosity, pressure_viscosity, eyring_stress;
   T supply;
   T boundary_coefficient, slide_roll_ratio, damiens_exponent;
+  T across;                    // R_y of an ellipse, L of a line; not used of a circle
+  EllipseOfCircle<T> ellipse;  // not used of a circle and of a line
+
+  // The ellipse and its k, which follow from R_x and R_y.
+  void set_ellipse() {
+    ellipse = ellipse_of_circle(radius_x, across);
+    ellipticity = ellipse.axes_ratio;
+  }
 };
 
 struct ContactWords {
+  ContactShape shape;
   AsperityModel model;
   StarvationClosure closure;
   SupplyKind supply;
@@ -60,10 +74,55 @@ struct ContactWords {
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
 
-// Conversions between a scene and the words and numbers that a contact needs of it; a scene made of
-// words and numbers names the default film law, whatever the law of the words.
+// What a contact needs of a scene: its words, and its numbers as they are given.
 ContactWords words_of(const Scene& scene);
-SceneNumbers<double> numbers_of(const Scene& scene);
-Scene scene_of(const ContactWords& words, const SceneNumbers<double>& numbers);
+ContactWords words_of(const Scene& scene, const FilmLaw& film);
+SceneNumbers<double> given_numbers(const Scene& scene);
+
+// The same numbers in another type, and what follows from R_x and R_y in that type.
+template <class T>
+SceneNumbers<T> numbers_in(ContactShape shape, const SceneNumbers<double>& n) {
+  SceneNumbers<T> numbers{T(n.load),
+                          T(n.summit_density),
+                          T(n.summit_radius),
+                          T(n.summit_height_sd),
+                          T(n.summit_plane_offset),
+                          T(n.offset_planes),
+                          T(n.effective_modulus),
+                          T(n.radius_x),
+                          T(n.ellipticity),
+                          T(n.viscosity),
+                          T(n.pressure_viscosity),
+                          T(n.eyring_stress),
+                          T(n.supply),
+                          T(n.boundary_coefficient),
+                          T(n.slide_roll_ratio),
+                          T(n.damiens_exponent),
+                          T(n.across),
+                          {}};
+  if (shape == ContactShape::ellipse) numbers.set_ellipse();
+  return numbers;
+}
+
+// The numbers that a contact is prepared from. An ellipse's axes are computed here, once for all
+// speeds.
+template <class T>
+SceneNumbers<T> numbers_of(const Scene& scene) {
+  using Wide = WiderType<T>;
+  const auto& [first, second] = scene.bodies.bodies;
+  const ContactShape shape = scene.bodies.shape();
+  if (!scene.bodies.has_bodies()) return numbers_in<T>(shape, given_numbers(scene));
+  SceneNumbers<T> numbers = numbers_in<T>(ContactShape::circle, given_numbers(scene));
+  if (first.modulus > 0)
+    numbers.effective_modulus =
+        T(effective_modulus(Wide(first.modulus), Wide(first.poisson_ratio), Wide(second.modulus),
+                            Wide(second.poisson_ratio)));
+  if (first.radius_x != 0)
+    numbers.radius_x = T(relative_radius(Wide(first.radius_x), Wide(second.radius_x)));
+  if (first.radius_y != 0)
+    numbers.across = T(relative_radius(Wide(first.radius_y), Wide(second.radius_y)));
+  if (shape == ContactShape::ellipse) numbers.set_ellipse();
+  return numbers;
+}
 
 }  // namespace tribo::detail

@@ -39,6 +39,8 @@ struct FilmLaw {
   int load_modulus = 2;
   int speed_multiple = 1;
   bool is_of_lines = false;  // or of points
+  // The ellipticities that it was fitted to; of lines not used.
+  double least_ellipticity = 1, greatest_ellipticity = 8;
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
   // divided by it, and W stays: h = h₀ γ^{a−b}.
@@ -123,19 +125,25 @@ inline constexpr FilmLaw ertel_grubin_law{.constant = {195, 100},
 
 // The law that a scene names.
 constexpr const FilmLaw& film_law(FilmFormula formula) {
-  constexpr std::array<const FilmLaw*, film_formula_words.size()> laws{&hamrock_dowson_central_law,
-                                                                       &hamrock_dowson_minimum_law};
+  constexpr std::array<const FilmLaw*, film_formula_words.size()> laws{
+      &hamrock_dowson_central_law,      &hamrock_dowson_minimum_law,
+      &hamrock_dowson_soft_central_law, &hamrock_dowson_soft_minimum_law,
+      &dowson_higginson_minimum_law,    &dowson_toyoda_central_law,
+      &pan_hamrock_minimum_law,         &pan_hamrock_central_law};
   return *laws[static_cast<std::size_t>(formula)];
 }
 
-// Laws that load sharing takes: 0.01 ≤ a − b ≤ 0.3, and exponents of at most three decimals.
+// Laws that load sharing takes: 0.01 ≤ a − b ≤ 0.7, and exponents of at most three decimals.
 constexpr bool is_law_of_load_sharing(const FilmLaw& law) {
-  return law.sharing_power.value >= 0.01 && law.sharing_power.value <= 0.3 &&
+  return law.sharing_power.value >= 0.01 && law.sharing_power.value <= 0.7 &&
          1000 % law.speed_exponent.q == 0 && 1000 % law.material_exponent.q == 0 &&
          1000 % law.load_exponent.q == 0;
 }
-static_assert(is_law_of_load_sharing(hamrock_dowson_central_law));
-static_assert(is_law_of_load_sharing(hamrock_dowson_minimum_law));
+static_assert([] {
+  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
+    if (!is_law_of_load_sharing(film_law(static_cast<FilmFormula>(i)))) return false;
+  return true;
+}());
 
 // C (1 − m e^{−nk}).
 template <class T>

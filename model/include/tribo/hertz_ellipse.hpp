@@ -61,25 +61,27 @@ AssociatedIntegrals<T> associated_integrals(const T& ellipticity) {
 
 }  // namespace detail
 
-// The shape at radius_ratio α = R_y/R_x ≥ 1, finite. Error of each number: 3 ulp. By Newton's
-// method on α(k), which is increasing and convex, so that it cannot fail.
+// The shape at radius_ratio α = R_y/R_x; three NaN unless 1 ≤ α < ∞. Error of each number: 3 ulp.
+// By Newton's method on α(k), which is increasing and convex, so that it cannot fail.
 template <class T>
 EllipseShape<T> ellipse_shape(const T& radius_ratio) {
   using std::abs;
   using std::sqrt;
   const T accuracy = sqrt(epsilon<T>()) / 4;
-  // k ≈ α^{5/8}, the same bits on every machine
-  const T root = sqrt(radius_ratio);
-  T k = root * sqrt(sqrt(root));
+  if (!(radius_ratio >= 1 && is_finite(radius_ratio)))
+    return {quiet_nan<T>(), quiet_nan<T>(), quiet_nan<T>()};
+  // k is about α^{5/8}, and far out √(α ln k): the same bits on every machine
+  const T root = sqrt(radius_ratio), rise = sqrt(sqrt(root));
+  T k = root * (rise < 20 ? rise : T(20));
   for (;;) {
     const auto [b, d] = detail::associated_integrals(k);
-    const T square = k * k, q = (k - 1) * (k + 1) / square;
+    const T q = (k - 1) / k * ((k + 1) / k);
     // C = (D − B)/q by its series where the difference cancels; d ln α/d ln k = 1 + C/D + C/(k²B).
     const T c = q < ratio<T>(1, 1000)
                     ? T(pi<T>() / 16 * (1 + q * (ratio<T>(3, 4) + q * ratio<T>(75, 128))))
                     : T((d - b) / q);
-    const T slope = 1 + c / d + c / (square * b);
-    const T step = (radius_ratio * d / (square * b) - 1) / slope;
+    const T slope = 1 + c / d + c / k / (k * b);
+    const T step = (radius_ratio / k * (d / (k * b)) - 1) / slope;
     // α(k) is convex: no step goes below its root, and the first may go far above it.
     k += k * step;
     if (!(k > 1)) k = 1;
@@ -87,6 +89,33 @@ EllipseShape<T> ellipse_shape(const T& radius_ratio) {
   }
   const auto [b, d] = detail::associated_integrals(WiderType<T>(k));
   return {k, T(b + d), T(b + d / k / k)};
+}
+
+// An ellipse of contact against the circle that two balls with the ellipse's R_x in both directions
+// make under the same load: it follows from R_x and R_y alone.
+template <class T>
+struct EllipseOfCircle {
+  T axis_cube;   // (a_x/a)³, a³ = 3FR_x/(4E*)
+  T axes_ratio;  // k = a_y/a_x, below 1 where R_y < R_x
+  T approach;    // of the approach over a_x²/R_x, which is the circle's
+};
+
+// radius_x R_x and radius_y R_y > 0 in m, both finite. Error of each number: 4 ulp of its
+// condition.
+template <class T>
+EllipseOfCircle<T> ellipse_of_circle(const T& radius_x, const T& radius_y) {
+  // The arithmetic behind the shape is in a wider type, as its roundings would add up.
+  using Wide = WiderType<T>;
+  const bool is_exchanged = radius_y < radius_x;
+  const EllipseShape<T> shape =
+      ellipse_shape(is_exchanged ? T(radius_x / radius_y) : T(radius_y / radius_x));
+  const Wide k = shape.ellipticity, second = shape.second_integral;
+  // R/R_x, 1/2 of a circle
+  const Wide reduced = Wide(radius_y) / (Wide(radius_x) + Wide(radius_y));
+  const Wide cube = 4 * second * reduced / pi<Wide>();  // of the smaller axis, times k
+  return {
+      T(is_exchanged ? Wide(cube * k * k) : Wide(cube / k)), T(is_exchanged ? Wide(1 / k) : k),
+      T(shape.first_integral / (2 * second * reduced) / (is_exchanged ? Wide(k * k) : Wide(1)))};
 }
 
 template <class T>
@@ -99,30 +128,29 @@ struct HertzEllipse {
   T approach;       // m: of the two bodies
 };
 
-// load F > 0 in N, effective_modulus E* > 0 in Pa (never 2E*), radius_x R_x and radius_y R_y > 0 in
-// m (two_bodies.hpp). Error: hertz_ellipse_contract; overflow gives ∞ or NaN, underflow 0. R_x =
-// R_y is the circle, R_x the R of hertz_point().
+// Of an ellipse that is known already. load F > 0 in N, effective_modulus E* > 0 in Pa (never 2E*).
+template <class T>
+HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
+                              const EllipseOfCircle<T>& ellipse) {
+  using Wide = WiderType<T>;
+  const Wide axis_x = cube_root(
+      Wide(3 * Wide(load) * radius_x / (4 * Wide(effective_modulus)) * ellipse.axis_cube));
+  const Wide axis_y = axis_x * ellipse.axes_ratio;
+  const Wide mean_pressure = load / (pi<Wide>() * axis_x * axis_y);
+  return {T(axis_x),
+          T(axis_y),
+          ellipse.axes_ratio,
+          T(mean_pressure),
+          T(3 * mean_pressure / 2),
+          T(axis_x * axis_x / radius_x * ellipse.approach)};
+}
+
+// radius_x R_x and radius_y R_y > 0 in m (two_bodies.hpp). Error: hertz_ellipse_contract; overflow
+// gives ∞ or NaN, underflow 0. R_x = R_y is the circle, R_x the R of hertz_point().
 template <class T>
 HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
                               const T& radius_y) {
-  // The arithmetic behind the shape is in a wider type, as its dozen roundings would add up.
-  using Wide = WiderType<T>;
-  const bool is_exchanged = radius_y < radius_x;
-  const T& smaller = is_exchanged ? radius_y : radius_x;
-  const T& greater = is_exchanged ? radius_x : radius_y;
-  const EllipseShape<T> shape = ellipse_shape(T(greater / smaller));
-  const Wide k = shape.ellipticity, second = shape.second_integral;
-  const Wide reduced = relative_radius(Wide(radius_x), Wide(radius_y));
-  const Wide minor =
-      cube_root(Wide(3 * second * load * reduced / (pi<Wide>() * k * effective_modulus)));
-  const Wide major = k * minor;
-  const Wide mean_pressure = load / (pi<Wide>() * minor * major);
-  return {T(is_exchanged ? major : minor),
-          T(is_exchanged ? minor : major),
-          T(is_exchanged ? Wide(1 / k) : k),
-          T(mean_pressure),
-          T(3 * mean_pressure / 2),
-          T(minor * minor / reduced * (shape.first_integral / (2 * second)))};
+  return hertz_ellipse(load, effective_modulus, radius_x, ellipse_of_circle(radius_x, radius_y));
 }
 
 }  // namespace tribo

@@ -9,7 +9,7 @@
 #include "tribo/asperity_contact.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
-#include "tribo/hertz.hpp"
+#include "tribo/hertz_contact.hpp"
 #include "tribo/load_sharing.hpp"
 #include "tribo/operating_point.hpp"
 #include "tribo/scene.hpp"
@@ -42,35 +42,38 @@ class MixedContact {
 
   // With a film law that no word names.
   MixedContact(const Scene& scene, const FilmLaw& film)
-      : load_(T(scene.load)),
-        summit_height_sd_(T(scene.surface.summit_height_sd)),
-        lubricant_{T(scene.lubricant.viscosity), T(scene.lubricant.pressure_viscosity),
-                   T(scene.lubricant.eyring_stress.value_or(1))},
-        boundary_coefficient_(T(scene.friction.boundary_coefficient.value_or(0))),
-        slide_roll_ratio_(T(scene.friction.slide_roll_ratio)),
-        fluid_(scene.friction.fluid),
-        viscosity_law_(scene.friction.viscosity),
-        closure_(scene.closures.starvation),
-        film_(&film),
-        damiens_exponent_(T(scene.closures.damiens_exponent)),
-        supply_(scene.supply.kind),
-        supply_value_(T(scene.supply.value)),
-        hertz_(
-            hertz_point(load_, T(scene.bodies.effective_modulus), T(scene.bodies.reduced_radius))),
-        asperities_(asperity_contact(
-            scene.closures.asperity, T(scene.surface.summit_density),
-            T(scene.surface.summit_radius), summit_height_sd_,
-            T(T(scene.surface.offset_planes) * T(scene.surface.summit_plane_offset)),
-            T(scene.bodies.effective_modulus), hertz_.nominal_area, load_)),
-        sharing_(asperities_.model, asperities_.stiffness, asperities_.offset, film),
-        film_parameter_at_unit_speed_(
-            film_thickness(film, T(1), lubricant_.viscosity, lubricant_.pressure_viscosity, load_,
-                           T(scene.bodies.effective_modulus), T(scene.bodies.reduced_radius),
-                           T(scene.bodies.ellipticity)) /
-            summit_height_sd_) {}
+      : MixedContact(detail::words_of(scene, film), detail::numbers_of<T>(scene)) {}
   MixedContact(const Scene&, FilmLaw&&) = delete;
 
-  const HertzPoint<T>& hertz() const { return hertz_; }
+  // From what a scene says.
+  MixedContact(const detail::ContactWords& words, const detail::SceneNumbers<T>& scene)
+      : load_(scene.load),
+        summit_height_sd_(scene.summit_height_sd),
+        lubricant_{scene.viscosity, scene.pressure_viscosity, scene.eyring_stress},
+        boundary_coefficient_(scene.boundary_coefficient),
+        slide_roll_ratio_(scene.slide_roll_ratio),
+        fluid_(words.fluid),
+        viscosity_law_(words.viscosity),
+        closure_(words.closure),
+        film_(words.film),
+        damiens_exponent_(scene.damiens_exponent),
+        supply_(words.supply),
+        supply_value_(scene.supply),
+        hertz_(hertz_contact(words.shape, scene)),
+        asperities_(asperity_contact(words.model, scene.summit_density, scene.summit_radius,
+                                     summit_height_sd_,
+                                     T(scene.offset_planes * scene.summit_plane_offset),
+                                     scene.effective_modulus, hertz_.nominal_area, load_)),
+        sharing_(asperities_.model, asperities_.stiffness, asperities_.offset, *film_),
+        film_parameter_at_unit_speed_(
+            film_thickness(*film_, T(1), lubricant_.viscosity, lubricant_.pressure_viscosity,
+                           words.shape == ContactShape::line
+                               ? T(load_ * scene.radius_x / scene.across)
+                               : load_,
+                           scene.effective_modulus, scene.radius_x, scene.ellipticity) /
+            summit_height_sd_) {}
+
+  const HertzContact<T>& hertz() const { return hertz_; }
   const AsperityContact<T>& asperities() const { return asperities_; }
   const LoadSharing<T>& sharing() const { return sharing_; }
   const FilmLaw& film() const { return *film_; }
@@ -247,7 +250,7 @@ class MixedContact {
   T damiens_exponent_;
   SupplyKind supply_;
   T supply_value_;
-  HertzPoint<T> hertz_;
+  HertzContact<T> hertz_;
   AsperityContact<T> asperities_;
   LoadSharing<T> sharing_;
   T film_parameter_at_unit_speed_;  // λ₀/u^a
@@ -262,10 +265,7 @@ class MixedContact<double> {
   MixedContact(const Scene& scene, const FilmLaw& film);
   MixedContact(const Scene&, FilmLaw&&) = delete;
 
-  HertzPoint<double> hertz() const {
-    return {numbers_.radius, numbers_.nominal_area, numbers_.mean_pressure,
-            3 * numbers_.mean_pressure / 2, numbers_.approach};
-  }
+  HertzContact<double> hertz() const;
   AsperityContact<double> asperities() const {
     return {words_.model, numbers_.surface.stiffness, numbers_.surface.offset, numbers_.area_factor,
             numbers_.count_factor};
@@ -292,7 +292,7 @@ class MixedContact<double> {
   // The same contact in another number type, from the same scene.
   template <class T>
   MixedContact<T> in() const {
-    return MixedContact<T>(detail::scene_of(words_, scene_), film());
+    return MixedContact<T>(words_, detail::numbers_in<T>(words_.shape, scene_));
   }
 
  private:

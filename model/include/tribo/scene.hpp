@@ -18,7 +18,17 @@
 namespace tribo {
 
 enum class AsperityModel : std::uint8_t { greenwood_tripp, greenwood_williamson };
-enum class FilmFormula : std::uint8_t { hamrock_dowson_central, hamrock_dowson_minimum };
+// Laws of scenes: those of points first, then those of lines.
+enum class FilmFormula : std::uint8_t {
+  hamrock_dowson_central,
+  hamrock_dowson_minimum,
+  hamrock_dowson_soft_central,
+  hamrock_dowson_soft_minimum,
+  dowson_higginson_minimum,
+  dowson_toyoda_central,
+  pan_hamrock_minimum,
+  pan_hamrock_central
+};
 enum class StarvationClosure : std::uint8_t {
   flooded_inlet,
   starved_inlet,
@@ -36,8 +46,10 @@ inline constexpr std::array<std::string_view, 4> supply_words{"flooded", "inlet_
                                                               "inlet_film_ratio", "inlet_flow"};
 inline constexpr std::array<std::string_view, 2> asperity_model_words{"greenwood_tripp",
                                                                       "greenwood_williamson"};
-inline constexpr std::array<std::string_view, 2> film_formula_words{"hamrock_dowson_central",
-                                                                    "hamrock_dowson_minimum"};
+inline constexpr std::array<std::string_view, 8> film_formula_words{
+    "hamrock_dowson_central",      "hamrock_dowson_minimum",   "hamrock_dowson_soft_central",
+    "hamrock_dowson_soft_minimum", "dowson_higginson_minimum", "dowson_toyoda_central",
+    "pan_hamrock_minimum",         "pan_hamrock_central"};
 inline constexpr std::array<std::string_view, 4> starvation_closure_words{
     "flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
 inline constexpr std::array<std::string_view, 2> fluid_shear_words{"eyring", "limiting"};
@@ -66,18 +78,46 @@ struct Speeds {
   void fill(std::size_t first, std::span<double> speeds) const;
 };
 
+// Spectral moments of a profile: variances of its heights, slopes and curvatures. 0: not given.
+struct SpectralMoments {
+  double m0 = 0;  // m²
+  double m2 = 0;
+  double m4 = 0;  // 1/m²
+};
+
 struct Surface {
   double summit_density = 0;       // n, 1/m²; GT: of each face, GW: of the one rough face
   double summit_radius = 0;        // β, m
   double summit_height_sd = 0;     // σ_s, m; GT: of the sum of both faces' summit heights
   double summit_plane_offset = 0;  // D_d/σ_s, mean plane to summit plane
   int offset_planes = 1;           // m: how many faces bring that offset, 0, 1 or 2
+  SpectralMoments moments = {};    // where they are given, the first four numbers follow from them
 };
 
+// One of the two bodies. 0: not given.
+struct Body {
+  double modulus = 0;        // E, Pa
+  double poisson_ratio = 0;  // ν
+  double radius_x = 0;       // of its face along the direction of entrainment, m: above 0 convex,
+  double radius_y = 0;       // below 0 concave, ∞ flat; and across that direction
+};
+
+enum class ContactShape : std::uint8_t { circle, ellipse, line };
+
 struct Bodies {
-  double effective_modulus = 0;  // E*, Pa: 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂
-  double reduced_radius = 0;     // R, m; a ball on a flat: the radius of the ball
-  double ellipticity = 1;        // k, enters the film constant alone
+  double effective_modulus = 0;     // E*, Pa: 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂
+  double reduced_radius = 0;        // of a circle: R, m; a ball on a flat: the radius of the ball
+  double ellipticity = 1;           // of a circle: k, enters the film constant alone
+  double radius_x = 0;              // of an ellipse or line: R_x, m
+  double radius_y = 0;              // of an ellipse: R_y, m
+  double length = 0;                // of a line: L, m
+  std::array<Body, 2> bodies = {};  // where they are given, E*, R_x and R_y follow from them
+
+  bool has_bodies() const { return bodies[0].modulus > 0 || bodies[0].radius_x != 0; }
+  ContactShape shape() const {
+    if (length > 0) return ContactShape::line;
+    return radius_x > 0 || bodies[0].radius_x != 0 ? ContactShape::ellipse : ContactShape::circle;
+  }
 };
 
 struct Lubricant {

@@ -23,10 +23,11 @@ enum class FieldType : std::uint8_t { number, integer, text, choice, speeds, out
 struct FieldInfo {
   std::string_view path;
   FieldType type = FieldType::number;
-  std::string_view unit = "";                      // empty: dimensionless
-  double minimum = 0;                              // numbers: the least value, or the open end
-  bool exclusive_minimum = true;                   // numbers: is `minimum` itself refused?
-  std::optional<double> maximum = {};              // numbers: the greatest value, if there is one
+  std::string_view unit = "";          // empty: dimensionless
+  double minimum = 0;                  // numbers: the least value, or the open end
+  bool exclusive_minimum = true;       // numbers: is `minimum` itself refused?
+  std::optional<double> maximum = {};  // numbers: the greatest value, if there is one
+  bool is_radius_of_face = false;      // any number but 0, and ±∞ in TOML: a flat face
   std::span<const std::string_view> choices = {};  // choice: the legal words
   std::string_view default_text = "";              // empty: no default
   bool required = false;                 // by every output; of `speed`'s table, where there is one
@@ -38,6 +39,18 @@ struct FieldInfo {
 
 // Every field that a scene may have, in the order of model/README.md, section 1.
 std::span<const FieldInfo> scene_fields();
+
+// Fields that say the same in different ways: a scene gives all fields of one of the sets, and none
+// of another one. The first set is the usual one.
+struct FieldSet {
+  std::span<const std::string_view> fields;    // dotted paths
+  std::span<const std::string_view> optional;  // legal beside them alone
+};
+struct FieldGroup {
+  std::string_view what;  // "the shape of the contact"
+  std::span<const FieldSet> sets;
+};
+std::span<const FieldGroup> scene_field_groups();
 
 // One thing wrong (or odd) with an input. `line()` is what a person reads. All texts are valid
 // UTF-8 on one line: what came from the input is shortened, and its control signs are escaped.

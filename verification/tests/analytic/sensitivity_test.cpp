@@ -155,7 +155,7 @@ Variables variables_of(const Scene& scene) {
       Dual(scene.lubricant.pressure_viscosity),
       Dual(scene.load),
       Dual(scene.bodies.effective_modulus),
-      Dual(scene.bodies.reduced_radius),
+      Dual(detail::numbers_of<double>(scene).radius_x),
       Dual(scene.supply.kind == SupplyKind::inlet_film_ratio ? Reference(scene.supply.value * sd)
                                                              : Reference(scene.supply.value)),
       Dual(scene.surface.summit_density),
@@ -182,7 +182,7 @@ TEST(Sensitivity, FilmHasTheDerivedExponentOfEachInput) {
   Sampler sampler(84);
   for (int i = 0; i < 10; ++i) {
     const Scene scene = random_scene(sampler);
-    const Dual speed(scene.speeds[0]), k(scene.bodies.ellipticity);
+    const Dual speed(scene.speeds[0]), k(sampler.uniform(0.5, 4));
     const Variables base = variables_of(scene);
     for (std::size_t j = 0; j < exponents.size(); ++j) {
       Variables moved = base;

@@ -12,7 +12,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "tribo/film_thickness.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo {
@@ -41,6 +43,10 @@ Json bound(double value) {
 Json number_type(const FieldInfo& field) {
   Json type;
   type["type"] = field.type == FieldType::integer ? "integer" : "number";
+  if (field.is_radius_of_face) {
+    type["not"] = Json::object({{"const", 0}});
+    return type;
+  }
   type[field.exclusive_minimum ? "exclusiveMinimum" : "minimum"] = bound(field.minimum);
   if (field.maximum) type["maximum"] = bound(*field.maximum);
   return type;
@@ -94,6 +100,32 @@ Json schema_of(const FieldInfo& field) {
   return schema;
 }
 
+std::string section_of(std::string_view path) {
+  return std::string(path.substr(0, path.find('.')));
+}
+std::string name_of(std::string_view path) { return std::string(path.substr(path.find('.') + 1)); }
+
+// Exactly one of the group's sets is there, whole, and no field of the others.
+Json group_rule(const FieldGroup& group) {
+  Json sets = Json::array();
+  for (const FieldSet& set : group.sets) {
+    Json required = Json::array(), barred = Json::array();
+    std::vector<std::string_view> legal(set.fields.begin(), set.fields.end());
+    legal.insert(legal.end(), set.optional.begin(), set.optional.end());
+    for (const std::string_view path : set.fields) required.push_back(name_of(path));
+    for (const FieldSet& other : group.sets)
+      for (const auto& paths : {other.fields, other.optional})
+        for (const std::string_view path : paths) {
+          const Json one = Json::object({{"required", Json::array({name_of(path)})}});
+          const bool is_legal = std::find(legal.begin(), legal.end(), path) != legal.end();
+          if (!is_legal && std::find(barred.begin(), barred.end(), one) == barred.end())
+            barred.push_back(one);
+        }
+    sets.push_back({{"required", required}, {"not", Json::object({{"anyOf", barred}})}});
+  }
+  return Json::object({{"oneOf", sets}});
+}
+
 Json table_of(const std::string& section) {
   Json required = Json::array(), properties = Json::object();
   for (const FieldInfo& field : scene_fields()) {
@@ -110,6 +142,9 @@ Json table_of(const std::string& section) {
     table["maxProperties"] = 1;
   }
   table["properties"] = properties;
+  for (const FieldGroup& group : scene_field_groups())
+    if (section_of(group.sets.front().fields.front()) == section)
+      table["allOf"].push_back(group_rule(group));
   return table;
 }
 
@@ -120,6 +155,23 @@ Json roelands_rule() {
   const Json consequence = Json::parse(R"({"properties": {"lubricant": {"properties": {
     "viscosity": {"exclusiveMinimum": 6.315e-5}}}}})");
   return {{"if", condition}, {"then", consequence}};
+}
+
+// if the contact is a line, then closures.film is a law of lines, else it is none of them
+Json film_rule() {
+  Json of_lines = Json::array(), of_points = Json::array();
+  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
+    (film_law(static_cast<FilmFormula>(i)).is_of_lines ? of_lines : of_points)
+        .push_back(film_formula_words[i]);
+  const Json condition = Json::parse(R"({"properties": {"bodies": {"required": ["length"]}}})");
+  const auto film = [](const Json& words) {
+    return Json{{"properties",
+                 {{"closures", {{"properties", {{"film", Json::object({{"enum", words}})}}}}}}}};
+  };
+  Json line = film(of_lines);
+  line["required"] = Json::array({"closures"});
+  line["properties"]["closures"]["required"] = Json::array({"film"});
+  return {{"if", condition}, {"then", line}, {"else", film(of_points)}};
 }
 
 // if an output is asked for by name, then the fields that only it needs are required
@@ -147,9 +199,12 @@ Json schema_of_table() {
     const bool in_table = dot != std::string_view::npos;
     if (!properties.contains(name)) properties[name] = in_table ? table_of(name) : schema_of(field);
     const bool listed = std::find(required.begin(), required.end(), name) != required.end();
-    if (field.required && !listed && name != "speed") required.push_back(name);
+    const bool has_group = std::any_of(
+        scene_field_groups().begin(), scene_field_groups().end(),
+        [&](const FieldGroup& group) { return group.sets.front().fields.front() == field.path; });
+    if ((field.required || has_group) && !listed && name != "speed") required.push_back(name);
   }
-  Json rules = Json::array({roelands_rule()});
+  Json rules = Json::array({roelands_rule(), film_rule()});
   for (const OutputInfo& output : output_infos)
     if (const Json rule = output_rule(output); !rule.is_null()) rules.push_back(rule);
   return {
@@ -160,7 +215,7 @@ Json schema_of_table() {
       {"$comment",
        "Built from scene_fields() by verification/tests/scene/json_schema_test.cpp. What a schema "
        "cannot say: speed is required but for onset; speed.to is above speed.from; numbers are "
-       "finite in double and do not vanish."},
+       "finite in double and do not vanish; two faces meet at a point."},
       {"type", "object"},
       {"additionalProperties", false},
       {"required", required},

@@ -41,7 +41,21 @@ class SceneText {
       text.remove("speed");
       text.set("speed.from", "1e-4").set("speed.to", "3");
     }
+    for (const FieldGroup& group : scene_field_groups()) text.take_set_with(group, field.path);
+    if (field.path == "bodies.length") text.set("closures.film", "\"dowson_toyoda_central\"");
     return text.set(field.path, good_value(field));
+  }
+
+  // The fields of the group's first set that has this field, in place of the others.
+  void take_set_with(const FieldGroup& group, std::string_view path) {
+    const auto has = [&](const FieldSet& set) {
+      return std::find(set.fields.begin(), set.fields.end(), path) != set.fields.end();
+    };
+    const auto found = std::find_if(group.sets.begin(), group.sets.end(), has);
+    if (found == group.sets.end() || found == group.sets.begin()) return;
+    for (const FieldSet& set : group.sets)
+      for (const std::string_view other : set.fields) remove(other);
+    for (const std::string_view one : found->fields) set(one, "0.3");
   }
 
   static std::string good_value(const FieldInfo& field) {
@@ -51,6 +65,8 @@ class SceneText {
     const SceneText base = good();
     for (const auto& [path, value] : base.fields_)
       if (path == field.path) return value;
+    if (field.path == "closures.film") return "\"hamrock_dowson_minimum\"";
+    if (field.path.ends_with("poisson_ratio")) return "0.3";
     if (field.path == "speed.from") return "1e-4";
     if (field.path == "supply.inlet_film") return "4e-7";
     if (field.path == "supply.inlet_flow") return "4e-9";

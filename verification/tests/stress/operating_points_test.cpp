@@ -294,7 +294,7 @@ TEST(OperatingPointWork, SkipsRootsWhereTheBoundsSaySo) {
 bool is_free_of_asperities(const LoadSharing<double>& sharing, double film) {
   const double d = film - sharing.offset();
   const double limit = sharing.surface().film_from - sharing.offset();
-  return d > 0 && d * d > limit * limit + 7.9;
+  return d > 0 && d * d > limit * limit + 11.9 - 4 / 0.14 * sharing.film().sharing_power.value;
 }
 
 // Where 1 − A or the regime is all that is asked and A < 2^−54: the exact 1 − A is 1 to half an

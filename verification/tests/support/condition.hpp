@@ -17,7 +17,7 @@
 namespace tribo::verification {
 
 struct Dual {
-  static constexpr std::size_t inputs = 16;  // of a scene, its speed the first
+  static constexpr std::size_t inputs = 17;  // of a scene, its speed the first
   long double value = 0;
   std::array<long double, inputs> parts{};
 
@@ -119,60 +119,35 @@ namespace tribo {
 
 namespace detail {
 
-inline SceneNumbers<verification::Dual> seeded(const Scene& scene) {
-  const SceneNumbers<double> n = numbers_of(scene);
+// With derivatives by each number that the scene gives.
+template <>
+inline SceneNumbers<verification::Dual> numbers_of(const Scene& scene) {
+  const SceneNumbers<double> n = numbers_of<double>(scene);
   std::size_t input = 1;
   const auto seed = [&](double x) { return verification::Dual(x, input++); };
-  return {seed(n.load),
-          seed(n.summit_density),
-          seed(n.summit_radius),
-          seed(n.summit_height_sd),
-          seed(n.summit_plane_offset),
-          n.offset_planes,
-          seed(n.effective_modulus),
-          seed(n.reduced_radius),
-          seed(n.ellipticity),
-          seed(n.viscosity),
-          seed(n.pressure_viscosity),
-          seed(n.eyring_stress),
-          seed(n.supply),
-          seed(n.boundary_coefficient),
-          seed(n.slide_roll_ratio),
-          seed(n.damiens_exponent)};
+  SceneNumbers<verification::Dual> numbers{seed(n.load),
+                                           seed(n.summit_density),
+                                           seed(n.summit_radius),
+                                           seed(n.summit_height_sd),
+                                           seed(n.summit_plane_offset),
+                                           n.offset_planes,
+                                           seed(n.effective_modulus),
+                                           seed(n.radius_x),
+                                           seed(n.ellipticity),
+                                           seed(n.viscosity),
+                                           seed(n.pressure_viscosity),
+                                           seed(n.eyring_stress),
+                                           seed(n.supply),
+                                           seed(n.boundary_coefficient),
+                                           seed(n.slide_roll_ratio),
+                                           seed(n.damiens_exponent),
+                                           seed(n.across),
+                                           {}};
+  if (scene.bodies.shape() == ContactShape::ellipse) numbers.set_ellipse();
+  return numbers;
 }
 
 }  // namespace detail
-
-// As the template, with derivatives.
-template <>
-inline MixedContact<verification::Dual>::MixedContact(const Scene& scene, const FilmLaw& film)
-    : load_(detail::seeded(scene).load),
-      summit_height_sd_(detail::seeded(scene).summit_height_sd),
-      lubricant_{detail::seeded(scene).viscosity, detail::seeded(scene).pressure_viscosity,
-                 detail::seeded(scene).eyring_stress},
-      boundary_coefficient_(detail::seeded(scene).boundary_coefficient),
-      slide_roll_ratio_(detail::seeded(scene).slide_roll_ratio),
-      fluid_(scene.friction.fluid),
-      viscosity_law_(scene.friction.viscosity),
-      closure_(scene.closures.starvation),
-      film_(&film),
-      damiens_exponent_(detail::seeded(scene).damiens_exponent),
-      supply_(scene.supply.kind),
-      supply_value_(detail::seeded(scene).supply),
-      hertz_(hertz_point(load_, detail::seeded(scene).effective_modulus,
-                         detail::seeded(scene).reduced_radius)),
-      asperities_(asperity_contact(
-          scene.closures.asperity, detail::seeded(scene).summit_density,
-          detail::seeded(scene).summit_radius, summit_height_sd_,
-          detail::seeded(scene).offset_planes * detail::seeded(scene).summit_plane_offset,
-          detail::seeded(scene).effective_modulus, hertz_.nominal_area, load_)),
-      sharing_(asperities_.model, asperities_.stiffness, asperities_.offset, film),
-      film_parameter_at_unit_speed_(
-          film_thickness(film, verification::Dual(1), lubricant_.viscosity,
-                         lubricant_.pressure_viscosity, load_,
-                         detail::seeded(scene).effective_modulus,
-                         detail::seeded(scene).reduced_radius, detail::seeded(scene).ellipticity) /
-          summit_height_sd_) {}
 
 namespace verification {
 

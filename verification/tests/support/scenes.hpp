@@ -49,8 +49,14 @@ inline Scene random_scene(Sampler& sampler) {
       sampler.uniform(0.02, 0.08) / (scene.surface.summit_radius * scene.surface.summit_height_sd);
   scene.surface.summit_plane_offset = sampler.uniform(0, 1.5);
   scene.surface.offset_planes = sampler.pick({0, 1, 2});
-  scene.bodies = {sampler.log_uniform(1e10, 3e11), sampler.log_uniform(1e-3, 0.1),
-                  sampler.uniform(0.5, 4)};
+  scene.bodies.effective_modulus = sampler.log_uniform(1e10, 3e11);
+  const ContactShape shape = sampler.pick(
+      {ContactShape::circle, ContactShape::circle, ContactShape::ellipse, ContactShape::line});
+  const double radius = sampler.log_uniform(1e-3, 0.1);
+  (shape == ContactShape::circle ? scene.bodies.reduced_radius : scene.bodies.radius_x) = radius;
+  if (shape == ContactShape::circle) scene.bodies.ellipticity = sampler.uniform(0.5, 4);
+  if (shape == ContactShape::ellipse) scene.bodies.radius_y = radius * sampler.log_uniform(0.2, 50);
+  if (shape == ContactShape::line) scene.bodies.length = radius * sampler.log_uniform(0.05, 5);
   scene.lubricant = {sampler.log_uniform(1e-3, 1), sampler.log_uniform(5e-9, 4e-8),
                      sampler.log_uniform(1e6, 1e7)};
   scene.supply.kind = sampler.pick({SupplyKind::flooded, SupplyKind::inlet_film,
@@ -71,7 +77,12 @@ inline Scene random_scene(Sampler& sampler) {
                     StarvationClosure::printed_exponents, StarvationClosure::damiens});
   scene.closures.damiens_exponent = sampler.uniform(1, 5);
   scene.closures.film =
-      sampler.pick({FilmFormula::hamrock_dowson_central, FilmFormula::hamrock_dowson_minimum});
+      shape == ContactShape::line
+          ? sampler.pick({FilmFormula::dowson_higginson_minimum, FilmFormula::dowson_toyoda_central,
+                          FilmFormula::pan_hamrock_minimum, FilmFormula::pan_hamrock_central})
+          : sampler.pick({FilmFormula::hamrock_dowson_central, FilmFormula::hamrock_dowson_minimum,
+                          FilmFormula::hamrock_dowson_soft_central,
+                          FilmFormula::hamrock_dowson_soft_minimum});
   return scene;
 }
 
@@ -84,8 +95,11 @@ inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene
           {"summit_height_sd", &scene.surface.summit_height_sd},
           {"summit_plane_offset", &scene.surface.summit_plane_offset},
           {"effective_modulus", &scene.bodies.effective_modulus},
-          {"reduced_radius", &scene.bodies.reduced_radius},
-          {"ellipticity", &scene.bodies.ellipticity},
+          {"radius_x", scene.bodies.shape() == ContactShape::circle ? &scene.bodies.reduced_radius
+                                                                    : &scene.bodies.radius_x},
+          {"across", scene.bodies.shape() == ContactShape::circle ? &scene.bodies.ellipticity
+                     : scene.bodies.shape() == ContactShape::line ? &scene.bodies.length
+                                                                  : &scene.bodies.radius_y},
           {"viscosity", &scene.lubricant.viscosity},
           {"pressure_viscosity", &scene.lubricant.pressure_viscosity},
           {"eyring_stress", &*scene.lubricant.eyring_stress},
@@ -101,6 +115,7 @@ inline std::vector<std::pair<std::string_view, double>> describe_numbers(Scene s
   for (const auto& [name, number] : numbers_of(scene))
     if (number != nullptr) all.emplace_back(name, *number);  // a range of speeds has no first one
   all.emplace_back("offset_planes", static_cast<double>(scene.surface.offset_planes));
+  all.emplace_back("shape", static_cast<double>(scene.bodies.shape()));
   all.emplace_back("supply_kind", static_cast<double>(scene.supply.kind));
   all.emplace_back("fluid", static_cast<double>(scene.friction.fluid));
   all.emplace_back("viscosity_law", static_cast<double>(scene.friction.viscosity));

@@ -6,9 +6,12 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_roots.h>
+#include <gsl/gsl_sf_ellint.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "tribo/scene.hpp"
 
@@ -121,12 +124,56 @@ inline double starved_over_flooded(const Scene& scene, double flooded, double in
   return 0;
 }
 
+// k = a_y/a_x of Hertz' ellipse, from GSL's elliptic integrals of modulus e, e² = 1 − 1/k².
+struct Ellipse {
+  double k, second_integral;
+};
+inline Ellipse ellipse(double radius_ratio) {
+  const bool is_exchanged = radius_ratio < 1;
+  const double alpha = is_exchanged ? 1 / radius_ratio : radius_ratio;
+  const auto integrals = [](double k) {
+    const double e = std::sqrt(1 - 1 / (k * k));
+    return std::pair(gsl_sf_ellint_Kcomp(e, GSL_PREC_DOUBLE),
+                     gsl_sf_ellint_Ecomp(e, GSL_PREC_DOUBLE));
+  };
+  const auto excess = [&](double k) {
+    const auto [first, second] = integrals(k);
+    return (k * k * second - first) / (first - second) - alpha;
+  };
+  const double k = alpha == 1 ? 1 : brent(excess, 1 + 1e-7, 2 * alpha);
+  return {is_exchanged ? 1 / k : k, k == 1 ? M_PI / 2 : integrals(k).second};
+}
+
+// Side leakage and exponents of each film formula, in the order of FilmFormula.
+struct FilmFit {
+  double c, u, g, w, m, n;
+};
+inline constexpr FilmFit film_fits[] = {
+    {2.69, 0.67, 0.53, -0.067, 0.61, 0.73}, {3.63, 0.68, 0.49, -0.073, 1, 0.68},
+    {7.32, 0.64, 0, -0.22, 0.72, 0.28},     {7.43, 0.65, 0, -0.21, 0.85, 0.31},
+    {2.65, 0.7, 0.54, -0.13, 0, 0},         {3.06, 0.69, 0.56, -0.1, 0, 0},
+    {1.714, 0.694, 0.568, -0.128, 0, 0},    {2.922, 0.692, 0.47, -0.166, 0, 0}};
+
 inline Point solve(const Scene& scene, double u) {
   const Surface& s = scene.surface;
   const Bodies& b = scene.bodies;
   const bool tripp = scene.closures.asperity == AsperityModel::greenwood_tripp;
-  const double a = std::cbrt(3 * scene.load * b.reduced_radius / (4 * b.effective_modulus));
-  const double area = M_PI * a * a;
+  double radius = b.reduced_radius, k = b.ellipticity, load_length = radius;
+  double area = M_PI * std::pow(3 * scene.load * radius / (4 * b.effective_modulus), 2.0 / 3);
+  if (b.radius_y > 0) {
+    const Ellipse shape = ellipse(b.radius_y / b.radius_x);
+    k = shape.k;
+    load_length = radius = b.radius_x;
+    const double greater = std::max(k, 1 / k);
+    const double r = 1 / (1 / b.radius_x + 1 / b.radius_y);
+    const double minor = std::cbrt(3 * shape.second_integral * scene.load * r /
+                                   (M_PI * greater * b.effective_modulus));
+    area = M_PI * minor * minor * greater;
+  } else if (b.length > 0) {
+    radius = b.radius_x;
+    load_length = b.length;
+    area = 4 * std::sqrt(scene.load / b.length * radius / (M_PI * b.effective_modulus)) * b.length;
+  }
   const double nbs = s.summit_density * s.summit_radius * s.summit_height_sd;
   const double stiffness = tripp ? 16 * std::sqrt(2.0) * M_PI / 15 * nbs * nbs *
                                        std::sqrt(s.summit_height_sd / s.summit_radius) *
@@ -136,17 +183,14 @@ inline Point solve(const Scene& scene, double u) {
                                        area / scene.load;
   const double offset = s.offset_planes * s.summit_plane_offset;
   const double e2 = 2 * b.effective_modulus;
-  const double speed_number = scene.lubricant.viscosity * u / (e2 * b.reduced_radius);
+  const double speed_number = scene.lubricant.viscosity * u / (e2 * radius);
   const double material_number = scene.lubricant.pressure_viscosity * e2;
-  const double load_number = scene.load / (e2 * b.reduced_radius * b.reduced_radius);
-  const bool is_central = scene.closures.film == FilmFormula::hamrock_dowson_central;
-  const double h0 =
-      b.reduced_radius *
-      (is_central ? 2.69 * std::pow(speed_number, 0.67) * std::pow(material_number, 0.53) *
-                        std::pow(load_number, -0.067) * (1 - 0.61 * std::exp(-0.73 * b.ellipticity))
-                  : 3.63 * std::pow(speed_number, 0.68) * std::pow(material_number, 0.49) *
-                        std::pow(load_number, -0.073) * (1 - std::exp(-0.68 * b.ellipticity)));
-  const LoadSharing sharing(scene.closures.asperity, stiffness, offset, is_central ? 0.14 : 0.19);
+  const double load_number = scene.load / (e2 * radius * load_length);
+  const FilmFit& fit = film_fits[static_cast<std::size_t>(scene.closures.film)];
+  const double h0 = radius * fit.c * std::pow(speed_number, fit.u) *
+                    std::pow(material_number, fit.g) * std::pow(load_number, fit.w) *
+                    (1 - fit.m * std::exp(-fit.n * k));
+  const LoadSharing sharing(scene.closures.asperity, stiffness, offset, fit.u - fit.g);
   const double flooded = sharing.solve(h0 / s.summit_height_sd) * s.summit_height_sd;
   double film = flooded;
   if (scene.supply.kind != SupplyKind::flooded) {

@@ -10,6 +10,7 @@
 
 #include "stress/fuzz/checks.hpp"
 #include "stress/fuzz/same_reading.hpp"
+#include "tribo/film_thickness.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::fuzz {
@@ -70,7 +71,13 @@ void check_numbers(const Scene& scene) {
   require(is_not_negative(surface.summit_plane_offset), "summit_plane_offset ≥ 0", id);
   require(surface.offset_planes >= 0 && surface.offset_planes <= 2, "offset_planes 0 to 2", id);
   require(is_positive(bodies.effective_modulus), "effective_modulus > 0", id);
-  require(is_positive(bodies.reduced_radius), "reduced_radius > 0", id);
+  const ContactShape shape = bodies.shape();
+  require(is_positive(shape == ContactShape::circle ? bodies.reduced_radius : bodies.radius_x),
+          "R or R_x > 0", id);
+  require(shape != ContactShape::ellipse || is_positive(bodies.radius_y), "R_y > 0", id);
+  require(shape != ContactShape::line || is_positive(bodies.length), "L > 0", id);
+  require(film_law(closures.film).is_of_lines == (shape == ContactShape::line),
+          "the film law is of the contact's shape", id);
   require(is_positive(bodies.ellipticity), "ellipticity > 0", id);
   require(is_positive(lubricant.viscosity), "viscosity > 0", id);
   require(is_positive(lubricant.pressure_viscosity), "pressure_viscosity > 0", id);
@@ -91,7 +98,7 @@ void check_words(const Scene& scene) {
           "asperity is known", scene.id);
   require(is_among(scene.closures.starvation, StarvationClosure::damiens), "starvation is known",
           scene.id);
-  require(is_among(scene.closures.film, FilmFormula::hamrock_dowson_minimum), "film is known",
+  require(is_among(scene.closures.film, FilmFormula::pan_hamrock_central), "film is known",
           scene.id);
   require(is_among(scene.supply.kind, SupplyKind::inlet_flow), "supply is known", scene.id);
   require(is_among(scene.speeds.spacing, Spacing::lin), "spacing is known", scene.id);
@@ -138,6 +145,43 @@ Json speeds_as_json(const Speeds& speeds) {
           {"spacing", word_of("speed.spacing", static_cast<int>(speeds.spacing))}};
 }
 
+// As they were given: what follows from two bodies is left out. JSON has no ∞, and 1e308 is as
+// flat.
+Json bodies_as_json(const Bodies& bodies) {
+  const auto& [first, second] = bodies.bodies;
+  Json json;
+  if (first.modulus > 0)
+    json = {{"first_modulus", first.modulus},
+            {"first_poisson_ratio", first.poisson_ratio},
+            {"second_modulus", second.modulus},
+            {"second_poisson_ratio", second.poisson_ratio}};
+  else
+    json["effective_modulus"] = bodies.effective_modulus;
+  const auto face = [&](const std::string& name, double radius) {
+    json[name] = std::isinf(radius) ? std::copysign(1e308, radius) : radius;
+  };
+  const ContactShape shape = bodies.shape();
+  if (first.radius_x != 0) {
+    face("first_radius_x", first.radius_x);
+    face("second_radius_x", second.radius_x);
+  }
+  if (first.radius_y != 0) {
+    face("first_radius_y", first.radius_y);
+    face("second_radius_y", second.radius_y);
+  }
+  if (shape == ContactShape::circle) {
+    json["reduced_radius"] = bodies.reduced_radius;
+    json["ellipticity"] = bodies.ellipticity;
+    return json;
+  }
+  if (first.radius_x == 0) json["radius_x"] = bodies.radius_x;
+  if (shape == ContactShape::line)
+    json["length"] = bodies.length;
+  else if (first.radius_y == 0)
+    json["radius_y"] = bodies.radius_y;
+  return json;
+}
+
 // Every field, the defaults too. The outputs are those that were asked for or inferred.
 Json as_json(const Scene& scene) {
   const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
@@ -154,9 +198,7 @@ Json as_json(const Scene& scene) {
                      {"summit_height_sd", surface.summit_height_sd},
                      {"summit_plane_offset", surface.summit_plane_offset},
                      {"offset_planes", surface.offset_planes}};
-  json["bodies"] = {{"effective_modulus", bodies.effective_modulus},
-                    {"reduced_radius", bodies.reduced_radius},
-                    {"ellipticity", bodies.ellipticity}};
+  json["bodies"] = bodies_as_json(bodies);
   json["lubricant"] = {{"viscosity", lubricant.viscosity},
                        {"pressure_viscosity", lubricant.pressure_viscosity}};
   if (lubricant.eyring_stress) json["lubricant"]["eyring_stress"] = *lubricant.eyring_stress;
