@@ -18,8 +18,7 @@
 
 namespace tribo {
 
-// Of all results; the condition is that of F, E*, R_x and R_y.
-inline constexpr Contract hertz_ellipse_contract{0, 4};
+inline constexpr Contract hertz_ellipse_contract{1, 0};
 
 // The shape of an ellipse of contact, which follows from α alone.
 template <class T>
@@ -59,34 +58,48 @@ AssociatedIntegrals<T> associated_integrals(const T& ellipticity) {
   return {scale * (b_sin + b_cos * m), scale * (d_sin + d_cos * m)};
 }
 
-}  // namespace detail
-
-// The shape at radius_ratio α = R_y/R_x ≥ 1, finite. Error of each number: 3 ulp. By Newton's
-// method on α(k), which is increasing and convex, so that it cannot fail.
+// The shape for T, in a wider type, as the roundings of what follows from it would add up. By
+// Newton's method on α(k), which is increasing and convex, so that it cannot fail.
 template <class T>
-EllipseShape<T> ellipse_shape(const T& radius_ratio) {
+EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   using std::abs;
   using std::sqrt;
+  using Wide = WiderType<T>;
+  const T alpha = T(radius_ratio);
+  if (!is_finite(alpha)) return {alpha, alpha, Wide(1 + 0 / alpha)};
   const T accuracy = sqrt(epsilon<T>()) / 4;
   // k ≈ α^{5/8}, the same bits on every machine
-  const T root = sqrt(radius_ratio);
-  T k = root * sqrt(sqrt(root));
+  const T root = sqrt(alpha);
+  T k = root * sqrt(sqrt(root)), slope = 1;
   for (;;) {
-    const auto [b, d] = detail::associated_integrals(k);
-    const T square = k * k, q = (k - 1) * (k + 1) / square;
+    const auto [b, d] = associated_integrals(k);
+    // k² may overflow.
+    const T q = (k - 1) / k * ((k + 1) / k);
     // C = (D − B)/q by its series where the difference cancels; d ln α/d ln k = 1 + C/D + C/(k²B).
     const T c = q < ratio<T>(1, 1000)
                     ? T(pi<T>() / 16 * (1 + q * (ratio<T>(3, 4) + q * ratio<T>(75, 128))))
                     : T((d - b) / q);
-    const T slope = 1 + c / d + c / (square * b);
-    const T step = (radius_ratio * d / (square * b) - 1) / slope;
+    slope = 1 + c / d + c / b / k / k;
+    const T step = (alpha / k * (d / b) / k - 1) / slope;
     // α(k) is convex: no step goes below its root, and the first may go far above it.
     k += k * step;
     if (!(k > 1)) k = 1;
     if (!(abs(step) > accuracy)) break;
   }
-  const auto [b, d] = detail::associated_integrals(WiderType<T>(k));
-  return {k, T(b + d), T(b + d / k / k)};
+  // One more step takes away what these have rounded; dK/d ln k = B, dE/d ln k = −D/k².
+  const Wide near = k;
+  const auto [b, d] = associated_integrals(near);
+  const Wide step = (radius_ratio / near * (d / b) / near - 1) / slope;
+  return {near + near * step, b + d + b * step, b + (d - d * step) / near / near};
+}
+
+}  // namespace detail
+
+// The shape at radius_ratio α = R_y/R_x ≥ 1; ∞ gives k = ∞. Error of each number: 1 ulp.
+template <class T>
+EllipseShape<T> ellipse_shape(const T& radius_ratio) {
+  const auto shape = detail::wide_shape<T>(radius_ratio);
+  return {T(shape.ellipticity), T(shape.first_integral), T(shape.second_integral)};
 }
 
 template <class T>
@@ -105,24 +118,19 @@ struct HertzEllipse {
 template <class T>
 HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
                               const T& radius_y) {
-  // The arithmetic behind the shape is in a wider type, as its dozen roundings would add up.
   using Wide = WiderType<T>;
   const bool is_exchanged = radius_y < radius_x;
-  const T& smaller = is_exchanged ? radius_y : radius_x;
-  const T& greater = is_exchanged ? radius_x : radius_y;
-  const EllipseShape<T> shape = ellipse_shape(T(greater / smaller));
-  const Wide k = shape.ellipticity, second = shape.second_integral;
-  const Wide reduced = relative_radius(Wide(radius_x), Wide(radius_y));
+  const Wide smaller = is_exchanged ? radius_y : radius_x;
+  const Wide greater = is_exchanged ? radius_x : radius_y;
+  const auto [k, first, second] = detail::wide_shape<T>(Wide(greater / smaller));
+  const Wide reduced = relative_radius(smaller, greater);
   const Wide minor =
       cube_root(Wide(3 * second * load * reduced / (pi<Wide>() * k * effective_modulus)));
   const Wide major = k * minor;
   const Wide mean_pressure = load / (pi<Wide>() * minor * major);
-  return {T(is_exchanged ? major : minor),
-          T(is_exchanged ? minor : major),
-          T(is_exchanged ? Wide(1 / k) : k),
-          T(mean_pressure),
-          T(3 * mean_pressure / 2),
-          T(minor * minor / reduced * (shape.first_integral / (2 * second)))};
+  return {T(is_exchanged ? major : minor),   T(is_exchanged ? minor : major),
+          T(is_exchanged ? Wide(1 / k) : k), T(mean_pressure),
+          T(3 * mean_pressure / 2),          T(minor * minor / reduced * (first / (2 * second)))};
 }
 
 }  // namespace tribo
