@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hertz' contacts: the circle, the ellipse and the line.
-#include <acb_elliptic.h>
-
 #include <algorithm>
 #include <array>
 #include <vector>
 
+#include "generators/elliptic_integrals.hpp"
 #include "generators/load_sharing_root.hpp"
 #include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
@@ -55,36 +54,6 @@ Table hertz_contacts() {
 
 namespace {
 
-// The real part of a function of complex balls at a real ball.
-template <class Function>
-Ball at_real(Function&& function, const Ball& x) {
-  acb_t argument, value;
-  acb_init(argument);
-  acb_init(value);
-  acb_set_arb(argument, x.get());
-  function(value, argument, ball_precision);
-  Ball result;
-  arb_set(result.get(), acb_realref(value));
-  acb_clear(value);
-  acb_clear(argument);
-  return result;
-}
-Ball first_integral(const Ball& parameter) { return at_real(acb_elliptic_k, parameter); }
-Ball second_integral(const Ball& parameter) { return at_real(acb_elliptic_e, parameter); }
-
-// Carlson's R_D(0, y, z).
-Ball carlson_rd(const Ball& y, const Ball& z) {
-  acb_t zero, second, third, value;
-  for (acb_ptr x : {zero, second, third, value}) acb_init(x);
-  acb_set_arb(second, y.get());
-  acb_set_arb(third, z.get());
-  acb_elliptic_rj(value, zero, second, third, third, 0, ball_precision);
-  Ball result;
-  arb_set(result.get(), acb_realref(value));
-  for (acb_ptr x : {zero, second, third, value}) acb_clear(x);
-  return result;
-}
-
 // The ellipse of α = the greater radius over the smaller one, α ≥ 1: its axes' ratio k ≥ 1, and
 // the complete elliptic integrals of parameter q = 1 − 1/k².
 struct Shape {
@@ -103,16 +72,6 @@ Shape shape_by_bisection(const Ball& alpha) {
       },
       Ball(1), alpha + 1);
   return {k, first_integral(parameter(k)), second_integral(parameter(k))};
-}
-
-// Carlson's integrals at κ = 1/k²: with B and D, the integrals of cos²/√(1 − q sin²) and of
-// sin²/√(1 − q sin²), α = k²B/D. Nothing cancels.
-struct Associated {
-  Ball k, b, d;
-};
-Associated associated(const Ball& k) {
-  const Ball complement = 1 / (k * k);
-  return {k, complement * carlson_rd(1, complement) / 3, carlson_rd(complement, 1) / 3};
 }
 
 // Newton's method on ln(k²B/D) = ln α in t = ln k, with a proof by signs.

@@ -67,7 +67,7 @@ EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   using Wide = WiderType<T>;
   const T alpha = T(radius_ratio);
   if (!is_finite(alpha)) return {alpha, alpha, Wide(1 + 0 / alpha)};
-  const T accuracy = sqrt(epsilon<T>()) / 4;
+  const T accuracy = sqrt(epsilon<T>()) / 4, small = sqrt(sqrt(epsilon<T>()));
   // k ≈ α^{5/8}, the same bits on every machine
   const T root = sqrt(alpha);
   T k = root * sqrt(sqrt(root)), slope = 1;
@@ -76,9 +76,8 @@ EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
     // k² may overflow.
     const T q = (k - 1) / k * ((k + 1) / k);
     // C = (D − B)/q by its series where the difference cancels; d ln α/d ln k = 1 + C/D + C/(k²B).
-    const T c = q < ratio<T>(1, 1000)
-                    ? T(pi<T>() / 16 * (1 + q * (ratio<T>(3, 4) + q * ratio<T>(75, 128))))
-                    : T((d - b) / q);
+    const T c = q < small ? T(pi<T>() / 16 * (1 + q * (ratio<T>(3, 4) + q * ratio<T>(75, 128))))
+                          : T((d - b) / q);
     slope = 1 + c / d + c / b / k / k;
     const T step = (alpha / k * (d / b) / k - 1) / slope;
     // α(k) is convex: no step goes below its root, and the first may go far above it.
