@@ -29,6 +29,8 @@ constexpr Named tables[] = {{"effective_modulus.csv", tribo::reference::effectiv
                             {"starvation_ratio.csv", tribo::reference::starvation_ratios},
                             {"onset_constant.csv", tribo::reference::onset_constants},
                             {"hertz_point.csv", tribo::reference::hertz_contacts},
+                            {"hertz_ellipse.csv", tribo::reference::elliptical_contact_values},
+                            {"hertz_line.csv", tribo::reference::line_contact_values},
                             {"hamrock_dowson_central.csv", tribo::reference::flooded_films},
                             {"operating_point.csv", tribo::reference::operating_points}};
 

@@ -23,6 +23,8 @@ Table onset_constants();
 Table effective_moduli();
 Table reduced_radii();
 Table hertz_contacts();
+Table elliptical_contact_values();
+Table line_contact_values();
 Table flooded_films();
 Table operating_points();
 

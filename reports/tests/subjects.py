@@ -46,6 +46,17 @@ def hertz_points():
             for load, modulus, radius in [(50, 107.9e9, 9.5e-3), (1e-6, 1e6, 10), (1e6, 1e12, 1e-6)]]
 
 
+def hertz_ellipses():
+    return [call("hertz_ellipse", load=load, effective_modulus=modulus, radius_x=Rx, radius_y=Ry)
+            for load, modulus, Rx, Ry in [(50, 107.9e9, 9.5e-3, 19e-3), (1e3, 113e9, 5.91e-3, 88e-3),
+                                          (30, 5e10, 20e-3, 12.7e-3), (1e-3, 1e5, 1, 1), (1e6, 1e12, 1e-4, 1)]]
+
+
+def hertz_lines():
+    return [call("hertz_line", load_per_length=load, effective_modulus=modulus, reduced_radius=radius)
+            for load, modulus, radius in [(1e5, 107.9e9, 9.5e-3), (1e-3, 1e5, 10), (1e8, 1e12, 1e-6)]]
+
+
 def films():
     return [call("hamrock_dowson_central", speed=u, load=load, reduced_radius=radius, ellipticity=k, **FILM)
             for u, load, radius, k in [(1, 20, 0.01, 1), (1e-4, 0.1, 1e-3, 3), (30, 1e4, 0.3, 8)]]
@@ -80,8 +91,8 @@ def operating_points():
 
 
 def all_lines():
-    return numbered(moments() + effective_moduli() + reduced_radii() + hertz_points() + films()
-                    + starvation_ratios() + load_sharings() + operating_points())
+    return numbered(moments() + effective_moduli() + reduced_radii() + hertz_points() + hertz_ellipses()
+                    + hertz_lines() + films() + starvation_ratios() + load_sharings() + operating_points())
 
 
 def numbered(lines):

@@ -14,6 +14,8 @@ GOOD = {
                        "second_radius_y": -5.2e-3},
     "gaussian_moment": {"order": 2.5, "argument": -1.146},
     "hertz_point": {"load": 50, "effective_modulus": 107.9e9, "reduced_radius": 9.5e-3},
+    "hertz_ellipse": {"load": 50, "effective_modulus": 107.9e9, "radius_x": 9.5e-3, "radius_y": 19e-3},
+    "hertz_line": {"load_per_length": 1e5, "effective_modulus": 107.9e9, "reduced_radius": 9.5e-3},
     "hamrock_dowson_central": {"speed": 1, "viscosity": 0.04, "pressure_viscosity": 2e-8, "load": 20,
                                "effective_modulus": 210e9 / 2 / 0.91, "reduced_radius": 0.01,
                                "ellipticity": 1},
@@ -119,6 +121,30 @@ class Values(unittest.TestCase):
         self.assert_close(answer["mean_pressure"], 50 / (math.pi * radius**2))
         self.assert_close(answer["peak_pressure"], 75 / (math.pi * radius**2))
         self.assert_close(answer["approach"], radius**2 / 9.5e-3)
+
+    def test_hertz_ellipse(self):
+        answer, = ask(call("hertz_ellipse", GOOD["hertz_ellipse"]))
+        self.assertEqual(list(answer), ["id", "semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure",
+                                        "peak_pressure", "approach"])
+        self.assert_close(answer["semi_axis_x"], 131.855e-6, 5e-6)
+        self.assert_close(answer["semi_axis_y"], 209.097e-6, 5e-6)
+        self.assert_close(answer["ellipticity"], 1.58580211970255, 1e-14)
+        self.assert_close(answer["mean_pressure"], answer["peak_pressure"] / 1.5)
+        self.assert_close(answer["peak_pressure"], 0.865897e9, 1e-6)
+        self.assert_close(answer["approach"], 2.06561e-6, 5e-6)
+
+    def test_radii_whose_ratio_is_beyond_double(self):
+        answer, = ask(call("hertz_ellipse", {**GOOD["hertz_ellipse"], "radius_x": 1e-200, "radius_y": 1e200}))
+        self.assertEqual(answer["undefined"]["ellipticity"], "outside the range of double precision")
+        self.assertIsNone(answer["ellipticity"])
+
+    def test_hertz_line(self):
+        answer, = ask(call("hertz_line", GOOD["hertz_line"]))
+        self.assertEqual(list(answer), ["id", "half_width", "mean_pressure", "peak_pressure", "peak_shear"])
+        self.assert_close(answer["half_width"], math.sqrt(4e5 * 9.5e-3 / (math.pi * 107.9e9)))
+        self.assert_close(answer["mean_pressure"], 5e4 / answer["half_width"])
+        self.assert_close(answer["peak_pressure"], 2e5 / (math.pi * answer["half_width"]))
+        self.assert_close(answer["peak_shear"], 0.300283 * answer["peak_pressure"], 1e-6)
 
     def test_hamrock_dowson_central(self):
         # From another library, which has 1.9 for 2.69 (1 − 0.61 e^−0.73).

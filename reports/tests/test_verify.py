@@ -14,8 +14,8 @@ from program import ENVIRONMENT, PROGRAM, TIMEOUT, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 EXACT = ROOT / "reference/exact"
-TABLES = ("effective_modulus", "reduced_radius", "gaussian_moment", "hertz_point", "hamrock_dowson_central",
-          "starvation_ratio", "load_sharing", "onset_constant", "operating_point")
+TABLES = ("effective_modulus", "reduced_radius", "gaussian_moment", "hertz_point", "hertz_ellipse", "hertz_line",
+          "hamrock_dowson_central", "starvation_ratio", "load_sharing", "onset_constant", "operating_point")
 
 
 def rows_of(path):

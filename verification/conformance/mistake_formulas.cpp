@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "tribo/film_thickness.hpp"
+#include "tribo/hertz.hpp"
+#include "tribo/hertz_ellipse.hpp"
 #include "tribo/starvation.hpp"
 #include "tribo/two_bodies.hpp"
 
@@ -75,6 +77,151 @@ std::optional<Results> radius_as_geometric_mean(const Arguments& a, Constants) {
 std::optional<Results> radius_along_x(const Arguments& a, Constants) {
   Results right = right_radii(a);
   right[2] = right[0];
+  return right;
+}
+
+// --- Ellipse: arguments F, E*, R_x and R_y
+
+// α ≥ 1, the greater radius over the smaller one.
+double radii_ratio(const Arguments& a) { return std::max(a[2], a[3]) / std::min(a[2], a[3]); }
+
+// K and E of the parameter 1 − 1/k².
+EllipseShape<double> shape_of(double k) {
+  const auto [b, d] = detail::associated_integrals(k);
+  return {k, b + d, b + d / k / k};
+}
+
+// The results of a shape, right or wrong, with this R.
+Results ellipse_with(const Arguments& a, const EllipseShape<double>& shape, double reduced) {
+  const double k = shape.ellipticity, pi = std::numbers::pi;
+  const double minor = std::cbrt(3 * shape.second_integral * a[0] * reduced / (pi * k * a[1]));
+  const bool is_exchanged = a[3] < a[2];
+  const double mean = a[0] / (pi * k * minor * minor);
+  return {is_exchanged ? k * minor : minor,
+          is_exchanged ? minor : k * minor,
+          is_exchanged ? 1 / k : k,
+          mean,
+          1.5 * mean,
+          minor * minor * shape.first_integral / (2 * reduced * shape.second_integral)};
+}
+Results ellipse_with(const Arguments& a, const EllipseShape<double>& shape) {
+  return ellipse_with(a, shape, in_parallel(a[2], a[3]));
+}
+Results right_ellipse(const Arguments& a) { return ellipse_with(a, ellipse_shape(radii_ratio(a))); }
+
+// Integrals of the parameter q^power in place of q = 1 − 1/k²; 1/2: the modulus, 2: the other way.
+EllipseShape<double> integrals_of_power(double k, double power) {
+  const double q = (k - 1) * (k + 1) / (k * k), wrong = std::pow(q, power);
+  // 1 − q^p without the cancellation of long ellipses
+  const double complement = power == 0.5 ? 1 / (k * k * (1 + wrong))
+                            : power == 2 ? (1 + q) / (k * k)
+                                         : 1 - wrong;
+  EllipseShape<double> shape = shape_of(1 / std::sqrt(complement));
+  shape.ellipticity = k;
+  return shape;
+}
+std::optional<Results> ellipse_of_parameter_power(const Arguments& a, Constants power) {
+  const double ratio = radii_ratio(a);
+  if (!(ratio > 1)) return std::nullopt;  // 0/0
+  double low = 1, high = 4 * ratio;
+  for (double middle = 0; (middle = std::sqrt(low * high)) > low && middle < high;) {
+    const EllipseShape<double> shape = integrals_of_power(middle, power[0]);
+    const double first = shape.first_integral, second = shape.second_integral;
+    const bool is_below = middle * middle * second - first < ratio * (first - second);
+    (is_below ? low : high) = middle;
+  }
+  return ellipse_with(a, integrals_of_power(high, power[0]));
+}
+std::optional<Results> ellipse_of_parameter_power_at_right_k(const Arguments& a, Constants power) {
+  const double k = ellipse_shape(radii_ratio(a)).ellipticity;
+  if (!(k > 1)) return std::nullopt;
+  return ellipse_with(a, integrals_of_power(k, power[0]));
+}
+
+// cos τ = (α − 1)/(α + 1), times a factor.
+std::optional<Results> ellipse_of_auxiliary_angle(const Arguments& a, Constants factor) {
+  const double ratio = radii_ratio(a), cosine = factor[0] * (ratio - 1) / (ratio + 1);
+  if (!(cosine < 1)) return std::nullopt;
+  return ellipse_with(a, ellipse_shape((1 + cosine) / (1 - cosine)));
+}
+
+// k = c α^e, K = f + g ln α, E = h + i/α.
+std::optional<Results> ellipse_of_fits(const Arguments& a, Constants fit) {
+  const double ratio = radii_ratio(a);
+  return ellipse_with(a, {fit[0] * std::pow(ratio, fit[1]), fit[2] + fit[3] * std::log(ratio),
+                          fit[4] + fit[5] / ratio});
+}
+std::optional<Results> ellipse_of_fitted_ratio(const Arguments& a, Constants fit) {
+  return ellipse_with(a, shape_of(fit[0] * std::pow(radii_ratio(a), fit[1])));
+}
+// a³ = E·3FR/(πkE*) with E = (π/2)/k² · (1 + 2(k² − 1)/π + ¼ ln k).
+std::optional<Results> ellipse_of_logarithms(const Arguments& a, Constants) {
+  const double ratio = radii_ratio(a);
+  const double k = 1 + std::sqrt(std::log(16 * ratio) * ratio / 2) - std::sqrt(std::log(4)) -
+                   0.16 * std::log(ratio);
+  const double pi = std::numbers::pi;
+  const double second = pi / 2 / (k * k) * (1 + 2 * (k * k - 1) / pi + 0.25 * std::log(k));
+  EllipseShape<double> shape = shape_of(k);
+  shape.second_integral = second;
+  return ellipse_with(a, shape);
+}
+
+std::optional<Results> ellipse_exchanged(const Arguments& a, Constants) {
+  return right_ellipse({a[0], a[1], a[3], a[2]});
+}
+std::optional<Results> ellipse_of_greater_ratio(const Arguments& a, Constants) {
+  Results right = right_ellipse(a);
+  right[2] = std::max(right[2], 1 / right[2]);
+  return right;
+}
+std::optional<Results> ellipse_eccentricity(const Arguments& a, Constants) {
+  Results right = right_ellipse(a);
+  const double k = std::max(right[2], 1 / right[2]);
+  right[2] = std::sqrt((k - 1) * (k + 1)) / k;
+  return right;
+}
+
+// With another R.
+std::optional<Results> ellipse_with_radius(const Arguments& a, double radius) {
+  return ellipse_with(a, ellipse_shape(radii_ratio(a)), radius);
+}
+std::optional<Results> ellipse_with_radius_x(const Arguments& a, Constants) {
+  return ellipse_with_radius(a, a[2]);
+}
+std::optional<Results> ellipse_with_smaller_radius(const Arguments& a, Constants) {
+  return ellipse_with_radius(a, std::min(a[2], a[3]));
+}
+std::optional<Results> ellipse_with_multiple_of_radius(const Arguments& a, Constants factor) {
+  return ellipse_with_radius(a, factor[0] * in_parallel(a[2], a[3]));
+}
+// The power mean of R_x and R_y: −1 harmonic, 0 geometric, 1 arithmetic.
+double mean_radius(const Arguments& a, double power) {
+  return power < 0   ? 2 * in_parallel(a[2], a[3])
+         : power > 0 ? (a[2] + a[3]) / 2
+                     : std::sqrt(a[2]) * std::sqrt(a[3]);
+}
+std::optional<Results> ellipse_with_mean_radius(const Arguments& a, Constants power) {
+  return ellipse_with_radius(a, mean_radius(a, power[0]));
+}
+
+// As a circle.
+std::optional<Results> circle(const Arguments& a, double radius) {
+  const HertzPoint<double> hertz = hertz_point(a[0], a[1], radius);
+  return Results{hertz.radius,        hertz.radius,        1,
+                 hertz.mean_pressure, hertz.peak_pressure, hertz.approach};
+}
+std::optional<Results> ellipse_as_circle_of_mean_radius(const Arguments& a, Constants power) {
+  return circle(a, mean_radius(a, power[0]));
+}
+std::optional<Results> ellipse_as_circle_of_reduced_radius(const Arguments& a, Constants) {
+  return circle(a, in_parallel(a[2], a[3]));
+}
+std::optional<Results> ellipse_as_circle_of_radius_x(const Arguments& a, Constants) {
+  return circle(a, a[2]);
+}
+std::optional<Results> ellipse_with_approach_of_circle(const Arguments& a, Constants power) {
+  Results right = right_ellipse(a);
+  right[5] = hertz_point(a[0], a[1], mean_radius(a, power[0])).approach;
   return right;
 }
 
@@ -184,6 +331,29 @@ constexpr std::array formulas{
     NamedFormula{"reduced_radius", "radius_as_mean", 0, radius_as_mean},
     NamedFormula{"reduced_radius", "radius_as_geometric_mean", 0, radius_as_geometric_mean},
     NamedFormula{"reduced_radius", "radius_along_x", 0, radius_along_x},
+    NamedFormula{"hertz_ellipse", "ellipse_of_parameter_power", 1, ellipse_of_parameter_power},
+    NamedFormula{"hertz_ellipse", "ellipse_of_parameter_power_at_right_k", 1,
+                 ellipse_of_parameter_power_at_right_k},
+    NamedFormula{"hertz_ellipse", "ellipse_of_auxiliary_angle", 1, ellipse_of_auxiliary_angle},
+    NamedFormula{"hertz_ellipse", "ellipse_of_fits", 6, ellipse_of_fits},
+    NamedFormula{"hertz_ellipse", "ellipse_of_fitted_ratio", 2, ellipse_of_fitted_ratio},
+    NamedFormula{"hertz_ellipse", "ellipse_of_logarithms", 0, ellipse_of_logarithms},
+    NamedFormula{"hertz_ellipse", "ellipse_exchanged", 0, ellipse_exchanged},
+    NamedFormula{"hertz_ellipse", "ellipse_of_greater_ratio", 0, ellipse_of_greater_ratio},
+    NamedFormula{"hertz_ellipse", "ellipse_eccentricity", 0, ellipse_eccentricity},
+    NamedFormula{"hertz_ellipse", "ellipse_with_radius_x", 0, ellipse_with_radius_x},
+    NamedFormula{"hertz_ellipse", "ellipse_with_smaller_radius", 0, ellipse_with_smaller_radius},
+    NamedFormula{"hertz_ellipse", "ellipse_with_multiple_of_radius", 1,
+                 ellipse_with_multiple_of_radius},
+    NamedFormula{"hertz_ellipse", "ellipse_with_mean_radius", 1, ellipse_with_mean_radius},
+    NamedFormula{"hertz_ellipse", "ellipse_as_circle_of_mean_radius", 1,
+                 ellipse_as_circle_of_mean_radius},
+    NamedFormula{"hertz_ellipse", "ellipse_as_circle_of_reduced_radius", 0,
+                 ellipse_as_circle_of_reduced_radius},
+    NamedFormula{"hertz_ellipse", "ellipse_as_circle_of_radius_x", 0,
+                 ellipse_as_circle_of_radius_x},
+    NamedFormula{"hertz_ellipse", "ellipse_with_approach_of_circle", 1,
+                 ellipse_with_approach_of_circle},
     NamedFormula{"gaussian_moment", "moment_of_order", 1, only<moment_of_order>},
     NamedFormula{"gaussian_moment", "moment_about_zero", 0, only<moment_about_zero>},
     NamedFormula{"gaussian_moment", "moment_cut_at", 2, only<moment_cut_at>},

@@ -18,8 +18,7 @@
 
 namespace tribo {
 
-// Of all results; the condition is that of F, E*, R_x and R_y.
-inline constexpr Contract hertz_ellipse_contract{0, 4};
+inline constexpr Contract hertz_ellipse_contract{1, 0};
 
 // The shape of an ellipse of contact, which follows from α alone.
 template <class T>
@@ -59,36 +58,49 @@ AssociatedIntegrals<T> associated_integrals(const T& ellipticity) {
   return {scale * (b_sin + b_cos * m), scale * (d_sin + d_cos * m)};
 }
 
-}  // namespace detail
-
-// The shape at radius_ratio α = R_y/R_x; three NaN unless 1 ≤ α < ∞. Error of each number: 3 ulp.
-// By Newton's method on α(k), which is increasing and convex, so that it cannot fail.
+// The shape for T, in a wider type, as the roundings of what follows from it would add up. By
+// Newton's method on α(k), which is increasing and convex, so that it cannot fail.
 template <class T>
-EllipseShape<T> ellipse_shape(const T& radius_ratio) {
+EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   using std::abs;
   using std::sqrt;
-  const T accuracy = sqrt(epsilon<T>()) / 4;
-  if (!(radius_ratio >= 1 && is_finite(radius_ratio)))
-    return {quiet_nan<T>(), quiet_nan<T>(), quiet_nan<T>()};
-  // k is about α^{5/8}, and far out √(α ln k): the same bits on every machine
-  const T root = sqrt(radius_ratio), rise = sqrt(sqrt(root));
-  T k = root * (rise < 20 ? rise : T(20));
+  using Wide = WiderType<T>;
+  const T alpha = T(radius_ratio);
+  if (!(alpha >= 1)) return {quiet_nan<Wide>(), quiet_nan<Wide>(), quiet_nan<Wide>()};
+  if (!is_finite(alpha)) return {alpha, alpha, Wide(1)};
+  const T accuracy = sqrt(epsilon<T>()) / 4, small = sqrt(sqrt(epsilon<T>()));
+  // k ≈ α^{5/8}, the same bits on every machine
+  const T root = sqrt(alpha);
+  T k = root * sqrt(sqrt(root)), slope = 1;
   for (;;) {
-    const auto [b, d] = detail::associated_integrals(k);
+    const auto [b, d] = associated_integrals(k);
+    // k² may overflow.
     const T q = (k - 1) / k * ((k + 1) / k);
     // C = (D − B)/q by its series where the difference cancels; d ln α/d ln k = 1 + C/D + C/(k²B).
-    const T c = q < ratio<T>(1, 1000)
-                    ? T(pi<T>() / 16 * (1 + q * (ratio<T>(3, 4) + q * ratio<T>(75, 128))))
-                    : T((d - b) / q);
-    const T slope = 1 + c / d + c / k / (k * b);
-    const T step = (radius_ratio / k * (d / (k * b)) - 1) / slope;
+    const T c = q < small ? T(pi<T>() / 16 * (1 + q * (ratio<T>(3, 4) + q * ratio<T>(75, 128))))
+                          : T((d - b) / q);
+    slope = 1 + c / d + c / b / k / k;
+    const T step = (alpha / k * (d / b) / k - 1) / slope;
     // α(k) is convex: no step goes below its root, and the first may go far above it.
     k += k * step;
     if (!(k > 1)) k = 1;
     if (!(abs(step) > accuracy)) break;
   }
-  const auto [b, d] = detail::associated_integrals(WiderType<T>(k));
-  return {k, T(b + d), T(b + d / k / k)};
+  // One more step takes away what these have rounded; dK/d ln k = B, dE/d ln k = −D/k².
+  const Wide near = k;
+  const auto [b, d] = associated_integrals(near);
+  const Wide step = (radius_ratio / near * (d / b) / near - 1) / slope;
+  return {near + near * step, b + d + b * step, b + (d - d * step) / near / near};
+}
+
+}  // namespace detail
+
+// The shape at radius_ratio α = R_y/R_x ≥ 1; ∞ gives k = ∞, and numbers below 1 NaN. Error of each
+// number: 1 ulp.
+template <class T>
+EllipseShape<T> ellipse_shape(const T& radius_ratio) {
+  const auto shape = detail::wide_shape<T>(radius_ratio);
+  return {T(shape.ellipticity), T(shape.first_integral), T(shape.second_integral)};
 }
 
 // An ellipse of contact against the circle that two balls with the ellipse's R_x in both directions
@@ -100,22 +112,28 @@ struct EllipseOfCircle {
   T approach;    // of the approach over a_x²/R_x, which is the circle's
 };
 
-// radius_x R_x and radius_y R_y > 0 in m, both finite. Error of each number: 4 ulp of its
-// condition.
+namespace detail {
+
 template <class T>
-EllipseOfCircle<T> ellipse_of_circle(const T& radius_x, const T& radius_y) {
-  // The arithmetic behind the shape is in a wider type, as its roundings would add up.
+EllipseOfCircle<WiderType<T>> wide_ellipse(const T& radius_x, const T& radius_y) {
   using Wide = WiderType<T>;
   const bool is_exchanged = radius_y < radius_x;
-  const EllipseShape<T> shape =
-      ellipse_shape(is_exchanged ? T(radius_x / radius_y) : T(radius_y / radius_x));
-  const Wide k = shape.ellipticity, second = shape.second_integral;
-  // R/R_x, 1/2 of a circle
-  const Wide reduced = Wide(radius_y) / (Wide(radius_x) + Wide(radius_y));
+  const Wide x = radius_x, y = radius_y;
+  const auto [k, first, second] = wide_shape<T>(is_exchanged ? Wide(x / y) : Wide(y / x));
+  const Wide reduced = relative_radius(x, y) / x;       // R/R_x, 1/2 of a circle
   const Wide cube = 4 * second * reduced / pi<Wide>();  // of the smaller axis, times k
-  return {
-      T(is_exchanged ? Wide(cube * k * k) : Wide(cube / k)), T(is_exchanged ? Wide(1 / k) : k),
-      T(shape.first_integral / (2 * second * reduced) / (is_exchanged ? Wide(k * k) : Wide(1)))};
+  const Wide approach = first / (2 * second * reduced);
+  if (is_exchanged) return {cube * k * k, 1 / k, approach / k / k};
+  return {cube / k, k, approach};
+}
+
+}  // namespace detail
+
+// radius_x R_x and radius_y R_y > 0 in m. Error of each number: 1 ulp.
+template <class T>
+EllipseOfCircle<T> ellipse_of_circle(const T& radius_x, const T& radius_y) {
+  const auto ellipse = detail::wide_ellipse(radius_x, radius_y);
+  return {T(ellipse.axis_cube), T(ellipse.axes_ratio), T(ellipse.approach)};
 }
 
 template <class T>
@@ -129,9 +147,9 @@ struct HertzEllipse {
 };
 
 // Of an ellipse that is known already. load F > 0 in N, effective_modulus E* > 0 in Pa (never 2E*).
-template <class T>
+template <class T, class Known>
 HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
-                              const EllipseOfCircle<T>& ellipse) {
+                              const EllipseOfCircle<Known>& ellipse) {
   using Wide = WiderType<T>;
   const Wide axis_x = cube_root(
       Wide(3 * Wide(load) * radius_x / (4 * Wide(effective_modulus)) * ellipse.axis_cube));
@@ -139,7 +157,7 @@ HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T
   const Wide mean_pressure = load / (pi<Wide>() * axis_x * axis_y);
   return {T(axis_x),
           T(axis_y),
-          ellipse.axes_ratio,
+          T(ellipse.axes_ratio),
           T(mean_pressure),
           T(3 * mean_pressure / 2),
           T(axis_x * axis_x / radius_x * ellipse.approach)};
@@ -150,7 +168,7 @@ HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T
 template <class T>
 HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
                               const T& radius_y) {
-  return hertz_ellipse(load, effective_modulus, radius_x, ellipse_of_circle(radius_x, radius_y));
+  return hertz_ellipse(load, effective_modulus, radius_x, detail::wide_ellipse(radius_x, radius_y));
 }
 
 }  // namespace tribo

@@ -9,7 +9,7 @@
 
 namespace tribo {
 
-inline constexpr Contract hertz_line_contract{8, 0};
+inline constexpr Contract hertz_line_contract{1, 0};
 
 template <class T>
 struct HertzLine {
@@ -34,11 +34,12 @@ template <class T>
 HertzLine<T> hertz_line(const T& load_per_length, const T& effective_modulus,
                         const T& reduced_radius) {
   using std::sqrt;
-  const T half_width =
-      sqrt(T(4 * load_per_length * reduced_radius / (pi<T>() * effective_modulus)));
-  const T mean_pressure = load_per_length / (2 * half_width);
-  const T peak_pressure = two_over_pi<T>() * (load_per_length / half_width);
-  return {half_width, mean_pressure, peak_pressure, line_peak_shear_ratio<T>() * peak_pressure};
+  using Wide = WiderType<T>;  // whose roundings do not add up to one of T
+  const Wide load = load_per_length;
+  const Wide half_width = sqrt(Wide(4 * load * reduced_radius / (pi<Wide>() * effective_modulus)));
+  const Wide peak_pressure = two_over_pi<Wide>() * (load / half_width);
+  return {T(half_width), T(load / (2 * half_width)), T(peak_pressure),
+          T(line_peak_shear_ratio<Wide>() * peak_pressure)};
 }
 
 }  // namespace tribo

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "support/judge.hpp"
+#include "tribo/hertz_ellipse.hpp"
+#include "tribo/hertz_line.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/two_bodies.hpp"
@@ -90,6 +92,8 @@ TEST(Contracts, AreNoWiderThanPromised) {
   same(hertz_contract, {10, 0});
   same(effective_modulus_contract, {6, 0});
   same(reduced_radius_contract, {6, 0});
+  same(hertz_ellipse_contract, {1, 0});
+  same(hertz_line_contract, {1, 0});
   same(starvation_ratio_contract, {16, 0});
   same(load_sharing_contract, {4, 8.5});
   same(operating_point_contract, {8, 16});

@@ -40,6 +40,8 @@ constexpr std::array<Drawn, kind_count> drawn{{{Kind::scene, 400, 700},
                                                {Kind::shear, 600, 600},
                                                {Kind::effective_modulus, 400, 400},
                                                {Kind::reduced_radius, 400, 395},
+                                               {Kind::hertz_ellipse, 400, 400},
+                                               {Kind::hertz_line, 400, 400},
                                                {Kind::extreme_scene, 200, 180}}};
 
 // 0 and its neighbours, the ends of all pieces and series, and where results are subnormal or far.
@@ -161,6 +163,9 @@ std::vector<Point> points_of(const Drawn& asked) {
       for (const double r :
            {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0), 1e-300, 1e300})
         add({r, 3}, closure);
+  if (asked.kind == Kind::hertz_ellipse)  // the circle and its neighbours
+    for (const double ratio : {1.0, 1 + 0x1p-52, 1 + 1e-15, 1 + 1e-10, 1 + 1e-5, 1.001, 1e4})
+      add({50, 107.9e9, 0x1p-7, 0x1p-7 * ratio});
   if (asked.kind == Kind::shear)  // past the overflow of x, and no sliding
     for (const double speed : {1.0, 0.0}) add({2, 1, speed, 1, 1000});
   return points;

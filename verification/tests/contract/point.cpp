@@ -11,6 +11,8 @@
 #include "support/film_laws.hpp"
 #include "support/scenes.hpp"
 #include "tribo/batch.hpp"
+#include "tribo/hertz_ellipse.hpp"
+#include "tribo/hertz_line.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/two_bodies.hpp"
 
@@ -33,6 +35,8 @@ constexpr std::size_t viscosity_row = rough_row + 3;
 constexpr std::size_t shear_row = viscosity_row + 1;
 constexpr std::size_t modulus_row = shear_row + 1;
 constexpr std::size_t radius_row = modulus_row + 1;
+constexpr std::size_t ellipse_row = radius_row + 3;
+constexpr std::size_t line_row = ellipse_row + 6;
 
 constexpr std::array orders{Order::zero,         Order::half, Order::one,
                             Order::three_halves, Order::two,  Order::five_halves};
@@ -149,6 +153,18 @@ void draw_radii(Sampler& sampler, Point& point) {
   }
 }
 
+// F, E*, R_x and R_y, of which some are nearly a circle, and some far longer than bodies are.
+void draw_ellipse(Sampler& sampler, Point& point) {
+  const bool is_usual = sampler.pick({0, 1}) == 1;
+  const double far = is_usual ? 1 : 1e40;
+  point.x = {sampler.log_uniform(1e-3 / far, 1e6 * far), sampler.log_uniform(1e5 / far, 1e12 * far),
+             sampler.log_uniform(1e-6 / far, 1e3 * far)};
+  point.x[3] =
+      point.x[2] * (sampler.pick({0, 1}) == 1 ? 1 + sampler.log_uniform(1e-16, 1)
+                                              : sampler.log_uniform(1e-4 / far, 1e4 * far));
+  if (sampler.pick({0, 1}) == 1) std::swap(point.x[2], point.x[3]);
+}
+
 bool is_share(double x) { return x >= 0 && x <= 1; }
 
 // d ln/d ln of ln F is 1/ln F, but the error of a logarithm near 0 is one of F: ε at least.
@@ -192,6 +208,11 @@ std::span<const Row> rows() {
     add("fluid_shear_stress", {"value"}, {0, 20});
     add("effective_modulus", {"value"}, effective_modulus_contract);
     add("reduced_radius", {"radius_x", "radius_y", "reduced_radius"}, reduced_radius_contract);
+    add("hertz_ellipse",
+        {"semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure", "peak_pressure", "approach"},
+        hertz_ellipse_contract);
+    add("hertz_line", {"half_width", "mean_pressure", "peak_pressure", "peak_shear"},
+        hertz_line_contract);
     return table;
   }();
   return all;
@@ -208,8 +229,9 @@ std::size_t first_row(const Point& point) {
     case Kind::film_ratio:
       return ratio_row + static_cast<std::size_t>(point.scene.closures.starvation);
     default: {
-      constexpr std::array first{moment_row, scaled_row,    deficit_row, hertz_row,   film_row,
-                                 rough_row,  viscosity_row, shear_row,   modulus_row, radius_row};
+      constexpr std::array first{moment_row,  scaled_row, deficit_row,   hertz_row,
+                                 film_row,    rough_row,  viscosity_row, shear_row,
+                                 modulus_row, radius_row, ellipse_row,   line_row};
       return first[static_cast<std::size_t>(point.kind) - static_cast<std::size_t>(Kind::moment)];
     }
   }
@@ -240,7 +262,9 @@ std::string_view name(Kind kind) {
                                                            "viscosity",
                                                            "shear",
                                                            "effective_modulus",
-                                                           "reduced_radius"};
+                                                           "reduced_radius",
+                                                           "hertz_ellipse",
+                                                           "hertz_line"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -296,6 +320,12 @@ void draw(Sampler& sampler, Point& point) {
       break;
     case Kind::reduced_radius:
       draw_radii(sampler, point);
+      break;
+    case Kind::hertz_ellipse:
+      draw_ellipse(sampler, point);
+      break;
+    case Kind::hertz_line:  // F/L, E*, R
+      numbers({{1e-60, 1e60}, {1e-60, 1e60}, {1e-60, 1e60}});
       break;
     default:
       draw_moment(sampler, point);
@@ -363,6 +393,15 @@ Values<T> values_of(const Point& point) {
     case Kind::reduced_radius: {
       const ReducedRadius<T> radii = reduced_radius(x(0), x(1), x(2), x(3));
       return {{radii.radius_x, radii.radius_y, radii.reduced_radius}};
+    }
+    case Kind::hertz_ellipse: {
+      const HertzEllipse<T> hertz = hertz_ellipse(x(0), x(1), x(2), x(3));
+      return {{hertz.semi_axis_x, hertz.semi_axis_y, hertz.ellipticity, hertz.mean_pressure,
+               hertz.peak_pressure, hertz.approach}};
+    }
+    case Kind::hertz_line: {
+      const HertzLine<T> hertz = hertz_line(x(0), x(1), x(2));
+      return {{hertz.half_width, hertz.mean_pressure, hertz.peak_pressure, hertz.peak_shear}};
     }
     case Kind::moment: {
       Values<T> values;

@@ -46,6 +46,8 @@ enum class Kind : std::uint8_t {
   shear,
   effective_modulus,
   reduced_radius,
+  hertz_ellipse,
+  hertz_line,
   count
 };
 inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);

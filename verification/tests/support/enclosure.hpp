@@ -3,7 +3,8 @@
 // that a result encloses the value of the formulas at the exact inputs.
 //
 // Run as they stand: all formulas of hertz.hpp, film_thickness.hpp, asperity_contact.hpp,
-// friction.hpp and mixed_contact.hpp; of load_sharing.hpp the shares; of starvation.hpp the
+// friction.hpp, hertz_line.hpp and mixed_contact.hpp; of hertz_ellipse.hpp all behind the shape; of
+// load_sharing.hpp the shares; of starvation.hpp the
 // closures and the step that refines ψ; of gaussian_moment.hpp the products with e^{−d²/2}.
 //
 // Replaced, because a ball does not know what an iteration or a sum leaves out:
@@ -16,6 +17,9 @@
 //                            (distance_above_floor): likewise, from the root in long double. The
 //                            equations are written out here after the comment that heads
 //                            load_sharing.hpp; A in them is the model's asperity_share.
+//   the shape of an ellipse  likewise: the model's equation in ln k, on Carlson's integrals in
+//   place
+//                            of Bulirsch's.
 //   LoadSharing: the Taylor series of 1 − A near the floor, by 1 − A itself: 320 bits stand the
 //                            cancellation.
 // So what is checked here is each formula's text, its branches, and that the numbers of the
@@ -33,9 +37,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "generators/elliptic_integrals.hpp"
 #include "generators/moments.hpp"
 #include "tribo/bracketed_root.hpp"
 #include "tribo/gaussian_moment.hpp"
+#include "tribo/hertz_ellipse.hpp"
 #include "tribo/load_sharing.hpp"
 
 template <>
@@ -270,6 +276,29 @@ inline reference::Ball LoadSharing<reference::Ball>::distance_above_floor(
   }
   return verification::proven_zero([&](const Ball& x) { return fluid_share_near_floor(x) - fluid; },
                                    distance, distance);
+}
+
+template <>
+inline EllipseShape<reference::Ball> detail::wide_shape<reference::Ball>(
+    const reference::Ball& radius_ratio) {
+  using reference::Ball;
+  const verification::Proof proof;
+  const auto residual = [&](const Ball& log_k) {
+    const reference::Associated at = reference::associated(exp(log_k));
+    return log(at.k * at.k * at.b / at.d / radius_ratio);
+  };
+  const Ball h = pow(Ball(2), Ball(-120));
+  Ball log_k = verification::as_enclosure(
+      std::log(ellipse_shape(verification::as_long_double(radius_ratio)).ellipticity));
+  for (int i = 0; i < 60; ++i) {
+    const Ball value = residual(log_k);
+    const Ball step = (value * h / (residual((log_k + h).midpoint()) - value)).midpoint();
+    log_k = (log_k - step).midpoint();
+    if (abs(step) < pow(Ball(2), Ball(-250))) break;
+  }
+  const Ball k = exp(verification::proven_zero(residual, log_k, 1));
+  const reference::Associated at = reference::associated(k);
+  return {k, at.b + at.d, at.b + at.d / (k * k)};
 }
 
 }  // namespace tribo

@@ -12,11 +12,12 @@ from catalogue import MISTAKES
 import subject
 import wrong_bodies
 import wrong_contact
+import wrong_ellipse
 import wrong_film
 import wrong_inlet
 import wrong_moments
 
-PARTS = (wrong_moments, wrong_bodies, wrong_film, wrong_contact, wrong_inlet)  # importing them fills the list
+PARTS = (wrong_moments, wrong_bodies, wrong_film, wrong_ellipse, wrong_contact, wrong_inlet)  # importing them fills the list
 
 
 def main():

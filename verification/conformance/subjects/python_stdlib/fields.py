@@ -17,6 +17,10 @@ FUNCTIONS = {
     "gaussian_moment": {"order": ("order", REQUIRED), "argument": ("any", REQUIRED)},
     "hertz_point": {name: ("above 0", REQUIRED)
                     for name in ("load", "effective_modulus", "reduced_radius")},
+    "hertz_ellipse": {name: ("above 0", REQUIRED)
+                      for name in ("load", "effective_modulus", "radius_x", "radius_y")},
+    "hertz_line": {name: ("above 0", REQUIRED)
+                   for name in ("load_per_length", "effective_modulus", "reduced_radius")},
     "hamrock_dowson_central": {
         "speed": ("above 0", REQUIRED), "viscosity": ("above 0", REQUIRED),
         "pressure_viscosity": ("above 0", REQUIRED), "load": ("above 0", REQUIRED),

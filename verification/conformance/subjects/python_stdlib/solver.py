@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mixed lubrication of one circular point contact: pure functions, SI units, no input or output.
+"""Contacts of smooth bodies, and mixed lubrication of a circular one: pure functions, SI units, no input or output.
 
 Symbols: F load, E effective modulus E*, R reduced radius, K stiffness of the asperities, lam a film or
 separation over the standard deviation of summit heights, delta the offset of the summit planes over it.
@@ -69,6 +69,89 @@ def hertz_point(F, E, R):
     mean = F / nominal_area(radius)
     return {"radius": radius, "mean_pressure": mean,
             "peak_pressure": peak_over_mean_pressure() * mean, "approach": approach(F, E, R)}
+
+
+# Hertz' ellipse, whose axes' ratio is k = a_y/a_x >= 1 and whose radii's is alpha, and Hertz' line
+
+def integral_arguments(k):
+    """The parameter q = 1 - 1/k^2 of the elliptic integrals, and 1 - q."""
+    return (k - 1) * (k + 1) / (k * k), 1 / (k * k)
+
+
+def complete_integrals(parameter, complement):
+    """K, E and (K - E)/K by arithmetic and geometric means."""
+    mean, root, power, total = 1.0, math.sqrt(complement), 0.5, 0.5 * parameter
+    while mean - root > 1e-9 * mean:
+        half = (mean - root) / 2
+        mean, root = (mean + root) / 2, math.sqrt(mean * root)
+        power *= 2
+        total += power * half * half
+    first = math.pi / (mean + root)
+    return first, first * (1 - total), total
+
+
+def radii_ratio(k):
+    """alpha = (k^2 E - K)/(K - E)."""
+    _, _, part = complete_integrals(*integral_arguments(k))
+    return (k - 1) * (k + 1) / part - k * k if part > 0 else 1.0
+
+
+def axes_ratio(alpha):
+    def is_too_round(k):
+        return radii_ratio(k) < alpha
+    return sign_change(is_too_round, 1.0, beyond(is_too_round, 1.0))
+
+
+def ellipse_shape(alpha):
+    """k, K and E."""
+    k = axes_ratio(alpha)
+    return (k, *complete_integrals(*integral_arguments(k))[:2])
+
+
+def radius_of_both(Rx, Ry):
+    return Rx * Ry / (Rx + Ry)
+
+
+def minor_axis(F, E, R, k, second):
+    return math.cbrt(3 * second * F * R / (math.pi * k * E))
+
+
+def approach_of_ellipse(F, E, Rx, Ry, k, first, second):
+    R = radius_of_both(Rx, Ry)
+    return minor_axis(F, E, R, k, second) ** 2 * first / (2 * R * second)
+
+
+def hertz_ellipse(F, E, Rx, Ry):
+    small, large = sorted((Rx, Ry))
+    k, first, second = ellipse_shape(large / small)
+    minor = minor_axis(F, E, radius_of_both(Rx, Ry), k, second)
+    x, y = (minor, k * minor) if Rx == small else (k * minor, minor)
+    mean = F / (math.pi * x * y)
+    return {"semi_axis_x": x, "semi_axis_y": y, "ellipticity": y / x, "mean_pressure": mean,
+            "peak_pressure": 1.5 * mean, "approach": approach_of_ellipse(F, E, Rx, Ry, k, first, second)}
+
+
+def line_half_width(load, E, R):
+    return math.sqrt(4 * load * R / (math.pi * E))
+
+
+def line_peak_over_mean():
+    return 4 / math.pi
+
+
+def line_shear_over_peak():
+    """Greatest on the line's axis at z = 0.786 b below it."""
+    z2 = (math.sqrt(5) - 1) / 2
+    return math.sqrt(z2) - z2 / math.sqrt(1 + z2)
+
+
+def hertz_line(load, E, R):
+    """load of a metre"""
+    b = line_half_width(load, E, R)
+    mean = load / (2 * b)
+    peak = line_peak_over_mean() * mean
+    return {"half_width": b, "mean_pressure": mean, "peak_pressure": peak,
+            "peak_shear": line_shear_over_peak() * peak}
 
 
 def film_constant(ellipticity):

@@ -31,6 +31,14 @@ def hertz_point(given):
     return solver.hertz_point(given["load"], given["effective_modulus"], given["reduced_radius"])
 
 
+def hertz_ellipse(given):
+    return solver.hertz_ellipse(*given.values())
+
+
+def hertz_line(given):
+    return solver.hertz_line(*given.values())
+
+
 def hamrock_dowson_central(given):
     return {"value": solver.hamrock_dowson_central(*given.values())}
 
@@ -44,8 +52,8 @@ def load_sharing(given):
 
 
 FUNCTIONS = {function.__name__: function for function in (
-    effective_modulus, reduced_radius, gaussian_moment, hertz_point, hamrock_dowson_central,
-    starvation_ratio, load_sharing)}
+    effective_modulus, reduced_radius, gaussian_moment, hertz_point, hertz_ellipse, hertz_line,
+    hamrock_dowson_central, starvation_ratio, load_sharing)}
 
 
 def call(line):

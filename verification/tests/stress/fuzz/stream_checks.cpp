@@ -201,6 +201,18 @@ void check_function(const Json& question, const Json& answer, const std::string&
               text);
     return;
   }
+  if (name == "hertz_ellipse" || name == "hertz_line") {
+    const bool is_line = name == "hertz_line";
+    for (const char* part :
+         is_line ? std::vector{"half_width", "mean_pressure", "peak_pressure", "peak_shear"}
+                 : std::vector{"semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure",
+                               "peak_pressure", "approach"})
+      require(number_or(answer, part, 0) >= 0 && answer.contains(part), "Hertz, not negative",
+              text);
+    require(number_or(answer, "mean_pressure", 0) <= number_or(answer, "peak_pressure", HUGE_VAL),
+            "no mean above the peak", text);
+    return;
+  }
   if (name == "reduced_radius") {
     for (const char* part : {"radius_x", "radius_y", "reduced_radius"})
       require(number_or(answer, part, 0) >= 0 && answer.contains(part), "radii, not negative",

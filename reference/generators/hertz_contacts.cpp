@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hertz' contacts: the circle, the ellipse and the line.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "generators/elliptic_integrals.hpp"
+#include "generators/load_sharing_root.hpp"
+#include "generators/quantities.hpp"
+#include "generators/sampler.hpp"
+
+namespace tribo::reference {
+
+Table hertz_contacts() {
+  Table table;
+  table.header = {
+      "hertz_point",
+      "a^3 = 3FR/(4E*), mean pressure F/(pi a^2), peak 3/2 of it, approach a^2/R",
+      "m, Pa, Pa, m",
+      "load [1e-6, 1e6] N, effective modulus [1e6, 1e12] Pa, radius [1e-6, 10] m",
+      "powers",
+      "a by bisection on a^3; peak pressure as 2aE*/(pi R), approach as (9F^2/(16 E*^2 R))^(1/3)",
+      "id,output,load,effective_modulus,reduced_radius,value,high,low,condition,region"};
+  Sampler sampler(404);
+  int number = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double f = i == 0 ? 50 : sampler.log_uniform(1e-6, 1e6);
+    const double e = i == 0 ? 107.9e9 : sampler.log_uniform(1e6, 1e12);
+    const double r = i == 0 ? 9.5e-3 : sampler.log_uniform(1e-6, 10);
+    for (int k = 0; k < 4; ++k)
+      table.rows.emplace_back([=, id = fmt::format("h{:04}", number++)] {
+        const Ball load(f), modulus(e), radius(r);
+        const Ball cube = 3 * load * radius / (4 * modulus);
+        const Ball a = pow(cube, fraction(1, 3));
+        const Ball b = bisect(
+            [&](const Ball& x) {
+              const Ball excess = x * x * x - cube;
+              return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+            },
+            Ball(1e-12), Ball(1e4));
+        const Ball mean = load / (ball_pi() * a * a);
+        const Ball values[] = {a, mean, mean * 3 / 2, a * a / radius};
+        const Ball others[] = {
+            b, 4 * b * modulus / (3 * ball_pi() * radius), 2 * b * modulus / (ball_pi() * radius),
+            pow(9 * load * load / (16 * modulus * modulus * radius), fraction(1, 3))};
+        constexpr const char* names[] = {"radius", "mean_pressure", "peak_pressure", "approach"};
+        return Row{id,        {names[k], hexfloat(f), hexfloat(e), hexfloat(r)},
+                   values[k], others[k],
+                   Ball(1),   "ordinary"};
+      });
+  }
+  return table;
+}
+
+namespace {
+
+// The ellipse of α = the greater radius over the smaller one, α ≥ 1: its axes' ratio k ≥ 1, and
+// the complete elliptic integrals of parameter q = 1 − 1/k².
+struct Shape {
+  Ball k, first, second;  // k, K, E
+};
+
+// Bisection on (k²E − K)/(K − E) = α, integrals by arithmetic-geometric means.
+Shape shape_by_bisection(const Ball& alpha) {
+  if (alpha == 1) return {Ball(1), ball_pi() / 2, ball_pi() / 2};
+  const auto parameter = [](const Ball& k) { return 1 - 1 / (k * k); };
+  const Ball k = bisect(
+      [&](const Ball& x) {
+        const Ball first = first_integral(parameter(x)), second = second_integral(parameter(x));
+        const Ball excess = (x * x * second - first) / (first - second) - alpha;
+        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+      },
+      Ball(1), alpha + 1);
+  return {k, first_integral(parameter(k)), second_integral(parameter(k))};
+}
+
+// Newton's method on ln(k²B/D) = ln α in t = ln k, with a proof by signs.
+Associated shape_by_newton(const Ball& alpha) {
+  const Ball target = log(alpha), h = pow(Ball(2), Ball(-120));
+  const auto excess = [&](const Ball& t) {
+    const Associated at = associated(exp(t));
+    return log(at.k * at.k * at.b / at.d) - target;
+  };
+  Ball t = (target * fraction(5, 8)).midpoint();
+  for (int i = 0; i < 100; ++i) {
+    const Ball value = excess(t);
+    const Ball step = (value * h / (excess((t + h).midpoint()) - value)).midpoint();
+    t = (t - step).midpoint();
+    if (abs(step) < pow(Ball(2), Ball(-235))) break;
+  }
+  const Ball radius = pow(Ball(2), Ball(-230));
+  if (!(excess((t - radius).midpoint()) < 0 && excess((t + radius).midpoint()) > 0))
+    throw std::runtime_error("no sign proof for the shape of an ellipse");
+  arb_add_error(t.get(), radius.get());
+  return associated(exp(t));
+}
+
+struct EllipticalContact {
+  double load, modulus, radius_x, radius_y;
+  const char* region;
+};
+
+std::vector<EllipticalContact> elliptical_contacts() {
+  std::vector<EllipticalContact> all{
+      {50, 107.9e9, 9.5e-3, 19e-3, "ordinary"},
+      {1e3, 113e9, 4.09e-3, 0.13, "ordinary"},   // a ball on the inner ring of a bearing
+      {1e3, 113e9, 5.91e-3, 88e-3, "ordinary"},  // on the outer ring
+      {2e4, 113e9, 7.5e-3, 1.2, "ordinary"},     // a crowned roller
+      {8e4, 113e9, 0.46, 0.3, "ordinary"},       // a wheel on a rail
+      {2e3, 2e9, 0.7, 0.35, "ordinary"},         // the cup of an artificial hip
+      {30, 50e9, 20e-3, 12.7e-3, "ordinary"}};   // crossed cylinders
+  for (const double ratio : {1.0, 1 + 0x1p-52, 1 + 1e-15, 1 + 1e-12, 1 + 1e-9, 1 + 1e-6, 1 + 1e-4,
+                             1.001, 1.01, 1.1, 1.5, 2.0, 5.0, 10.0, 100.0, 1e3, 1e4}) {
+    constexpr double radius = 0x1p-7;
+    all.push_back({50, 107.9e9, radius, radius * ratio, "ordinary"});
+    if (ratio > 1) all.push_back({50, 107.9e9, radius * ratio, radius, "ordinary"});
+  }
+  Sampler sampler(808);
+  for (int i = 0; i < 24; ++i) {
+    const double load = sampler.log_uniform(1e-3, 1e6), modulus = sampler.log_uniform(1e5, 1e12);
+    const double radius = sampler.log_uniform(1e-4, 0.1);
+    all.push_back({load, modulus, radius, radius * sampler.log_uniform(1e-2, 1e4), "ordinary"});
+  }
+  for (int i = 0; i < 12; ++i) {
+    const double load = sampler.log_uniform(1e-60, 1e60),
+                 modulus = sampler.log_uniform(1e-60, 1e60);
+    const double radius = sampler.log_uniform(1e-60, 1e60);
+    all.push_back({load, modulus, radius, radius * sampler.log_uniform(1e-30, 1e30), "far"});
+  }
+  return all;
+}
+
+constexpr std::array ellipse_outputs{"semi_axis_x",   "semi_axis_y",   "ellipticity",
+                                     "mean_pressure", "peak_pressure", "approach"};
+using EllipseBalls = std::array<Ball, ellipse_outputs.size()>;
+
+// In the order of ellipse_outputs.
+EllipseBalls in_order(bool is_exchanged, const Ball& minor, const Ball& major, const Ball& k,
+                      const Ball& mean, const Ball& approach) {
+  return {is_exchanged ? major : minor,
+          is_exchanged ? minor : major,
+          is_exchanged ? 1 / k : k,
+          mean,
+          3 * mean / 2,
+          approach};
+}
+
+// |d ln value/d ln input| added up over F, E*, R_x and R_y, with d/d ln α by a step of 2^-60.
+EllipseBalls ellipse_conditions(bool is_exchanged, const Ball& alpha) {
+  const Ball h = pow(Ball(2), Ball(-60));
+  const auto at = [](const Ball& ratio) { return shape_by_newton(ratio); };
+  const Associated here = at(alpha), there = at((alpha * (1 + h)).midpoint());
+  const auto slope = [&](auto&& value) { return log(value(there) / value(here)) / log1p(h); };
+  const Ball k = slope([](const Associated& s) { return s.k; });
+  const Ball first = slope([](const Associated& s) { return s.b + s.d; });
+  const Ball minor = slope([](const Associated& s) { return s.b / s.k; }) / 3;
+  // The exponents of F and E*, of both radii together, and of α at the same smaller radius.
+  const auto sum = [](const Ball& force, const Ball& modulus, const Ball& radii,
+                      const Ball& ratio) {
+    const Ball all = force + modulus + abs(ratio) + abs(radii - ratio);
+    return all < 1 ? Ball(1) : all;
+  };
+  const Ball third = fraction(1, 3);
+  const Ball of_minor = sum(third, third, third, minor),
+             of_major = sum(third, third, third, minor + k);
+  const Ball of_pressure = sum(third, 2 * third, -2 * third, -2 * minor - k);
+  return {is_exchanged ? of_major : of_minor,
+          is_exchanged ? of_minor : of_major,
+          sum(0, 0, 0, k),
+          of_pressure,
+          of_pressure,
+          sum(2 * third, 2 * third, -third, first - minor - k)};
+}
+
+}  // namespace
+
+Table elliptical_contact_values() {
+  Table table;
+  table.header = {
+      "hertz_ellipse",
+      "alpha = R_y/R_x >= 1 (else x and y exchanged) = (k^2 E - K)/(K - E), integrals of parameter "
+      "1 - 1/k^2; 1/R = 1/R_x + 1/R_y; a_x^3 = 3EFR/(pi k E*), a_y = k a_x; mean pressure "
+      "F/(pi a_x a_y), peak 3/2 of it; approach a_x^2 K/(2RE)",
+      "m, m, 1, Pa, Pa, m",
+      "load [1e-3, 1e6] N, effective modulus [1e5, 1e12] Pa, radii [1e-6, 1e3] m, R_y/R_x [1e-4, "
+      "1e4]; far: [1e-60, 1e60] each, R_y/R_x [1e-30, 1e30]",
+      "k by bisection; K and E by arithmetic-geometric means; as defined",
+      "k by Newton's method with a proof by signs on alpha = R_D(0, 1, 1/k^2)/R_D(0, 1/k^2, 1), "
+      "Carlson's integrals; with B and D, of cos^2 and sin^2 over sqrt(1 - q sin^2), a_x^3 = "
+      "3BFR_x/(pi k E*), a_y^3 = 3DFR_y/(pi E*), approach 3F(B + D)/(2 pi E* a_y)",
+      "id,output,load,effective_modulus,radius_x,radius_y,value,high,low,condition,region"};
+  int number = 0;
+  for (const EllipticalContact& one : elliptical_contacts())
+    for (std::size_t i = 0; i < ellipse_outputs.size(); ++i)
+      table.rows.emplace_back([=, id = fmt::format("x{:04}", number++)] {
+        const bool is_exchanged = one.radius_y < one.radius_x;
+        const Ball smaller = std::min(one.radius_x, one.radius_y);
+        const Ball greater = std::max(one.radius_x, one.radius_y);
+        const Ball alpha = greater / smaller, load(one.load), modulus(one.modulus);
+        const Ball third = fraction(1, 3), pi = ball_pi();
+
+        const Shape shape = shape_by_bisection(alpha);
+        const Ball reduced = 1 / (1 / smaller + 1 / greater);
+        const Ball minor = pow(3 * shape.second * load * reduced / (pi * shape.k * modulus), third);
+        const EllipseBalls values = in_order(
+            is_exchanged, minor, shape.k * minor, shape.k, load / (pi * shape.k * minor * minor),
+            minor * minor * shape.first / (2 * reduced * shape.second));
+
+        const Associated other = shape_by_newton(alpha);
+        const Ball x = pow(3 * other.b * load * smaller / (pi * other.k * modulus), third);
+        const Ball y = pow(3 * other.d * load * greater / (pi * modulus), third);
+        const EllipseBalls others =
+            in_order(is_exchanged, x, y, y / x, load / (pi * x * y),
+                     3 * load * (other.b + other.d) / (2 * pi * modulus * y));
+        return Row{id,
+                   {ellipse_outputs[i], hexfloat(one.load), hexfloat(one.modulus),
+                    hexfloat(one.radius_x), hexfloat(one.radius_y)},
+                   values[i],
+                   others[i],
+                   ellipse_conditions(is_exchanged, alpha)[i],
+                   one.region};
+      });
+  return table;
+}
+
+Table line_contact_values() {
+  Table table;
+  table.header = {
+      "hertz_line",
+      "b^2 = 4(F/L)R/(pi E*), mean pressure F/(2bL), peak 2F/(pi b L), greatest shear stress g - "
+      "g^2/sqrt(1+g^2) of it, g^2 = (sqrt(5)-1)/2",
+      "m, Pa, Pa, Pa",
+      "load per length [1e-3, 1e8] N/m, effective modulus [1e5, 1e12] Pa, radius [1e-6, 10] m; "
+      "far: [1e-90, 1e90] each",
+      "square roots",
+      "b by bisection on b^2; peak pressure as sqrt((F/L)E*/(pi R)), the mean as pi/4 of it; the "
+      "depth of the greatest shear stress by bisection on the slope of z - z^2/sqrt(1+z^2)",
+      "id,output,load_per_length,effective_modulus,reduced_radius,value,high,low,condition,region"};
+  Sampler sampler(909);
+  int number = 0;
+  for (int i = 0; i < 40; ++i) {
+    const bool far = i >= 30;
+    const double f = i == 0 ? 1e5
+                     : far  ? sampler.log_uniform(1e-90, 1e90)
+                            : sampler.log_uniform(1e-3, 1e8);
+    const double e = i == 0 ? 107.9e9
+                     : far  ? sampler.log_uniform(1e-90, 1e90)
+                            : sampler.log_uniform(1e5, 1e12);
+    const double r = i == 0 ? 9.5e-3
+                     : far  ? sampler.log_uniform(1e-90, 1e90)
+                            : sampler.log_uniform(1e-6, 10);
+    for (std::size_t k = 0; k < 4; ++k)
+      table.rows.emplace_back([=, id = fmt::format("l{:04}", number++)] {
+        const Ball load(f), modulus(e), radius(r), pi = ball_pi();
+        const Ball square = 4 * load * radius / (pi * modulus);
+        const auto sign_of = [](const Ball& excess) {
+          return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+        };
+        const Ball width = sqrt(square), peak = 2 * load / (pi * width);
+        const Ball found = bisect([&](const Ball& x) { return sign_of(x * x - square); },
+                                  pow(Ball(10), Ball(-150)), pow(Ball(10), Ball(150)));
+        const Ball other_peak = sqrt(load * modulus / (pi * radius));
+        const auto shear = [](const Ball& z) { return z - z * z / sqrt(1 + z * z); };
+        const Ball depth = sqrt((sqrt(Ball(5)) - 1) / 2);
+        const Ball other_depth = bisect(
+            [&](const Ball& z) {
+              const Ball s = 1 + z * z;
+              return sign_of((2 * z + z * z * z) / (s * sqrt(s)) - 1);
+            },
+            fraction(1, 2), Ball(1));
+        const Ball values[] = {width, load / (2 * width), peak, shear(depth) * peak};
+        const Ball others[] = {found, pi * other_peak / 4, other_peak,
+                               shear(other_depth) * other_peak};
+        constexpr const char* names[] = {"half_width", "mean_pressure", "peak_pressure",
+                                         "peak_shear"};
+        return Row{id,
+                   {names[k], hexfloat(f), hexfloat(e), hexfloat(r)},
+                   values[k],
+                   others[k],
+                   fraction(3, 2),
+                   far ? "far" : "ordinary"};
+      });
+  }
+  return table;
+}
+
+}  // namespace tribo::reference

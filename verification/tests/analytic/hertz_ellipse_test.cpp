@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hertz' elliptical contact: printed numbers, other libraries' integrals, and what the pressure has
+// to do, by quadrature that has no elliptic integral.
+#include "tribo/hertz_ellipse.hpp"
+
+#include <gsl/gsl_sf_ellint.h>
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+
+#include "support/judge.hpp"
+#include "tribo/hertz.hpp"
+#include "tribo/hertz_line.hpp"
+
+namespace tribo::verification {
+namespace {
+
+constexpr double ulp = 0x1p-52;
+
+TEST(HertzEllipse, ShapesAreThePrintedNumbers) {
+  struct Printed {
+    double ratio, k, first, second, accuracy;
+  };
+  for (const Printed& printed :
+       {Printed{1.5, 1.31010296211275, 1.78976509504229, 1.39113754192085, 5e-15},
+        Printed{2, 1.58580211970255, 1.95211383915685, 1.29715215638873, 5e-15},
+        Printed{5, 2.89018103983641, 2.49374399466825, 1.12051972408493, 5e-15},
+        Printed{10, 4.49944730315542, 2.91420269, 1.05988434, 5e-9},
+        Printed{100, 18.1871030043889, 4.28949545, 1.00573002, 5e-9}}) {
+    const EllipseShape<double> shape = ellipse_shape(printed.ratio);
+    EXPECT_TRUE(is_within(shape.ellipticity, printed.k, printed.k < 10 ? 5.1e-15 : 5.1e-14));
+    EXPECT_TRUE(is_within(shape.first_integral, printed.first, 1.02 * printed.accuracy));
+    EXPECT_TRUE(is_within(shape.second_integral, printed.second, 1.02 * printed.accuracy));
+  }
+}
+
+TEST(HertzEllipse, OfTheExampleIsTheHandCheck) {
+  const HertzEllipse<double> got = hertz_ellipse(50.0, 107.9e9, 9.5e-3, 19e-3);
+  EXPECT_TRUE(is_within(got.semi_axis_x, 131.855e-6, 0.0005e-6));
+  EXPECT_TRUE(is_within(got.semi_axis_y, 209.097e-6, 0.0005e-6));
+  EXPECT_TRUE(is_within(got.peak_pressure, 0.865897e9, 0.0000005e9));
+  EXPECT_TRUE(is_within(got.approach, 2.06561e-6, 0.000005e-6));
+}
+
+// k² = 1 + 4(α − 1)/3 + O((α − 1)²).
+TEST(HertzEllipse, NextToTheCircleGrowsByTwoThirds) {
+  EXPECT_EQ(ellipse_shape(1.0).ellipticity, 1);
+  for (double above = 1e-15; above < 1e-7; above *= 3) {
+    const double ratio = 1 + above;
+    const double k = ellipse_shape(ratio).ellipticity;
+    EXPECT_TRUE(is_within(k - 1, (ratio - 1) * 2 / 3, ulp / 2 * 1.01 + above * above));
+  }
+}
+
+TEST(HertzEllipse, OfEqualRadiiIsTheCircle) {
+  Sampler sampler(31);
+  for (int i = 0; i < 300; ++i) {
+    const double load = sampler.log_uniform(1e-6, 1e6), modulus = sampler.log_uniform(1e5, 1e12);
+    const double radius = sampler.log_uniform(1e-6, 10);
+    const auto circle = hertz_point(Reference(load), Reference(modulus), Reference(radius));
+    const HertzEllipse<double> got = hertz_ellipse(load, modulus, radius, radius);
+    const std::initializer_list<Input> inputs{{"load", load}, {"modulus", modulus}, {"R", radius}};
+    EXPECT_EQ(got.semi_axis_x, got.semi_axis_y);
+    EXPECT_EQ(got.ellipticity, 1);
+    EXPECT_TRUE(is_close(got.semi_axis_x, circle.radius, ulp, inputs));
+    EXPECT_TRUE(is_close(got.mean_pressure, circle.mean_pressure, ulp, inputs));
+    EXPECT_TRUE(is_close(got.peak_pressure, circle.peak_pressure, ulp, inputs));
+    EXPECT_TRUE(is_close(got.approach, circle.approach, ulp, inputs));
+  }
+}
+
+TEST(HertzEllipse, WithXAndYExchangedHasItsAxesExchanged) {
+  Sampler sampler(32);
+  for (int i = 0; i < 300; ++i) {
+    const double x = sampler.log_uniform(1e-4, 1), y = x * sampler.log_uniform(1e-4, 1e4);
+    const HertzEllipse<double> got = hertz_ellipse(20.0, 1e11, x, y);
+    const HertzEllipse<double> other = hertz_ellipse(20.0, 1e11, y, x);
+    EXPECT_EQ(got.semi_axis_x, other.semi_axis_y);
+    EXPECT_EQ(got.semi_axis_y, other.semi_axis_x);
+    EXPECT_EQ(got.peak_pressure, other.peak_pressure);
+    EXPECT_EQ(got.mean_pressure, other.mean_pressure);
+    EXPECT_EQ(got.approach, other.approach);
+    EXPECT_TRUE(is_close(got.ellipticity, 1 / Reference(other.ellipticity), 1.5 * ulp,
+                         {{"R_x", x}, {"R_y", y}}));
+    EXPECT_EQ(got.ellipticity > 1, y > x);
+  }
+}
+
+TEST(HertzEllipse, GrowsWithThePowersOfLoadModulusAndSize) {
+  Sampler sampler(33);
+  for (int i = 0; i < 300; ++i) {
+    const double load = sampler.log_uniform(1e-3, 1e5), modulus = sampler.log_uniform(1e6, 1e12);
+    const double x = sampler.log_uniform(1e-4, 1), y = x * sampler.log_uniform(1e-3, 1e3);
+    const HertzEllipse<double> got = hertz_ellipse(load, modulus, x, y);
+    const auto grown = [&](const HertzEllipse<double>& other, double axis, double pressure,
+                           double approach) {
+      EXPECT_EQ(other.semi_axis_x, axis * got.semi_axis_x);
+      EXPECT_EQ(other.semi_axis_y, axis * got.semi_axis_y);
+      EXPECT_EQ(other.peak_pressure, pressure * got.peak_pressure);
+      EXPECT_EQ(other.approach, approach * got.approach);
+      EXPECT_EQ(other.ellipticity, got.ellipticity);
+    };
+    grown(hertz_ellipse(8 * load, modulus, x, y), 2, 2, 4);
+    grown(hertz_ellipse(load, 8 * modulus, x, y), 0.5, 4, 0.25);
+    grown(hertz_ellipse(load, modulus, 8 * x, 8 * y), 2, 0.25, 0.5);
+  }
+}
+
+// The integral of p₀√(1 − x²/a_x² − y²/a_y²), a strip at a time.
+TEST(HertzEllipse, PressureCarriesTheLoad) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
+  for (const double ratio : {1.0, 2.0, 1 / 3.0, 30.0, 1e-2, 1e4}) {
+    const HertzEllipse<double> got = hertz_ellipse(50.0, 107.9e9, 9.5e-3, 9.5e-3 * ratio);
+    // x = a_x sin s takes the square root away at the edge, y = chord sin t likewise.
+    const auto strip = [&](double s) {
+      const double chord = got.semi_axis_y * std::cos(s);
+      const auto pressure = [&](double t) { return std::cos(s) * std::pow(std::cos(t), 2); };
+      return chord * Quadrature::integrate(pressure, -pi<double>() / 2, pi<double>() / 2, 0) *
+             got.semi_axis_x * std::cos(s);
+    };
+    const double load =
+        got.peak_pressure * Quadrature::integrate(strip, -pi<double>() / 2, pi<double>() / 2, 0);
+    EXPECT_TRUE(is_within(load, 50, 1e-12 * 50)) << ratio;
+    EXPECT_TRUE(is_within(got.mean_pressure / got.peak_pressure, 2.0 / 3, 2 * ulp));
+  }
+}
+
+// The faces touch all over the ellipse: the pressure moves them by δ − x²/(2R_x) − y²/(2R_y). Its
+// displacement by Boussinesq, ∫∫ p ds dφ/(πE*) over rays from the point: along each of them p is
+// the root of a quadratic polynomial, whose integral to the edge is elementary.
+TEST(HertzEllipse, PressureClosesTheGap) {
+  for (const double ratio : {1.0, 1.001, 2.0, 0.5, 10.0, 0.1, 100.0}) {
+    const double modulus = 107.9e9, radius_x = 9.5e-3, radius_y = radius_x * ratio;
+    const HertzEllipse<double> got = hertz_ellipse(50.0, modulus, radius_x, radius_y);
+    for (const auto& [u, v] : {std::pair{0.0, 0.0},
+                               {0.5, 0.0},
+                               {0.0, 0.5},
+                               {0.9, 0.0},
+                               {0.0, 0.9},
+                               {0.4, -0.3},
+                               {-0.6, 0.7}}) {
+      const auto ray = [&](double angle) {
+        const double x = std::cos(angle) / got.semi_axis_x, y = std::sin(angle) / got.semi_axis_y;
+        // (p/p₀)² = c − 2bs − as² = g² − a(s + b/a)²
+        const double a = x * x + y * y, b = u * x + v * y, c = 1 - u * u - v * v;
+        const double g2 = c + b * b / a;
+        return (g2 * (pi<double>() / 2 - std::asin(b / std::sqrt(a * g2))) -
+                b / std::sqrt(a) * std::sqrt(c)) /
+               (2 * std::sqrt(a));
+      };
+      // The trapezoidal rule converges geometrically on a period; the tangent spaces long ellipses.
+      const int count = 4000;
+      const double stretch = got.ellipticity;
+      double sum = 0;
+      for (int i = 0; i < count; ++i) {
+        const double t = 2 * pi<double>() * i / count;
+        const double cosine = std::cos(t), sine = stretch * std::sin(t);
+        sum += ray(std::atan2(sine, cosine)) * stretch / (cosine * cosine + sine * sine);
+      }
+      const double moved =
+          got.peak_pressure / (pi<double>() * modulus) * sum * 2 * pi<double>() / count;
+      const double x = u * got.semi_axis_x, y = v * got.semi_axis_y;
+      const double gap = got.approach - x * x / (2 * radius_x) - y * y / (2 * radius_y);
+      EXPECT_TRUE(is_within(moved, gap, 1e-12 * got.approach)) << ratio << ' ' << u << ' ' << v;
+    }
+  }
+}
+
+// The root as textbooks write it, on Boost's integrals, and the axes from the curvatures, on GSL's.
+TEST(HertzEllipse, OtherLibrariesAgree) {
+  Sampler sampler(34);
+  for (int i = 0; i < 300; ++i) {
+    const double ratio = 1 + sampler.log_uniform(1e-2, 1e4);
+    const auto excess = [&](double k) {
+      const double modulus = std::sqrt(1 - 1 / (k * k));
+      const double first = boost::math::ellint_1(modulus), second = boost::math::ellint_2(modulus);
+      return (k * k * second - first) / (first - second) / ratio - 1;
+    };
+    std::uintmax_t steps = 100;
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        excess, 1 + 1e-4, ratio + 1, boost::math::tools::eps_tolerance<double>(50), steps);
+    // K − E cancels near the circle, and the modulus √(1 − 1/k²), rounded, tells 1/k² to ulp k².
+    const double k = (low + high) / 2, cancelled = ulp * (20 / (1 - 1 / (k * k)) + k * k / 16);
+    EXPECT_TRUE(is_close(ellipse_shape(ratio).ellipticity, k, cancelled, {{"ratio", ratio}}));
+
+    const double load = sampler.log_uniform(1e-3, 1e6), modulus = sampler.log_uniform(1e5, 1e12);
+    const double smaller = sampler.log_uniform(1e-4, 0.1), greater = smaller * ratio;
+    const HertzEllipse<double> got = hertz_ellipse(load, modulus, smaller, greater);
+    const double e2 = 1 - 1 / (k * k);
+    const double first = gsl_sf_ellint_Kcomp(std::sqrt(e2), GSL_PREC_DOUBLE);
+    const double second = gsl_sf_ellint_Ecomp(std::sqrt(e2), GSL_PREC_DOUBLE);
+    // 1/R_y = 3F/(πE*a_y³) (K − E)/e², approach 3FK/(2πE*a_y): K. L. Johnson, eqs 4.26
+    const double major =
+        std::cbrt(3 * load * greater * (first - second) / (e2 * pi<double>() * modulus));
+    const std::initializer_list<Input> inputs{{"load", load}, {"ratio", ratio}};
+    EXPECT_TRUE(is_close(got.semi_axis_y, major, cancelled, inputs));
+    EXPECT_TRUE(is_close(got.semi_axis_x, major / k, 2 * cancelled, inputs));
+    EXPECT_TRUE(is_close(got.approach, 3 * load * first / (2 * pi<double>() * modulus * major),
+                         2 * cancelled, inputs));
+  }
+}
+
+// The middle of a long ellipse is a line contact under the load that a metre of it carries there,
+// p₀a_xπ/2. They differ by 1/√B − 1 = (2 ln(4k) − 3)/(8k²) + O(ln²k/k⁴).
+TEST(HertzEllipse, MiddleOfALongOneIsALine) {
+  double before = 1;
+  for (const double ratio : {1e2, 1e4, 1e6, 1e8, 1e12}) {
+    const HertzEllipse<double> got = hertz_ellipse(50.0, 107.9e9, 9.5e-3, 9.5e-3 * ratio);
+    const double load_per_length = pi<double>() / 2 * got.peak_pressure * got.semi_axis_x;
+    const HertzLine<double> line = hertz_line(load_per_length, 107.9e9, 9.5e-3);
+    const double difference = line.half_width / got.semi_axis_x - 1, k = got.ellipticity;
+    EXPECT_TRUE(is_within(line.peak_pressure / got.peak_pressure, 1 / (1 + difference), 4 * ulp));
+    EXPECT_TRUE(is_within(difference, (2 * std::log(4 * k) - 3) / (8 * k * k),
+                          2 * std::pow(std::log(k) / (k * k), 2) + 2 * ulp));
+    EXPECT_LT(difference, before);
+    before = difference;
+  }
+}
+
+TEST(HertzEllipse, EndsAtEveryRatio) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (double ratio = 1e4; ratio < 1e308; ratio *= 1e4) {
+    // α = k²B/D, with D = ln(4k) − 1 and B = 1 of a long one
+    const EllipseShape<double> shape = ellipse_shape(ratio);
+    const double k = shape.ellipticity;
+    EXPECT_TRUE(
+        is_within(k / ratio * k / (std::log(4 * k) - 1), 1, 20 * std::log(k) / k / k + 4 * ulp))
+        << ratio;
+    EXPECT_TRUE(is_within(shape.first_integral, std::log(4 * k), 2 * std::log(k) / k / k + 1e-13));
+  }
+  EXPECT_EQ(ellipse_shape(infinity).ellipticity, infinity);
+  EXPECT_EQ(ellipse_shape(infinity).second_integral, 1);
+  EXPECT_EQ(std::isnan(ellipse_shape(std::nan("")).ellipticity), true);
+  EXPECT_EQ(std::isnan(ellipse_shape(std::nan("")).second_integral), true);
+  const HertzEllipse<double> far = hertz_ellipse(1.0, 1.0, 1e-200, 1e200);
+  EXPECT_EQ(far.semi_axis_x > 0, false);  // 0 or NaN, and never the circle's
+  EXPECT_EQ(far.ellipticity, infinity);
+}
+
+}  // namespace
+}  // namespace tribo::verification
