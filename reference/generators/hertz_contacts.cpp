@@ -4,8 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "generators/elliptic_integrals.hpp"
-#include "generators/load_sharing_root.hpp"
+#include "generators/ellipse_shape.hpp"
 #include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
 
@@ -53,47 +52,6 @@ Table hertz_contacts() {
 }
 
 namespace {
-
-// The ellipse of α = the greater radius over the smaller one, α ≥ 1: its axes' ratio k ≥ 1, and
-// the complete elliptic integrals of parameter q = 1 − 1/k².
-struct Shape {
-  Ball k, first, second;  // k, K, E
-};
-
-// Bisection on (k²E − K)/(K − E) = α, integrals by arithmetic-geometric means.
-Shape shape_by_bisection(const Ball& alpha) {
-  if (alpha == 1) return {Ball(1), ball_pi() / 2, ball_pi() / 2};
-  const auto parameter = [](const Ball& k) { return 1 - 1 / (k * k); };
-  const Ball k = bisect(
-      [&](const Ball& x) {
-        const Ball first = first_integral(parameter(x)), second = second_integral(parameter(x));
-        const Ball excess = (x * x * second - first) / (first - second) - alpha;
-        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-      },
-      Ball(1), alpha + 1);
-  return {k, first_integral(parameter(k)), second_integral(parameter(k))};
-}
-
-// Newton's method on ln(k²B/D) = ln α in t = ln k, with a proof by signs.
-Associated shape_by_newton(const Ball& alpha) {
-  const Ball target = log(alpha), h = pow(Ball(2), Ball(-120));
-  const auto excess = [&](const Ball& t) {
-    const Associated at = associated(exp(t));
-    return log(at.k * at.k * at.b / at.d) - target;
-  };
-  Ball t = (target * fraction(5, 8)).midpoint();
-  for (int i = 0; i < 100; ++i) {
-    const Ball value = excess(t);
-    const Ball step = (value * h / (excess((t + h).midpoint()) - value)).midpoint();
-    t = (t - step).midpoint();
-    if (abs(step) < pow(Ball(2), Ball(-235))) break;
-  }
-  const Ball radius = pow(Ball(2), Ball(-230));
-  if (!(excess((t - radius).midpoint()) < 0 && excess((t + radius).midpoint()) > 0))
-    throw std::runtime_error("no sign proof for the shape of an ellipse");
-  arb_add_error(t.get(), radius.get());
-  return associated(exp(t));
-}
 
 struct EllipticalContact {
   double load, modulus, radius_x, radius_y;
@@ -199,7 +157,7 @@ Table elliptical_contact_values() {
         const Ball alpha = greater / smaller, load(one.load), modulus(one.modulus);
         const Ball third = fraction(1, 3), pi = ball_pi();
 
-        const Shape shape = shape_by_bisection(alpha);
+        const EllipseShape shape = shape_by_bisection(alpha);
         const Ball reduced = 1 / (1 / smaller + 1 / greater);
         const Ball minor = pow(3 * shape.second * load * reduced / (pi * shape.k * modulus), third);
         const EllipseBalls values = in_order(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The root of ln λ − ln λ₀ + 0.14 ln(1 − A(λ)) = 0, A = (K F_p(λ−δ))^q, with a proof by signs, and
-// by bisection in ball arithmetic as the second way.
+// The root of ln λ − ln λ₀ + e ln(1 − A(λ)) = 0, e = 0.14 or of another film law, A = (K
+// F_p(λ−δ))^q, with a proof by signs, and by bisection in ball arithmetic as the second way.
 #pragma once
 
 #include <functional>
@@ -18,6 +18,7 @@ struct RoughContact {
   Rough model;
   Ball stiffness, offset;  // K, δ
   Moment moment = moment_by_hypergeometric;
+  Ball exponent = fraction(14, 100);  // e
 
   Ball share(const Ball& lambda) const {  // A
     const int order = model == Rough::tripp ? 5 : 3;
@@ -39,7 +40,7 @@ inline int sign_at(const RoughContact& contact, const Ball& lambda0, const Ball&
   const Ball share = contact.share(lambda);
   if (share >= 1) return -1;
   if (!(share < 1)) return 0;
-  const Ball value = log(lambda) - log(lambda0) + fraction(14, 100) * log1p(-share);
+  const Ball value = log(lambda) - log(lambda0) + contact.exponent * log1p(-share);
   return value < 0 ? -1 : value > 0 ? 1 : 0;
 }
 
@@ -94,10 +95,10 @@ inline Ball root_by_newton(const RoughContact& contact, const Ball& lambda0) {
                  .midpoint();
   for (int i = 0; i < 500; ++i) {
     const Ball share = contact.share(lambda);
-    const Ball fluid = pow(lambda0 / lambda, fraction(100, 14));
+    const Ball fluid = pow(lambda0 / lambda, 1 / contact.exponent);
     const Ball asperity_slope =
         share < pow(Ball(2), Ball(-400)) ? Ball(0) : contact.share_slope(lambda) * share;
-    const Ball slope = asperity_slope - fraction(100, 14) * fluid / lambda;
+    const Ball slope = asperity_slope - fluid / lambda / contact.exponent;
     const Ball step = ((share + fluid - 1) / slope).midpoint();
     lambda = (lambda - step).midpoint();
     if (abs(step) < lambda * pow(Ball(2), Ball(-260))) break;

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "generators/ellipse_shape.hpp"
 #include "generators/starved_film.hpp"
 
 namespace tribo::reference {
@@ -12,6 +13,23 @@ namespace tribo::reference {
 enum class Supply { flooded, inlet_film, inlet_film_ratio, inlet_flow };
 enum class Shear { eyring, limiting };
 enum class Viscosity { barus, ambient, roelands };
+enum class Shape { circle, ellipse, line };
+
+// The numbers of a film law: C, a, b, c, m, n; exponents in thousandths, the others in hundredths
+// or thousandths too. In the order of film_formula_words (scene.hpp).
+struct FilmNumbers {
+  const char* name;
+  int constant, speed, material, load, leakage, decay;
+};
+inline constexpr FilmNumbers film_numbers[] = {
+    {"hamrock_dowson_central", 2690, 670, 530, -67, 610, 730},
+    {"hamrock_dowson_minimum", 3630, 680, 490, -73, 1000, 680},
+    {"hamrock_dowson_soft_central", 7320, 640, 0, -220, 720, 280},
+    {"hamrock_dowson_soft_minimum", 7430, 650, 0, -210, 850, 310},
+    {"dowson_higginson_minimum", 2650, 700, 540, -130, 0, 0},
+    {"dowson_toyoda_central", 3060, 690, 560, -100, 0, 0},
+    {"pan_hamrock_minimum", 1714, 694, 568, -128, 0, 0},
+    {"pan_hamrock_central", 2922, 692, 470, -166, 0, 0}};
 
 // The numbers of a scene; every one of them an input for the condition numbers.
 struct Inputs {
@@ -23,8 +41,8 @@ struct Inputs {
     sd,
     offset,
     modulus,
-    body_radius,
-    ellipticity,
+    radius_x,  // of a circle R
+    across,    // of a circle k of the film's constant, of an ellipse R_y, of a line its length
     viscosity,
     pressure_viscosity,
     eyring_stress,
@@ -41,18 +59,41 @@ struct Inputs {
   Supply supply_kind = Supply::flooded;
   Shear shear = Shear::eyring;
   Viscosity law = Viscosity::barus;
+  Shape shape = Shape::circle;
+  std::size_t film = 0;  // among film_numbers
 };
 
-// How to get at roots, moments and film ratios: the two ways differ in all three. (Inside the roots
-// both take the hypergeometric moments; the quadrature would need hours there, and the table of
-// moments holds the two against each other.)
+// What Hertz gives: A_nom, and k of the film's constant.
+struct SmoothContact {
+  Ball area, ellipticity;
+};
+
+// Of Hertz' ellipse: k ≥ 1, and the second elliptic integral.
+struct EllipseAxes {
+  Ball k, second;
+};
+inline EllipseAxes axes_by_newton(const Ball& alpha) {
+  const Associated shape = shape_by_newton(alpha);
+  return {shape.k, shape.b + shape.d / (shape.k * shape.k)};
+}
+inline EllipseAxes axes_by_bisection(const Ball& alpha) {
+  const EllipseShape shape = shape_by_bisection(alpha);
+  return {shape.k, shape.second};
+}
+
+// How to get at roots, moments, film ratios and ellipses: the two ways differ in all of them.
+// (Inside the roots both take the hypergeometric moments; the quadrature would need hours there,
+// and the table of moments holds the two against each other.)
 struct Way {
   Moment moment;
   Ball (*root)(const RoughContact&, const Ball&);
   Ball (*film_ratio)(Inlet, const Ball&, const Ball&);
+  EllipseAxes (*ellipse)(const Ball& alpha);
 };
-inline const Way first_way{moment_by_hypergeometric, root_by_newton, film_ratio_by_inlet_length};
-inline const Way second_way{moment_by_quadrature, root_by_bisection, film_ratio_by_bisection};
+inline const Way first_way{moment_by_hypergeometric, root_by_newton, film_ratio_by_inlet_length,
+                           axes_by_newton};
+inline const Way second_way{moment_by_quadrature, root_by_bisection, film_ratio_by_bisection,
+                            axes_by_bisection};
 
 // film_flooded, film, separation, film_parameter, asperity share, fluid share, real area ratio,
 // summit count, friction; not finite where undefined.
@@ -74,25 +115,56 @@ inline Ball fluid_stress(const Inputs& in, const Ball& fluid_pressure, const Bal
   return in.shear == Shear::eyring ? stress * asinh(x) : -stress * expm1(-x);
 }
 
+inline SmoothContact smooth_contact(const Inputs& in, const Way& way) {
+  const auto& v = in.value;
+  const Ball &load = v[Inputs::load], &modulus = v[Inputs::modulus];
+  const Ball &radius = v[Inputs::radius_x], &across = v[Inputs::across];
+  if (in.shape == Shape::line) {
+    const Ball width = sqrt(4 * load / across * radius / (ball_pi() * modulus));
+    return {2 * width * across, Ball(1)};
+  }
+  const Ball third = fraction(1, 3);
+  if (in.shape == Shape::circle) {
+    const Ball a = pow(3 * load * radius / (4 * modulus), third);
+    return {ball_pi() * a * a, across};
+  }
+  const bool is_exchanged = across < radius;
+  const Ball &smaller = is_exchanged ? across : radius, &greater = is_exchanged ? radius : across;
+  const EllipseAxes axes = way.ellipse(greater / smaller);
+  const Ball reduced = smaller * greater / (smaller + greater);
+  const Ball minor = pow(3 * axes.second * load * reduced / (ball_pi() * axes.k * modulus), third);
+  return {ball_pi() * axes.k * minor * minor, is_exchanged ? 1 / axes.k : axes.k};
+}
+
+inline Ball flooded_film(const Inputs& in, const Ball& ellipticity) {
+  const auto& v = in.value;
+  const FilmNumbers& law = film_numbers[in.film];
+  const Ball e2 = 2 * v[Inputs::modulus], &radius = v[Inputs::radius_x];
+  const Ball& load_length = in.shape == Shape::line ? v[Inputs::across] : radius;
+  const auto thousandths = [](int number) { return fraction(number, 1000); };
+  return radius * thousandths(law.constant) *
+         pow(v[Inputs::viscosity] * v[Inputs::speed] / (e2 * radius), thousandths(law.speed)) *
+         pow(v[Inputs::pressure_viscosity] * e2, thousandths(law.material)) *
+         pow(v[Inputs::load] / (e2 * radius * load_length), thousandths(law.load)) *
+         (1 - thousandths(law.leakage) * exp(-thousandths(law.decay) * ellipticity));
+}
+
 inline Outputs solve(const Inputs& in, const Way& way) {
   const auto& v = in.value;
   const Ball &load = v[Inputs::load], &modulus = v[Inputs::modulus], &sd = v[Inputs::sd];
-  const Ball a = pow(3 * load * v[Inputs::body_radius] / (4 * modulus), fraction(1, 3));
-  const Ball area = ball_pi() * a * a;
+  const auto [area, ellipticity] = smooth_contact(in, way);
   const Ball product = v[Inputs::density] * v[Inputs::radius] * sd;
   const Ball slope = sqrt(sd / v[Inputs::radius]);
   const bool tripp = in.rough == Rough::tripp;
   const Ball stiffness = (tripp ? 16 * sqrt(Ball(2)) * ball_pi() / 15 * product * product * slope
                                 : fraction(4, 3) * product * slope) *
                          modulus * area / load;
-  const RoughContact contact{in.rough, stiffness, Ball(in.planes) * v[Inputs::offset]};
-  const RoughContact measured{in.rough, stiffness, contact.offset, way.moment};
-  const Ball e2 = 2 * modulus, &body = v[Inputs::body_radius];
-  const Ball h0 = body * fraction(269, 100) *
-                  pow(v[Inputs::viscosity] * v[Inputs::speed] / (e2 * body), fraction(67, 100)) *
-                  pow(v[Inputs::pressure_viscosity] * e2, fraction(53, 100)) *
-                  pow(load / (e2 * body * body), -fraction(67, 1000)) *
-                  (1 - fraction(61, 100) * exp(-fraction(73, 100) * v[Inputs::ellipticity]));
+  const Ball exponent =
+      fraction(film_numbers[in.film].speed - film_numbers[in.film].material, 1000);
+  const RoughContact contact{in.rough, stiffness, Ball(in.planes) * v[Inputs::offset],
+                             moment_by_hypergeometric, exponent};
+  const RoughContact measured{in.rough, stiffness, contact.offset, way.moment, exponent};
+  const Ball h0 = flooded_film(in, ellipticity);
   const Ball lambda0 = h0 / sd;
   const Ball flooded = way.root(contact, lambda0);
 
@@ -108,8 +180,7 @@ inline Outputs solve(const Inputs& in, const Way& way) {
   const Ball lambda = flooded * y;
   // The floor only where the film is below it.
   Ball apart = lambda, share = measured.share(lambda);
-  Ball fluid =
-      in.supply_kind == Supply::flooded ? pow(lambda0 / flooded, fraction(100, 14)) : 1 - share;
+  Ball fluid = in.supply_kind == Supply::flooded ? pow(lambda0 / flooded, 1 / exponent) : 1 - share;
   if (share >= 1) {
     const auto above = [&](const Ball& x) {
       const Ball s = contact.share(x);

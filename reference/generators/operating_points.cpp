@@ -9,7 +9,19 @@
 namespace tribo::reference {
 namespace {
 
-constexpr int scene_count = 320;
+// Of circles with the default law, and of all shapes with each law.
+constexpr int circle_count = 320, scene_count = 480;
+
+// Another shape, or another law of circles.
+void choose_shape(Inputs& in, Sampler& sampler) {
+  auto& v = in.value;
+  in.shape = sampler.pick({Shape::circle, Shape::ellipse, Shape::line});
+  in.film = sampler.pick({std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}});
+  if (in.shape == Shape::line) in.film += 4;
+  const double radius = v[Inputs::radius_x].nearest();
+  if (in.shape == Shape::ellipse) v[Inputs::across] = radius * sampler.log_uniform(0.2, 50);
+  if (in.shape == Shape::line) v[Inputs::across] = radius * sampler.log_uniform(0.05, 5);
+}
 
 Inputs random_inputs(Sampler& sampler) {
   Inputs in;
@@ -23,8 +35,8 @@ Inputs random_inputs(Sampler& sampler) {
   v[Inputs::offset] = sampler.uniform(0, 1.5);
   in.planes = sampler.pick({0, 1, 2});
   v[Inputs::modulus] = sampler.log_uniform(1e10, 3e11);
-  v[Inputs::body_radius] = sampler.log_uniform(1e-3, 0.1);
-  v[Inputs::ellipticity] = sampler.uniform(0.5, 4);
+  v[Inputs::radius_x] = sampler.log_uniform(1e-3, 0.1);
+  v[Inputs::across] = sampler.uniform(0.5, 4);
   v[Inputs::viscosity] = sampler.log_uniform(1e-3, 1);
   v[Inputs::pressure_viscosity] = sampler.log_uniform(5e-9, 4e-8);
   v[Inputs::eyring_stress] = sampler.log_uniform(1e6, 1e7);
@@ -50,11 +62,14 @@ std::vector<std::string> columns(const Inputs& in) {
   constexpr std::array supplies{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"};
   constexpr std::array shears{"eyring", "limiting"};
   constexpr std::array laws{"barus", "ambient", "roelands"};
+  constexpr std::array shapes{"circle", "ellipse", "line"};
   std::vector<std::string> all{roughs[static_cast<std::size_t>(in.rough)],
                                inlets[static_cast<std::size_t>(in.inlet)],
                                supplies[static_cast<std::size_t>(in.supply_kind)],
                                shears[static_cast<std::size_t>(in.shear)],
                                laws[static_cast<std::size_t>(in.law)],
+                               shapes[static_cast<std::size_t>(in.shape)],
+                               film_numbers[in.film].name,
                                std::to_string(in.planes)};
   for (const Ball& x : in.value) all.push_back(hexfloat(x.nearest()));
   return all;
@@ -100,16 +115,20 @@ Table operating_points() {
       "operating_point",
       "all outputs of a scene at a speed (model/README.md)",
       "SI; film in m",
-      "random scenes of steel, ceramics and polymers under 0.1 N to 10 kN at 1e-5 to 30 m/s",
+      "random scenes of steel, ceramics and polymers under 0.1 N to 10 kN at 1e-5 to 30 m/s; "
+      "circles "
+      "(across is k of the film's constant), ellipses (R_y) and lines (length)",
       "hypergeometric moments, root by Newton's method with a proof by signs",
       "moments by quadrature, roots and film ratios by bisection",
-      "id,output,asperity,starvation,supply_kind,fluid,viscosity_law,offset_planes,load,speed,"
+      "id,output,asperity,starvation,supply_kind,fluid,viscosity_law,shape,film,offset_planes,load,"
+      "speed,"
       "summit_density,summit_radius,summit_height_sd,summit_plane_offset,effective_modulus,"
-      "reduced_radius,ellipticity,viscosity,pressure_viscosity,eyring_stress,supply,"
+      "radius_x,across,viscosity,pressure_viscosity,eyring_stress,supply,"
       "boundary_coefficient,slide_roll_ratio,damiens_exponent,value,high,low,condition,region"};
-  Sampler sampler(505);
+  Sampler sampler(505), shapes(507);
   for (int scene = 0; scene < scene_count; ++scene) {
-    const Inputs in = random_inputs(sampler);
+    Inputs in = random_inputs(sampler);
+    if (scene >= circle_count) choose_shape(in, shapes);
     auto solved = std::make_shared<std::optional<Solved>>();
     for (std::size_t k = 0; k < output_names.size(); ++k)
       table.rows.emplace_back([=] {

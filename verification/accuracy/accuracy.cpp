@@ -102,8 +102,13 @@ Scene scene_of(const ReferenceRow& row) {
   scene.surface = {row.number("summit_density"), row.number("summit_radius"),
                    row.number("summit_height_sd"), row.number("summit_plane_offset"),
                    static_cast<int>(row.number("offset_planes"))};
-  scene.bodies = {row.number("effective_modulus"), row.number("reduced_radius"),
-                  row.number("ellipticity")};
+  scene.bodies.effective_modulus = row.number("effective_modulus");
+  const double radius = row.number("radius_x"), across = row.number("across");
+  const std::string& shape = row.text("shape");
+  (shape == "circle" ? scene.bodies.reduced_radius : scene.bodies.radius_x) = radius;
+  (shape == "circle"    ? scene.bodies.ellipticity
+   : shape == "ellipse" ? scene.bodies.radius_y
+                        : scene.bodies.length) = across;
   scene.lubricant = {row.number("viscosity"), row.number("pressure_viscosity"),
                      row.number("eyring_stress")};
   scene.supply = {parse<SupplyKind>(row.text("supply_kind"), supply_words), row.number("supply")};
@@ -111,7 +116,8 @@ Scene scene_of(const ReferenceRow& row) {
                     parse<FluidShear>(row.text("fluid"), fluid_shear_words),
                     parse<ViscosityLaw>(row.text("viscosity_law"), viscosity_law_words)};
   scene.closures = {asperity_of(row), closure_of(row.text("starvation")),
-                    row.number("damiens_exponent")};
+                    row.number("damiens_exponent"),
+                    parse<FilmFormula>(row.text("film"), film_formula_words)};
   return scene;
 }
 

@@ -111,18 +111,19 @@ Batch<Scene, PointResult> operating_point(decltype(&tribocheck_operating_point) 
     std::vector<double> speeds;
     for (std::size_t first = 0; first < scenes.size(); first += speeds.size()) {
       speeds.clear();
-      // The header knows no film law but the default one.
-      const auto has_its_film = [](const Scene& scene) {
-        return scene.closures.film == FilmFormula::hamrock_dowson_central;
+      // The header knows circles with the default film law alone.
+      const auto is_of_header = [](const Scene& scene) {
+        return scene.closures.film == FilmFormula::hamrock_dowson_central &&
+               scene.bodies.shape() == ContactShape::circle;
       };
-      if (!has_its_film(scenes[first])) {
+      if (!is_of_header(scenes[first])) {
         speeds.push_back(scenes[first].speeds[0]);
         answers[first] = point_answer(TRIBOCHECK_NOT_OFFERED, empty_point());
         continue;
       }
       const tribocheck_scene scene = plugin_scene(scenes[first]);
       for (std::size_t i = first; i < scenes.size(); ++i) {
-        if (!has_its_film(scenes[i]) || bytes_of(plugin_scene(scenes[i])) != bytes_of(scene)) break;
+        if (!is_of_header(scenes[i]) || bytes_of(plugin_scene(scenes[i])) != bytes_of(scene)) break;
         speeds.push_back(scenes[i].speeds[0]);
       }
       std::vector<tribocheck_point> points(speeds.size(), empty_point());

@@ -82,8 +82,8 @@ const char* tribocheck_plugin_name(void);
 int tribocheck_function(const char* name, size_t count, const double* const* argument,
                         double* const* result, int* status);
 
-/* One contact, its lubricant and its supply of oil. All > 0 and finite unless said. Its film law is
- * hamrock_dowson_central: contacts with another law are not asked. */
+/* One contact, its lubricant and its supply of oil. All > 0 and finite unless said. It is a circle,
+ * and its film law is hamrock_dowson_central: other contacts are not asked. */
 typedef struct tribocheck_scene {
   double load;                 /* F, N */
   double summit_density;       /* n, 1/m^2 */

@@ -58,8 +58,14 @@ Scene extreme_scene(Sampler& sampler) {
                                  (scene.surface.summit_radius * scene.surface.summit_height_sd);
   scene.surface.summit_plane_offset =
       sampler.pick({0, 1}) * sampler.uniform(0, 10) / std::max(1, scene.surface.offset_planes);
-  scene.bodies = {sampler.log_uniform(1e4, 1e13), sampler.log_uniform(1e-7, 1e3),
-                  sampler.log_uniform(1e-3, 50)};
+  const ContactShape shape = scene.bodies.shape();
+  scene.bodies = {sampler.log_uniform(1e4, 1e13)};
+  const double radius = sampler.log_uniform(1e-7, 1e3);
+  (shape == ContactShape::circle ? scene.bodies.reduced_radius : scene.bodies.radius_x) = radius;
+  if (shape == ContactShape::circle) scene.bodies.ellipticity = sampler.log_uniform(1e-3, 50);
+  if (shape == ContactShape::ellipse)
+    scene.bodies.radius_y = radius * sampler.log_uniform(1e-4, 1e4);
+  if (shape == ContactShape::line) scene.bodies.length = radius * sampler.log_uniform(1e-3, 1e3);
   const bool roelands = scene.friction.viscosity == ViscosityLaw::roelands;
   scene.lubricant = {sampler.log_uniform(roelands ? 6.4e-5 : 1e-9, 1e6),
                      sampler.log_uniform(1e-12, 1e-6), sampler.log_uniform(1, 1e12)};
