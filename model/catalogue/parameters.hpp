@@ -26,4 +26,39 @@ inline constexpr Parameter reduced_radius{.name = "reduced_radius",
                                           .least = 1e-6,
                                           .greatest = 10};
 
+// Of elliptical contacts: x is the direction of entrainment.
+inline constexpr Parameter radius_x{.name = "radius_x",
+                                    .meaning =
+                                        "R_x, 1/R_x = 1/R₁x + 1/R₂x, of a ball on a flat "
+                                        "the ball's radius",
+                                    .unit = "m",
+                                    .least = 1e-6,
+                                    .greatest = 1e3};
+inline constexpr Parameter radius_y{.name = "radius_y",
+                                    .meaning = "R_y, 1/R_y = 1/R₁y + 1/R₂y, across x",
+                                    .unit = "m",
+                                    .least = 1e-6,
+                                    .greatest = 1e3};
+
+// Of line contacts.
+inline constexpr Parameter load_per_length{.name = "load_per_length",
+                                           .meaning = "F/L, the load over the length of the line",
+                                           .unit = "N/m",
+                                           .least = 1e-3,
+                                           .greatest = 1e8};
+
+// Of lubricants.
+inline constexpr Parameter speed{.name = "speed",
+                                 .meaning = "u, entrainment: the mean of the two surfaces' speeds",
+                                 .unit = "m/s",
+                                 .least = 1e-6,
+                                 .greatest = 100};
+inline constexpr Parameter viscosity{.name = "viscosity",
+                                     .meaning = "η₀, at ambient pressure",
+                                     .unit = "Pa·s",
+                                     .least = 1e-4,
+                                     .greatest = 100};
+inline constexpr Parameter pressure_viscosity{
+    .name = "pressure_viscosity", .meaning = "α", .unit = "1/Pa", .least = 1e-9, .greatest = 1e-7};
+
 }  // namespace tribo::catalogue

@@ -23,7 +23,8 @@ Table onset_constants();
 Table effective_moduli();
 Table reduced_radii();
 Table hertz_contacts();
-Table flooded_films();
+std::vector<std::string> film_laws();
+Table film_table(const std::string& law);  // of one of them
 Table operating_points();
 
 }  // namespace tribo::reference
