@@ -2,7 +2,10 @@
 // Films of flooded, smooth contacts.
 #include "catalogue/families.hpp"
 #include "catalogue/parameters.hpp"
+#include "tribo/film_regimes.hpp"
 #include "tribo/film_thickness.hpp"
+#include "tribo/moes_line.hpp"
+#include "tribo/thermal_reduction.hpp"
 
 namespace tribo::catalogue {
 namespace {
@@ -26,6 +29,63 @@ constexpr std::array minimum_results{Result{"value", "h_min, minimum film thickn
 constexpr Arguments steel_point{0.05, 0.0202, 2e-8, 50, 107.9e9, 9.5e-3, 1};
 constexpr Arguments soft_point{0.05, 0.0202, 2, 5e6, 9.5e-3, 1};
 constexpr Arguments steel_line{1, 0.0202, 2e-8, 1e5, 107.9e9, 9.5e-3};
+
+constexpr std::array regime_parameters{
+    Parameter{.name = "regime", .meaning = "bodies and liquid", .words = film_regime_words},
+    Parameter{.name = "viscosity_parameter",
+              .meaning = "g_V = GW³/U²; isoviscous regimes do not look at it",
+              .least = 1e-3,
+              .greatest = 1e12},
+    Parameter{.name = "elasticity_parameter",
+              .meaning = "g_E = W^(8/3)/U²; rigid regimes do not look at it",
+              .least = 1e-3,
+              .greatest = 1e12},
+    Parameter{.name = "radius_ratio",
+              .meaning = "α = R_y/R_x; only isoviscous_rigid and viscous_rigid_roelands look at it",
+              .least = 0.05,
+              .greatest = 100,
+              .default_value = 1},
+    Parameter{.name = "ellipticity",
+              .meaning = "k, of the ellipse of contact; the other three regimes look at it",
+              .least = 0.1,
+              .greatest = 20,
+              .default_value = 1}};
+constexpr std::array regime_results{Result{"value", "Ĥ = (h_min/R_x)(W/U)²"}};
+
+constexpr std::array thermal_parameters{
+    Parameter{.name = "peak_pressure",
+              .meaning = "p₀, of Hertz",
+              .unit = "Pa",
+              .least = 1e6,
+              .greatest = 5e9},
+    effective_modulus,
+    Parameter{.name = "slide_roll_ratio",
+              .meaning = "S, sliding speed over the mean of the two surfaces' speeds",
+              .range = Range::not_below_zero,
+              .greatest = 10},
+    Parameter{.name = "temperature_viscosity",
+              .meaning = "β = −d ln η/dT",
+              .unit = "1/K",
+              .least = 1e-3,
+              .greatest = 0.2},
+    viscosity,
+    speed,
+    Parameter{.name = "thermal_conductivity",
+              .meaning = "k_f, of the oil",
+              .unit = "W/(m·K)",
+              .least = 0.01,
+              .greatest = 10}};
+constexpr std::array thermal_results{Result{"value", "φ_T, film over that of an isothermal inlet"}};
+
+double thermal_reduction(const Arguments& x) {
+  return gupta_thermal_reduction(x[0], x[1], x[2], x[3], x[4], x[5], x[6]);
+}
+std::optional<Refusal> too_hot(const Arguments& x) {
+  if (!std::isnan(thermal_reduction(x))) return std::nullopt;
+  return Refusal{"peak_pressure",
+                 "1 − 13.2 (p₀/E′) L^0.42 has to be above 0; so much heating is beyond what was "
+                 "fitted"};
+}
 
 // By `law`, at the arguments of the function of `own`.
 double film(const FilmLaw& own, const FilmLaw& law, const Arguments& x) {
@@ -125,6 +185,59 @@ constexpr std::array entries{
          "A. N. Grubin, I. E. Vinogradova (1949) after A. M. Ertel; D. Dowson, G. R. Higginson: "
          "Elasto-hydrodynamic Lubrication (1966)"},
         line_parameters, central_results, steel_line),
+    Function{
+        .name = "moes_line",
+        .meaning = "central film thickness of the flooded, smooth line contact, of rigid and "
+                   "elastic bodies in isoviscous and piezoviscous liquids",
+        .equation = "H = {(RI^(7/3) + EI^(7/3))^(3s/7) + (RP^(−7/2) + EP^(−7/2))^(−2s/7)}^(1/s), s "
+                    "= (7 + 8e^(−2EI/RI))/5, RI = 3/M, EI = 2.621M^(−1/5), RP = 1.287L^(2/3), EP = "
+                    "1.311M^(−1/8)L^(3/4); M = W(2U)^(−1/2), L = G(2U)^(1/4), H = "
+                    "(h₀/R)(2U)^(−1/2), U = η₀u/(2E*R), G = 2αE*, W = (F/L)/(2E*R)",
+        .source = "H. Moes: Optimum similarity analysis with applications to elastohydrodynamic "
+                  "lubrication. Wear 159 (1992) 57; H. Moes: Lubrication and Beyond. Twente (2000)",
+        .parameters = line_parameters,
+        .results = central_results,
+        .value = [](const Arguments& x,
+                    Results& y) { y[0] = tribo::moes_line(x[0], x[1], x[2], x[3], x[4], x[5]); },
+        .contract = moes_line_contract,
+        .example = steel_line},
+    Function{.name = "regime_film",
+             .meaning = "minimum film of a flooded point contact in a regime of lubrication, "
+                        "dimensionless",
+             .equation =
+                 "isoviscous_rigid 128αφ²(0.131 atan(α/2) + 1.683)², φ = 1/(1 + 2/(3α)); "
+                 "viscous_rigid_barus 1.66 g_V^(2/3) (1 − e^(−0.68k)); viscous_rigid_roelands "
+                 "141 g_V^0.375 (1 − e^(−0.0387α)); isoviscous_elastic 8.70 g_E^0.67 (1 − 0.85 "
+                 "e^(−0.31k)); viscous_elastic 3.42 g_V^0.49 g_E^0.17 (1 − e^(−0.68k))",
+             .source =
+                 "B. J. Hamrock, D. Dowson: Minimum film thickness in elliptical contacts for "
+                 "different regimes of fluid-film lubrication. NASA TP-1342 (1978); B. J. Hamrock: "
+                 "Fundamentals of Fluid Film Lubrication. NASA RP-1255 (1991); "
+                 "viscous_rigid_roelands by Y.-R. Jeng, B. J. Hamrock, D. E. Brewe: Piezoviscous "
+                 "effects in nonconformal contacts lubricated hydrodynamically. ASLE Trans. 30 "
+                 "(1987) 452; 141 is printed as 1.41 elsewhere, a hundredth of it",
+             .parameters = regime_parameters,
+             .results = regime_results,
+             .value =
+                 [](const Arguments& x, Results& y) {
+                   y[0] = tribo::regime_film(enum_at<FilmRegime>(x[0]), x[1], x[2], x[3], x[4]);
+                 },
+             .contract = film_contract,
+             .example = {4, 1e6, 1e4, 1, 1}},
+    Function{
+        .name = "gupta_thermal_reduction",
+        .meaning = "film of an inlet that shear heats over that of an isothermal one",
+        .equation = "φ_T = (1 − 13.2 (p₀/E′) L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), L = "
+                    "βη₀u²/k_f, E′ = 2E*; refused where the numerator is not above 0",
+        .source = "P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster, J. B. Schrand: Viscoelastic "
+                  "effects in MIL-L-7808-type lubricant, part I. Tribol. Trans. 35 (1992) 269, doi "
+                  "10.1080/10402009208982117; E′ is taken as that of G = αE′",
+        .parameters = thermal_parameters,
+        .results = thermal_results,
+        .value = [](const Arguments& x, Results& y) { y[0] = thermal_reduction(x); },
+        .contract = gupta_thermal_contract,
+        .example = {1e9, 107.9e9, 0.1, 0.04, 0.0202, 5, 0.14},
+        .refusal = too_hot},
 };
 
 }  // namespace

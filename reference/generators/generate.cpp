@@ -23,14 +23,23 @@ struct Named {
   std::function<Table()> table;
 };
 const std::vector<Named> tables = [] {
-  std::vector<Named> all{{"effective_modulus.csv", tribo::reference::effective_moduli},
-                         {"reduced_radius.csv", tribo::reference::reduced_radii},
-                         {"gaussian_moment.csv", tribo::reference::gaussian_moments},
-                         {"load_sharing.csv", tribo::reference::load_sharing_roots},
-                         {"starvation_ratio.csv", tribo::reference::starvation_ratios},
-                         {"onset_constant.csv", tribo::reference::onset_constants},
-                         {"hertz_point.csv", tribo::reference::hertz_contacts},
-                         {"operating_point.csv", tribo::reference::operating_points}};
+  std::vector<Named> all{
+      {"effective_modulus.csv", tribo::reference::effective_moduli},
+      {"reduced_radius.csv", tribo::reference::reduced_radii},
+      {"gaussian_moment.csv", tribo::reference::gaussian_moments},
+      {"load_sharing.csv", tribo::reference::load_sharing_roots},
+      {"starvation_ratio.csv", tribo::reference::starvation_ratios},
+      {"onset_constant.csv", tribo::reference::onset_constants},
+      {"hertz_point.csv", tribo::reference::hertz_contacts},
+      {"moes_line.csv", tribo::reference::moes_lines},
+      {"regime_film.csv", tribo::reference::regime_films},
+      {"gupta_thermal_reduction.csv", tribo::reference::thermal_reductions},
+      {"dowson_higginson_density.csv", tribo::reference::densities},
+      {"astm_d341_viscosity.csv", tribo::reference::temperature_viscosities},
+      {"summits_from_spectral_moments.csv", tribo::reference::summits_of_moments},
+      {"operating_point.csv", tribo::reference::operating_points}};
+  for (const std::string law : {"barus_viscosity", "roelands_viscosity"})
+    all.push_back({law + ".csv", [=] { return tribo::reference::pressure_viscosities(law); }});
   for (const std::string& law : tribo::reference::film_laws())
     all.push_back({law + ".csv", [=] { return tribo::reference::film_table(law); }});
   return all;
