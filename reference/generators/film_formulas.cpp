@@ -122,7 +122,7 @@ Table moes_lines() {
     const double load = i % 3 == 1 ? pick(1, 1e3, 1e-3, 1e3) : pick(1e3, 2e6, 1, 1e7);
     const double modulus = i % 3 == 2 ? pick(1e6, 1e9, 1e5, 1e9) : pick(1e10, 5e11, 1e5, 1e12);
     const double radius = pick(1e-3, 0.3, 1e-6, 10);
-    table.rows.emplace_back([=, id = fmt::format("l{:04}", i)] {
+    table.rows.emplace_back([=, id = fmt::format("fl{:04}", i)] {
       return formula_row(id, {}, {speed, viscosity, alpha, load, modulus, radius}, moes_film,
                          moes_film_by_logarithms, usual ? "ordinary" : "far");
     });
@@ -151,7 +151,7 @@ Table regime_films() {
       const double viscosity = group(), elasticity = group();
       const double ratio = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 80);
       const double k = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 20);
-      table.rows.emplace_back([=, id = fmt::format("g{:04}", number++)] {
+      table.rows.emplace_back([=, id = fmt::format("fr{:04}", number++)] {
         return formula_row(
             id, {regimes[regime]}, {viscosity, elasticity, ratio, k},
             [=](const Balls& x) { return regime_film(regime, x); },
@@ -186,7 +186,7 @@ Table thermal_reductions() {
     const double limit = 2 * modulus / (13.2 * std::pow(heating, 0.42));
     if (usual && pressure > 0.9 * limit) continue;
     if (!usual) pressure = limit * (1 - sampler.log_uniform(1e-9, 0.1));  // next to the refusal
-    table.rows.emplace_back([=, id = fmt::format("t{:04}", number++)] {
+    table.rows.emplace_back([=, id = fmt::format("th{:04}", number++)] {
       return formula_row(id, {}, {pressure, modulus, sliding, beta, viscosity, speed, conductivity},
                          thermal, thermal_by_roots, usual ? "ordinary" : "far");
     });

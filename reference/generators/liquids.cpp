@@ -87,7 +87,7 @@ Table densities() {
     const double p = i == 0  ? 0
                      : usual ? sampler.log_uniform(1e5, 4e9)
                              : sampler.log_uniform(1e-300, 1e300);
-    table.rows.emplace_back([=, id = fmt::format("d{:04}", i)] {
+    table.rows.emplace_back([=, id = fmt::format("ld{:04}", i)] {
       return formula_row(
           id, {}, {p},
           [](const Balls& x) {
@@ -122,7 +122,7 @@ Table pressure_viscosities(const std::string& law) {
     const double alpha = sampler.log_uniform(1e-9, 5e-8);
     const double p = number % 12 == 0 ? 0 : sampler.log_uniform(1e5, 4e9);
     if (alpha * p > (usual ? 40 : 200)) continue;
-    table.rows.emplace_back([=, id = fmt::format("v{:04}", number++)] {
+    table.rows.emplace_back([=, id = fmt::format("{}{:04}", is_barus ? "lb" : "lr", number++)] {
       return formula_row(id, {}, {viscosity, alpha, p}, is_barus ? barus : roelands,
                          is_barus ? barus_by_logarithm : roelands_by_pole,
                          usual ? "ordinary" : "far");
@@ -150,7 +150,7 @@ Table temperature_viscosities() {
     const double thin = usual ? sampler.log_uniform(2e-6, 4e-5) : sampler.log_uniform(4e-7, 4e-5);
     const double thick = thin * sampler.log_uniform(1.5, 20);
     const double at = usual ? sampler.uniform(260, 430) : sampler.uniform(200, 600);
-    table.rows.emplace_back([=, id = fmt::format("a{:04}", i)] {
+    table.rows.emplace_back([=, id = fmt::format("lt{:04}", i)] {
       return formula_row(id, {}, {first, thick, second, thin, at}, astm_d341, astm_d341_in_decimals,
                          usual ? "ordinary" : "far");
     });
@@ -181,7 +181,7 @@ Table summits_of_moments() {
         usual ? sampler.log_uniform(1.5, 500) : 0.8968 * (1 + sampler.log_uniform(1e-9, 0.5));
     const double m4 = bandwidth * m2 * m2 / m0;
     for (std::size_t k = 0; k < names.size(); ++k)
-      table.rows.emplace_back([=, id = fmt::format("m{:04}", number++)] {
+      table.rows.emplace_back([=, id = fmt::format("sm{:04}", number++)] {
         return formula_row(
             id, {names[k]}, {m0, m2, m4}, [=](const Balls& x) { return summits(k, x); },
             [=](const Balls& x) { return summits_by_squares(k, x); }, usual ? "ordinary" : "far");

@@ -283,7 +283,8 @@ std::vector<const Function*> functions_of(const MistakeEntry& entry) {
   }
   const bool changes_material = entry.law.is_object() && (entry.law.contains("material_modulus") ||
                                                           entry.law.contains("material_exponent"));
-  const bool changes_side = entry.law.is_object() && entry.law.contains("side_leakage");
+  const bool is_for_points = entry.law.is_object() && entry.law.contains("side_leakage");
+  const bool is_for_lines = entry.law.is_object() && entry.law.contains("is_of_lines");
   std::vector<const Function*> all;
   for (const Function& one : catalogue::functions()) {
     const auto has = [&](const auto& change) {
@@ -292,7 +293,8 @@ std::vector<const Function*> functions_of(const MistakeEntry& entry) {
     };
     if (one.film_law != nullptr && std::all_of(entry.input.begin(), entry.input.end(), has) &&
         !(changes_material && one.film_law->material_exponent.p == 0) &&
-        !(changes_side && one.film_law->is_of_lines))
+        !(is_for_points && one.film_law->is_of_lines) &&
+        !(is_for_lines && !one.film_law->is_of_lines))
       all.push_back(&one);
   }
   if (all.empty()) throw std::runtime_error("no film law has what is changed");

@@ -14,9 +14,10 @@ import wrong_bodies
 import wrong_contact
 import wrong_film
 import wrong_inlet
+import wrong_laws
 import wrong_moments
 
-PARTS = (wrong_moments, wrong_bodies, wrong_film, wrong_contact, wrong_inlet)  # importing them fills the list
+PARTS = (wrong_moments, wrong_bodies, wrong_film, wrong_contact, wrong_inlet, wrong_laws)  # importing them fills the list
 
 
 def main():
