@@ -63,8 +63,8 @@ std::string allowed_text(const Parameter& parameter) {
 std::span<const Function> functions() {
   static const std::vector<Function> all = [] {
     std::vector<Function> joined;
-    for (const auto& family :
-         {two_bodies(), rough_contact(), smooth_contact(), films(), inlets(), load_sharing_rules()})
+    for (const auto& family : {two_bodies(), rough_contact(), smooth_contact(), films(), inlets(),
+                               load_sharing_rules(), liquids(), surfaces()})
       joined.insert(joined.end(), family.begin(), family.end());
     return joined;
   }();

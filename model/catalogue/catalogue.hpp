@@ -20,6 +20,10 @@
 
 #include "tribo/contract.hpp"
 
+namespace tribo {
+struct FilmLaw;
+}
+
 namespace tribo::catalogue {
 
 // Which numbers are legal; half_order: 0, 1/2 … 5/2; poisson_ratio: above −1, at most 1/2.
@@ -80,7 +84,11 @@ struct Function {
   Arguments example;  // legal, for a line that shows how to ask
   // Null: arguments that are each legal are legal together.
   std::optional<Refusal> (*refusal)(const Arguments& arguments) = nullptr;
+  const FilmLaw* film_law = nullptr;  // of a film law: its row
 };
+
+// The film at the arguments of a function that is a film law, by another row than its own.
+double film_by(const FilmLaw& law, const Function& function, const Arguments& arguments);
 
 std::span<const Function> functions();
 const Function* find(std::string_view name);  // null where there is no such function

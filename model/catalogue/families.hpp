@@ -15,5 +15,7 @@ std::span<const Function> smooth_contact();
 std::span<const Function> films();
 std::span<const Function> inlets();
 std::span<const Function> load_sharing_rules();
+std::span<const Function> liquids();
+std::span<const Function> surfaces();
 
 }  // namespace tribo::catalogue

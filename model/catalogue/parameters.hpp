@@ -47,4 +47,18 @@ inline constexpr Parameter load_per_length{.name = "load_per_length",
                                            .least = 1e-3,
                                            .greatest = 1e8};
 
+// Of lubricants.
+inline constexpr Parameter speed{.name = "speed",
+                                 .meaning = "u, entrainment: the mean of the two surfaces' speeds",
+                                 .unit = "m/s",
+                                 .least = 1e-6,
+                                 .greatest = 100};
+inline constexpr Parameter viscosity{.name = "viscosity",
+                                     .meaning = "η₀, at ambient pressure",
+                                     .unit = "Pa·s",
+                                     .least = 1e-4,
+                                     .greatest = 100};
+inline constexpr Parameter pressure_viscosity{
+    .name = "pressure_viscosity", .meaning = "α", .unit = "1/Pa", .least = 1e-9, .greatest = 1e-7};
+
 }  // namespace tribo::catalogue

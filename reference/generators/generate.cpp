@@ -19,20 +19,33 @@ namespace {
 using tribo::reference::Table;
 
 struct Named {
-  const char* file;
-  Table (*table)();
+  std::string file;
+  std::function<Table()> table;
 };
-constexpr Named tables[] = {{"effective_modulus.csv", tribo::reference::effective_moduli},
-                            {"reduced_radius.csv", tribo::reference::reduced_radii},
-                            {"gaussian_moment.csv", tribo::reference::gaussian_moments},
-                            {"load_sharing.csv", tribo::reference::load_sharing_roots},
-                            {"starvation_ratio.csv", tribo::reference::starvation_ratios},
-                            {"onset_constant.csv", tribo::reference::onset_constants},
-                            {"hertz_point.csv", tribo::reference::hertz_contacts},
-                            {"hertz_ellipse.csv", tribo::reference::elliptical_contact_values},
-                            {"hertz_line.csv", tribo::reference::line_contact_values},
-                            {"hamrock_dowson_central.csv", tribo::reference::flooded_films},
-                            {"operating_point.csv", tribo::reference::operating_points}};
+const std::vector<Named> tables = [] {
+  std::vector<Named> all{
+      {"effective_modulus.csv", tribo::reference::effective_moduli},
+      {"reduced_radius.csv", tribo::reference::reduced_radii},
+      {"gaussian_moment.csv", tribo::reference::gaussian_moments},
+      {"load_sharing.csv", tribo::reference::load_sharing_roots},
+      {"starvation_ratio.csv", tribo::reference::starvation_ratios},
+      {"onset_constant.csv", tribo::reference::onset_constants},
+      {"hertz_point.csv", tribo::reference::hertz_contacts},
+      {"hertz_ellipse.csv", tribo::reference::elliptical_contact_values},
+      {"hertz_line.csv", tribo::reference::line_contact_values},
+      {"moes_line.csv", tribo::reference::moes_lines},
+      {"regime_film.csv", tribo::reference::regime_films},
+      {"gupta_thermal_reduction.csv", tribo::reference::thermal_reductions},
+      {"dowson_higginson_density.csv", tribo::reference::densities},
+      {"astm_d341_viscosity.csv", tribo::reference::temperature_viscosities},
+      {"summits_from_spectral_moments.csv", tribo::reference::summits_of_moments},
+      {"operating_point.csv", tribo::reference::operating_points}};
+  for (const std::string law : {"barus_viscosity", "roelands_viscosity"})
+    all.push_back({law + ".csv", [=] { return tribo::reference::pressure_viscosities(law); }});
+  for (const std::string& law : tribo::reference::film_laws())
+    all.push_back({law + ".csv", [=] { return tribo::reference::film_table(law); }});
+  return all;
+}();
 
 std::string sha256(const std::string& text) {
   unsigned char digest[SHA256_DIGEST_LENGTH];
@@ -55,7 +68,7 @@ std::string header_text(const tribo::reference::Header& h, const std::string& ro
 }
 
 // Groups of rows that share work (an operating point's outputs) stay on one thread: blocks of 9.
-std::vector<std::string> make_rows(const Table& table, const char* file) {
+std::vector<std::string> make_rows(const Table& table, const std::string& file) {
   constexpr std::size_t block = 9;
   std::vector<std::string> lines(table.rows.size());
   std::atomic<std::size_t> next = 0;
@@ -87,7 +100,7 @@ int make_tables(const std::filesystem::path& folder, const std::string& only) {
     const Table table = named.table();
     std::string rows;
     for (const std::string& line : make_rows(table, named.file)) rows += line + "\n";
-    const auto temporary = folder / (std::string(named.file) + ".part");
+    const auto temporary = folder / (named.file + ".part");
     std::ofstream(temporary) << header_text(table.header, rows) << rows;
     std::filesystem::rename(temporary, folder / named.file);
     std::cerr << fmt::format("{}: {} rows\n", named.file, table.rows.size());

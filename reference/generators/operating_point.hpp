@@ -6,6 +6,7 @@
 #include <array>
 
 #include "generators/ellipse_shape.hpp"
+#include "generators/film_laws.hpp"
 #include "generators/starved_film.hpp"
 
 namespace tribo::reference {
@@ -14,22 +15,6 @@ enum class Supply { flooded, inlet_film, inlet_film_ratio, inlet_flow };
 enum class Shear { eyring, limiting };
 enum class Viscosity { barus, ambient, roelands };
 enum class Shape { circle, ellipse, line };
-
-// The numbers of a film law: C, a, b, c, m, n; exponents in thousandths, the others in hundredths
-// or thousandths too. In the order of film_formula_words (scene.hpp).
-struct FilmNumbers {
-  const char* name;
-  int constant, speed, material, load, leakage, decay;
-};
-inline constexpr FilmNumbers film_numbers[] = {
-    {"hamrock_dowson_central", 2690, 670, 530, -67, 610, 730},
-    {"hamrock_dowson_minimum", 3630, 680, 490, -73, 1000, 680},
-    {"hamrock_dowson_soft_central", 7320, 640, 0, -220, 720, 280},
-    {"hamrock_dowson_soft_minimum", 7430, 650, 0, -210, 850, 310},
-    {"dowson_higginson_minimum", 2650, 700, 540, -130, 0, 0},
-    {"dowson_toyoda_central", 3060, 690, 560, -100, 0, 0},
-    {"pan_hamrock_minimum", 1714, 694, 568, -128, 0, 0},
-    {"pan_hamrock_central", 2922, 692, 470, -166, 0, 0}};
 
 // The numbers of a scene; every one of them an input for the condition numbers.
 struct Inputs {
@@ -60,7 +45,7 @@ struct Inputs {
   Shear shear = Shear::eyring;
   Viscosity law = Viscosity::barus;
   Shape shape = Shape::circle;
-  std::size_t film = 0;  // among film_numbers
+  std::size_t film = 0;  // among the laws
 };
 
 // What Hertz gives: A_nom, and k of the film's constant.
@@ -138,15 +123,15 @@ inline SmoothContact smooth_contact(const Inputs& in, const Way& way) {
 
 inline Ball flooded_film(const Inputs& in, const Ball& ellipticity) {
   const auto& v = in.value;
-  const FilmNumbers& law = film_numbers[in.film];
+  const Law& law = laws[in.film];
   const Ball e2 = 2 * v[Inputs::modulus], &radius = v[Inputs::radius_x];
-  const Ball& load_length = in.shape == Shape::line ? v[Inputs::across] : radius;
-  const auto thousandths = [](int number) { return fraction(number, 1000); };
-  return radius * thousandths(law.constant) *
-         pow(v[Inputs::viscosity] * v[Inputs::speed] / (e2 * radius), thousandths(law.speed)) *
-         pow(v[Inputs::pressure_viscosity] * e2, thousandths(law.material)) *
-         pow(v[Inputs::load] / (e2 * radius * load_length), thousandths(law.load)) *
-         (1 - thousandths(law.leakage) * exp(-thousandths(law.decay) * ellipticity));
+  const Ball& load_length = law.is_of_lines ? v[Inputs::across] : radius;
+  const auto power = [&](const Ball& x, int p) { return pow(x, fraction(p, law.q)); };
+  return radius * fraction(law.constant, 1000) *
+         power(v[Inputs::viscosity] * v[Inputs::speed] / (e2 * radius), law.a) *
+         power(v[Inputs::pressure_viscosity] * e2, law.b) *
+         power(v[Inputs::load] / (e2 * radius * load_length), law.c) *
+         (1 - fraction(law.m, 100) * exp(-fraction(law.n, 100) * ellipticity));
 }
 
 inline Outputs solve(const Inputs& in, const Way& way) {
@@ -159,8 +144,7 @@ inline Outputs solve(const Inputs& in, const Way& way) {
   const Ball stiffness = (tripp ? 16 * sqrt(Ball(2)) * ball_pi() / 15 * product * product * slope
                                 : fraction(4, 3) * product * slope) *
                          modulus * area / load;
-  const Ball exponent =
-      fraction(film_numbers[in.film].speed - film_numbers[in.film].material, 1000);
+  const Ball exponent = fraction(laws[in.film].a - laws[in.film].b, laws[in.film].q);
   const RoughContact contact{in.rough, stiffness, Ball(in.planes) * v[Inputs::offset],
                              moment_by_hypergeometric, exponent};
   const RoughContact measured{in.rough, stiffness, contact.offset, way.moment, exponent};

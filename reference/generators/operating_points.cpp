@@ -69,7 +69,7 @@ std::vector<std::string> columns(const Inputs& in) {
                                shears[static_cast<std::size_t>(in.shear)],
                                laws[static_cast<std::size_t>(in.law)],
                                shapes[static_cast<std::size_t>(in.shape)],
-                               film_numbers[in.film].name,
+                               laws[in.film].name,
                                std::to_string(in.planes)};
   for (const Ball& x : in.value) all.push_back(hexfloat(x.nearest()));
   return all;

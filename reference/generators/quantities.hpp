@@ -25,7 +25,15 @@ Table reduced_radii();
 Table hertz_contacts();
 Table elliptical_contact_values();
 Table line_contact_values();
-Table flooded_films();
+std::vector<std::string> film_laws();
+Table film_table(const std::string& law);  // of one of them
+Table moes_lines();
+Table regime_films();
+Table thermal_reductions();
+Table densities();
+Table pressure_viscosities(const std::string& law);  // barus_viscosity, roelands_viscosity
+Table temperature_viscosities();
+Table summits_of_moments();
 Table operating_points();
 
 }  // namespace tribo::reference

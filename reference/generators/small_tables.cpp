@@ -135,53 +135,43 @@ Table onset_constants() {
   return table;
 }
 
-Table flooded_films() {
+Table hertz_contacts() {
   Table table;
   table.header = {
-      "hamrock_dowson_central",
-      "h0 = 2.69 R U^0.67 G^0.53 W^-0.067 (1 - 0.61 exp(-0.73k))",
-      "m",
-      "speed [1e-6, 100] m/s, viscosity [1e-4, 100] Pa s, pressure_viscosity [1e-9, 1e-7] "
-      "1/Pa, load [1e-3, 1e6] N, modulus [1e5, 1e12] Pa, radius [1e-6, 10] m, k [0.1, 20]",
+      "hertz_point",
+      "a^3 = 3FR/(4E*), mean pressure F/(pi a^2), peak 3/2 of it, approach a^2/R",
+      "m, Pa, Pa, m",
+      "load [1e-6, 1e6] N, effective modulus [1e6, 1e12] Pa, radius [1e-6, 10] m",
       "powers",
-      "bisection on (h0/(CR))^1000 = U^670 G^530 W^-67, whole powers",
-      "id,speed,viscosity,pressure_viscosity,load,effective_modulus,reduced_radius,"
-      "ellipticity,value,high,low,condition,region"};
-  Sampler sampler(505);
-  for (int i = 0; i < 120; ++i) {
-    const bool usual = i < 60;  // of steel and oil
-    const auto pick = [&](double low, double high, double lowest, double highest) {
-      return usual ? sampler.log_uniform(low, high) : sampler.log_uniform(lowest, highest);
-    };
-    const double speed = pick(1e-4, 30, 1e-6, 100), viscosity = pick(1e-3, 1, 1e-4, 100);
-    const double alpha = pick(5e-9, 4e-8, 1e-9, 1e-7), load = pick(0.1, 1e4, 1e-3, 1e6);
-    const double modulus = pick(1e10, 5e11, 1e5, 1e12), radius = pick(1e-3, 0.3, 1e-6, 10);
-    const double k = i % 3 == 0 ? 1 : usual ? sampler.uniform(1, 8) : sampler.log_uniform(0.1, 20);
-    table.rows.emplace_back([=, id = fmt::format("f{:04}", i)] {
-      const Ball e2 = 2 * Ball(modulus), r(radius);
-      const Ball u = Ball(viscosity) * Ball(speed) / (e2 * r), g = Ball(alpha) * e2;
-      const Ball w = Ball(load) / (e2 * r * r);
-      const Ball side = fraction(61, 100) * exp(-fraction(73, 100) * Ball(k));
-      const Ball scale = fraction(269, 100) * (1 - side) * r;
-      const Ball power = pow(u, Ball(670)) * pow(g, Ball(530)) / pow(w, Ball(67));
-      const Ball film = bisect(
-          [&](const Ball& x) {
-            const Ball excess = pow(x / scale, Ball(1000)) - power;
-            return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-          },
-          Ball(1e-20), Ball(1e3));
-      // of u, eta0, alpha, F, E*, R and k
-      const Ball condition = fraction(67 + 67 + 53, 100) + fraction(67 + 73 + 464, 1000) +
-                             fraction(73, 100) * Ball(k) * side / (1 - side);
-      return Row{id,
-                 {hexfloat(speed), hexfloat(viscosity), hexfloat(alpha), hexfloat(load),
-                  hexfloat(modulus), hexfloat(radius), hexfloat(k)},
-                 scale * pow(u, fraction(67, 100)) * pow(g, fraction(53, 100)) *
-                     pow(w, -fraction(67, 1000)),
-                 film,
-                 condition,
-                 usual ? "ordinary" : "far"};
-    });
+      "a by bisection on a^3; peak pressure as 2aE*/(pi R), approach as (9F^2/(16 E*^2 R))^(1/3)",
+      "id,output,load,effective_modulus,reduced_radius,value,high,low,condition,region"};
+  Sampler sampler(404);
+  int number = 0;
+  for (int i = 0; i < 40; ++i) {
+    const double f = i == 0 ? 50 : sampler.log_uniform(1e-6, 1e6);
+    const double e = i == 0 ? 107.9e9 : sampler.log_uniform(1e6, 1e12);
+    const double r = i == 0 ? 9.5e-3 : sampler.log_uniform(1e-6, 10);
+    for (int k = 0; k < 4; ++k)
+      table.rows.emplace_back([=, id = fmt::format("h{:04}", number++)] {
+        const Ball load(f), modulus(e), radius(r);
+        const Ball cube = 3 * load * radius / (4 * modulus);
+        const Ball a = pow(cube, fraction(1, 3));
+        const Ball b = bisect(
+            [&](const Ball& x) {
+              const Ball excess = x * x * x - cube;
+              return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+            },
+            Ball(1e-12), Ball(1e4));
+        const Ball mean = load / (ball_pi() * a * a);
+        const Ball values[] = {a, mean, mean * 3 / 2, a * a / radius};
+        const Ball others[] = {
+            b, 4 * b * modulus / (3 * ball_pi() * radius), 2 * b * modulus / (ball_pi() * radius),
+            pow(9 * load * load / (16 * modulus * modulus * radius), fraction(1, 3))};
+        constexpr const char* names[] = {"radius", "mean_pressure", "peak_pressure", "approach"};
+        return Row{id,        {names[k], hexfloat(f), hexfloat(e), hexfloat(r)},
+                   values[k], others[k],
+                   Ball(1),   "ordinary"};
+      });
   }
   return table;
 }

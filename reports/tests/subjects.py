@@ -74,6 +74,22 @@ def load_sharings():
             for offset in [0, 1.146]]
 
 
+def examples():
+    """Of each function that no list above has: its example, with each word, and with larger numbers."""
+    asked = {line["function"] for line in (moments() + effective_moduli() + reduced_radii() + hertz_points()
+                                           + films() + starvation_ratios() + load_sharings())}
+    lines = []
+    for entry in json.loads(run("functions", "--format", "json").out):
+        if entry["name"] in asked:
+            continue
+        one = {name: value for name, value in entry["example"].items() if name != "id"}
+        variants = [{**one, parameter["name"]: word} for parameter in entry["parameters"]
+                    for word in parameter.get("words", ())] or [one]
+        lines += variants + [{name: value if isinstance(value, str) else 1.5 * value for name, value in line.items()}
+                             for line in variants]
+    return lines
+
+
 def operating_points():
     friction = [{"boundary_coefficient": 0.13},
                 {"boundary_coefficient": 0.1, "slide_roll_ratio": 0.2, "viscosity": "roelands"},
@@ -92,7 +108,8 @@ def operating_points():
 
 def all_lines():
     return numbered(moments() + effective_moduli() + reduced_radii() + hertz_points() + hertz_ellipses()
-                    + hertz_lines() + films() + starvation_ratios() + load_sharings() + operating_points())
+                    + hertz_lines() + films() + starvation_ratios() + load_sharings() + examples()
+                    + operating_points())
 
 
 def numbered(lines):

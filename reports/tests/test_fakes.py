@@ -6,12 +6,12 @@ import re
 import subprocess
 import unittest
 
-from subjects import (SUBJECTS, all_lines, answers_of, effective_moduli, films, hertz_ellipses, hertz_lines, hertz_points,
+from subjects import (SUBJECTS, all_lines, answers_of, effective_moduli, examples, films, hertz_ellipses, hertz_lines, hertz_points,
                       is_close, load_sharings, moments, numbered, operating_points, python, reduced_radii, reference_answers,
                       starvation_ratios)
 
 ELEMENTARY = ("effective_modulus", "reduced_radius", "gaussian_moment", "hertz_point", "hertz_ellipse", "hertz_line",
-              "hamrock_dowson_central", "starvation_ratio")
+              "hamrock_dowson_central", "starvation_ratio", *sorted({line["function"] for line in examples()}))
 # How wrong it is known to be: a question, or a moment's arguments, and the relative error.
 KNOWN = {
     "film_half_radius": (films()[0], -0.275),
@@ -24,7 +24,8 @@ KNOWN = {
     "moment_fit_error_function": ({"order": 2.5, "argument": 3}, -0.920),
 }
 LINES = numbered(moments() + effective_moduli() + reduced_radii() + hertz_points() + hertz_ellipses()
-                 + hertz_lines() + films() + starvation_ratios() + load_sharings() + operating_points()[::3])
+                 + hertz_lines() + films() + starvation_ratios() + load_sharings() + examples()
+                 + operating_points()[::3])
 
 
 def fake(name):

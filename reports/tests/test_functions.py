@@ -7,6 +7,9 @@ import unittest
 
 from program import run
 
+STEEL = {"speed": 1, "viscosity": 0.0202, "pressure_viscosity": 2e-8, "effective_modulus": 107.9e9}
+LINES = ("dowson_higginson_minimum", "dowson_toyoda_central", "pan_hamrock_minimum", "pan_hamrock_central",
+         "ertel_grubin", "moes_line")
 GOOD = {
     "effective_modulus": {"first_modulus": 206e9, "first_poisson_ratio": 0.3, "second_modulus": 72e9,
                           "second_poisson_ratio": 0.22},
@@ -19,14 +22,31 @@ GOOD = {
     "hamrock_dowson_central": {"speed": 1, "viscosity": 0.04, "pressure_viscosity": 2e-8, "load": 20,
                                "effective_modulus": 210e9 / 2 / 0.91, "reduced_radius": 0.01,
                                "ellipticity": 1},
+    "hamrock_dowson_minimum": {**STEEL, "load": 50, "radius_x": 9.5e-3, "ellipticity": 1},
+    "hamrock_dowson_soft_central": {"speed": 1, "viscosity": 0.0202, "load": 50, "effective_modulus": 107.9e9,
+                                    "radius_x": 9.5e-3, "ellipticity": 1},
+    "hamrock_dowson_soft_minimum": {"speed": 1, "viscosity": 0.0202, "load": 50, "effective_modulus": 107.9e9,
+                                    "radius_x": 9.5e-3, "ellipticity": 1},
+    **{law: {**STEEL, "load_per_length": 1e5, "reduced_radius": 9.5e-3} for law in LINES},
+    "regime_film": {"regime": "viscous_elastic", "viscosity_parameter": 1e6, "elasticity_parameter": 1e4,
+                    "radius_ratio": 1, "ellipticity": 1},
+    "gupta_thermal_reduction": {"peak_pressure": 1e9, "effective_modulus": 107.9e9, "slide_roll_ratio": 0.1,
+                                "temperature_viscosity": 0.04, "viscosity": 0.0202, "speed": 5,
+                                "thermal_conductivity": 0.14},
     "starvation_ratio": {"closure": "damiens", "flooded_over_inlet": 1, "damiens_exponent": 3},
     "load_sharing": {"asperity": "greenwood_tripp", "flooded_film_parameter": 1, "stiffness": 0.3,
                      "offset": 1.146},
+    "dowson_higginson_density": {"pressure": 1e9},
+    "barus_viscosity": {"viscosity": 0.0202, "pressure_viscosity": 2e-8, "pressure": 3e8},
+    "roelands_viscosity": {"viscosity": 0.0202, "pressure_viscosity": 2e-8, "pressure": 3e8},
+    "astm_d341_viscosity": {"first_temperature": 313.15, "first_viscosity": 32e-6, "second_temperature": 373.15,
+                            "second_viscosity": 5.4e-6, "temperature": 353.15},
+    "summits_from_spectral_moments": {"m0": 1e-14, "m2": 1e-4, "m4": 4e6},
 }
-OPTIONAL = {"ellipticity", "damiens_exponent"}
-WORDS = {"closure", "asperity"}
+OPTIONAL = {"ellipticity", "radius_ratio", "damiens_exponent"}
+WORDS = {"closure", "asperity", "regime"}
 POISSON = {"first_poisson_ratio", "second_poisson_ratio"}
-ZERO_IS_LEGAL = {"order", "argument", "stiffness", "offset", *POISSON}
+ZERO_IS_LEGAL = {"order", "argument", "stiffness", "offset", "pressure", "slide_roll_ratio", *POISSON}
 MINUS_ONE_IS_LEGAL = {"argument", *GOOD["reduced_radius"]}
 
 
@@ -151,6 +171,33 @@ class Values(unittest.TestCase):
         film = value("hamrock_dowson_central", **GOOD["hamrock_dowson_central"])
         self.assert_close(film * 1.9 / (2.69 * (1 - 0.61 * math.exp(-0.73))), 2.612153512768e-7, 1e-11)
 
+    def test_films_by_other_laws(self):
+        # Of Table 1 of the paper at 1 m/s, in nm; lines with 1e5 N/m.
+        for name, film in zip(("hamrock_dowson_minimum", "hamrock_dowson_soft_central",
+                               "hamrock_dowson_soft_minimum", *LINES),
+                              (86.247, 48.624, 27.822, 165.939, 216.688, 154.850, 178.321, 198.958, 216.155),
+                              strict=True):
+            self.assertAlmostEqual(value(name, **GOOD[name]) * 1e9, film, delta=0.0005, msg=name)
+
+    def test_liquids(self):
+        self.assert_close(value("dowson_higginson_density", pressure=1e9), 1.93 / 1.59)
+        self.assert_close(value("barus_viscosity", **GOOD["barus_viscosity"]), 0.0202 * math.exp(6))
+        scale = math.log(0.0202) + 9.67
+        z = 2e-8 * 0.196e9 / scale
+        self.assert_close(value("roelands_viscosity", **GOOD["roelands_viscosity"]),
+                          0.0202 * math.exp(scale * ((1 + 3 / 1.96) ** z - 1)))
+        same = {**GOOD["astm_d341_viscosity"], "temperature": 373.15}
+        self.assert_close(value("astm_d341_viscosity", **same), 5.4e-6)
+
+    def test_summits_from_spectral_moments(self):
+        answer, = ask(call("summits_from_spectral_moments", GOOD["summits_from_spectral_moments"]))
+        self.assertEqual(list(answer), ["id", "bandwidth", "summit_density", "summit_radius", "summit_height_sd",
+                                        "summit_plane_offset"])
+        self.assert_close(answer["bandwidth"], 4)
+        self.assert_close(answer["summit_height_sd"], math.sqrt((1 - 0.2242) * 1e-14))
+        self.assert_close(answer["summit_plane_offset"] * answer["summit_density"] * answer["summit_radius"]
+                          * answer["summit_height_sd"], 1 / (4 * math.pi * math.sqrt(3)))
+
     def test_starvation_ratio(self):
         self.assert_close(value("starvation_ratio", closure="damiens", flooded_over_inlet=1),
                           2 ** (-1 / 3))
@@ -174,7 +221,8 @@ class Values(unittest.TestCase):
                                flooded_film_parameter=2, stiffness=0, offset=0), 2)
 
     def test_defaults(self):
-        for function, name in [("hamrock_dowson_central", "ellipticity"),
+        for function, name in [("hamrock_dowson_central", "ellipticity"), ("hamrock_dowson_minimum", "ellipticity"),
+                               ("regime_film", "radius_ratio"), ("regime_film", "ellipticity"),
                                ("starvation_ratio", "damiens_exponent")]:
             short = {k: v for k, v in GOOD[function].items() if k != name}
             with_default, without = ask(call(function, GOOD[function]), call(function, short))
@@ -215,6 +263,17 @@ class Mistakes(unittest.TestCase):
                 names = [f"first_radius_{direction}", f"second_radius_{direction}"]
                 line = call("reduced_radius", {**GOOD["reduced_radius"], **dict(zip(names, (first, second)))})
                 self.assert_error(line, names[0], "the faces do not meet at a point: 1/first_radius_" + direction)
+
+    def test_what_a_formula_cannot_have_is_refused_in_a_sentence(self):
+        for function, change, field, words in (
+                ("gupta_thermal_reduction", {"peak_pressure": 1e12}, "peak_pressure", "L^0.42 has to be above 0"),
+                ("roelands_viscosity", {"viscosity": 6.3e-5}, "viscosity", "above 6.315e-5"),
+                ("astm_d341_viscosity", {"first_viscosity": 3e-7}, "first_viscosity", "above 3e-7"),
+                ("astm_d341_viscosity", {"second_viscosity": 1e-7}, "second_viscosity", "above 3e-7"),
+                ("astm_d341_viscosity", {"second_temperature": 313.15}, "second_temperature", "two different"),
+                ("summits_from_spectral_moments", {"m4": 0.8968e6}, "m4", "above 0.8968")):
+            self.assert_error(call(function, {**GOOD[function], **change}), field, words)
+        self.assertGreater(value("roelands_viscosity", **{**GOOD["roelands_viscosity"], "viscosity": 6.4e-5}), 6.4e-5)
 
     def test_orders(self):
         for order in [0.25, 3, 2.4999999999999996, 1e300]:

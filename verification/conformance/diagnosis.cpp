@@ -265,9 +265,7 @@ class Diagnoser {
       if (std::abs(extra[i]) <= 1e-4) continue;
       const catalogue::Parameter& input = function.parameters[i];
       // Those of E* and R follow from those of U, G and W.
-      if (!in_groups.empty() &&
-          (input.name == "effective_modulus" || input.name == "reduced_radius"))
-        continue;
+      if (!in_groups.empty() && (input.name == "effective_modulus" || input.unit == "m")) continue;
       const std::string symbol = symbol_of(input);
       if (std::abs(got->exponents[i]) <= 1e-4)
         text += fmt::format(" It does not depend on {}; the law has {}.", symbol,
@@ -287,11 +285,15 @@ class Diagnoser {
 
   // " It is h/R = 1.9 U^+0.67 …" of a film that is a law in U, G and W with E′ = 2E*.
   static std::string film_in_groups(const catalogue::Function& function, const PowerLaw& got) {
-    if (function.name != "hamrock_dowson_central") return {};
-    const std::vector<double>& e = got.exponents;  // of u, η₀, α, F, E*, R, k
-    const double a = e[0], b = e[2], c = e[3];
+    if (function.film_law == nullptr) return {};
+    // of u, η₀, α (not of soft bodies), F or F/L, E*, R
+    const std::vector<double>& e = got.exponents;
+    const bool is_soft = function.parameters[2].name != "pressure_viscosity";
+    const std::size_t load = is_soft ? 2 : 3;
+    const double a = e[0], b = is_soft ? 0 : e[2], c = e[load];
+    const double by_radius = function.film_law->is_of_lines ? 1 - a - c : 1 - a - 2 * c;
     const auto is = [](double x, double y) { return std::abs(x - y) <= 1e-4; };
-    if (!is(e[1], a) || !is(e[4], b - a - c) || !is(e[5], 1 - a - 2 * c)) return {};
+    if (!is(e[1], a) || !is(e[load + 1], b - a - c) || !is(e[load + 2], by_radius)) return {};
     return fmt::format(" {} h/R = {:.6g} U^{:+.4g} G^{:+.4g} W^{:+.4g}.",
                        got.held.empty() ? "It is" : fmt::format("Where {}, it is", got.held),
                        got.constant * std::pow(2, a - b + c), a, std::round(b * 1e5) / 1e5 + 0.0,

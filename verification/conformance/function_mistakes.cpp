@@ -49,41 +49,90 @@ constexpr std::pair<std::string_view, int FilmLaw::*> law_moduli[] = {
     {"load_modulus", &FilmLaw::load_modulus},
     {"speed_multiple", &FilmLaw::speed_multiple}};
 
-// Adds what an entry says of the law: another law by name, or numbers of the law that is used.
-void add_law(const json& written, Mistake& mistake) {
+// The numbers of a film law that an entry changes, and which of them do change.
+struct LawChange {
   std::vector<std::pair<Fraction FilmLaw::*, Fraction>> numbers;
   std::vector<std::pair<int FilmLaw::*, int>> moduli;
-  if (written == "hamrock_dowson_minimum") {
-    for (const auto& [name, number] : law_numbers) {
-      numbers.emplace_back(number, hamrock_dowson_minimum_law.*number);
-      mistake.touches.push_back("law " + std::string(name));
-    }
-  } else if (!written.is_object()) {
-    throw std::runtime_error("law: a table, or hamrock_dowson_minimum");
-  } else {
-    for (const auto& [name, value] : written.items()) {
-      const auto number = member_of<Fraction FilmLaw::*>(law_numbers, name);
-      const auto modulus = member_of<int FilmLaw::*>(law_moduli, name);
-      if (value.is_number() && number)
-        numbers.emplace_back(*number, fraction_of(value));
-      else if (modulus && (value == 1 || value == 2 || value == 4))
-        moduli.emplace_back(*modulus, value.get<int>());
-      else
-        throw std::runtime_error(fmt::format("law: {} is not allowed", name));
-      mistake.touches.push_back("law " + name);
-    }
+  bool is_as_of_points = false;  // F/L in the place of F
+  std::vector<std::string> touches;
+};
+
+LawChange change_to(const FilmLaw& other) {
+  LawChange change;
+  for (const auto& [name, number] : law_numbers) {
+    change.numbers.emplace_back(number, other.*number);
+    change.touches.push_back("law " + std::string(name));
   }
-  mistake.before = [inner = std::move(mistake.before), numbers, moduli](Question& question) {
+  return change;
+}
+
+// Of an entry: another law by name, or numbers: in place of the law's, or { times = -1 } of it.
+LawChange law_change(const json& written, const FilmLaw& own) {
+  if (written.is_string()) {
+    const Function* const other = catalogue::find(written.get<std::string>());
+    if (other != nullptr && other->film_law != nullptr) return change_to(*other->film_law);
+  }
+  if (!written.is_object()) throw std::runtime_error("law: a table, another, or a film law's name");
+  LawChange change;
+  for (const auto& [name, value] : written.items()) {
+    const auto number = member_of<Fraction FilmLaw::*>(law_numbers, name);
+    const auto modulus = member_of<int FilmLaw::*>(law_moduli, name);
+    const json times =
+        value.is_object() && value.size() == 1 ? value.value("times", json()) : json();
+    if (number && value.is_number())
+      change.numbers.emplace_back(*number, fraction_of(value));
+    else if (number && times.is_number() && times == std::round(times.get<double>()))
+      change.numbers.emplace_back(*number,
+                                  Fraction{(own.**number).p * times.get<int>(), (own.**number).q});
+    else if (modulus && (value == 1 || value == 2 || value == 4))
+      change.moduli.emplace_back(*modulus, value.get<int>());
+    else if (name == "is_of_lines" && value == false)
+      change.is_as_of_points = true;
+    else
+      throw std::runtime_error(fmt::format("law: {} is not allowed", name));
+    change.touches.push_back("law " + name);
+  }
+  return change;
+}
+
+void add_law(const LawChange& change, Mistake& mistake) {
+  mistake.touches.insert(mistake.touches.end(), change.touches.begin(), change.touches.end());
+  mistake.before = [inner = std::move(mistake.before), change](Question& question) {
     if (inner) inner(question);
-    FilmLaw law = question.law.value_or(hamrock_dowson_central_law);
-    for (const auto& [member, number] : numbers) law.*member = number;
-    for (const auto& [member, multiple] : moduli) law.*member = multiple;
+    FilmLaw law = question.law.value_or(*question.function->film_law);
+    for (const auto& [member, number] : change.numbers) law.*member = number;
+    for (const auto& [member, multiple] : change.moduli) law.*member = multiple;
     // a new row, so that its last members follow from these
-    question.law =
-        FilmLaw{law.constant,     law.speed_exponent, law.material_exponent, law.load_exponent,
-                law.side_leakage, law.side_decay,     law.speed_modulus,     law.material_modulus,
-                law.load_modulus, law.speed_multiple};
+    question.law = FilmLaw{law.constant,
+                           law.speed_exponent,
+                           law.material_exponent,
+                           law.load_exponent,
+                           law.side_leakage,
+                           law.side_decay,
+                           law.speed_modulus,
+                           law.material_modulus,
+                           law.load_modulus,
+                           law.speed_multiple,
+                           law.is_of_lines && !change.is_as_of_points};
   };
+}
+
+// One for each other law of the same contacts that takes no more arguments.
+std::vector<Mistake> other_laws_of(const Function& function, const MistakeEntry& entry) {
+  std::vector<Mistake> all;
+  const FilmLaw& own = *function.film_law;
+  for (const Function& other : catalogue::functions()) {
+    const FilmLaw* const law = other.film_law;
+    if (law == nullptr || law == &own || law->is_of_lines != own.is_of_lines ||
+        (own.material_exponent.p == 0 && law->material_exponent.p != 0))
+      continue;
+    Mistake& one = all.emplace_back();
+    one.function = function.name;
+    one.name = with_words(entry.name, other.name, function.name);
+    one.text = with_words(entry.text, other.name, function.name);
+    add_law(change_to(*law), one);
+  }
+  return all;
 }
 
 constexpr std::pair<std::string_view, double SharingReading::*> sharing_numbers[] = {
@@ -226,6 +275,32 @@ std::string with_words(std::string text, std::string_view given, std::string_vie
   return text;
 }
 
+std::vector<const Function*> functions_of(const MistakeEntry& entry) {
+  if (entry.function != "film_laws") {
+    const Function* const function = catalogue::find(entry.function);
+    if (function == nullptr) throw std::runtime_error("no function " + entry.function);
+    return {function};
+  }
+  const bool changes_material = entry.law.is_object() && (entry.law.contains("material_modulus") ||
+                                                          entry.law.contains("material_exponent"));
+  const bool is_for_points = entry.law.is_object() && entry.law.contains("side_leakage");
+  const bool is_for_lines = entry.law.is_object() && entry.law.contains("is_of_lines");
+  std::vector<const Function*> all;
+  for (const Function& one : catalogue::functions()) {
+    const auto has = [&](const auto& change) {
+      return std::any_of(one.parameters.begin(), one.parameters.end(),
+                         [&](const catalogue::Parameter& p) { return p.name == change.first; });
+    };
+    if (one.film_law != nullptr && std::all_of(entry.input.begin(), entry.input.end(), has) &&
+        !(changes_material && one.film_law->material_exponent.p == 0) &&
+        !(is_for_points && one.film_law->is_of_lines) &&
+        !(is_for_lines && !one.film_law->is_of_lines))
+      all.push_back(&one);
+  }
+  if (all.empty()) throw std::runtime_error("no film law has what is changed");
+  return all;
+}
+
 std::vector<Mistake> mistakes_of(const Function& function, const MistakeEntry& entry) {
   if (!entry.swapped.empty()) return swaps_of(function, entry);
   Mistake mistake{.function = std::string(function.name),
@@ -237,9 +312,9 @@ std::vector<Mistake> mistakes_of(const Function& function, const MistakeEntry& e
   add_inputs(function, entry, mistake);
   add_results(function, entry, mistake);
   if (!entry.law.is_null()) {
-    if (function.name != "hamrock_dowson_central")
-      throw std::runtime_error("law: only of hamrock_dowson_central");
-    add_law(entry.law, mistake);
+    if (function.film_law == nullptr) throw std::runtime_error("law: only of film laws");
+    if (entry.law == "another") return other_laws_of(function, entry);
+    add_law(law_change(entry.law, *function.film_law), mistake);
   }
   if (!entry.sharing.empty()) {
     if (function.name != "load_sharing") throw std::runtime_error("sharing: only of load_sharing");

@@ -7,8 +7,12 @@
 
 namespace tribo::conformance {
 
-// The mistakes of an entry: one, or with `swapped` one for each pair of words. Throws
-// std::runtime_error that says what is wrong with the entry.
+// The functions of an entry: the one that it names; of film_laws all film laws that have the
+// arguments and exponents that the entry changes. Throws std::runtime_error where there is none.
+std::vector<const catalogue::Function*> functions_of(const MistakeEntry& entry);
+
+// The mistakes of an entry: one; with `swapped` one for each pair of words, with the law `another`
+// one for each other film law. Throws std::runtime_error that says what is wrong with the entry.
 std::vector<Mistake> mistakes_of(const catalogue::Function& function, const MistakeEntry& entry);
 
 // "inlet-{given}-for-{asked}" with the two words.

@@ -47,15 +47,14 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
         }
         continue;
       }
-      const catalogue::Function* const function = catalogue::find(entry.function);
-      if (function == nullptr) throw std::runtime_error("no function " + entry.function);
-      for (Mistake& one : mistakes_of(*function, entry)) {
-        if (std::optional<Mistake> same = for_points(one)) {
-          same->follows = entry.follows;
-          of_points.push_back(std::move(*same));
+      for (const catalogue::Function* const function : functions_of(entry))
+        for (Mistake& one : mistakes_of(*function, entry)) {
+          if (std::optional<Mistake> same = for_points(one)) {
+            same->follows = entry.follows;
+            of_points.push_back(std::move(*same));
+          }
+          all.push_back(std::move(one));
         }
-        all.push_back(std::move(one));
-      }
     } catch (const std::exception& error) {
       throw std::runtime_error(
           fmt::format("{}: mistake \"{}\": {}", path, entry.name, error.what()));

@@ -178,6 +178,18 @@ MistakeEntry entry_of(const json& written) {
   return entry;
 }
 
+// Of an entry whose `function` is a list.
+std::vector<json> one_for_each_function(const json& written) {
+  if (!written.is_object() || !written.contains("function") || !written["function"].is_array())
+    return {written};
+  std::vector<json> all;
+  for (const json& function : written["function"]) {
+    all.push_back(written);
+    all.back()["function"] = function;
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
@@ -198,7 +210,7 @@ std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
   for (const json& written : all) {
     const std::string name = written.is_object() ? written.value("name", json("")).dump() : "";
     try {
-      entries.push_back(entry_of(written));
+      for (const json& one : one_for_each_function(written)) entries.push_back(entry_of(one));
     } catch (const std::exception& error) {
       throw std::runtime_error(fmt::format("{}: mistake {}: {}", path, name, error.what()));
     }

@@ -24,7 +24,8 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 using NumberChanges = std::vector<std::pair<std::string, NumberChange>>;
 
 struct MistakeEntry {
-  std::string function, name, text, follows;
+  std::string function;  // or film_laws: all of them that have what the entry changes
+  std::string name, text, follows;
   std::vector<std::pair<std::string, std::vector<nlohmann::json>>> where;
   NumberChanges input, result, scene;
   std::string swapped;  // an argument, or a field of a scene
@@ -36,7 +37,8 @@ struct MistakeEntry {
   NamedNumbers sharing, friction;  // numbers of SharingReading and FrictionReading
 };
 
-// Throws std::runtime_error with one line: the file, the entry's name, what is wrong.
+// An entry of several functions is there for each of them. Throws std::runtime_error with one line:
+// the file, the entry's name, what is wrong.
 std::vector<MistakeEntry> read_mistake_file(const std::string& path);
 
 }  // namespace tribo::conformance

@@ -9,6 +9,9 @@
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/hertz_ellipse.hpp"
+#include "tribo/film_regimes.hpp"
+#include "tribo/liquids.hpp"
+#include "tribo/spectral_moments.hpp"
 #include "tribo/starvation.hpp"
 #include "tribo/two_bodies.hpp"
 
@@ -312,6 +315,113 @@ Value inlet_with_inverse_exponent(const Arguments& a, Constants) {
   return wolveridge_film_ratio(std::pow((1 / a[1] - 1) * crook_constant<double>(), 1.5));
 }
 
+// --- Regimes: arguments regime, g_V, g_E, α and k
+
+double right_regime(const Arguments& a) {
+  return regime_film(static_cast<FilmRegime>(static_cast<int>(a[0])), a[1], a[2], a[3], a[4]);
+}
+Value regime_with_inverse_in_phi(const Arguments& a, Constants) {
+  const double ratio = (1 + 2 / (3 * a[3])) / (1 + 2 * a[3] / 3);
+  return right_regime(a) * ratio * ratio;
+}
+Value regime_with_side(const Arguments& a, Constants decay) {
+  return right_regime(a) * std::expm1(-decay[0] * a[4]) / std::expm1(-0.68 * a[4]);
+}
+
+// --- Heated inlet: arguments p₀, E*, S, β, η₀, u and k_f
+
+double heating(const Arguments& a, double speeds) { return a[3] * a[4] * speeds / a[6]; }
+double thermal(const Arguments& a, double l, double above, double below) {
+  return (1 - 6.6 * a[0] / a[1] * std::pow(l, above)) /
+         (1 + 0.213 * (1 + 2.23 * std::pow(a[2], 0.83)) * std::pow(l, below));
+}
+Value thermal_with_speed_once(const Arguments& a, Constants) {
+  return thermal(a, heating(a, a[5]), 0.42, 0.64);
+}
+Value thermal_with_exponents(const Arguments& a, Constants numbers) {
+  return thermal(a, heating(a, a[5] * a[5]), numbers[0], numbers[1]);
+}
+Value thermal_of_murch_and_wilson(const Arguments& a, Constants) {
+  const double l = heating(a, a[5] * a[5]);
+  return 1 / (1 + 0.1 * (1 + 14.8 * std::pow(a[2], 0.83)) * std::pow(l, 0.64));
+}
+
+// --- Liquids
+
+Value density_of_numbers(const Arguments& a, Constants numbers) {
+  return 1 + numbers[0] * a[0] / (1 + numbers[1] * a[0]);
+}
+Value barus_linear(const Arguments& a, Constants) { return a[0] * (1 + a[1] * a[2]); }
+// Numbers: p_R, what ln η₀ is multiplied by, and z over αp_R/(ln η₀ + 9.67).
+Value roelands_of_numbers(const Arguments& a, Constants numbers) {
+  const double scale = std::log(a[0]) * numbers[1] + 9.67;
+  const double z = numbers[2] * a[1] * numbers[0] / scale;
+  return a[0] * std::exp(scale * (std::pow(1 + a[2] / numbers[0], z) - 1));
+}
+Value roelands_in_millipascal(const Arguments& a, Constants) {
+  return viscosity_at(ViscosityLaw::roelands, 1e3 * a[0], a[1], a[2]) / 1e3;
+}
+Value roelands_as_barus(const Arguments& a, Constants) {
+  return viscosity_at(ViscosityLaw::barus, a[0], a[1], a[2]);
+}
+
+// Arguments T₁, ν₁, T₂, ν₂ and T. A straight line of y(ν) over x(T); ν in mm²/s.
+template <class Of, class OfTemperature, class Inverse>
+Value d341(const Arguments& a, const Of& y, const OfTemperature& x, const Inverse& viscosity) {
+  const double first = y(1e6 * a[1]), second = y(1e6 * a[3]);
+  const double part = (x(a[4]) - x(a[0])) / (x(a[2]) - x(a[0]));
+  const double found = 1e-6 * viscosity(first + part * (second - first));
+  return std::isfinite(found) ? Value(found) : std::nullopt;
+}
+double natural_log(double x) { return std::log(x); }
+double log_log(double viscosity) { return std::log(std::log(viscosity + 0.7)); }
+double without_log_log(double y) { return std::exp(std::exp(y)) - 0.7; }
+Value d341_with_offset(const Arguments& a, Constants offset) {
+  return d341(
+      a, [&](double viscosity) { return std::log(std::log(viscosity + offset[0])); }, natural_log,
+      [&](double y) { return std::exp(std::exp(y)) - offset[0]; });
+}
+Value d341_with_sum(const Arguments& a, Constants) {
+  return d341(a, log_log, natural_log, [](double y) { return std::exp(std::exp(y)); });
+}
+Value d341_in_celsius(const Arguments& a, Constants) {
+  return d341(
+      a, log_log, [](double t) { return std::log(t - 273.15); }, without_log_log);
+}
+Value d341_over_temperature(const Arguments& a, Constants) {
+  return d341(
+      a, log_log, [](double t) { return t; }, without_log_log);
+}
+Value d341_with_one_logarithm(const Arguments& a, Constants) {
+  return d341(
+      a, [](double viscosity) { return std::log(viscosity + 0.7); }, natural_log,
+      [](double y) { return std::exp(y) - 0.7; });
+}
+
+// --- Summits: arguments m₀, m₂ and m₄
+
+Results right_summits(const Arguments& a) {
+  const Summits<double> s = summits_from_spectral_moments(a[0], a[1], a[2]);
+  return {s.bandwidth, s.summit_density, s.summit_radius, s.summit_height_sd,
+          s.summit_plane_offset};
+}
+// Numbers: of which moments the root is taken.
+std::optional<Results> summits_of_roots(const Arguments& a, Constants are_roots) {
+  Arguments misread = a;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (are_roots[i] != 0) misread[i] = std::sqrt(a[i]);
+  const Results results = right_summits(misread);
+  return results[0] > 0 ? std::optional(results) : std::nullopt;
+}
+// Numbers: whether √m₀ is answered for σ_s, and whether the offset is over it.
+std::optional<Results> summits_of_all_heights(const Arguments& a, Constants where) {
+  Results results = right_summits(a);
+  const double sd = std::sqrt(a[0]);
+  if (where[1] != 0) results[4] *= results[3] / sd;
+  if (where[0] != 0) results[3] = sd;
+  return results;
+}
+
 struct NamedFormula {
   std::string_view function, name;
   std::size_t numbers;
@@ -367,6 +477,28 @@ constexpr std::array formulas{
     NamedFormula{"starvation_ratio", "inlet_with_circular_gap", 0, only<inlet_with_circular_gap>},
     NamedFormula{"starvation_ratio", "inlet_with_inverse_exponent", 0,
                  only<inlet_with_inverse_exponent>},
+    NamedFormula{"regime_film", "regime_with_inverse_in_phi", 0, only<regime_with_inverse_in_phi>},
+    NamedFormula{"regime_film", "regime_with_side", 1, only<regime_with_side>},
+    NamedFormula{"gupta_thermal_reduction", "thermal_with_speed_once", 0,
+                 only<thermal_with_speed_once>},
+    NamedFormula{"gupta_thermal_reduction", "thermal_with_exponents", 2,
+                 only<thermal_with_exponents>},
+    NamedFormula{"gupta_thermal_reduction", "thermal_of_murch_and_wilson", 0,
+                 only<thermal_of_murch_and_wilson>},
+    NamedFormula{"dowson_higginson_density", "density_of_numbers", 2, only<density_of_numbers>},
+    NamedFormula{"barus_viscosity", "barus_linear", 0, only<barus_linear>},
+    NamedFormula{"roelands_viscosity", "roelands_of_numbers", 3, only<roelands_of_numbers>},
+    NamedFormula{"roelands_viscosity", "roelands_in_millipascal", 0, only<roelands_in_millipascal>},
+    NamedFormula{"roelands_viscosity", "roelands_as_barus", 0, only<roelands_as_barus>},
+    NamedFormula{"astm_d341_viscosity", "d341_with_offset", 1, only<d341_with_offset>},
+    NamedFormula{"astm_d341_viscosity", "d341_with_sum", 0, only<d341_with_sum>},
+    NamedFormula{"astm_d341_viscosity", "d341_in_celsius", 0, only<d341_in_celsius>},
+    NamedFormula{"astm_d341_viscosity", "d341_over_temperature", 0, only<d341_over_temperature>},
+    NamedFormula{"astm_d341_viscosity", "d341_with_one_logarithm", 0,
+                 only<d341_with_one_logarithm>},
+    NamedFormula{"summits_from_spectral_moments", "summits_of_roots", 3, summits_of_roots},
+    NamedFormula{"summits_from_spectral_moments", "summits_of_all_heights", 2,
+                 summits_of_all_heights},
 };
 
 }  // namespace

@@ -56,7 +56,7 @@ Numbers function_numbers(const Question& question) {
   catalogue::Results results{};
   const catalogue::Arguments& a = question.arguments;
   if (question.law)
-    results[0] = film_thickness(*question.law, a[0], a[1], a[2], a[3], a[4], a[5], a[6]);
+    results[0] = catalogue::film_by(*question.law, *question.function, a);
   else if (!(question.sharing == SharingReading{}))
     results[0] = shared_film(a, question.sharing);
   else

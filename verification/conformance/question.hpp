@@ -50,7 +50,7 @@ struct Question {
   const Case* asked;
   const catalogue::Function* function;  // null for an operating point
   catalogue::Arguments arguments{};     // of the function
-  std::optional<FilmLaw> law = {};      // of hamrock_dowson_central, if it is another one
+  std::optional<FilmLaw> law = {};      // of a film law, if it is another one
   std::optional<Scene> scene = {};      // of an operating point, with its one speed
   SharingReading sharing = {};          // of load_sharing
   double summit_count_times = 1;        // of an operating point

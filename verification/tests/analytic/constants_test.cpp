@@ -7,8 +7,12 @@
 #include "support/judge.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/hertz_line.hpp"
+#include "tribo/liquids.hpp"
 #include "tribo/mixed_contact.hpp"
+#include "tribo/moes_line.hpp"
 #include "tribo/onset.hpp"
+#include "tribo/spectral_moments.hpp"
+#include "tribo/thermal_reduction.hpp"
 #include "tribo/two_bodies.hpp"
 
 namespace tribo::verification {
@@ -94,6 +98,14 @@ TEST(Contracts, AreNoWiderThanPromised) {
   same(reduced_radius_contract, {6, 0});
   same(hertz_ellipse_contract, {1, 0});
   same(hertz_line_contract, {1, 0});
+  same(film_contract, {20, 0});
+  same(moes_line_contract, {20, 0});
+  same(gupta_thermal_contract, {8, 4});
+  same(density_contract, {2, 0});
+  same(barus_contract, {4, 1});
+  same(roelands_contract, {8, 4});
+  same(astm_d341_contract, {8, 4});
+  same(spectral_moments_contract, {6, 3});
   same(starvation_ratio_contract, {16, 0});
   same(load_sharing_contract, {4, 8.5});
   same(operating_point_contract, {8, 16});

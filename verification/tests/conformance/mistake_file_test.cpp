@@ -73,7 +73,7 @@ TEST(Mistakes, OfAnEntryThatMeansNothingAreRefusedByItsName) {
       {entry("input.load = { times = \"two\" }"), ": mistake \"one\": times: \"two\" is not"},
       {entry("input.load = { is = \"heavy\" }"), ": mistake \"one\": load: \"heavy\" is not"},
       {entry("result.force = { times = 2 }"), ": mistake \"one\": the function has no force"},
-      {entry("law = { constant = 2 }"), ": mistake \"one\": law: only of hamrock"},
+      {entry("law = { constant = 2 }"), ": mistake \"one\": law: only of film laws"},
       {entry("law = { colour = 2 }", "hamrock_dowson_central"), ": mistake \"one\": law: colour"},
       {entry("formula = { name = \"no_such\" }"), ": mistake \"one\": no formula no_such"},
       {entry("input.load = { by = \"load\" }"), ": mistake \"one\": load: by and over are for"},

@@ -42,6 +42,14 @@ constexpr std::array<Drawn, kind_count> drawn{{{Kind::scene, 400, 700},
                                                {Kind::reduced_radius, 400, 395},
                                                {Kind::hertz_ellipse, 400, 400},
                                                {Kind::hertz_line, 400, 400},
+                                               {Kind::film_law, 800, 800},
+                                               {Kind::moes_line, 400, 400},
+                                               {Kind::film_regime, 500, 500},
+                                               {Kind::thermal_reduction, 400, 400},
+                                               {Kind::density, 200, 200},
+                                               {Kind::pressure_viscosity, 400, 400},
+                                               {Kind::astm_d341, 400, 400},
+                                               {Kind::spectral_moments, 400, 400},
                                                {Kind::extreme_scene, 200, 180}}};
 
 // 0 and its neighbours, the ends of all pieces and series, and where results are subnormal or far.

@@ -11,9 +11,14 @@
 #include "support/film_laws.hpp"
 #include "support/scenes.hpp"
 #include "tribo/batch.hpp"
+#include "tribo/film_regimes.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/hertz_line.hpp"
+#include "tribo/liquids.hpp"
 #include "tribo/mixed_contact.hpp"
+#include "tribo/moes_line.hpp"
+#include "tribo/spectral_moments.hpp"
+#include "tribo/thermal_reduction.hpp"
 #include "tribo/two_bodies.hpp"
 
 namespace tribo::verification {
@@ -37,6 +42,7 @@ constexpr std::size_t modulus_row = shear_row + 1;
 constexpr std::size_t radius_row = modulus_row + 1;
 constexpr std::size_t ellipse_row = radius_row + 3;
 constexpr std::size_t line_row = ellipse_row + 6;
+constexpr std::size_t formula_row = line_row + 4;  // the kinds after it have a row each
 
 constexpr std::array orders{Order::zero,         Order::half, Order::one,
                             Order::three_halves, Order::two,  Order::five_halves};
@@ -171,6 +177,33 @@ void draw_ellipse(Sampler& sampler, Point& point) {
   if (sampler.pick({0, 1}) == 1) std::swap(point.x[2], point.x[3]);
 }
 
+// u, η₀, α, F or F/L, E*, R, k
+void draw_film(Sampler& sampler, Point& point) {
+  point.film = sampler.pick({&hamrock_dowson_minimum_law, &hamrock_dowson_soft_central_law,
+                             &hamrock_dowson_soft_minimum_law, &dowson_higginson_minimum_law,
+                             &dowson_toyoda_central_law, &pan_hamrock_minimum_law,
+                             &pan_hamrock_central_law, &ertel_grubin_law});
+  point.x = {sampler.log_uniform(1e-6, 100),  sampler.log_uniform(1e-4, 10),
+             sampler.log_uniform(1e-9, 1e-7), sampler.log_uniform(1e-3, 1e7),
+             sampler.log_uniform(1e5, 1e12),  sampler.log_uniform(1e-6, 10),
+             sampler.log_uniform(0.01, 20)};
+}
+
+// p₀, E*, S, β, η₀, u, k_f, where the numerator is above 0; of some it is near 0.
+void draw_heated_inlet(Sampler& sampler, Point& point) {
+  auto& x = point.x;
+  x = {0,
+       sampler.log_uniform(1e8, 1e12),
+       sampler.pick({0, 1, 1}) * sampler.log_uniform(1e-4, 10),
+       sampler.log_uniform(1e-3, 0.2),
+       sampler.log_uniform(1e-4, 10),
+       sampler.log_uniform(1e-4, 100),
+       sampler.log_uniform(0.01, 10)};
+  const double limit = x[1] / (6.6 * std::pow(x[3] * x[4] * x[5] * x[5] / x[6], 0.42));
+  const bool is_near = sampler.pick({0, 0, 1}) == 1;
+  x[0] = limit * (is_near ? 1 - sampler.log_uniform(1e-4, 0.1) : sampler.log_uniform(1e-6, 0.9));
+}
+
 bool is_share(double x) { return x >= 0 && x <= 1; }
 
 // d ln/d ln of ln F is 1/ln F, but the error of a logarithm near 0 is one of F: ε at least.
@@ -219,6 +252,16 @@ std::span<const Row> rows() {
         hertz_ellipse_contract);
     add("hertz_line", {"half_width", "mean_pressure", "peak_pressure", "peak_shear"},
         hertz_line_contract);
+    add("film_law", {"value"}, film_contract);
+    add("moes_line", {"value"}, moes_line_contract);
+    add("regime_film", {"value"}, film_contract);
+    add("gupta_thermal_reduction", {"value"}, gupta_thermal_contract);
+    add("dowson_higginson_density", {"value"}, density_contract);
+    add("viscosity_at", {"value"}, roelands_contract);
+    add("astm_d341_viscosity", {"value"}, astm_d341_contract);
+    add("summits_from_spectral_moments",
+        {"bandwidth", "summit_density", "summit_radius", "summit_height_sd", "summit_plane_offset"},
+        spectral_moments_contract);
     return table;
   }();
   return all;
@@ -235,6 +278,9 @@ std::size_t first_row(const Point& point) {
     case Kind::film_ratio:
       return ratio_row + static_cast<std::size_t>(point.scene.closures.starvation);
     default: {
+      if (point.kind >= Kind::film_law)
+        return formula_row + static_cast<std::size_t>(point.kind) -
+               static_cast<std::size_t>(Kind::film_law);
       constexpr std::array first{moment_row,  scaled_row, deficit_row,   hertz_row,
                                  film_row,    rough_row,  viscosity_row, shear_row,
                                  modulus_row, radius_row, ellipse_row,   line_row};
@@ -270,7 +316,15 @@ std::string_view name(Kind kind) {
                                                            "effective_modulus",
                                                            "reduced_radius",
                                                            "hertz_ellipse",
-                                                           "hertz_line"};
+                                                           "hertz_line",
+                                                           "film_law",
+                                                           "moes_line",
+                                                           "film_regime",
+                                                           "thermal_reduction",
+                                                           "density",
+                                                           "pressure_viscosity",
+                                                           "astm_d341",
+                                                           "spectral_moments"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -332,6 +386,31 @@ void draw(Sampler& sampler, Point& point) {
       break;
     case Kind::hertz_line:  // F/L, E*, R
       numbers({{1e-60, 1e60}, {1e-60, 1e60}, {1e-60, 1e60}});
+      break;
+    case Kind::film_law:
+    case Kind::moes_line:
+      draw_film(sampler, point);
+      break;
+    case Kind::film_regime:  // g_V, g_E, α, k, and which
+      numbers({{1e-12, 1e20}, {1e-12, 1e20}, {0.01, 100}, {0.01, 20}});
+      point.x[4] = sampler.pick({0, 1, 2, 3, 4});
+      break;
+    case Kind::thermal_reduction:
+      draw_heated_inlet(sampler, point);
+      break;
+    case Kind::density:
+      numbers({{1e-3, 1e12}});
+      break;
+    case Kind::pressure_viscosity:  // η₀, α, p
+      numbers({{1e-4, 10}, {1e-9, 5e-8}, {1, 4e9}});
+      point.scene.friction.viscosity = sampler.pick({ViscosityLaw::barus, ViscosityLaw::roelands});
+      break;
+    case Kind::astm_d341:  // T₁, ν₁, T₂, ν₂, T
+      numbers({{200, 300}, {1e-6, 1e-2}, {301, 500}, {4e-7, 1e-4}, {200, 600}});
+      break;
+    case Kind::spectral_moments:  // m₀, m₂, and m₄ of a bandwidth
+      numbers({{1e-20, 1e-8}, {1e-8, 1}});
+      point.x[2] = (0.8968 + sampler.log_uniform(1e-4, 1e3)) * point.x[1] * point.x[1] / point.x[0];
       break;
     default:
       draw_moment(sampler, point);
@@ -409,6 +488,28 @@ Values<T> values_of(const Point& point) {
       const HertzLine<T> hertz = hertz_line(x(0), x(1), x(2));
       return {{hertz.half_width, hertz.mean_pressure, hertz.peak_pressure, hertz.peak_shear}};
     }
+    case Kind::film_law:
+      return {{point.film->is_of_lines
+                   ? line_film_thickness(*point.film, x(0), x(1), x(2), x(3), x(4), x(5))
+                   : film_thickness(*point.film, x(0), x(1), x(2), x(3), x(4), x(5), x(6))}};
+    case Kind::moes_line:
+      return {{moes_line(x(0), x(1), x(2), x(3), x(4), x(5))}};
+    case Kind::film_regime:
+      return {{regime_film(static_cast<FilmRegime>(static_cast<int>(point.x[4])), x(0), x(1), x(2),
+                           x(3))}};
+    case Kind::thermal_reduction:
+      return {{gupta_thermal_reduction(x(0), x(1), x(2), x(3), x(4), x(5), x(6))}};
+    case Kind::density:
+      return {{dowson_higginson_density(x(0))}};
+    case Kind::pressure_viscosity:
+      return {{viscosity_at(point.scene.friction.viscosity, x(0), x(1), x(2))}};
+    case Kind::astm_d341:
+      return {{astm_d341_viscosity(x(0), x(1), x(2), x(3), x(4))}};
+    case Kind::spectral_moments: {
+      const Summits<T> s = summits_from_spectral_moments(x(0), x(1), x(2));
+      return {{s.bandwidth, s.summit_density, s.summit_radius, s.summit_height_sd,
+               s.summit_plane_offset}};
+    }
     case Kind::moment: {
       Values<T> values;
       for (const Order order : orders) values.numbers.push_back(gaussian_moment(order, x(0)));
@@ -443,6 +544,28 @@ template Values<double> values_of(const Point& point);
 template Values<long double> values_of(const Point& point);
 template Values<Reference> values_of(const Point& point);
 
+namespace {
+
+// By differences of the text in 50 digits: the sum of |d ln value/d ln input|, at least 1.
+std::vector<double> conditions_by_differences(const Point& point) {
+  constexpr double step = 0x1p-26;
+  const std::vector<Reference> before = values_of<Reference>(point).numbers;
+  std::vector<double> sums(before.size());
+  for (std::size_t i = 0; i < point.x.size(); ++i) {
+    Point moved = point;
+    moved.x[i] *= 1 + step;
+    if (moved.x[i] == point.x[i]) continue;
+    const std::vector<Reference> after = values_of<Reference>(moved).numbers;
+    const double relative = moved.x[i] / point.x[i] - 1;
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      sums[k] += std::abs(static_cast<double>(Reference(after[k] / before[k] - 1))) / relative;
+  }
+  for (double& sum : sums) sum = std::max(sum, 1.0);
+  return sums;
+}
+
+}  // namespace
+
 std::vector<double> conditions_of(const Point& point) {
   const StarvationClosure closure = point.scene.closures.starvation;
   switch (point.kind) {
@@ -471,6 +594,11 @@ std::vector<double> conditions_of(const Point& point) {
       }
       return all;
     }
+    case Kind::thermal_reduction:
+    case Kind::pressure_viscosity:
+    case Kind::astm_d341:
+    case Kind::spectral_moments:
+      return conditions_by_differences(point);
     case Kind::shear:  // e^thickening carries its rounding
       return {1 + point.x[4]};
     default:

@@ -48,6 +48,14 @@ enum class Kind : std::uint8_t {
   reduced_radius,
   hertz_ellipse,
   hertz_line,
+  film_law,  // all but the central one
+  moes_line,
+  film_regime,
+  thermal_reduction,
+  density,
+  pressure_viscosity,
+  astm_d341,
+  spectral_moments,
   count
 };
 inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);
@@ -56,7 +64,7 @@ std::string_view name(Kind kind);
 struct Point {
   Kind kind = Kind::scene;
   Scene scene;                                        // of a scene; of the others only the words
-  const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing
+  const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing and film_law
   std::array<double, 7> x{};                          // K, δ, λ₀ | r, γ, departure | d | …
 };
 

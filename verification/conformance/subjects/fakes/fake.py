@@ -15,9 +15,11 @@ import wrong_contact
 import wrong_ellipse
 import wrong_film
 import wrong_inlet
+import wrong_laws
 import wrong_moments
 
-PARTS = (wrong_moments, wrong_bodies, wrong_film, wrong_ellipse, wrong_contact, wrong_inlet)  # importing them fills the list
+# importing them fills the list
+PARTS = (wrong_moments, wrong_bodies, wrong_film, wrong_ellipse, wrong_contact, wrong_inlet, wrong_laws)
 
 
 def main():

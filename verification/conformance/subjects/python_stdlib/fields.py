@@ -3,6 +3,7 @@
 
 import math
 
+import films
 import inlet
 import point
 import solver
@@ -32,6 +33,33 @@ FUNCTIONS = {
                      "flooded_film_parameter": ("above 0", REQUIRED), "stiffness": ("from 0", REQUIRED),
                      "offset": ("from 0", REQUIRED)},
 }
+
+FILM = ("speed", "viscosity", "pressure_viscosity", "load", "effective_modulus", "radius_x", "ellipticity")
+REGIMES = ("isoviscous_rigid", "viscous_rigid_barus", "viscous_rigid_roelands", "isoviscous_elastic",
+           "viscous_elastic")
+
+
+def above_zero(*names, **defaults):
+    return {name: ("above 0", defaults.get(name, REQUIRED)) for name in names}
+
+
+FUNCTIONS |= {name: above_zero(*(one for one in FILM if law[2] or one != "pressure_viscosity"), ellipticity=1.0)
+              for name, law in films.POINTS.items()}
+FUNCTIONS |= {name: above_zero(*FILM[:3], "load_per_length", "effective_modulus", "reduced_radius")
+              for name in (*films.LINES, "moes_line")}
+FUNCTIONS |= {
+    "regime_film": {"regime": (REGIMES, REQUIRED), **above_zero(
+        "viscosity_parameter", "elasticity_parameter", "radius_ratio", "ellipticity", radius_ratio=1.0, ellipticity=1.0)},
+    "gupta_thermal_reduction": {
+        **above_zero("peak_pressure", "effective_modulus"), "slide_roll_ratio": ("from 0", REQUIRED),
+        **above_zero("temperature_viscosity", "viscosity", "speed", "thermal_conductivity")},
+    "dowson_higginson_density": {"pressure": ("from 0", REQUIRED)},
+    "barus_viscosity": {**above_zero("viscosity", "pressure_viscosity"), "pressure": ("from 0", REQUIRED)},
+    "astm_d341_viscosity": above_zero("first_temperature", "first_viscosity", "second_temperature",
+                                      "second_viscosity", "temperature"),
+    "summits_from_spectral_moments": above_zero("m0", "m2", "m4"),
+}
+FUNCTIONS["roelands_viscosity"] = FUNCTIONS["barus_viscosity"]
 
 SCENE = {
     "load": ("above 0", REQUIRED), "speed": ("above 0", REQUIRED),

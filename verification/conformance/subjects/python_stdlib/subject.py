@@ -7,7 +7,9 @@ import math
 import sys
 
 import fields
+import films
 import inlet
+import liquids
 import moments
 import point
 import solver
@@ -54,6 +56,21 @@ def load_sharing(given):
 FUNCTIONS = {function.__name__: function for function in (
     effective_modulus, reduced_radius, gaussian_moment, hertz_point, hertz_ellipse, hertz_line,
     hamrock_dowson_central, starvation_ratio, load_sharing)}
+
+
+def value_of(module, name, *first):
+    """Looked up anew at each call."""
+    return lambda given: {"value": getattr(module, name)(*first, *given.values())}
+
+
+FUNCTIONS |= {name: value_of(films, "point_film" if law[2] else "soft_film", name) for name, law in films.POINTS.items()}
+FUNCTIONS |= {name: value_of(films, "line_film", name) for name in films.LINES}
+FUNCTIONS |= {name: value_of(module, function) for name, module, function in (
+    ("moes_line", films, "moes_line"), ("regime_film", films, "regime_film"),
+    ("gupta_thermal_reduction", films, "thermal_reduction"), ("dowson_higginson_density", liquids, "density"),
+    ("barus_viscosity", liquids, "barus"), ("roelands_viscosity", liquids, "roelands"),
+    ("astm_d341_viscosity", liquids, "astm_d341"))}
+FUNCTIONS["summits_from_spectral_moments"] = lambda given: liquids.summits(*given.values())
 
 
 def call(line):

@@ -219,10 +219,21 @@ void check_function(const Json& question, const Json& answer, const std::string&
               text);
     return;
   }
+  if (name == "summits_from_spectral_moments") {
+    for (const char* part : {"bandwidth", "summit_density", "summit_radius", "summit_height_sd",
+                             "summit_plane_offset"})
+      require(number_or(answer, part, 0) >= 0 && answer.contains(part), "summits, not negative",
+              text);
+    return;
+  }
   require(answer.contains("value"), "a function has a value", text);
   const double value = number_or(answer, "value", 0);
   require(value >= 0, "no value is negative", text);
   if (name == "starvation_ratio") require(is_share(value), "the starved film is a share", text);
+  if (name == "gupta_thermal_reduction")
+    require(is_share(value), "heating does not thicken the film", text);
+  if (name == "dowson_higginson_density" && answer["value"].is_number())
+    require(value >= 1 && value <= 1.3400001, "an oil is at most 34 % denser", text);
   if (name == "load_sharing" && answer["value"].is_number())
     require(value >= question["flooded_film_parameter"].get<double>(),
             "asperities only add to the film", text);

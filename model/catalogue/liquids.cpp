@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Liquids under pressure and temperature.
+#include "tribo/liquids.hpp"
+
+#include "catalogue/families.hpp"
+#include "catalogue/parameters.hpp"
+
+namespace tribo::catalogue {
+namespace {
+
+constexpr Parameter pressure{.name = "pressure",
+                             .meaning = "p, above ambient pressure",
+                             .unit = "Pa",
+                             .range = Range::not_below_zero,
+                             .greatest = 4e9};
+constexpr std::array density_parameters{pressure};
+constexpr std::array density_results{Result{"value", "ρ/ρ₀"}};
+constexpr std::array viscosity_parameters{viscosity, pressure_viscosity, pressure};
+constexpr std::array viscosity_results{Result{"value", "η, at the pressure", "Pa·s"}};
+
+constexpr Parameter temperature_of(std::string_view name, std::string_view meaning) {
+  return {.name = name, .meaning = meaning, .unit = "K", .least = 200, .greatest = 600};
+}
+constexpr Parameter kinematic(std::string_view name, std::string_view meaning) {
+  return {.name = name, .meaning = meaning, .unit = "m²/s", .least = 2e-6, .greatest = 1};
+}
+constexpr std::array temperature_parameters{
+    temperature_of("first_temperature", "T₁"),
+    kinematic("first_viscosity", "ν₁, kinematic viscosity at T₁: 1 mm²/s is 1e-6 m²/s"),
+    temperature_of("second_temperature", "T₂"), kinematic("second_viscosity", "ν₂, at T₂"),
+    temperature_of("temperature", "T, at which the viscosity is asked")};
+constexpr std::array kinematic_results{Result{"value", "ν, kinematic viscosity at T", "m²/s"}};
+
+void barus(const Arguments& x, Results& y) {
+  y[0] = viscosity_at(ViscosityLaw::barus, x[0], x[1], x[2]);
+}
+void roelands(const Arguments& x, Results& y) {
+  y[0] = viscosity_at(ViscosityLaw::roelands, x[0], x[1], x[2]);
+}
+
+std::optional<Refusal> too_thin_for_roelands(const Arguments& x) {
+  if (std::log(x[0]) + roelands_log_viscosity<double>() > 0) return std::nullopt;
+  return Refusal{"viscosity",
+                 "Roelands' law needs a viscosity above 6.315e-5 Pa·s, where ln η₀ + 9.67 is above "
+                 "0"};
+}
+std::optional<Refusal> no_line_of_astm_d341(const Arguments& x) {
+  constexpr std::string_view too_thin =
+      "log log(ν + 0.7) with ν in mm²/s needs a viscosity above 3e-7 m²/s";
+  const auto is_too_thin = [](double viscosity) { return !(1e6 * viscosity + 0.7 > 1); };
+  if (is_too_thin(x[1])) return Refusal{"first_viscosity", too_thin};
+  if (is_too_thin(x[3])) return Refusal{"second_viscosity", too_thin};
+  if (x[0] == x[2])
+    return Refusal{"second_temperature", "two different temperatures are needed to draw the line"};
+  return std::nullopt;
+}
+
+constexpr std::array entries{
+    Function{.name = "dowson_higginson_density",
+             .meaning = "density of an oil under pressure over that at ambient pressure",
+             .equation = "ρ/ρ₀ = (5.9e8 + 1.34p)/(5.9e8 + p)",
+             .source = "D. Dowson, G. R. Higginson: Elasto-hydrodynamic Lubrication (1966); also "
+                       "printed as 1 + 0.6e-9 p/(1 + 1.7e-9 p), which rounds 1 + 0.5763e-9 p/(1 + "
+                       "1.695e-9 p) to more",
+             .parameters = density_parameters,
+             .results = density_results,
+             .value = [](const Arguments& x,
+                         Results& y) { y[0] = tribo::dowson_higginson_density(x[0]); },
+             .contract = density_contract,
+             .example = {1e9}},
+    Function{.name = "barus_viscosity",
+             .meaning = "viscosity under pressure by Barus' law",
+             .equation = "η = η₀ e^(αp)",
+             .source = "C. Barus: Isothermals, isopiestics and isometrics relative to viscosity. "
+                       "Am. J. Sci. 45 (1893) 87",
+             .parameters = viscosity_parameters,
+             .results = viscosity_results,
+             .value = barus,
+             .contract = barus_contract,
+             .example = {0.0202, 2e-8, 3e8}},
+    Function{.name = "roelands_viscosity",
+             .meaning = "viscosity under pressure by Roelands' law",
+             .equation = "η = η₀ exp{(ln η₀ + 9.67)[(1 + p/p_R)^z − 1]}, z = αp_R/(ln η₀ + 9.67), "
+                         "p_R = 0.196 GPa",
+             .source = "C. J. A. Roelands: Correlational aspects of the "
+                       "viscosity-temperature-pressure relationship of lubricating oils. Thesis, "
+                       "Delft (1966); z is that of the same slope at p = 0 as Barus' law",
+             .parameters = viscosity_parameters,
+             .results = viscosity_results,
+             .value = roelands,
+             .contract = roelands_contract,
+             .example = {0.0202, 2e-8, 1e9},
+             .refusal = too_thin_for_roelands},
+    Function{.name = "astm_d341_viscosity",
+             .meaning = "kinematic viscosity at a temperature, from those at two others",
+             .equation = "log log(ν + 0.7) = A − B log T, ν in mm²/s, T in K",
+             .source = "ASTM D341: Standard practice for viscosity-temperature equations and "
+                       "charts for liquid petroleum or hydrocarbon products; for 2 mm²/s and more, "
+                       "below which the standard has a further term",
+             .parameters = temperature_parameters,
+             .results = kinematic_results,
+             .value =
+                 [](const Arguments& x, Results& y) {
+                   y[0] = tribo::astm_d341_viscosity(x[0], x[1], x[2], x[3], x[4]);
+                 },
+             .contract = astm_d341_contract,
+             .example = {313.15, 32e-6, 373.15, 5.4e-6, 353.15},
+             .refusal = no_line_of_astm_d341},
+};
+
+}  // namespace
+
+std::span<const Function> liquids() { return entries; }
+
+}  // namespace tribo::catalogue

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Summits of an isotropic Gaussian face from the spectral moments of its profile, which a
+// profilometer gives. Sources: P. R. Nayak: Random process model of rough surfaces. J. Lubr.
+// Technol. 93 (1971) 398; J. I. McCool: Relating profile instrument measurements to the functional
+// performance of rough surfaces. J. Tribol. 109 (1987) 264.
+#pragma once
+
+#include "tribo/contract.hpp"
+#include "tribo/real.hpp"
+
+namespace tribo {
+
+// α − 0.8968 is a difference: the condition is that of m₀, m₂ and m₄.
+inline constexpr Contract spectral_moments_contract{6, 3};
+
+template <class T>
+struct Summits {
+  T bandwidth;         // α = m₀m₄/m₂²; of an isotropic Gaussian face 3/2 or more
+  T summit_density;    // n = m₄/(6π√3 m₂), 1/m²
+  T summit_radius;     // β = ⅜√(π/m₄), m
+  T summit_height_sd;  // σ_s = √((1 − 0.8968/α) m₀), m
+  T summit_plane_offset;  // from the mean plane to the mean of the summits, 4√(m₀/(πα)), over σ_s
+};
+
+// Moments of the profile: m0 of its heights, m², m2 of its slopes, m4 of its curvatures, 1/m²:
+// their mean squares; all > 0. Five NaN where the bandwidth is not above 0.8968, as σ_s² would not
+// be above 0. Error: spectral_moments_contract.
+//
+// Whatever the moments, summit_plane_offset · nβσ_s = 1/(4π√3) = 0.04594.
+template <class T>
+Summits<T> summits_from_spectral_moments(const T& m0, const T& m2, const T& m4) {
+  using std::sqrt;
+  const T bandwidth = m0 / m2 * (m4 / m2);
+  const T excess = bandwidth - ratio<T>(8968, 10000);
+  if (!(excess > 0)) {
+    const T nan = quiet_nan<T>();
+    return {nan, nan, nan, nan, nan};
+  }
+  return {bandwidth, m4 / (6 * pi<T>() * sqrt(T(3)) * m2), 3 * sqrt(T(pi<T>() / m4)) / 8,
+          sqrt(T(excess / bandwidth * m0)), 4 / sqrt(T(pi<T>() * excess))};
+}
+
+}  // namespace tribo

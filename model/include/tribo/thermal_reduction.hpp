@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much thinner a film is because shear heats the oil in the inlet. Source: P. K. Gupta, H. S.
+// Cheng, D. Zhu, N. H. Forster, J. B. Schrand: Viscoelastic effects in MIL-L-7808-type lubricant,
+// part I, analytical formulation. Tribol. Trans. 35 (1992) 269, doi 10.1080/10402009208982117.
+#pragma once
+
+#include "tribo/contract.hpp"
+#include "tribo/real.hpp"
+
+namespace tribo {
+
+// The numerator is a difference: the condition is that of all seven arguments.
+inline constexpr Contract gupta_thermal_contract{8, 4};
+
+// φ_T, the film over that of an isothermal inlet:
+//   φ_T = [1 − 13.2 (p₀/E′) L^{0.42}]/[1 + 0.213 (1 + 2.23 S^{0.83}) L^{0.64}],  L = βη₀u²/k_f.
+// peak_pressure p₀ of Hertz in Pa, effective_modulus E* in Pa, of which E′ = 2E*, slide_roll_ratio
+// S ≥ 0, sliding over mean speed, temperature_viscosity β in 1/K: −d ln η/dT, viscosity η₀ in Pa·s,
+// speed u in m/s (the mean of the two surfaces), thermal_conductivity k_f of the oil in W/(m·K);
+// all but S > 0. NaN where the numerator is not above 0, beyond what was fitted. Error:
+// gupta_thermal_contract.
+template <class T>
+T gupta_thermal_reduction(const T& peak_pressure, const T& effective_modulus,
+                          const T& slide_roll_ratio, const T& temperature_viscosity,
+                          const T& viscosity, const T& speed, const T& thermal_conductivity) {
+  const T heating = temperature_viscosity * viscosity * speed * speed / thermal_conductivity;  // L
+  const T numerator = 1 - ratio<T>(132, 10) * (peak_pressure / (2 * effective_modulus)) *
+                              decimal_power(heating, Fraction{42, 100});
+  if (!(numerator > 0)) return quiet_nan<T>();
+  const T sliding = 1 + ratio<T>(223, 100) * decimal_power(slide_roll_ratio, Fraction{83, 100});
+  return numerator /
+         (1 + ratio<T>(213, 1000) * sliding * decimal_power(heating, Fraction{64, 100}));
+}
+
+}  // namespace tribo

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Films by formulas that are no rows of numbers, and what heats or starves them.
+#include <array>
+
+#include "generators/formulas.hpp"
+#include "generators/sampler.hpp"
+
+namespace tribo::reference {
+namespace {
+
+// H of M and L, and h.
+Ball moes_film(const Balls& x) {
+  const Ball &speed = x[0], &viscosity = x[1], &alpha = x[2], &load = x[3], &modulus = x[4],
+             &radius = x[5];
+  const Ball e2 = 2 * modulus, u = viscosity * speed / (e2 * radius);
+  const Ball m = load / (e2 * radius) / sqrt(2 * u), l = alpha * e2 * pow(2 * u, fraction(1, 4));
+  const Ball ri = 3 / m, ei = fraction(2621, 1000) * pow(m, -fraction(1, 5));
+  const Ball rp = fraction(1287, 1000) * pow(l, fraction(2, 3));
+  const Ball ep = fraction(1311, 1000) * pow(m, -fraction(1, 8)) * pow(l, fraction(3, 4));
+  const Ball s = (7 + 8 * exp(-2 * ei / ri)) / 5;
+  const Ball isoviscous = pow(pow(ri, fraction(7, 3)) + pow(ei, fraction(7, 3)), 3 * s / 7);
+  const Ball piezoviscous = pow(pow(rp, -fraction(7, 2)) + pow(ep, -fraction(7, 2)), -2 * s / 7);
+  return radius * sqrt(2 * u) * pow(isoviscous + piezoviscous, 1 / s);
+}
+// By logarithms of the inputs, and the last equation by bisection on h.
+Ball moes_film_by_logarithms(const Balls& x) {
+  const Ball ln_2u = log(x[0]) + log(x[1]) - log(x[4]) - log(x[5]);
+  const Ball ln_m = log(x[3]) - log(Ball(2)) - log(x[4]) - log(x[5]) - ln_2u / 2;
+  const Ball ln_l = log(Ball(2)) + log(x[2]) + log(x[4]) + ln_2u / 4;
+  const Ball ln_ri = log(Ball(3)) - ln_m, ln_ei = log(fraction(2621, 1000)) - ln_m / 5;
+  const Ball ln_rp = log(fraction(1287, 1000)) + 2 * ln_l / 3;
+  const Ball ln_ep = log(fraction(1311, 1000)) - ln_m / 8 + 3 * ln_l / 4;
+  const Ball s = fraction(7, 5) + fraction(8, 5) * exp(-2 * exp(ln_ei - ln_ri));
+  const auto sum = [](const Ball& p, const Ball& a, const Ball& b) {  // ln of the p-norm
+    return log(exp(p * a) + exp(p * b)) / p;
+  };
+  const Ball isoviscous = sum(fraction(7, 3), ln_ri, ln_ei);
+  const Ball piezoviscous = sum(-fraction(7, 2), ln_rp, ln_ep);
+  const Ball total = exp(s * isoviscous) + exp(s * piezoviscous);
+  const Ball film = bisect(
+      [&](const Ball& h) {
+        const Ball excess = exp(s * log(h)) - total;
+        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+      },
+      Ball(1e-40), Ball(1e40));
+  return film * x[5] * exp(ln_2u / 2);
+}
+
+constexpr std::array regimes{"isoviscous_rigid", "viscous_rigid_barus", "viscous_rigid_roelands",
+                             "isoviscous_elastic", "viscous_elastic"};
+
+// Of g_V, g_E, alpha and k.
+Ball regime_film(std::size_t regime, const Balls& x) {
+  const auto bracket = [](int n, const Ball& of) { return 1 - exp(-fraction(n, 10000) * of); };
+  if (regime == 0)
+    return 128 * x[2] / pow(1 + 2 / (3 * x[2]), Ball(2)) *
+           pow(fraction(131, 1000) * atan(x[2] / 2) + fraction(1683, 1000), Ball(2));
+  if (regime == 1) return fraction(166, 100) * pow(x[0], fraction(2, 3)) * bracket(6800, x[3]);
+  if (regime == 2) return 141 * pow(x[0], fraction(375, 1000)) * bracket(387, x[2]);
+  if (regime == 3)
+    return fraction(87, 10) * pow(x[1], fraction(67, 100)) *
+           (1 - fraction(85, 100) * exp(-fraction(31, 100) * x[3]));
+  return fraction(342, 100) * pow(x[0], fraction(49, 100)) * pow(x[1], fraction(17, 100)) *
+         bracket(6800, x[3]);
+}
+// Whole powers, and the arc of a cosine.
+Ball regime_film_by_roots(std::size_t regime, const Balls& x) {
+  const auto bracket = [](int n, const Ball& of) { return -expm1(-of * n / 10000); };
+  if (regime == 0) {
+    const Ball arc = acos(1 / sqrt(1 + x[2] * x[2] / 4));
+    const Ball root = (131 * arc + 1683) * 3 * x[2] / (1000 * (3 * x[2] + 2));
+    return 128 * x[2] * root * root;
+  }
+  const auto powers = [&](int a, int b, int q) {
+    return root_of_power(pow(x[0], Ball(a)) * pow(x[1], Ball(b)), q);
+  };
+  if (regime == 1) return powers(2, 0, 3) * bracket(6800, x[3]) * 166 / 100;
+  if (regime == 2) return powers(3, 0, 8) * bracket(387, x[2]) * 141;
+  if (regime == 3) return powers(0, 67, 100) * (15 - 85 * expm1(-x[3] * 31 / 100)) * 87 / 1000;
+  return powers(49, 17, 100) * bracket(6800, x[3]) * 342 / 100;
+}
+
+// Of p0, E*, S, beta, eta0, u and k_f.
+Ball thermal(const Balls& x) {
+  const Ball l = x[3] * x[4] * x[5] * x[5] / x[6];
+  const Ball sliding = x[2] == 0 ? Ball(1) : 1 + fraction(223, 100) * pow(x[2], fraction(83, 100));
+  return (1 - fraction(132, 10) * x[0] / (2 * x[1]) * pow(l, fraction(42, 100))) /
+         (1 + fraction(213, 1000) * sliding * pow(l, fraction(64, 100)));
+}
+Ball thermal_by_roots(const Balls& x) {
+  const Ball l = x[3] * x[4] / x[6] * pow(x[5], Ball(2));
+  const Ball heated = root_of_power(pow(l, Ball(21)), 50);
+  const Ball sheared = root_of_power(pow(l, Ball(16)), 25);
+  const Ball slid = x[2] == 0 ? Ball(0) : root_of_power(pow(x[2], Ball(83)), 100);
+  return (x[1] - fraction(66, 10) * x[0] * heated) * 100000 /
+         (x[1] * (100000 + 213 * sheared * (100 + 223 * slid)));
+}
+
+}  // namespace
+
+Table moes_lines() {
+  Table table;
+  table.header = {"moes_line",
+                  "H = {(RI^(7/3) + EI^(7/3))^(3s/7) + (RP^(-7/2) + EP^(-7/2))^(-2s/7)}^(1/s)",
+                  "m",
+                  "speed [1e-6, 100] m/s, viscosity [1e-4, 100] Pa s, pressure_viscosity [1e-9, "
+                  "1e-7] 1/Pa, load per length [1, 1e7] N/m, modulus [1e5, 1e12] Pa, radius [1e-6, "
+                  "10] m",
+                  "powers of M and L",
+                  "logarithms of the inputs; bisection on the last equation",
+                  "id,speed,viscosity,pressure_viscosity,load_per_length,effective_modulus,"
+                  "reduced_radius,value,high,low,condition,region"};
+  Sampler sampler(1520);
+  for (int i = 0; i < 90; ++i) {
+    const bool usual = i < 60;
+    const auto pick = [&](double low, double high, double lowest, double highest) {
+      return usual ? sampler.log_uniform(low, high) : sampler.log_uniform(lowest, highest);
+    };
+    const double speed = pick(1e-4, 30, 1e-6, 100), viscosity = pick(1e-3, 1, 1e-4, 100);
+    const double alpha = pick(5e-9, 4e-8, 1e-9, 1e-7);
+    // Rigid bodies too.
+    const double load = i % 3 == 1 ? pick(1, 1e3, 1e-3, 1e3) : pick(1e3, 2e6, 1, 1e7);
+    const double modulus = i % 3 == 2 ? pick(1e6, 1e9, 1e5, 1e9) : pick(1e10, 5e11, 1e5, 1e12);
+    const double radius = pick(1e-3, 0.3, 1e-6, 10);
+    table.rows.emplace_back([=, id = fmt::format("fl{:04}", i)] {
+      return formula_row(id, {}, {speed, viscosity, alpha, load, modulus, radius}, moes_film,
+                         moes_film_by_logarithms, usual ? "ordinary" : "far");
+    });
+  }
+  return table;
+}
+
+Table regime_films() {
+  Table table;
+  table.header = {"regime_film",
+                  "H = (hmin/R_x)(W/U)^2 of one of five regimes",
+                  "dimensionless",
+                  "g_V and g_E [1, 1e10], radius ratio [0.1, 80], k [0.1, 20]; far: [1e-12, 1e20]",
+                  "powers",
+                  "bisection on whole powers; the arc of a cosine",
+                  "id,regime,viscosity_parameter,elasticity_parameter,radius_ratio,ellipticity,"
+                  "value,high,low,condition,region"};
+  Sampler sampler(1521);
+  int number = 0;
+  for (std::size_t regime = 0; regime < regimes.size(); ++regime)
+    for (int i = 0; i < 24; ++i) {
+      const bool usual = i < 18;
+      const auto group = [&] {
+        return usual ? sampler.log_uniform(1, 1e10) : sampler.log_uniform(1e-12, 1e20);
+      };
+      const double viscosity = group(), elasticity = group();
+      const double ratio = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 80);
+      const double k = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 20);
+      table.rows.emplace_back([=, id = fmt::format("fr{:04}", number++)] {
+        return formula_row(
+            id, {regimes[regime]}, {viscosity, elasticity, ratio, k},
+            [=](const Balls& x) { return regime_film(regime, x); },
+            [=](const Balls& x) { return regime_film_by_roots(regime, x); },
+            usual ? "ordinary" : "far");
+      });
+    }
+  return table;
+}
+
+Table thermal_reductions() {
+  Table table;
+  table.header = {"gupta_thermal_reduction",
+                  "(1 - 13.2 (p0/E') L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), E' = 2E*",
+                  "dimensionless",
+                  "p0 [1e8, 3e9] Pa, E* [1e10, 5e11] Pa, S 0 or [1e-3, 2], beta [0.01, 0.1] 1/K, "
+                  "viscosity [1e-3, 1] Pa s, speed [0.01, 30] m/s, k_f [0.05, 0.3] W/(m K), where "
+                  "the numerator is above 0; far: numerators down to 1e-9",
+                  "powers",
+                  "bisection on whole powers",
+                  "id,peak_pressure,effective_modulus,slide_roll_ratio,temperature_viscosity,"
+                  "viscosity,speed,thermal_conductivity,value,high,low,condition,region"};
+  Sampler sampler(1522);
+  for (int number = 0; number < 72;) {
+    const bool usual = number < 60;
+    double pressure = sampler.log_uniform(1e8, 3e9);
+    const double modulus = sampler.log_uniform(1e10, 5e11);
+    const double sliding = number % 6 == 0 ? 0 : sampler.log_uniform(1e-3, 2);
+    const double beta = sampler.uniform(0.01, 0.1), viscosity = sampler.log_uniform(1e-3, 1);
+    const double speed = sampler.log_uniform(0.01, 30), conductivity = sampler.uniform(0.05, 0.3);
+    const double heating = beta * viscosity * speed * speed / conductivity;
+    const double limit = 2 * modulus / (13.2 * std::pow(heating, 0.42));
+    if (usual && pressure > 0.9 * limit) continue;
+    if (!usual) pressure = limit * (1 - sampler.log_uniform(1e-9, 0.1));  // next to the refusal
+    table.rows.emplace_back([=, id = fmt::format("th{:04}", number++)] {
+      return formula_row(id, {}, {pressure, modulus, sliding, beta, viscosity, speed, conductivity},
+                         thermal, thermal_by_roots, usual ? "ordinary" : "far");
+    });
+  }
+  return table;
+}
+
+}  // namespace tribo::reference

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// Films by laws of points and of lines, by Moes' line, in regimes and behind a heated inlet: hand
+// checks, exponents and limits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "support/judge.hpp"
+#include "tribo/film_regimes.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/moes_line.hpp"
+#include "tribo/thermal_reduction.hpp"
+
+namespace tribo::verification {
+namespace {
+
+// Table 1 of the paper at 1 m/s, with k = 1 or 1e5 N/m; to half of the last digit.
+TEST(FilmFormulas, TableOneGivesTheHandChecks) {
+  const std::pair<const FilmLaw*, double> films[] = {{&hamrock_dowson_central_law, 152.460},
+                                                     {&hamrock_dowson_minimum_law, 86.247},
+                                                     {&hamrock_dowson_soft_central_law, 48.624},
+                                                     {&hamrock_dowson_soft_minimum_law, 27.822},
+                                                     {&dowson_higginson_minimum_law, 165.939},
+                                                     {&dowson_toyoda_central_law, 216.688},
+                                                     {&pan_hamrock_minimum_law, 154.850},
+                                                     {&pan_hamrock_central_law, 178.321},
+                                                     {&ertel_grubin_law, 198.958}};
+  for (const auto& [law, nanometres] : films) {
+    const double film = law->is_of_lines
+                            ? line_film_thickness(*law, 1.0, 0.0202, 2e-8, 1e5, 107.9e9, 9.5e-3)
+                            : film_thickness(*law, 1.0, 0.0202, 2e-8, 50.0, 107.9e9, 9.5e-3, 1.0);
+    EXPECT_TRUE(is_within(film, nanometres * 1e-9, 0.0005e-9)) << nanometres;
+  }
+  EXPECT_TRUE(is_within(moes_line(1.0, 0.0202, 2e-8, 1e5, 107.9e9, 9.5e-3), 216.155e-9, 5e-13));
+}
+
+// That of each argument, by doubling it. A point's F/R is a line's F/L.
+TEST(FilmFormulas, LinesHaveTheExponentsOfTheirLaw) {
+  for (const FilmLaw* const law :
+       {&dowson_higginson_minimum_law, &dowson_toyoda_central_law, &pan_hamrock_minimum_law,
+        &pan_hamrock_central_law, &ertel_grubin_law}) {
+    const auto of = [](const Fraction& f) { return ratio<Reference>(f); };
+    const Reference a = of(law->speed_exponent), b = of(law->material_exponent);
+    const Reference c = of(law->load_exponent);
+    const std::vector<Reference> exponents{a, a, b, c, b - a - c, 1 - a - c};
+    std::vector<Reference> x{2, Reference("0.1"), Reference("1e-8"), 3e5, 2e11, Reference("0.02")};
+    const auto film = [&] { return line_film_thickness(*law, x[0], x[1], x[2], x[3], x[4], x[5]); };
+    const Reference before = film();
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] *= 2;
+      const Reference found = log(film() / before) / log(Reference(2));
+      EXPECT_LT(abs(found - exponents[i]), Reference("1e-45")) << i;
+      x[i] /= 2;
+    }
+  }
+}
+
+TEST(FilmFormulas, OfErtelAndGrubinAreNotMovedByLoadSharing) {
+  EXPECT_EQ(ertel_grubin_law.sharing_power.value, 0);
+  const double film = line_film_thickness(ertel_grubin_law, 1.0, 0.02, 2e-8, 1e5, 1e11, 0.01);
+  // E* and F divided by γ = 4
+  EXPECT_TRUE(
+      is_within(line_film_thickness(ertel_grubin_law, 1.0, 0.02, 2e-8, 1e5 / 4, 1e11 / 4, 0.01),
+                film, 1e-13 * film));
+}
+
+// In each corner the film is the limit there, to the part that the others leave.
+TEST(MoesLine, HasTheFourLimits) {
+  const auto power = [](const char* x, int p, int q) {
+    return Reference(pow(Reference(x), ratio<Reference>(p, q)));
+  };
+  const std::tuple<const char*, const char*, Reference> limits[] = {
+      {"1e-8", "1e-20", 3 / Reference("1e-8")},
+      {"1e12", "1e-20", ratio<Reference>(2621, 1000) * power("1e12", -1, 5)},
+      {"1e6", "1e30", ratio<Reference>(1287, 1000) * power("1e30", 2, 3)},
+      {"1e60", "1e10", ratio<Reference>(1311, 1000) * power("1e60", -1, 8) * power("1e10", 3, 4)}};
+  for (const auto& [m, l, limit] : limits) {
+    const Reference film = moes_line_number(Reference(m), Reference(l));
+    EXPECT_LT(abs(film / limit - 1), Reference("1e-6")) << m << ' ' << l;
+  }
+}
+
+TEST(MoesLine, IsAboveItsIsoviscousLimitsAndFallsWithTheLoad) {
+  Sampler sampler(12);
+  for (int i = 0; i < 500; ++i) {
+    const double m = sampler.log_uniform(1e-3, 1e4), l = sampler.log_uniform(1e-2, 50);
+    const double film = moes_line_number(m, l);
+    const double isoviscous = std::max(3 / m, 2.621 * std::pow(m, -0.2));
+    EXPECT_GT(film, isoviscous);
+    EXPECT_GT(film, moes_line_number(m * 1.001, l)) << m << ' ' << l;
+    EXPECT_LE(film, moes_line_number(m, l * 1.001)) << m << ' ' << l;
+  }
+}
+
+// The regimes are the films of their laws: Ĥ = H (W/U)² with g_V = GW³/U², g_E = W^{8/3}/U².
+TEST(RegimeFilm, OfElasticBodiesIsTheLawInOtherGroups) {
+  const double u = 3e-11, g = 4500, w = 2e-6, k = 2.5;
+  const double viscosity = g * w * w * w / (u * u), elasticity = std::pow(w, 8.0 / 3) / (u * u);
+  const double times = (w / u) * (w / u);
+  // h/R by the laws; the fits in two groups are of two exponents, and stay within some per cent
+  const double hard = 3.63 * std::pow(u, 0.68) * std::pow(g, 0.49) * std::pow(w, -0.073) *
+                      (1 - std::exp(-0.68 * k));
+  const double soft =
+      7.43 * std::pow(u, 0.65) * std::pow(w, -0.21) * (1 - 0.85 * std::exp(-0.31 * k));
+  const auto film = [&](FilmRegime regime) {
+    return regime_film(regime, viscosity, elasticity, 4.0, k);
+  };
+  EXPECT_TRUE(is_within(film(FilmRegime::viscous_elastic) / (hard * times), 1.0, 0.1));
+  EXPECT_TRUE(is_within(film(FilmRegime::isoviscous_elastic) / (soft * times), 1.0, 0.4));
+}
+
+TEST(RegimeFilm, OfRigidBodiesHasTheHandChecks) {
+  const auto film = [](FilmRegime regime, double alpha) {
+    return regime_film(regime, 1e4, 1.0, alpha, 1.0);
+  };
+  // A circle: φ = 3/5
+  const double root = 0.6 * (0.131 * std::atan(0.5) + 1.683);
+  EXPECT_TRUE(is_within(film(FilmRegime::isoviscous_rigid, 1), 128 * root * root, 1e-11));
+  // Without side leakage φ is 1.
+  EXPECT_TRUE(is_within(film(FilmRegime::isoviscous_rigid, 1e9) / 1e9,
+                        128 * std::pow(0.131 * std::acos(0.0) + 1.683, 2), 1e-5));
+  // Jeng, Hamrock and Brewe's own form, h/R = 178 G^0.386 U^1.266 W^−0.880 (1 − e^{−0.0387α}),
+  // tells 141 from 1.41.
+  const double u = 1e-11, g = 4500, w = 1e-7;
+  const double own = 178 * std::pow(g, 0.386) * std::pow(u, 1.266) * std::pow(w, -0.880) *
+                     (1 - std::exp(-0.0387 * 4));
+  const double found =
+      regime_film(FilmRegime::viscous_rigid_roelands, g * w * w * w / (u * u), 1.0, 4.0, 1.0);
+  EXPECT_TRUE(is_within(found * (u / w) * (u / w) / own, 1.0, 0.1));
+  // Barus' law thickens the liquid more than Roelands' does.
+  for (const double g_v : {1e6, 1e8, 1e10})
+    EXPECT_GT(regime_film(FilmRegime::viscous_rigid_barus, g_v, 1.0, 1.0, 1.0),
+              regime_film(FilmRegime::viscous_rigid_roelands, g_v, 1.0, 1.0, 1.0));
+}
+
+TEST(GuptaThermalReduction, FallsFromOneWithHeatingAndSlidingAndEndsWhereItIsNotFitted) {
+  const auto reduction = [](double slide_roll_ratio, double speed) {
+    return gupta_thermal_reduction(1e9, 107.9e9, slide_roll_ratio, 0.04, 0.0202, speed, 0.14);
+  };
+  EXPECT_TRUE(is_within(reduction(0, 1e-12), 1.0, 1e-9));
+  double before = 1;
+  for (double speed = 1e-3; speed < 50; speed *= 1.1) {
+    const double found = reduction(0.1, speed);
+    EXPECT_LT(found, before);
+    EXPECT_LT(reduction(0.2, speed), found);
+    before = found;
+  }
+  // L = 1: 13.2 p₀/E′ = 1 at p₀ = E*/6.6
+  EXPECT_EQ(std::isnan(gupta_thermal_reduction(1e9, 6.59e9, 0.0, 1.0, 1.0, 1.0, 1.0)), true);
+  EXPECT_GT(gupta_thermal_reduction(1e9, 6.61e9, 0.0, 1.0, 1.0, 1.0, 1.0), 0.0);
+}
+
+}  // namespace
+}  // namespace tribo::verification
