@@ -144,15 +144,13 @@ constexpr std::array entries{
         point_parameters, minimum_results, steel_point),
     entry<hamrock_dowson_soft_central_law>(
         {"hamrock_dowson_soft_central",
-         "central film thickness of the flooded point contact of a soft body, in which pressure "
-         "does not thicken the liquid",
+         "central film thickness of the flooded, isoviscous contact of a soft body",
          "h₀/R_x = 7.32 U^0.64 W^−0.22 (1 − 0.72 e^(−0.28k)), U = η₀u/(2E*R_x), W = F/(2E*R_x²)",
          of_soft_bodies},
         soft_parameters, central_results, soft_point),
     entry<hamrock_dowson_soft_minimum_law>(
         {"hamrock_dowson_soft_minimum",
-         "minimum film thickness of the flooded point contact of a soft body, in which pressure "
-         "does not thicken the liquid",
+         "minimum film thickness of the flooded, isoviscous contact of a soft body",
          "h_min/R_x = 7.43 U^0.65 W^−0.21 (1 − 0.85 e^(−0.31k)), U = η₀u/(2E*R_x), W = "
          "F/(2E*R_x²)",
          of_soft_bodies},
@@ -187,8 +185,7 @@ constexpr std::array entries{
         line_parameters, central_results, steel_line),
     Function{
         .name = "moes_line",
-        .meaning = "central film thickness of the flooded, smooth line contact, of rigid and "
-                   "elastic bodies in isoviscous and piezoviscous liquids",
+        .meaning = "central film thickness of the flooded line contact, from rigid to elastic",
         .equation = "H = {(RI^(7/3) + EI^(7/3))^(3s/7) + (RP^(−7/2) + EP^(−7/2))^(−2s/7)}^(1/s), s "
                     "= (7 + 8e^(−2EI/RI))/5, RI = 3/M, EI = 2.621M^(−1/5), RP = 1.287L^(2/3), EP = "
                     "1.311M^(−1/8)L^(3/4); M = W(2U)^(−1/2), L = G(2U)^(1/4), H = "
@@ -202,8 +199,7 @@ constexpr std::array entries{
         .contract = moes_line_contract,
         .example = steel_line},
     Function{.name = "regime_film",
-             .meaning = "minimum film of a flooded point contact in a regime of lubrication, "
-                        "dimensionless",
+             .meaning = "dimensionless minimum film of a flooded point contact, by its regime",
              .equation =
                  "isoviscous_rigid 128αφ²(0.131 atan(α/2) + 1.683)², φ = 1/(1 + 2/(3α)); "
                  "viscous_rigid_barus 1.66 g_V^(2/3) (1 − e^(−0.68k)); viscous_rigid_roelands "

@@ -38,8 +38,7 @@ std::optional<Refusal> too_narrow_a_band(const Arguments& x) {
 
 constexpr std::array entries{
     Function{.name = "summits_from_spectral_moments",
-             .meaning = "summits of an isotropic Gaussian face, from the spectral moments of its "
-                        "profile",
+             .meaning = "summits of an isotropic Gaussian face from the moments of its profile",
              .equation = "α = m₀m₄/m₂² > 0.8968, n = m₄/(6π√3 m₂), β = (3/8)√(π/m₄), σ_s² = (1 − "
                          "0.8968/α)m₀, D_d = 4√(m₀/(πα))",
              .source = "J. I. McCool: Relating profile instrument measurements to the functional "

@@ -88,7 +88,7 @@ void describe(const Function& function, OutputStream& output) {
 
 void list(OutputStream& output) {
   for (const Function& function : catalogue::functions())
-    append(output.text(), fmt::format("{:<24}{}\n", function.name, function.meaning));
+    append(output.text(), fmt::format("{:<31}{}\n", function.name, function.meaning));
 }
 
 ordered_json json_of(const Function& function) {

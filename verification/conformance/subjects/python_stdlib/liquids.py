@@ -3,8 +3,6 @@
 
 import math
 
-import friction
-
 
 def density(pressure):
     """Over that at ambient pressure."""
@@ -16,7 +14,8 @@ def barus(viscosity, alpha, pressure):
 
 
 def roelands(viscosity, alpha, pressure):
-    return viscosity * math.exp(friction.log_thickening("roelands", viscosity, alpha, pressure))
+    scale = math.log(viscosity) + 9.67
+    return viscosity * math.exp(scale * ((1 + pressure / 0.196e9) ** (alpha * 0.196e9 / scale) - 1))
 
 
 def chart(viscosity):
