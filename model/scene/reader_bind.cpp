@@ -57,8 +57,9 @@ class SceneBinder {
     if (problems_.any()) return;
     check_faces();
     check_film();
+    check_profile();
     if (problems_.any()) return;
-    complete_bodies();
+    complete();
     warn_of_odd_pairs();
     reading_.scene = std::move(scene_);
   }
@@ -417,10 +418,27 @@ class SceneBinder {
                         ": " + contact + "; allowed: " + joined(fitting, " or "));
   }
 
-  // What follows from two bodies stands in the scene as if it had been given.
-  void complete_bodies() {
-    if (!scene_.bodies.has_bodies()) return;
+  void check_profile() {
+    if (!scene_.surface.has_moments()) return;
+    const auto& [m0, m2, m4] = scene_.surface.moments;
+    const Summits<double> summits = summits_from_spectral_moments(m0, m2, m4);
+    if (!(summits.bandwidth > 0))
+      problems_.error("surface.m4", number_text(m4) + " is not allowed: m0 · m4/m2² = " +
+                                        rounded_text(m0 / m2 * (m4 / m2)) +
+                                        "; allowed: a number that makes it above 0.8968, and 1.5 "
+                                        "or more of an isotropic Gaussian face");
+  }
+
+  // What follows from two bodies, or from spectral moments, stands in the scene as if it had been
+  // given.
+  void complete() {
+    if (!scene_.bodies.has_bodies() && !scene_.surface.has_moments()) return;
     const auto numbers = detail::numbers_of<double>(scene_);
+    Surface& surface = scene_.surface;
+    surface.summit_density = numbers.summit_density;
+    surface.summit_radius = numbers.summit_radius;
+    surface.summit_height_sd = numbers.summit_height_sd;
+    surface.summit_plane_offset = numbers.summit_plane_offset;
     Bodies& bodies = scene_.bodies;
     bodies.effective_modulus = numbers.effective_modulus;
     if (bodies.shape() == ContactShape::circle) return;
@@ -460,6 +478,27 @@ class SceneBinder {
                         "above 6.315e-5, in Pa·s");
   }
 
+  // (D_d/σ_s) nβσ_s of every isotropic Gaussian face (spectral_moments.hpp).
+  void warn_of_summits() {
+    const Surface& surface = scene_.surface;
+    if (surface.has_moments()) {
+      const auto& [m0, m2, m4] = surface.moments;
+      if (const double bandwidth = m0 / m2 * (m4 / m2); bandwidth < 1.5 * (1 - 1e-9))
+        problems_.warning("surface", "m0 · m4/m2² = " + rounded_text(bandwidth) +
+                                         " is legal but implausible: 1.5 or more of every "
+                                         "isotropic Gaussian face");
+      return;
+    }
+    const double product = surface.summit_plane_offset * surface.summit_density *
+                           surface.summit_radius * surface.summit_height_sd;
+    if (product > 0 && !(std::abs(product / 0.0459441 - 1) < 0.1))
+      problems_.warning(
+          "surface", "summit_plane_offset · summit_density · summit_radius · summit_height_sd = " +
+                         rounded_text(product) +
+                         " is legal, but 0.0459 of every isotropic Gaussian face: give m0, m2 "
+                         "and m4 of a profile, and all four follow");
+  }
+
   void warn_of_odd_pairs() {
     const Surface& surface = scene_.surface;
     const double roughness =
@@ -468,6 +507,7 @@ class SceneBinder {
       problems_.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
                                        rounded_text(roughness) +
                                        " is legal but implausible: usual are 0.03 to 0.05");
+    warn_of_summits();
     const auto numbers = detail::numbers_of<double>(scene_);
     const ContactShape shape = scene_.bodies.shape();
     const HertzContact<double> hertz = hertz_contact(shape, numbers);

@@ -55,7 +55,6 @@ constexpr std::array<Row, field_count> rows{{
 
     {{.path = "surface.summit_density",
       .unit = "1/m²",
-      .required = true,
       .plausible_minimum = 1e6,
       .plausible_maximum = 1e16,
       .meaning = "n, summits per area; Greenwood–Tripp: of each face, Greenwood–Williamson: of the "
@@ -63,14 +62,12 @@ constexpr std::array<Row, field_count> rows{{
      [](Scene& scene, double value) { scene.surface.summit_density = value; }},
     {{.path = "surface.summit_radius",
       .unit = "m",
-      .required = true,
       .plausible_minimum = 1e-9,
       .plausible_maximum = 1e-2,
       .meaning = "β, radius of curvature of the summits"},
      [](Scene& scene, double value) { scene.surface.summit_radius = value; }},
     {{.path = "surface.summit_height_sd",
       .unit = "m",
-      .required = true,
       .plausible_minimum = 1e-11,
       .plausible_maximum = 1e-4,
       .meaning = "σ_s, standard deviation of summit heights; Greenwood–Tripp: of the sum of both "
@@ -89,6 +86,25 @@ constexpr std::array<Row, field_count> rows{{
       .default_text = "1",
       .meaning = "m, how many faces bring that offset"},
      [](Scene& scene, double value) { scene.surface.offset_planes = static_cast<int>(value); }},
+    {{.path = "surface.m0",
+      .unit = "m²",
+      .plausible_minimum = 1e-20,
+      .plausible_maximum = 1e-9,
+      .meaning =
+          "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
+          "alike, Greenwood–Williamson: of the one rough face"},
+     [](Scene& scene, double value) { scene.surface.moments.m0 = value; }},
+    {{.path = "surface.m2",
+      .plausible_minimum = 1e-10,
+      .plausible_maximum = 10,
+      .meaning = "m₂, mean square of the profile's slopes"},
+     [](Scene& scene, double value) { scene.surface.moments.m2 = value; }},
+    {{.path = "surface.m4",
+      .unit = "1/m²",
+      .plausible_minimum = 1,
+      .plausible_maximum = 1e18,
+      .meaning = "m₄, mean square of the profile's curvatures"},
+     [](Scene& scene, double value) { scene.surface.moments.m4 = value; }},
 
     {{.path = "bodies.effective_modulus",
       .unit = "Pa",
@@ -311,7 +327,14 @@ constexpr std::array shapes{FieldSet{of_circle, beside_circle}, FieldSet{of_elli
                             FieldSet{of_line, {}}, FieldSet{of_faces, {}},
                             FieldSet{of_faces_of_line, {}}};
 
-constexpr std::array groups{FieldGroup{"the elasticity of the bodies", elasticity},
+constexpr std::array of_summits{Words("surface.summit_density"), Words("surface.summit_radius"),
+                                Words("surface.summit_height_sd")};
+constexpr std::array beside_summits{Words("surface.summit_plane_offset")};
+constexpr std::array of_profile{Words("surface.m0"), Words("surface.m2"), Words("surface.m4")};
+constexpr std::array summits{FieldSet{of_summits, beside_summits}, FieldSet{of_profile, {}}};
+
+constexpr std::array groups{FieldGroup{"the summits of the surfaces", summits},
+                            FieldGroup{"the elasticity of the bodies", elasticity},
                             FieldGroup{"the shape of the contact", shapes}};
 
 constexpr std::array<FieldInfo, field_count> infos = [] {

@@ -12,7 +12,7 @@
 
 namespace tribo::scene_detail {
 
-inline constexpr std::size_t field_count = 41;
+inline constexpr std::size_t field_count = 44;
 inline constexpr std::size_t section_count = 7;
 
 // Puts a number, a whole number, or the place of a chosen word into the scene. Null for the fields

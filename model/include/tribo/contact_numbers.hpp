@@ -6,6 +6,7 @@
 
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/scene.hpp"
+#include "tribo/spectral_moments.hpp"
 
 namespace tribo {
 struct FilmLaw;
@@ -111,8 +112,21 @@ SceneNumbers<T> numbers_of(const Scene& scene) {
   using Wide = WiderType<T>;
   const auto& [first, second] = scene.bodies.bodies;
   const ContactShape shape = scene.bodies.shape();
-  if (!scene.bodies.has_bodies()) return numbers_in<T>(shape, given_numbers(scene));
+  if (!scene.bodies.has_bodies() && !scene.surface.has_moments())
+    return numbers_in<T>(shape, given_numbers(scene));
   SceneNumbers<T> numbers = numbers_in<T>(ContactShape::circle, given_numbers(scene));
+  if (scene.surface.has_moments()) {
+    const SpectralMoments& m = scene.surface.moments;
+    const auto summits = summits_from_spectral_moments(Wide(m.m0), Wide(m.m2), Wide(m.m4));
+    // Greenwood and Tripp's σ_s is of the sum of two faces, which here are alike.
+    const bool has_two = scene.closures.asperity == AsperityModel::greenwood_tripp;
+    using std::sqrt;
+    const Wide rise = has_two ? Wide(sqrt(Wide(2))) : Wide(1);
+    numbers.summit_density = T(summits.summit_density);
+    numbers.summit_radius = T(summits.summit_radius);
+    numbers.summit_height_sd = T(summits.summit_height_sd * rise);
+    numbers.summit_plane_offset = T(summits.summit_plane_offset / rise);
+  }
   if (first.modulus > 0)
     numbers.effective_modulus =
         T(effective_modulus(Wide(first.modulus), Wide(first.poisson_ratio), Wide(second.modulus),

@@ -92,6 +92,8 @@ struct Surface {
   double summit_plane_offset = 0;  // D_d/σ_s, mean plane to summit plane
   int offset_planes = 1;           // m: how many faces bring that offset, 0, 1 or 2
   SpectralMoments moments = {};    // where they are given, the first four numbers follow from them
+
+  bool has_moments() const { return moments.m0 > 0; }
 };
 
 // One of the two bodies. 0: not given.

@@ -404,6 +404,117 @@ TEST(SceneRoelands, NeedsAViscosityAboveItsPole) {
     EXPECT_TRUE(accepted(format, good().set("lubricant.viscosity", "6e-5")));
 }
 
+// --- Shapes of contacts.
+
+SceneText without_shape() { return good().remove("bodies.reduced_radius"); }
+SceneText ellipse() {
+  return without_shape().set("bodies.radius_x", "9.5e-3").set("bodies.radius_y", "19e-3");
+}
+SceneText line() {
+  return without_shape()
+      .set("bodies.radius_x", "9.5e-3")
+      .set("bodies.length", "5e-4")
+      .set("closures.film", "\"dowson_toyoda_central\"");
+}
+SceneText faces(const char* first_x, const char* second_x, const char* first_y,
+                const char* second_y) {
+  return without_shape()
+      .set("bodies.first_radius_x", first_x)
+      .set("bodies.second_radius_x", second_x)
+      .set("bodies.first_radius_y", first_y)
+      .set("bodies.second_radius_y", second_y);
+}
+
+TEST(SceneShapes, AreTakenInEachWay) {
+  for (const Format format : formats) {
+    const auto shape = [&](const SceneText& text) {
+      return read(format, text).scene.value().bodies.shape();
+    };
+    EXPECT_EQ(shape(good()), ContactShape::circle);
+    EXPECT_EQ(shape(ellipse()), ContactShape::ellipse);
+    EXPECT_EQ(shape(line()), ContactShape::line);
+    const Scene ball = read(format, faces("5e-3", "22.5e-3", "5e-3", "-5.2e-3")).scene.value();
+    EXPECT_EQ(ball.bodies.shape(), ContactShape::ellipse);
+    EXPECT_EQ(ball.bodies.radius_x, 5e-3 * 22.5e-3 / 27.5e-3);
+    const Scene flat = read(format, faces("5e-3", "1e30", "7e-3", "1e30")).scene.value();
+    EXPECT_EQ(flat.bodies.radius_x, 5e-3);
+    EXPECT_EQ(flat.bodies.radius_y, 7e-3);
+  }
+  EXPECT_EQ(read(Format::toml, faces("5e-3", "inf", "7e-3", "-inf")).scene.value().bodies.radius_y,
+            7e-3);
+}
+
+TEST(SceneShapes, OfTwoWaysAtOnceAreRefused) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(refused(format, good().set("bodies.radius_x", "1e-2"), "bodies.radius_x",
+                        "given beside bodies.reduced_radius"));
+    EXPECT_TRUE(refused(format, ellipse().set("bodies.length", "1e-2"), "bodies.length",
+                        "given beside bodies.radius_x"));
+    EXPECT_TRUE(refused(format, ellipse().set("bodies.ellipticity", "2"), "bodies.ellipticity",
+                        "allowed: only beside bodies.reduced_radius"));
+    EXPECT_TRUE(refused(format, good().set("bodies.first_modulus", "2e11"), "bodies.first_modulus",
+                        "given beside bodies.effective_modulus"));
+    EXPECT_TRUE(refused(format, good().set("surface.m0", "1e-15"), "surface.m0",
+                        "given beside surface.summit_density"));
+    EXPECT_TRUE(refused(format, ellipse().remove("bodies.radius_y"), "bodies.radius_y",
+                        "missing beside bodies.radius_x"));
+  }
+}
+
+TEST(SceneShapes, WithoutAContactAreRefused) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(refused(format, faces("5e-3", "-4e-3", "5e-3", "5e-3"), "bodies.first_radius_x",
+                        "the faces do not meet at a point"));
+    EXPECT_TRUE(refused(format, faces("5e-3", "5e-3", "5e-3", "-5e-3"), "bodies.first_radius_y",
+                        "or length in place of both radii, for a line"));
+    EXPECT_TRUE(refused(format, faces("5e-3", "5e-3", "1e308", "1e308"), "bodies.first_radius_y",
+                        "the faces do not meet at a point"));
+    EXPECT_TRUE(
+        refused(format, line().set("bodies.length", "0"), "bodies.length", "0 is not allowed"));
+  }
+}
+
+TEST(SceneShapes, TakeOnlyFilmLawsOfTheirKind) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(refused(format, line().remove("closures.film"), "closures.film",
+                        "missing: the contact is a line"));
+    EXPECT_TRUE(refused(format, line().set("closures.film", "\"hamrock_dowson_minimum\""),
+                        "closures.film", "allowed: dowson_higginson_minimum"));
+    EXPECT_TRUE(refused(format, ellipse().set("closures.film", "\"pan_hamrock_central\""),
+                        "closures.film", "the contact is no line"));
+  }
+}
+
+TEST(SceneShapes, OddOnesAreWarnedOf) {
+  for (const Format format : formats) {
+    EXPECT_TRUE(warned(format, ellipse().set("bodies.radius_y", "5e-3"), "bodies.radius_y",
+                       "was fitted to k from 1 to 8"));
+    EXPECT_TRUE(warned(format, ellipse().set("bodies.radius_y", "5"), "bodies.radius_y",
+                       "was fitted to k from 1 to 8"));
+    EXPECT_TRUE(warned(format, line().set("bodies.length", "1e-5"), "bodies.length",
+                       "the contact is wider"));
+    EXPECT_TRUE(warned(format, ellipse().set("bodies.radius_x", "1e-5"), "bodies.radius_x",
+                       "Hertz's semi-axis along x"));
+  }
+}
+
+TEST(SceneShapes, OfAProfileGiveTheSummits) {
+  const auto profile = [](const char* m4) {
+    SceneText text = good();
+    for (const char* field :
+         {"summit_density", "summit_radius", "summit_height_sd", "summit_plane_offset"})
+      text.remove(std::string("surface.") + field);
+    return text.set("surface.m0", "2.5e-15").set("surface.m2", "2e-4").set("surface.m4", m4);
+  };
+  for (const Format format : formats) {
+    EXPECT_GT(read(format, profile("3e8")).scene.value().surface.summit_density, 0);
+    EXPECT_TRUE(refused(format, profile("1.4e7"), "surface.m4", "m0 · m4/m2² = 0.875"));
+    EXPECT_TRUE(warned(format, profile("2e7"), "surface", "m0 · m4/m2² = 1.25"));
+    EXPECT_TRUE(refused(format, profile("3e8").remove("surface.m2"), "surface.m2",
+                        "missing beside surface.m0"));
+  }
+}
+
 TEST(SceneWarnings, TheSpecifiedExamples) {
   for (const Format format : formats) {
     EXPECT_TRUE(warned(format, good().set("bodies.reduced_radius", "9.5"), "bodies.reduced_radius",
@@ -424,14 +535,16 @@ TEST(SceneWarnings, TheMisprintsOfTableOne) {
   }
 }
 
-TEST(SceneWarnings, NoneForThePublishedScenes) {
+TEST(SceneWarnings, OfThePublishedScenesAreOfTheirSummitsAlone) {
   std::size_t scenes = 0;
   for (const auto& file :
        std::filesystem::directory_iterator(TRIBOCHECK_SOURCE_DIR "/reference/published")) {
     if (file.path().extension() != ".toml") continue;
     const SceneReading reading = read_scene(file.path().string(), SceneUse::speeds);
     EXPECT_TRUE(reading.scene) << lines_of(reading.errors);
-    EXPECT_TRUE(reading.warnings.empty()) << lines_of(reading.warnings);
+    // Table 1's summits are of no isotropic Gaussian face, and nothing else is odd.
+    ASSERT_EQ(reading.warnings.size(), 1U) << lines_of(reading.warnings);
+    EXPECT_EQ(has_problem(reading.warnings, "surface", "= 0.0573 is legal, but 0.0459"), true);
     ++scenes;
   }
   EXPECT_GE(scenes, 3u);

@@ -54,7 +54,8 @@ class SceneText {
     const auto found = std::find_if(group.sets.begin(), group.sets.end(), has);
     if (found == group.sets.end() || found == group.sets.begin()) return;
     for (const FieldSet& set : group.sets)
-      for (const std::string_view other : set.fields) remove(other);
+      for (const auto& others : {set.fields, set.optional})
+        for (const std::string_view other : others) remove(other);
     for (const std::string_view one : found->fields) set(one, "0.3");
   }
 
@@ -66,7 +67,7 @@ class SceneText {
     for (const auto& [path, value] : base.fields_)
       if (path == field.path) return value;
     if (field.path == "closures.film") return "\"hamrock_dowson_minimum\"";
-    if (field.path.ends_with("poisson_ratio")) return "0.3";
+    if (field.path.ends_with("poisson_ratio") || field.path == "surface.m2") return "0.3";
     if (field.path == "speed.from") return "1e-4";
     if (field.path == "supply.inlet_film") return "4e-7";
     if (field.path == "supply.inlet_flow") return "4e-9";

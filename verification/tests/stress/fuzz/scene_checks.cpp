@@ -193,11 +193,17 @@ Json as_json(const Scene& scene) {
     json["speed"] = speeds_as_json(speeds);
   for (const OutputInfo& output : output_infos)
     if (outputs.contains(output.output)) json["outputs"].push_back(output.name);
-  json["surface"] = {{"summit_density", surface.summit_density},
-                     {"summit_radius", surface.summit_radius},
-                     {"summit_height_sd", surface.summit_height_sd},
-                     {"summit_plane_offset", surface.summit_plane_offset},
-                     {"offset_planes", surface.offset_planes}};
+  if (surface.has_moments())
+    json["surface"] = {{"m0", surface.moments.m0},
+                       {"m2", surface.moments.m2},
+                       {"m4", surface.moments.m4},
+                       {"offset_planes", surface.offset_planes}};
+  else
+    json["surface"] = {{"summit_density", surface.summit_density},
+                       {"summit_radius", surface.summit_radius},
+                       {"summit_height_sd", surface.summit_height_sd},
+                       {"summit_plane_offset", surface.summit_plane_offset},
+                       {"offset_planes", surface.offset_planes}};
   json["bodies"] = bodies_as_json(bodies);
   json["lubricant"] = {{"viscosity", lubricant.viscosity},
                        {"pressure_viscosity", lubricant.pressure_viscosity}};
