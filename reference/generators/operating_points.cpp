@@ -61,13 +61,13 @@ std::vector<std::string> columns(const Inputs& in) {
   constexpr std::array inlets{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
   constexpr std::array supplies{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"};
   constexpr std::array shears{"eyring", "limiting"};
-  constexpr std::array laws{"barus", "ambient", "roelands"};
+  constexpr std::array viscosity_laws{"barus", "ambient", "roelands"};
   constexpr std::array shapes{"circle", "ellipse", "line"};
   std::vector<std::string> all{roughs[static_cast<std::size_t>(in.rough)],
                                inlets[static_cast<std::size_t>(in.inlet)],
                                supplies[static_cast<std::size_t>(in.supply_kind)],
                                shears[static_cast<std::size_t>(in.shear)],
-                               laws[static_cast<std::size_t>(in.law)],
+                               viscosity_laws[static_cast<std::size_t>(in.law)],
                                shapes[static_cast<std::size_t>(in.shape)],
                                laws[in.film].name,
                                std::to_string(in.planes)};

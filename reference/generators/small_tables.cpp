@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Starvation ratios, onset constants and flooded films.
+// Starvation ratios and onset constants.
 #include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
 #include "generators/starved_film.hpp"
@@ -132,47 +132,6 @@ Table onset_constants() {
           return std::pair{r, found};
         },
         "departure");
-  return table;
-}
-
-Table hertz_contacts() {
-  Table table;
-  table.header = {
-      "hertz_point",
-      "a^3 = 3FR/(4E*), mean pressure F/(pi a^2), peak 3/2 of it, approach a^2/R",
-      "m, Pa, Pa, m",
-      "load [1e-6, 1e6] N, effective modulus [1e6, 1e12] Pa, radius [1e-6, 10] m",
-      "powers",
-      "a by bisection on a^3; peak pressure as 2aE*/(pi R), approach as (9F^2/(16 E*^2 R))^(1/3)",
-      "id,output,load,effective_modulus,reduced_radius,value,high,low,condition,region"};
-  Sampler sampler(404);
-  int number = 0;
-  for (int i = 0; i < 40; ++i) {
-    const double f = i == 0 ? 50 : sampler.log_uniform(1e-6, 1e6);
-    const double e = i == 0 ? 107.9e9 : sampler.log_uniform(1e6, 1e12);
-    const double r = i == 0 ? 9.5e-3 : sampler.log_uniform(1e-6, 10);
-    for (int k = 0; k < 4; ++k)
-      table.rows.emplace_back([=, id = fmt::format("h{:04}", number++)] {
-        const Ball load(f), modulus(e), radius(r);
-        const Ball cube = 3 * load * radius / (4 * modulus);
-        const Ball a = pow(cube, fraction(1, 3));
-        const Ball b = bisect(
-            [&](const Ball& x) {
-              const Ball excess = x * x * x - cube;
-              return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-            },
-            Ball(1e-12), Ball(1e4));
-        const Ball mean = load / (ball_pi() * a * a);
-        const Ball values[] = {a, mean, mean * 3 / 2, a * a / radius};
-        const Ball others[] = {
-            b, 4 * b * modulus / (3 * ball_pi() * radius), 2 * b * modulus / (ball_pi() * radius),
-            pow(9 * load * load / (16 * modulus * modulus * radius), fraction(1, 3))};
-        constexpr const char* names[] = {"radius", "mean_pressure", "peak_pressure", "approach"};
-        return Row{id,        {names[k], hexfloat(f), hexfloat(e), hexfloat(r)},
-                   values[k], others[k],
-                   Ball(1),   "ordinary"};
-      });
-  }
   return table;
 }
 

@@ -200,7 +200,8 @@ TextTable errata_table(const Ledger& ledger) {
        "as printed", "as corrected", "against"},
       {false, false, false, false, false, false, false, true, true, false},
       {},
-      "A reading may have been computed with, and is a switch; the others are mended everywhere."};
+      "A reading may have been computed with, and is a switch; a finding is kept as printed; the "
+      "others are mended everywhere."};
   for (const Erratum& one : ledger.errata)
     table.rows.push_back(
         {one.id, one.place, one.printed, one.right, one.settled_by,

@@ -133,13 +133,11 @@ void add_words(Case& point) {
                                                        : "starved"});
 }
 
-// Circles with the default law, other laws of circles, ellipses and lines are asked as functions of
-// their own: a solver may offer some of them.
 std::string point_function(const ReferenceRow& row) {
   const std::string& shape = row.text("shape");
-  if (shape != "circle") return "operating_point_of_" + shape;
-  return row.text("film") == film_formula_words[0] ? "operating_point"
-                                                   : "operating_point_of_other_film";
+  const bool is_default = shape == "circle" && row.text("film") == film_formula_words[0];
+  const std::size_t place = is_default ? 0 : shape == "circle" ? 1 : shape == "ellipse" ? 2 : 3;
+  return std::string(operating_point_functions[place]);
 }
 
 // Rows p0000.0 to p0000.8 are the outputs of one point.

@@ -3,9 +3,12 @@
 // catalogue and of operating points (reference/exact), and the paper's scenes.
 #pragma once
 
+#include <array>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tribo/contract.hpp"
@@ -29,7 +32,7 @@ inline constexpr double least_of_engineering = 1e-30;
 
 struct Case {
   std::string id;
-  std::string function;   // "gaussian_moment", …, or "operating_point"
+  std::string function;   // "gaussian_moment", …, or a kind of operating point
   nlohmann::json inputs;  // the line that asks, but for its id
   Contract contract;      // of the strict tolerance
   std::vector<Expected> expected;
@@ -37,6 +40,15 @@ struct Case {
 
   std::string line() const;  // one line of JSON, without a line end
 };
+
+// Operating points of circles with the default film law, of circles with another one, of ellipses
+// and of lines are functions of their own, as a solver may offer some of them.
+inline constexpr std::array<std::string_view, 4> operating_point_functions{
+    "operating_point", "operating_point_of_other_film", "operating_point_of_ellipse",
+    "operating_point_of_line"};
+inline bool is_operating_point(std::string_view function) {
+  return function.starts_with(operating_point_functions[0]);
+}
 
 // "gaussian_moment", "hertz_point.radius", "operating_point.film": a function's only field is not
 // named.

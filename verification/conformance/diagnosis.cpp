@@ -63,7 +63,7 @@ std::string known_factor(double ratio) {
 // The functions that a function's numbers rest on.
 std::vector<std::string> rests_on(const std::string& function) {
   if (function == "load_sharing") return {"gaussian_moment"};
-  if (function == "operating_point")
+  if (is_operating_point(function))
     return {"hertz_point", "hamrock_dowson_central", "gaussian_moment", "load_sharing",
             "starvation_ratio"};
   return {};
@@ -453,7 +453,8 @@ std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversati
   for (const std::string& function : functions) {
     std::vector<Mistake> mistakes;
     for (const Mistake& one : all)
-      if (one.function == function) mistakes.push_back(one);
+      if (one.function == (is_operating_point(function) ? "operating_point" : function))
+        mistakes.push_back(one);
     std::string below;
     for (const std::string& other : rests_on(function))
       if (wrong.contains(other)) below += (below.empty() ? "" : ", ") + other;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -47,14 +48,22 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
         }
         continue;
       }
+      std::map<std::string, std::vector<Mistake>> of_films;  // by name
       for (const catalogue::Function* const function : functions_of(entry))
         for (Mistake& one : mistakes_of(*function, entry)) {
-          if (std::optional<Mistake> same = for_points(one)) {
+          if (std::find(film_formula_words.begin(), film_formula_words.end(), function->name) !=
+              film_formula_words.end()) {
+            of_films[one.name].push_back(one);
+          } else if (std::optional<Mistake> same = for_points(one)) {
             same->follows = entry.follows;
             of_points.push_back(std::move(*same));
           }
           all.push_back(std::move(one));
         }
+      for (const auto& [name, laws] : of_films) {
+        of_points.push_back(with_film(laws));
+        of_points.back().follows = entry.follows;
+      }
     } catch (const std::exception& error) {
       throw std::runtime_error(
           fmt::format("{}: mistake \"{}\": {}", path, entry.name, error.what()));

@@ -127,11 +127,11 @@ void check_kinds(const MistakeEntry& entry) {
                               !entry.sharing.empty();
   const bool changes = !entry.input.empty() || !entry.result.empty() || !entry.law.is_null() ||
                        !entry.sharing.empty() || !entry.formula.empty();
-  const bool is_of_point =
-      !entry.scene.empty() || entry.area || !entry.stiffness.empty() || !entry.friction.empty();
-  const int kinds = (changes ? 1 : 0) + (entry.scene.empty() ? 0 : 1) + (entry.area ? 1 : 0) +
-                    (entry.stiffness.empty() ? 0 : 1) + (entry.friction.empty() ? 0 : 1) +
-                    (entry.swapped.empty() ? 0 : 1);
+  const bool is_of_point = !entry.scene.empty() || !entry.area.empty() ||
+                           !entry.stiffness.empty() || !entry.friction.empty();
+  const int kinds = (changes ? 1 : 0) + (entry.scene.empty() ? 0 : 1) +
+                    (entry.area.empty() ? 0 : 1) + (entry.stiffness.empty() ? 0 : 1) +
+                    (entry.friction.empty() ? 0 : 1) + (entry.swapped.empty() ? 0 : 1);
   if (entry.function == "operating_point" && is_of_function)
     throw std::runtime_error("where, input, result, law and sharing are for single functions");
   if (entry.function != "operating_point" && is_of_point)
@@ -151,8 +151,7 @@ MistakeEntry entry_of(const json& written) {
   members.take("follows", entry.follows);
   members.take("swapped", entry.swapped);
   members.take("stiffness", entry.stiffness);
-  if (const json area = members.take_any("area"); !area.is_null())
-    entry.area = area.is_number() ? area.get<double>() : throw not_allowed("area", area);
+  members.take("area", entry.area);
   entry.sharing = named_numbers(members.take_any("sharing"));
   entry.friction = named_numbers(members.take_any("friction"));
   if (const json where = members.take_any("where"); !where.is_null()) {

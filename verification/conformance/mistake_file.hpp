@@ -32,7 +32,7 @@ struct MistakeEntry {
   std::string formula;
   std::vector<double> numbers;  // of the formula
   nlohmann::json law;           // the name of a law, or numbers of it
-  std::optional<double> area;
+  std::vector<double> area;     // of points and of lines
   std::vector<double> stiffness;
   NamedNumbers sharing, friction;  // numbers of SharingReading and FrictionReading
 };

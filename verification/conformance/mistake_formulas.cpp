@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "tribo/film_regimes.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/hertz_ellipse.hpp"
-#include "tribo/film_regimes.hpp"
 #include "tribo/liquids.hpp"
 #include "tribo/spectral_moments.hpp"
 #include "tribo/starvation.hpp"

@@ -11,6 +11,7 @@
 
 #include "conformance/function_mistakes.hpp"
 #include "scene/schema.hpp"
+#include "tribo/hertz_ellipse.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::conformance {
@@ -128,26 +129,55 @@ std::vector<Mistake> swaps_of(const MistakeEntry& entry) {
 // --- Changes of a part alone
 
 double right_film(const Scene& s) {
-  return hamrock_dowson_central(s.speeds[0], s.lubricant.viscosity, s.lubricant.pressure_viscosity,
-                                s.load, s.bodies.effective_modulus, s.bodies.reduced_radius,
-                                s.bodies.ellipticity);
+  return MixedContact<double>(s).flooded_film_parameter(s.speeds[0]) * s.surface.summit_height_sd;
 }
 
 // Multiplies the film formula by a factor: changes the speed, but keeps the sliding speed and the
 // supply as they are.
 void scale_film(Scene& scene, double factor) {
-  const double by = decimal_power(factor, inverse(hamrock_dowson_central_law.speed_exponent));
+  const double by = decimal_power(factor, inverse(film_law(scene.closures.film).speed_exponent));
   for (double& speed : scene.speeds.list) speed *= by;
   scene.friction.slide_roll_ratio /= by;
   if (scene.supply.kind == SupplyKind::inlet_flow) scene.supply.value *= by;
 }
 
-// A_nom times a factor, by R, with the film formula left as it is.
-void scale_area(Scene& scene, double factor) {
+// The contact changed as Hertz sees it, with the film formula left as it is.
+void change_contact(Scene& scene, const std::function<void(Bodies&)>& change) {
   const double right = right_film(scene);
-  scene.bodies.reduced_radius *= std::pow(factor, 1.5);
+  change(scene.bodies);
   scale_film(scene, right / right_film(scene));
 }
+
+// A_nom times a factor, by the radii: it goes as R^{2/3}, and of a line as R^{1/2}.
+void scale_area(Scene& scene, double factor) {
+  change_contact(scene, [&](Bodies& bodies) {
+    const bool is_line = bodies.shape() == ContactShape::line;
+    for (double* radius : {&bodies.reduced_radius, &bodies.radius_x, &bodies.radius_y})
+      *radius *= std::pow(factor, is_line ? 2 : 1.5);
+  });
+}
+
+// Changes of an ellipse.
+void take_circle(Question& question) {
+  change_contact(*question.scene, [](Bodies& bodies) {
+    bodies.ellipticity = ellipse_of_circle(bodies.radius_x, bodies.radius_y).axes_ratio;
+    bodies.reduced_radius = bodies.radius_x;
+    bodies.radius_x = bodies.radius_y = 0;
+  });
+}
+void exchange_radii(Question& question) {
+  std::swap(question.scene->bodies.radius_x, question.scene->bodies.radius_y);
+}
+void take_film_of_circle(Question& question) {
+  Scene& scene = *question.scene;
+  Scene round = scene;
+  round.bodies.radius_y = round.bodies.radius_x;
+  scale_film(scene, right_film(round) / right_film(scene));
+}
+constexpr std::pair<std::string_view, void (*)(Question&)> ellipse_changes[] = {
+    {"circle_of_radius_x", take_circle},
+    {"radii_exchanged", exchange_radii},
+    {"film_of_circle", take_film_of_circle}};
 
 // K times a factor, the real area left as it is: √(σ_s/β) grows at constant nβ; the number of
 // summits grows by the factor's square. Returns what undoes that.
@@ -186,18 +216,17 @@ std::optional<double> value_with(const Mistake& wrong, const catalogue::Argument
   return numbers && std::isfinite((*numbers)[0]) ? std::optional((*numbers)[0]) : std::nullopt;
 }
 
-Mistake with_film(const Mistake& wrong) {
-  std::vector<std::string> touches;
-  for (const std::string& one : wrong.touches) touches.push_back("film " + one);
-  return changed(wrong.name, wrong.text + ", in the film formula", std::move(touches),
-                 [wrong](Question& question) {
-                   Scene& s = *question.scene;
-                   const auto film = value_with(
-                       wrong,
-                       {s.speeds[0], s.lubricant.viscosity, s.lubricant.pressure_viscosity, s.load,
-                        s.bodies.effective_modulus, s.bodies.reduced_radius, s.bodies.ellipticity});
-                   if (film) scale_film(s, *film / right_film(s));
-                 });
+// The number of a scene that a film law's parameter is.
+double number_of(const Scene& scene, std::string_view parameter) {
+  const auto numbers = detail::numbers_of<double>(scene);
+  if (parameter == "speed") return scene.speeds[0];
+  if (parameter == "viscosity") return numbers.viscosity;
+  if (parameter == "pressure_viscosity") return numbers.pressure_viscosity;
+  if (parameter == "load") return numbers.load;
+  if (parameter == "load_per_length") return numbers.load / numbers.across;
+  if (parameter == "effective_modulus") return numbers.effective_modulus;
+  if (parameter == "ellipticity") return numbers.ellipticity;
+  return numbers.radius_x;
 }
 
 Mistake with_inlet(const Mistake& wrong) {
@@ -249,11 +278,41 @@ Mistake with_sharing(const Mistake& wrong) {
 
 }  // namespace
 
+Mistake with_film(const std::vector<Mistake>& laws) {
+  std::vector<std::string> touches;
+  for (const std::string& one : laws.front().touches) touches.push_back("film " + one);
+  return changed(laws.front().name, laws.front().text + ", in the film formula", std::move(touches),
+                 [laws](Question& question) {
+                   Scene& scene = *question.scene;
+                   const auto law = std::find_if(laws.begin(), laws.end(), [&](const Mistake& one) {
+                     return one.function ==
+                            film_formula_words[static_cast<std::size_t>(scene.closures.film)];
+                   });
+                   if (law == laws.end()) return;
+                   catalogue::Arguments arguments{};
+                   const auto& parameters = catalogue::find(law->function)->parameters;
+                   for (std::size_t i = 0; i < parameters.size(); ++i)
+                     arguments[i] = number_of(scene, parameters[i].name);
+                   if (const auto film = value_with(*law, arguments))
+                     scale_film(scene, *film / right_film(scene));
+                 });
+}
+
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
   if (!entry.swapped.empty()) return swaps_of(entry);
-  if (entry.area)
-    return {changed(entry.name, entry.text, {"area"},
-                    [by = *entry.area](Question& question) { scale_area(*question.scene, by); })};
+  if (!entry.area.empty() && entry.area.size() != 2)
+    throw std::runtime_error("area: two numbers, of points and of lines");
+  if (!entry.area.empty())
+    return {changed(entry.name, entry.text, {"area"}, [by = entry.area](Question& question) {
+      const bool is_line = question.scene->bodies.shape() == ContactShape::line;
+      scale_area(*question.scene, by[is_line ? 1 : 0]);
+    })};
+  for (const auto& [name, change] : ellipse_changes)
+    if (entry.formula == name)
+      return {
+          changed(entry.name, entry.text, {"area", "film"}, [change = change](Question& question) {
+            if (question.scene->bodies.shape() == ContactShape::ellipse) change(question);
+          })};
   if (!entry.stiffness.empty() && entry.stiffness.size() != 2)
     throw std::runtime_error("stiffness: two numbers, for each asperity model");
   if (!entry.stiffness.empty())
@@ -276,7 +335,6 @@ std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
 }
 
 std::optional<Mistake> for_points(const Mistake& mistake) {
-  if (mistake.function == "hamrock_dowson_central") return with_film(mistake);
   if (mistake.function == "starvation_ratio") return with_inlet(mistake);
   if (mistake.function == "load_sharing") return with_sharing(mistake);
   return std::nullopt;

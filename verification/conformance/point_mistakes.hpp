@@ -12,8 +12,11 @@ namespace tribo::conformance {
 // Throws std::runtime_error that says what is wrong with the entry.
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry);
 
-// The same mistake in the film, the inlet or the load sharing of an operating point; empty for
-// other functions.
+// The same mistake in the inlet or the load sharing of an operating point; empty for other
+// functions.
 std::optional<Mistake> for_points(const Mistake& mistake);
+
+// A mistake that several film laws have, in the film of an operating point by any of them.
+Mistake with_film(const std::vector<Mistake>& laws);
 
 }  // namespace tribo::conformance

@@ -13,6 +13,7 @@
 #include "reproduction/in_file.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
+#include "tribo/spectral_moments.hpp"
 
 namespace tribo::reproduction {
 namespace {
@@ -171,6 +172,13 @@ Evidence evidence(const std::string& id, const PaperScenes& scenes) {
     Evidence found = film_under(scenes, Switch::film_constant);
     found.decided_by = "1.22: 1.899";
     return found;
+  }
+  if (id == "E26") {
+    const Summits<double> any = summits_from_spectral_moments(1.0, 1.0, 2.0);
+    return {"(D_d/σ_s) nβσ_s of Table 1, and of an isotropic Gaussian face",
+            surface.summit_plane_offset * roughness,
+            any.summit_plane_offset * any.summit_density * any.summit_radius * any.summit_height_sd,
+            "Nayak (1971), McCool (1987)"};
   }
   if (id == "E12" || id == "E16" || id == "E22") return {};
   throw std::runtime_error(fmt::format("{}: nothing computes this erratum", id));

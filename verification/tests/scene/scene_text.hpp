@@ -60,13 +60,13 @@ class SceneText {
   }
 
   static std::string good_value(const FieldInfo& field) {
+    if (field.path == "closures.film") return "\"hamrock_dowson_minimum\"";
     if (field.type == FieldType::choice) return '"' + std::string(field.choices.back()) + '"';
     if (field.type == FieldType::outputs) return R"(["film", "regime"])";
     if (field.type == FieldType::integer) return "2";
     const SceneText base = good();
     for (const auto& [path, value] : base.fields_)
       if (path == field.path) return value;
-    if (field.path == "closures.film") return "\"hamrock_dowson_minimum\"";
     if (field.path.ends_with("poisson_ratio") || field.path == "surface.m2") return "0.3";
     if (field.path == "speed.from") return "1e-4";
     if (field.path == "supply.inlet_film") return "4e-7";

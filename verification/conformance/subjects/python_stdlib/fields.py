@@ -66,8 +66,9 @@ SCENE = {
     "surface.summit_density": ("above 0", REQUIRED), "surface.summit_radius": ("above 0", REQUIRED),
     "surface.summit_height_sd": ("above 0", REQUIRED), "surface.summit_plane_offset": ("from 0", 0.0),
     "surface.offset_planes": ((0, 1, 2), 1),
-    "bodies.effective_modulus": ("above 0", REQUIRED), "bodies.reduced_radius": ("above 0", REQUIRED),
+    "bodies.effective_modulus": ("above 0", REQUIRED), "bodies.reduced_radius": ("above 0", None),
     "bodies.ellipticity": ("above 0", 1.0),
+    "bodies.radius_x": ("above 0", None), "bodies.radius_y": ("above 0", None), "bodies.length": ("above 0", None),
     "lubricant.viscosity": ("above 0", REQUIRED), "lubricant.pressure_viscosity": ("above 0", REQUIRED),
     "lubricant.eyring_stress": ("above 0", None),
     "supply.inlet_film": ("above 0", None), "supply.inlet_film_ratio": ("above 0", None),
@@ -77,7 +78,9 @@ SCENE = {
     "friction.viscosity": (("barus", "ambient", "roelands"), "barus"),
     "closures.asperity": (("greenwood_tripp", "greenwood_williamson"), "greenwood_tripp"),
     "closures.starvation": (inlet.CLOSURES, "flooded_inlet"), "closures.damiens_exponent": ("above 0", 3.0),
+    "closures.film": (("hamrock_dowson_central", *films.POINTS, *films.LINES), "hamrock_dowson_central"),
 }
+SHAPES = ({"reduced_radius"}, {"radius_x", "radius_y"}, {"radius_x", "length"})
 OF_FRICTION = ("lubricant.eyring_stress", "friction.boundary_coefficient")
 ORDERS = (0, 0.5, 1, 1.5, 2, 2.5)
 
@@ -163,6 +166,11 @@ def read_scene(line):
     if "supply" in line and sum(scene[f"supply.{kind}"] is not None for kind in
                                 ("inlet_film", "inlet_film_ratio", "inlet_flow")) != 1:
         raise InputError("supply", "one of inlet_film, inlet_film_ratio, inlet_flow is needed")
+    given = {name for name in ("reduced_radius", "radius_x", "radius_y", "length") if scene[f"bodies.{name}"] is not None}
+    if given not in SHAPES:
+        raise InputError("bodies", "one of reduced_radius; radius_x and radius_y; radius_x and length is needed")
+    if (scene["closures.film"] in films.LINES) != ("length" in given):
+        raise InputError("closures.film", "a line needs a law of lines, and a point one of points")
     if scene["friction.viscosity"] == "roelands" and math.log(scene["lubricant.viscosity"]) <= -9.67:
         raise InputError("lubricant.viscosity", "too thin for Roelands' law")
     return scene

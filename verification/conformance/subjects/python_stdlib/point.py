@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One operating point: from the fields of a scene, by their names, to all outputs."""
 
+import films
 import friction
 import inlet
 import solver
@@ -26,10 +27,32 @@ def inlet_film(scene):
     return scene.get("supply.inlet_film")
 
 
-def flooded_film(scene):
-    return solver.hamrock_dowson_central(
-        scene["speed"], scene["lubricant.viscosity"], scene["lubricant.pressure_viscosity"], scene["load"],
-        scene["bodies.effective_modulus"], scene["bodies.reduced_radius"], scene["bodies.ellipticity"])
+def flooded_film(scene, contact):
+    oil = scene["speed"], scene["lubricant.viscosity"], scene["lubricant.pressure_viscosity"]
+    law, modulus = scene["closures.film"], scene["bodies.effective_modulus"]
+    if law in films.LINES:
+        return films.line_film(law, *oil, scene["load"] / scene["bodies.length"], modulus, contact.radius)
+    given = (*oil, scene["load"], modulus, contact.radius, contact.ellipticity)
+    return films.point_film(law, *given) if law in films.POINTS else solver.hamrock_dowson_central(*given)
+
+
+def sharing_exponent(law):
+    """a - b of the film's law; None: that of the usual one."""
+    row = films.LINES.get(law) or films.POINTS.get(law)
+    return row and row[1] - row[2]
+
+
+def smooth_contact(scene):
+    """R_x, k of the film, mean pressure."""
+    load, modulus = scene["load"], scene["bodies.effective_modulus"]
+    if scene["bodies.reduced_radius"] is not None:
+        radius = scene["bodies.reduced_radius"]
+        return radius, scene["bodies.ellipticity"], solver.hertz_point(load, modulus, radius)["mean_pressure"]
+    radius, length = scene["bodies.radius_x"], scene["bodies.length"]
+    if length is not None:
+        return radius, 1.0, solver.hertz_line(load / length, modulus, radius)["mean_pressure"]
+    ellipse = solver.hertz_ellipse(load, modulus, radius, scene["bodies.radius_y"])
+    return radius, ellipse["ellipticity"], ellipse["mean_pressure"]
 
 
 class Contact:
@@ -37,10 +60,12 @@ class Contact:
 
     def __init__(self, scene):
         load, modulus = scene["load"], scene["bodies.effective_modulus"]
-        hertz = solver.hertz_point(load, modulus, scene["bodies.reduced_radius"])
+        self.radius, self.ellipticity, self.mean_pressure = smooth_contact(scene)
         self.model = scene["closures.asperity"]
-        self.mean_pressure = hertz["mean_pressure"]
-        self.area = solver.nominal_area(hertz["radius"])
+        if scene["bodies.reduced_radius"] is None:
+            self.area = load / self.mean_pressure
+        else:
+            self.area = solver.nominal_area(solver.contact_radius(load, modulus, self.radius))
         self.density, self.sd = scene["surface.summit_density"], height_sd(scene)
         summit_radius = scene["surface.summit_radius"]
         self.roughness = self.density * summit_radius * self.sd
@@ -76,9 +101,10 @@ def solve(scene, outputs):
     """The outputs asked for, and the reasons of those that are undefined."""
     contact = Contact(scene)
     model, K, delta, sd = contact.model, contact.K, contact.delta, contact.sd
-    flooded = flooded_film(scene) / sd
-    lam_flooded = solver.load_sharing(model, flooded, K, delta)
-    A, w = solver.shares_of_flooded(model, flooded, K, delta, lam_flooded)
+    flooded = flooded_film(scene, contact) / sd
+    exponent = sharing_exponent(scene["closures.film"])
+    lam_flooded = solver.load_sharing(model, flooded, K, delta, exponent)
+    A, w = solver.shares_of_flooded(model, flooded, K, delta, lam_flooded, exponent)
     ratio, deficit = starved(scene, lam_flooded * sd)
     lam = ratio * lam_flooded
     apart = max(lam, contact.floor)

@@ -242,22 +242,22 @@ def floor_of(asperity, K, delta):
     return sign_change(carries_all, 0.0, beyond(carries_all, 1.0)) if carries_all(0.0) else 0.0
 
 
-def load_sharing(asperity, flooded, K, delta):
-    """lam that solves ln lam - ln flooded + 0.14 ln(1 - A(lam)) = 0."""
+def load_sharing(asperity, flooded, K, delta, exponent=None):
+    """lam that solves ln lam - ln flooded + e ln(1 - A(lam)) = 0."""
     def film_is_thin(lam):
         log_A = log_share(asperity, K, delta, lam)
         if log_A >= 0:
             return True
-        return math.log(lam / flooded) + film_exponent() * safe_log(-math.expm1(log_A)) < 0
+        return math.log(lam / flooded) + (exponent or film_exponent()) * safe_log(-math.expm1(log_A)) < 0
     low = max(flooded, floor_of(asperity, K, delta))
     if not film_is_thin(low):
         return low
     return sign_change(film_is_thin, low, beyond(film_is_thin, low))
 
 
-def shares_of_flooded(asperity, flooded, K, delta, lam):
-    """Shares of asperities and fluid at the root; the fluid's is (flooded/lam)^(1/0.14)."""
-    log_fluid = math.log(flooded / lam) / film_exponent()
+def shares_of_flooded(asperity, flooded, K, delta, lam, exponent=None):
+    """Shares of asperities and fluid at the root; the fluid's is (flooded/lam)^(1/e)."""
+    log_fluid = math.log(flooded / lam) / (exponent or film_exponent())
     if log_fluid < -0.7:
         return -math.expm1(log_fluid), math.exp(log_fluid)
     return math.exp(log_share(asperity, K, delta, lam)), math.exp(log_fluid)
