@@ -35,7 +35,7 @@ set bmargin at screen foot
 set format x "10^{%T}"
 set xlabel "entrainment speed u (m/s)" offset 0, x_words
 set key
-set ylabel "load share of the asperities (–)" offset y_words
+set ylabel "load share of the asperities (–)" offset y_words - 1.2
 unset logscale y
 set yrange [0:1]
 plot \
