@@ -186,7 +186,7 @@ class SceneBinder {
     if (value.fault == NumberFault::overflow) return " is beyond 1.8e308; it must be finite";
     if (value.fault == NumberFault::underflow)
       return " underflows: it is nearer to 0 than 4.9e-324";
-    if (info.is_radius_of_face) return number < 0 || number > 0 ? "" : " is not allowed";
+    if (info.is_radius_of_face && !std::isnan(number)) return number == 0 ? " is not allowed" : "";
     if (!std::isfinite(number)) return " is not allowed: it must be finite";
     if (info.type == FieldType::integer && !is_whole(number)) return " is not whole";
     const bool low = info.exclusive_minimum ? number <= info.minimum : number < info.minimum;
