@@ -103,7 +103,8 @@ class Prints(Trips):
                 self.assertEqual((verdict["overall"], verdict["violation_count"]), ("partial", 0))
                 self.assertEqual(self.statuses(verdict)["hertz_point.radius"], "held")
                 note, = verdict["notes"]
-                self.assertRegex(note, f"^It wrote {questions(12)} lines to stdout that are no answers; print to stderr")
+                self.assertRegex(
+                    note, f"^It wrote {questions(12)} lines to stdout that are no answers; print to stderr")
 
     def test_many_lines_before_an_answer_are_prints(self):
         verdict = self.verdict(self.command("[print('loading', i) for i in range(500)]"))
