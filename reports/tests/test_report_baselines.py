@@ -191,7 +191,8 @@ class Baselines(unittest.TestCase):
         self.assertEqual(self.findings["certified_values"]["standing"], "fails")
         self.assertLessEqual(before["worst_part_of_bound"], 1)
         self.assertGreater(after["worst_part_of_bound"], 10)
-        self.assertEqual((before["held"], after["held"]), (17, 16))
+        self.assertEqual(before["held"] - after["held"], 1)
+        self.assertGreaterEqual(before["held"], 17)
         self.assertEqual([row[0] for row in self.rows(self.TITLES["verification"]) if row[-1] == "FAILED"],
                          ["`hertz_point`"])
 
