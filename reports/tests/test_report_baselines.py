@@ -8,7 +8,7 @@ import shutil
 import tempfile
 import unittest
 
-from report_files import FIGURES, ROOT, PageReader, report
+from report_files import FIGURES, FITS_FIGURES, ROOT, PageReader, report
 
 
 class Baselines(unittest.TestCase):
@@ -126,7 +126,7 @@ class Baselines(unittest.TestCase):
         absent = {one["section"] for one in page["findings"] if one["standing"] == "absent"}
         self.assertLessEqual({"verification", "planted-faults", "worst-inputs", "work-precision", "gates",
                               "sweep-speed"}, absent)
-        self.assertEqual(sorted(self.reader.figures), sorted(FIGURES))
+        self.assertEqual(sorted(self.reader.figures), sorted(FIGURES + FITS_FIGURES))
 
     def test_a_fault_that_survived_is_a_broken_promise_on_top(self):
         path = self.project / "reference/baselines/planted_faults.json"

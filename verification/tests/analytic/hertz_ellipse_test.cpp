@@ -205,6 +205,16 @@ TEST(HertzEllipse, OtherLibrariesAgree) {
   }
 }
 
+// Also where C has few digits, by its series or by its difference.
+TEST(HertzEllipse, SolvesItsEquationInFiftyDigits) {
+  for (double above = 1e-16; above < 1e4; above *= 1.7) {
+    const Reference ratio = 1 + Reference(above);
+    const Reference k = ellipse_shape(ratio).ellipticity;
+    const auto [b, d] = detail::associated_integrals(k);
+    EXPECT_TRUE(is_within(relative_error(Reference(k * k * b / d), ratio), 0, 1e-49)) << above;
+  }
+}
+
 // The middle of a long ellipse is a line contact under the load that a metre of it carries there,
 // p₀a_xπ/2. They differ by 1/√B − 1 = (2 ln(4k) − 3)/(8k²) + O(ln²k/k⁴).
 TEST(HertzEllipse, MiddleOfALongOneIsALine) {
