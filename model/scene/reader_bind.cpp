@@ -58,6 +58,7 @@ class SceneBinder {
     check_faces();
     check_film();
     check_profile();
+    check_ellipse();
     if (problems_.any()) return;
     complete();
     warn_of_odd_pairs();
@@ -416,6 +417,20 @@ class SceneBinder {
     problems_.error("closures.film",
                     (film == nullptr ? "missing" : value_text(film->value) + " is not allowed") +
                         ": " + contact + "; allowed: " + joined(fitting, " or "));
+  }
+
+  // Radii so far apart that the axes are beyond double.
+  void check_ellipse() {
+    if (scene_.bodies.shape() != ContactShape::ellipse || problems_.any()) return;
+    const auto numbers = detail::numbers_of<double>(scene_);
+    const EllipseOfCircle<double>& ellipse = numbers.ellipse;
+    const double cube = ellipse.axis_cube, ratio = ellipse.axes_ratio;
+    if (cube > 0 && std::isfinite(cube) && ratio > 0 && std::isfinite(ratio)) return;
+    problems_.error("bodies.radius_y",
+                    rounded_text(numbers.across) +
+                        " is not allowed beside R_x = " + rounded_text(numbers.radius_x) +
+                        " m; allowed: a ratio of the two that double can hold, "
+                        "or length in place of R_y, for a line");
   }
 
   void check_profile() {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "page/number_text.hpp"
 #include "tribo/version.hpp"
@@ -49,9 +50,9 @@ std::string curve_text(const std::vector<Point>& points) {
   return text;
 }
 
-DataFile curve_file(const SolvedCase& solved) {
-  return {fmt::format("data/curve_{}.tsv", solved.source.stem()),
-          header("Stribeck curve", solved.source.file) + curve_text(solved.curve)};
+DataFile case_file(const SolvedCase& solved) {
+  return curve_file(fmt::format("data/curve_{}.tsv", solved.source.stem()), solved.source.file,
+                    solved.curve);
 }
 
 DataFile slope_file(const SlopeCurve& curve, const TwoSlopes& slopes) {
@@ -154,7 +155,7 @@ DataFile comparison_file(const std::vector<ComparisonRow>& rows) {
 std::vector<DataFile> data_files(const std::vector<SolvedCase>& solved, const TwoSlopes& slopes,
                                  const Claims& claims, const std::vector<ComparisonRow>& rows) {
   std::vector<DataFile> files;
-  for (const SolvedCase& one : solved) files.push_back(curve_file(one));
+  for (const SolvedCase& one : solved) files.push_back(case_file(one));
   for (const SlopeCurve& curve : slopes.curves)
     if (curve.name != "paper") files.push_back(slope_file(curve, slopes));
   files.push_back(guide_file(slopes));
@@ -164,6 +165,18 @@ std::vector<DataFile> data_files(const std::vector<SolvedCase>& solved, const Tw
   files.push_back(marks_file(solved, claims));
   files.push_back(comparison_file(rows));
   return files;
+}
+
+DataFile curve_file(std::string_view path, std::string_view file, const std::vector<Point>& curve) {
+  return {std::string(path), header("Stribeck curve", file) + curve_text(curve)};
+}
+
+DataFile points_file(std::string_view path, std::string_view what, std::string_view made_from,
+                     const std::vector<NamedPoint>& points) {
+  std::string text = header(what, made_from) + fmt::format("# name\t{}\n", point_columns());
+  for (const NamedPoint& one : points)
+    if (one.point) text += fmt::format("{}\t{}\n", one.name, cells(*one.point));
+  return {std::string(path), std::move(text)};
 }
 
 }  // namespace tribo::report

@@ -20,6 +20,8 @@ Group paper_group(const ReportPlaces& places, const std::vector<SolvedCase>& sol
 Group ledger_group(const ReportPlaces& places, const reproduction::Ledger& ledger);
 // Onsets drawn within the precision of Table 1, by a sweep that is run here.
 Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Ledger& ledger);
+// Scenes of a circle, an ellipse and a line, solved: reference/scenes.
+Group contacts_group(const ReportPlaces& places);
 // The model against the certified tables of reference/exact.
 Group certified_group(const ReportPlaces& places);
 // What the slow targets of make left in reference/baselines.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The group `paper`: the published scenes solved.
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -73,17 +75,49 @@ struct InputRow {
   std::string_view erratum = {};
 };
 
+// 0: not given. What follows from two bodies or from moments stands in the scene as well.
+Json if_given(double value) {
+  if (value == 0) return nullptr;
+  return std::isinf(value) ? Json(value > 0 ? "inf" : "-inf") : Json(value);
+}
+// 0 is legal.
+Json poisson_ratio(const Scene& scene, std::size_t body) {
+  const Body& one = scene.bodies.bodies[body];
+  return one.modulus > 0 ? Json(one.poisson_ratio) : Json();
+}
+Json ellipticity(const Scene& scene) {
+  const bool is_circle = scene.bodies.shape() == ContactShape::circle;
+  return is_circle ? Json(scene.bodies.ellipticity) : Json();
+}
+
 const InputRow input_rows[] = {
     {"surface.summit_density", [](const Scene& s) { return Json(s.surface.summit_density); }},
     {"surface.summit_radius", [](const Scene& s) { return Json(s.surface.summit_radius); }, "E17"},
     {"surface.summit_height_sd", [](const Scene& s) { return Json(s.surface.summit_height_sd); }},
     {"surface.summit_plane_offset",
      [](const Scene& s) { return Json(s.surface.summit_plane_offset); }},
+    {"surface.m0", [](const Scene& s) { return if_given(s.surface.moments.m0); }},
+    {"surface.m2", [](const Scene& s) { return if_given(s.surface.moments.m2); }},
+    {"surface.m4", [](const Scene& s) { return if_given(s.surface.moments.m4); }},
     {"surface.offset_planes", [](const Scene& s) { return Json(s.surface.offset_planes); }, "E9"},
     {"bodies.effective_modulus", [](const Scene& s) { return Json(s.bodies.effective_modulus); },
      "E2"},
-    {"bodies.reduced_radius", [](const Scene& s) { return Json(s.bodies.reduced_radius); }, "E18"},
-    {"bodies.ellipticity", [](const Scene& s) { return Json(s.bodies.ellipticity); }},
+    {"bodies.reduced_radius", [](const Scene& s) { return if_given(s.bodies.reduced_radius); },
+     "E18"},
+    {"bodies.ellipticity", ellipticity},
+    {"bodies.radius_x", [](const Scene& s) { return if_given(s.bodies.radius_x); }},
+    {"bodies.radius_y", [](const Scene& s) { return if_given(s.bodies.radius_y); }},
+    {"bodies.length", [](const Scene& s) { return if_given(s.bodies.length); }},
+    {"bodies.first_modulus", [](const Scene& s) { return if_given(s.bodies.bodies[0].modulus); }},
+    {"bodies.first_poisson_ratio", [](const Scene& s) { return poisson_ratio(s, 0); }},
+    {"bodies.second_modulus", [](const Scene& s) { return if_given(s.bodies.bodies[1].modulus); }},
+    {"bodies.second_poisson_ratio", [](const Scene& s) { return poisson_ratio(s, 1); }},
+    {"bodies.first_radius_x", [](const Scene& s) { return if_given(s.bodies.bodies[0].radius_x); }},
+    {"bodies.second_radius_x",
+     [](const Scene& s) { return if_given(s.bodies.bodies[1].radius_x); }},
+    {"bodies.first_radius_y", [](const Scene& s) { return if_given(s.bodies.bodies[0].radius_y); }},
+    {"bodies.second_radius_y",
+     [](const Scene& s) { return if_given(s.bodies.bodies[1].radius_y); }},
     {"lubricant.viscosity", [](const Scene& s) { return Json(s.lubricant.viscosity); }},
     {"lubricant.pressure_viscosity",
      [](const Scene& s) { return Json(s.lubricant.pressure_viscosity); }},
@@ -125,6 +159,10 @@ const InputRow input_rows[] = {
        return Json(starvation_closure_words[static_cast<std::size_t>(s.closures.starvation)]);
      },
      "E11"},
+    {"closures.film",
+     [](const Scene& s) {
+       return Json(film_formula_words[static_cast<std::size_t>(s.closures.film)]);
+     }},
 };
 
 // Those that a scene has a value of.

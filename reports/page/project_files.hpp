@@ -20,7 +20,7 @@ struct ReportPlaces {
   std::filesystem::path scenes;     // absolute
   std::filesystem::path render;     // absolute: the folder of the scripts that make the page
   std::filesystem::path root;       // of the project, or empty
-  std::filesystem::path reference;  // absolute: the folder of exact/ and baselines/
+  std::filesystem::path reference;  // absolute: the folder of exact/, baselines/ and scenes/
   std::filesystem::path templates;  // absolute: the folder of the solvers that `init` writes
   std::filesystem::path include;    // absolute: the folder of tribocheck_plugin.h
 

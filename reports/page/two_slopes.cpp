@@ -76,18 +76,18 @@ TwoSlopes two_slopes(const SolvedCase& base) {
   // The guides stand a little above the curves, on both sides of the knee.
   const double third = std::cbrt(knee / range.low);
   const double above = film * 1.7;
-  return {&base,
-          flow,
-          knee,
-          {flooded_curve(base),
-           flow_curve(base, flow, StarvationClosure::starved_inlet, "starved_inlet"),
-           flow_curve(base, flow, StarvationClosure::damiens, "damiens"),
-           {"paper", "as the scene file", base.curve,
-            slope_at(base.contact, range.low, range.low * 1.001),
-            slope_at(base.contact, range.high / 1.001, range.high), base.at_onset}},
-          {guide(hamrock_dowson_central_law.speed_power.value, knee, above, range.low * third,
-                 knee / third),
-           guide(-1, knee, above, knee * std::sqrt(third), knee * third * std::sqrt(third))}};
+  return {
+      &base,
+      flow,
+      knee,
+      {flooded_curve(base),
+       flow_curve(base, flow, StarvationClosure::starved_inlet, "starved_inlet"),
+       flow_curve(base, flow, StarvationClosure::damiens, "damiens"),
+       {"paper", "as the scene file", base.curve,
+        slope_at(base.contact, range.low, range.low * 1.001),
+        slope_at(base.contact, range.high / 1.001, range.high), base.at_onset}},
+      {guide(base.contact.film().speed_power.value, knee, above, range.low * third, knee / third),
+       guide(-1, knee, above, knee * std::sqrt(third), knee * third * std::sqrt(third))}};
 }
 
 }  // namespace tribo::report

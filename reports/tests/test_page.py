@@ -311,6 +311,14 @@ class Page(WrittenReport):
             at(5, 5);
             return [inside, document.querySelector('.values').hidden];""")
         self.assertEqual(told, ["x = 0.000100, y = 1.00e+3", True])
+        told = self.run_script("""
+            const svg = document.querySelector('#stribeck_of_machines svg'), box = svg.getBoundingClientRect();
+            const axes = Object.fromEntries(svg.dataset.axes.split(' ').map((one) => one.split('=')));
+            svg.dispatchEvent(new PointerEvent('pointermove', {
+              clientX: box.left + (Number(axes.xmin) + 0.01) / 960 * box.width,
+              clientY: box.top + (Number(axes.ytop) + 0.01) / 1100 * box.height}));
+            return document.querySelector('.values').textContent;""")
+        self.assertEqual(told, "x = 0.00100, y = 1.00", "the lowest panel: speed and load share")
         wide = "return document.querySelector('#figure_10 svg').getBoundingClientRect().width"
         before = self.run_script(wide)
         self.run_script("document.querySelector('#figure_10 .enlarge').click()")

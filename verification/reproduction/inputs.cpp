@@ -32,6 +32,12 @@ Scene read_one(const std::string& path, AsperityModel model) {
   need(scene.closures.asperity == model, model == AsperityModel::greenwood_tripp
                                              ? "closures.asperity = greenwood_tripp"
                                              : "closures.asperity = greenwood_williamson");
+  // Its readings compute the paper's contact by formulas of their own, and change these inputs.
+  need(scene.bodies.shape() == ContactShape::circle && !scene.bodies.has_bodies() &&
+           scene.closures.film == FilmFormula::hamrock_dowson_central,
+       "bodies.reduced_radius, bodies.effective_modulus and closures.film = "
+       "hamrock_dowson_central");
+  need(!scene.surface.has_moments(), "surface.summit_density, summit_radius and summit_height_sd");
   need(has_friction_inputs(scene), "lubricant.eyring_stress and friction.boundary_coefficient");
   need(scene.supply.kind == SupplyKind::inlet_film_ratio, "supply.inlet_film_ratio");
   need(scene.speeds.list.empty() && scene.speeds.from < scene.speeds.to, "a range of speeds");

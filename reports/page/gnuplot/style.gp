@@ -15,14 +15,11 @@ load scripts."canvas.gp"
 colour(surface) = surface eq "rough" ? 0xD55E00 : surface eq "medium" ? 0x009E73 : 0x0072B2
 grey = 0x666666
 surfaces = "rough medium smooth"
-set style line 1 linewidth 2.2 dashtype solid
 set style line 2 linewidth 2.2 dashtype (12,6)     # Greenwood-Williamson
 set style line 3 linewidth 1.6 dashtype (2,4)      # past the collapse
 set style line 4 linewidth 2.2 dashtype (10,4,2,4) # the fluid
 
-# Columns of curve_*.tsv; marks.tsv has three more before them.
-speed = 1; film = 3; film_parameter = 5; asperity_share = 6; fluid_share = 7
-area = 8; summits = 9; friction = 10; inlet = 12
+# marks.tsv has three columns before those of a curve.
 curve(stem) = data."curve_".stem.".tsv"
 gt(surface) = curve(surface)
 gw(surface) = curve(surface."_gw")
@@ -34,29 +31,11 @@ is_mark(event, surface, model) = \
 mark(event, surface, model, y) = is_mark(event, surface, model) ? column(y + 3) : NaN
 slowest(y) = strcol(1) eq "slowest" ? column(y + 3) : NaN
 # Points: a full circle at the onset, a cross at the collapse, and an open triangle at the onset
-# speed that the paper reports. In an SVG the strokes of a point grow with its size alone.
-set style line 7 pointtype 7 pointsize 1.1*point
+# speed that the paper reports.
 set style line 8 pointtype 2 pointsize 1.4*outline linewidth 1.6
 set style line 9 pointtype 8 pointsize 1.7*outline linewidth 1.4
 
-# The speed axis: powers of ten, and the last speed of the scenes.
-stats gt("rough") using speed nooutput name "speeds"
-set xrange [speeds_min:speeds_max]
-set logscale x 10
-set format x "10^{%T}"
-set xtics 10 nomirror out scale 1,0.5
-set xtics add (sprintf("%g", speeds_max) speeds_max)
-set mxtics 10
-set xlabel "entrainment speed u (m/s)" offset 0, x_words
-set ytics nomirror out scale 1,0.5
-set border 3 linewidth 0.8
-set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
-# Room for a legend of three rows below the plot.
-set lmargin at screen 0.11
-set rmargin at screen 0.97
-set tmargin at screen 1 - 78.0/tall
-set bmargin at screen 150.0/tall
-set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse \
-  samplen 3.5 spacing 1.25 font small
+stats gt("rough") using 1 nooutput name "speeds"
+load scripts."stribeck.gp"
 
 load scripts.script

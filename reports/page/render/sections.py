@@ -29,6 +29,7 @@ SECTIONS = {
     "uncertainty": Section("How sure the computed numbers are", further=("uncertainty-sweep",)),
     "misprints": Section("The paper's misprints", True),
     "model": Section("The model, its equations and inputs", True),
+    "contacts": Section("Contacts as machines have them: circle, ellipse and line"),
     "verification": Section("Accuracy, quantity by quantity", True),
     "worst-inputs": Section("Accuracy at random inputs", True),
     "planted-faults": Section("Planted faults: do the checks find errors?", True),

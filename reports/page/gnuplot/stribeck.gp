@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# What figures over speed share: the columns of a curve, the axis of speeds from speeds_min to
+# speeds_max, which are set before, and room for the legend. Loaded by the frames of such figures.
+
+# Columns of a curve's .tsv.
+speed = 1; film = 3; film_parameter = 5; asperity_share = 6; fluid_share = 7
+area = 8; summits = 9; friction = 10; inlet = 12
+# A full circle marks the onset, or another point of the curve. In an SVG the strokes of a point
+# grow with its size alone.
+set style line 1 linewidth 2.2 dashtype solid
+set style line 7 pointtype 7 pointsize 1.1*point
+
+# The speed axis: powers of ten, and the last speed of the scenes where it is none.
+set xrange [speeds_min:speeds_max]
+set logscale x 10
+set format x "10^{%T}"
+set xtics 10 nomirror out scale 1,0.5
+last_decade = 10**floor(log10(speeds_max) + 1e-9)
+ends_between = speeds_max > 1.001*last_decade
+if (ends_between) set xtics add (sprintf("%g", speeds_max) speeds_max)
+set mxtics 10
+set xlabel "entrainment speed u (m/s)" offset 0, x_words
+set ytics nomirror out scale 1,0.5
+set border 3 linewidth 0.8
+set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+# Room for a legend of three rows below the plot.
+set lmargin at screen 0.11
+set rmargin at screen 0.97
+set tmargin at screen 1 - 78.0/tall
+set bmargin at screen 150.0/tall
+set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse \
+  samplen 3.5 spacing 1.25 font small

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: Apache-2.0
+# Friction, film parameter and load share of the asperities against speed, in three panels over one
+# axis. Loaded by machines.gp.
+gap = 0.02
+foot = 150.0/tall
+panel = (1 - 78.0/tall - foot - 2*gap)/3
+set multiplot
+set format x ""
+unset xlabel
+unset key
+set tmargin at screen foot + 3*panel + 2*gap
+set bmargin at screen foot + 2*panel + 2*gap
+set ylabel "friction coefficient μ (–)" offset y_words
+set yrange [0:*]
+plot \
+  for [s in scenes] curve(s) using speed:friction with lines linestyle 1 linecolor rgb colour(s), \
+  for [s in scenes] marks using (mark(s, speed)):(mark(s, friction)) with points linestyle 7 \
+    linecolor rgb colour(s)
+
+unset title
+set tmargin at screen foot + 2*panel + gap
+set bmargin at screen foot + panel + gap
+set ylabel "film parameter λ = h*/σ_s (–)" offset y_words
+set logscale y 10
+set yrange [*:*]
+set format y "%g"
+plot \
+  for [s in scenes] curve(s) using speed:film_parameter with lines linestyle 1 \
+    linecolor rgb colour(s), \
+  for [s in scenes] marks using (mark(s, speed)):(mark(s, film_parameter)) with points linestyle 7 \
+    linecolor rgb colour(s)
+
+set tmargin at screen foot + panel
+set bmargin at screen foot
+set format x "10^{%T}"
+set xlabel "entrainment speed u (m/s)" offset 0, x_words
+set key
+set ylabel "load share of the asperities (–)" offset y_words - 1.2
+unset logscale y
+set yrange [0:1]
+plot \
+  for [s in scenes] curve(s) using speed:asperity_share with lines linestyle 1 \
+    linecolor rgb colour(s) title named(s), \
+  for [s in scenes] marks using (mark(s, speed)):(mark(s, asperity_share)) with points linestyle 7 \
+    linecolor rgb colour(s) notitle, \
+  keyentry with points linestyle 7 linecolor rgb grey title "least friction"
+unset multiplot

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report's contacts of machines: their numbers against `solve`, `onset` and the functions of `stream`."""
+
+import csv
+import io
+import json
+import math
+import pathlib
+import re
+import shutil
+import tempfile
+import tomllib
+import unittest
+import xml.etree.ElementTree as xml
+
+from program import run
+from report_files import CONTACT_DATA, CONTACT_FIGURES, CONTACTS, ROOT, WrittenReport, files_below, report, table
+
+SCENES = ROOT / "reference/scenes"
+POINT = ("film", "film_parameter", "asperity_load_share", "friction")
+
+
+def functions(*requests):
+    """Answers of `tribocheck stream` to functions, in order."""
+    done = run("stream", stdin="".join(json.dumps({"id": str(i), **one}) + "\n" for i, one in enumerate(requests)))
+    answers = [json.loads(line) for line in done.out.splitlines()]
+    assert len(answers) == len(requests) and not any("error" in one for one in answers), done
+    return answers
+
+
+class Contacts(WrittenReport):
+    sections = ("contacts",)
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.told = json.loads((cls.out / "report.json").read_text())["contacts"]
+        cls.trees = {name: tomllib.loads((SCENES / f"{name}.toml").read_text()) for name in CONTACTS}
+
+    def assert_close(self, mine, other, tolerance=1e-13):
+        self.assertLessEqual(abs(mine - other), tolerance * abs(other), f"{mine!r} {other!r}")
+
+    def solved(self, name, speeds):
+        """`tribocheck solve` of the scene at these speeds: rows of its CSV."""
+        path = pathlib.Path(self.folder.name) / "at_speeds.json"
+        path.write_text(json.dumps(self.trees[name] | {"speed": speeds}))
+        done = run("solve", path, "--format", "csv")
+        self.assertEqual(done.code, 0, done.err)
+        return list(csv.DictReader(io.StringIO(done.out)))
+
+    def test_files_are_those_promised(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        pictures = [f"figures/{figure}.{kind}" for figure in CONTACT_FIGURES for kind in ("svg", "png")]
+        self.assertLessEqual({*CONTACT_DATA, *pictures}, set(files_below(self.out)))
+        for name in CONTACTS:
+            self.assertEqual((self.out / f"data/scenes/{name}.toml").read_text(), (SCENES / f"{name}.toml").read_text())
+        self.assertEqual(list(self.told["scenes"]), CONTACTS)
+
+    def test_shapes_are_a_circle_an_ellipse_and_a_line(self):
+        self.assertEqual([one["shape"] for one in self.told["scenes"].values()], ["circle", "ellipse", "line"])
+
+    def test_hertz_numbers_are_those_of_the_functions(self):
+        for name, one in self.told["scenes"].items():
+            bodies = self.trees[name]["bodies"]
+            modulus, = functions({"function": "effective_modulus", **{key: bodies[key] for key in (
+                "first_modulus", "first_poisson_ratio", "second_modulus", "second_poisson_ratio")}})
+            self.assert_close(one["effective_modulus"], modulus["value"])
+            self.assertEqual(one["load"], self.trees[name]["load"])
+        circle, ellipse, line = self.told["scenes"].values()
+        common = {name: {"load": one["load"], "effective_modulus": one["effective_modulus"]}
+                  for name, one in self.told["scenes"].items()}
+        point, oval, strip = functions(
+            {"function": "hertz_point", **common["ball_on_flat"], "reduced_radius": circle["radius_x"]},
+            {"function": "hertz_ellipse", **common["bearing_outer_ring"], "radius_x": ellipse["radius_x"],
+             "radius_y": ellipse["radius_y"]},
+            {"function": "hertz_line", "effective_modulus": line["effective_modulus"],
+             "load_per_length": line["load"] / line["length"], "reduced_radius": line["radius_x"]})
+        self.assertEqual((circle["ellipticity"], circle["semi_axis_x"], circle["radius_x"]),
+                         (1, circle["semi_axis_y"], self.trees["ball_on_flat"]["bodies"]["reduced_radius"]))
+        self.assert_close(circle["semi_axis_x"], point["radius"])
+        self.assert_close(line["semi_axis_x"], strip["half_width"])
+        self.assertEqual([line[key] for key in ("semi_axis_y", "ellipticity", "approach", "radius_y")], [None] * 4)
+        for one, other, keys in ((circle, point, ("mean_pressure", "peak_pressure", "approach")),
+                                 (ellipse, oval, ("semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure",
+                                                  "peak_pressure", "approach")),
+                                 (line, strip, ("mean_pressure", "peak_pressure"))):
+            for key in keys:
+                with self.subTest(shape=one["shape"], key=key):
+                    self.assert_close(one[key], other[key])
+
+    def test_radii_follow_from_the_faces(self):
+        for name, direction in (("bearing_outer_ring", "x"), ("bearing_outer_ring", "y"), ("gear_flank", "x")):
+            first, second = (self.trees[name]["bodies"][f"{body}_radius_{direction}"] for body in ("first", "second"))
+            self.assert_close(self.told["scenes"][name][f"radius_{direction}"], 1 / (1 / first + 1 / second), 1e-12)
+
+    def test_points_and_curves_agree_with_solve(self):
+        for name, one in self.told["scenes"].items():
+            points = [one[key] for key in ("at_told_speed", "slowest", "fastest", "least_friction")]
+            self.assertEqual(points[0]["speed"], self.told["told_speed"])
+            rows = table(self.out / f"data/contact_{name}.tsv")
+            self.assertGreater(len(rows), 600)
+            curve = [{key: float(row[key]) for key in ("speed", *POINT)} for row in rows]
+            self.assertEqual([curve[0], curve[-1]], points[1:3])
+            speed = self.trees[name]["speed"]
+            self.assert_close(curve[0]["speed"], speed["from"])
+            self.assert_close(curve[-1]["speed"], speed["to"])
+            told = points + curve
+            for mine, other in zip(told, self.solved(name, [point["speed"] for point in told]), strict=True):
+                for key in POINT:
+                    self.assertLessEqual(abs(mine[key] - float(other[key])), 1e-12 * abs(float(other[key])), (name, key))
+
+    def test_least_friction_is_that_of_onset(self):
+        done = run("onset", *(SCENES / f"{name}.toml" for name in CONTACTS), "--format", "csv")
+        speeds = {row["id"]: float(row["speed"]) for row in csv.DictReader(io.StringIO(done.out))
+                  if row["criterion"] == "friction_minimum"}
+        marks = {row["name"]: row for row in table(self.out / "data/contact_marks.tsv")}
+        for name, one in self.told["scenes"].items():
+            self.assertEqual(one["least_friction"]["speed"], speeds[name])
+            self.assertEqual(float(marks[name]["friction"]), one["least_friction"]["friction"])
+
+    def test_page_tells_them_with_their_units(self):
+        text = (self.out / "report.md").read_text()
+        for words, key, unit in (("peak pressure, GPa", "peak_pressure", 1e-9),
+                                 ("standard deviation of summit heights σ<sub>s</sub>, nm", "summit_height_sd", 1e9)):
+            cells = re.search(rf"(?m)^\| {re.escape(words)} \| (.*) \|$", text)[1].split(" | ")
+            for cell, one in zip(cells, self.told["scenes"].values(), strict=True):
+                self.assertTrue(math.isclose(float(cell), unit * one[key], rel_tol=5e-3), (words, cell))
+        self.assertIn("They are no measured cases", text)
+        for name in CONTACTS:
+            self.assertIn(f"(data/scenes/{name}.toml)", text)
+            self.assertIn(f"`{self.told['scenes'][name]['film_law']}`", text)
+
+    def test_picture_has_three_panels_with_units(self):
+        for figure in CONTACT_FIGURES:
+            text = "".join(xml.parse(self.out / f"figures/{figure}.svg").getroot().itertext())
+            for words in ("friction coefficient μ (–)", "film parameter λ", "load share of the asperities (–)",
+                          "entrainment speed u (m/s)", "ball on a flat (circle)", "bearing's outer ring (ellipse)",
+                          "gear's flank (line)", "least friction"):
+                self.assertIn(words, text)
+
+
+class WithoutThem(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.project = pathlib.Path(folder.name) / "project"
+        for part in ("reference/published", "reference/scenes", "reports/page/gnuplot", "reports/page/render",
+                     "reports/page/schema"):
+            shutil.copytree(ROOT / part, self.project / part)
+
+    def test_a_scene_that_is_missing_or_wrong_is_named_on_the_page(self):
+        path = self.project / "reference/scenes/gear_flank.toml"
+        text = path.read_text()
+        for changed, why in ((None, "cannot be read"), (text.replace("length = 20e-3", "length = -1"), "bodies.length"),
+                             (text.replace("boundary_coefficient = 0.12\n", ""), "friction"),
+                             (re.sub(r"(?m)^speed = .*", "speed = [2, 3]", text), "1 m/s")):
+            with self.subTest(why):
+                path.unlink(missing_ok=True)
+                if changed is not None:
+                    self.assertNotEqual(changed, text)
+                    path.write_text(changed)
+                done = report("--section", "contacts", cwd=self.project)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                told = json.loads((self.project / "reports/out/report.json").read_text())
+                self.assertIn("gear_flank.toml", told["contacts"]["missing"]["why"])
+                self.assertIn(why, told["contacts"]["missing"]["why"])
+                self.assertEqual([(one["id"], one["standing"]) for one in told["findings"]], [("contacts", "absent")])
+                self.assertIn("This part of the page is missing", (self.project / "reports/out/report.md").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
