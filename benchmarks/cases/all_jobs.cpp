@@ -21,7 +21,8 @@ std::vector<Measured> joined(std::vector<std::vector<Measured>> parts) {
 }  // namespace
 
 std::vector<Measured> all_jobs(Settings settings) {
-  return joined({moment_jobs(settings), root_jobs(settings), curve_jobs(settings)});
+  return joined(
+      {moment_jobs(settings), root_jobs(settings), curve_jobs(settings), ellipse_jobs(settings)});
 }
 
 std::vector<Measured> plugin_jobs(const conformance::Plugin& plugin) {
@@ -38,6 +39,7 @@ const std::vector<std::pair<std::string, std::string>>& job_titles() {
       {"root_one_surface", "Film parameter: K = 0.3, delta = 1.146, lambda0 1e-4..100"},
       {"curve_200", "Stribeck curve of 200 points: film, load share, friction"},
       {"points_1e6", "A million operating points of one scene"},
+      {"hertz_ellipse", "Hertz ellipse: R_y/R_x 1..1e4"},
   };
   return titles;
 }

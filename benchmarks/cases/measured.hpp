@@ -28,6 +28,7 @@ struct Measured {
 std::vector<Measured> moment_jobs(Settings settings);
 std::vector<Measured> root_jobs(Settings settings);
 std::vector<Measured> curve_jobs(Settings settings);
+std::vector<Measured> ellipse_jobs(Settings settings);
 std::vector<Measured> all_jobs(Settings settings);
 // What a plug-in offers, at every job.
 std::vector<Measured> plugin_jobs(const conformance::Plugin& plugin);

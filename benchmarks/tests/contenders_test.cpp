@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "cases/curve_cases.hpp"
+#include "cases/ellipse_cases.hpp"
 #include "cases/moment_cases.hpp"
 #include "cases/root_cases.hpp"
 #include "support/case_count.hpp"
 #include "support/judge.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/gaussian_moment.hpp"
+#include "tribo/hertz_ellipse.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -53,6 +55,13 @@ void on_each(const std::vector<Contender>& contenders, Visitor&& visit) {
     visit(contender);
     if (is_of_another_set_than_the_best(contender.name)) verification::case_count.held = before;
   }
+}
+
+const EllipseContender& ellipse_named(const std::string& name) {
+  static const std::vector<EllipseContender> all = ellipse_contenders();
+  for (const EllipseContender& contender : all)
+    if (contender.name == name) return contender;
+  throw std::runtime_error("no contender " + name);
 }
 
 // What each family promises at d = 1, relative; 0: it promises nothing.
@@ -177,6 +186,59 @@ TEST(CurveContenders, DrawOneCurve) {
     EXPECT_GE(errors.judged, 10U) << contender.name;
     EXPECT_EQ(errors.failures, 0U) << contender.name;
   });
+}
+
+// Of each fit the percent of the semi-axis a_x and of the peak pressure that it is off at R_y/R_x.
+TEST(EllipseFits, AreOffByWhatIsKnown) {
+  struct Known {
+    const char* name;
+    double ratio[4], axis[4], pressure[4];
+  };
+  constexpr Known all[] = {
+      {"1.0339 a^0.636",
+       {1.5, 10, 100, 1e4},
+       {-0.53, 0.21, -2.01, -12.49},
+       {-1.03, 0.20, -2.06, -12.51}},
+      {"a^(2/pi)", {1.5, 10, 100, 1e4}, {0.14, 1.19, -1.03, -11.68}, {0.91, 1.46, -1.03, -11.68}},
+      {"1.03 a^0.64",
+       {1.5, 10, 100, 1e4},
+       {-0.88, -0.06, -2.51, -13.45},
+       {-0.12, 0.20, -2.51, -13.45}},
+      {"logarithms", {1.5, 10, 100, 1e4}, {0.38, -0.02, -0.21, -0.10}, {-0.11, 0.21, -0.15, -0.09}},
+  };
+  for (const Known& known : all)
+    for (int i = 0; i < 4; ++i) {
+      const EllipseCase one{50, 107.9e9, 9.5e-3, 9.5e-3 * known.ratio[i]};
+      const HertzEllipse<double> exact = hertz_ellipse(50.0, 107.9e9, 9.5e-3, one.radius_y);
+      EllipseAnswer got{};
+      ellipse_named(known.name).run({&one, 1}, {&got, 1});
+      EXPECT_TRUE(is_within(100 * (got.semi_axis_x / exact.semi_axis_x - 1), known.axis[i], 0.005))
+          << known.name << " at " << known.ratio[i];
+      EXPECT_TRUE(
+          is_within(100 * (got.peak_pressure / exact.peak_pressure - 1), known.pressure[i], 0.005))
+          << known.name << " at " << known.ratio[i];
+    }
+}
+
+TEST(EllipseContenders, FailOnlyWhereTheyAreFits) {
+  for (const EllipseContender& contender : ellipse_contenders()) {
+    const Errors errors = judge(contender);
+    EXPECT_GE(errors.judged, 60U);
+    EXPECT_EQ(errors.no_numbers, 0U) << contender.name;
+    EXPECT_EQ(errors.failures > 0, contender.family == "published fit") << contender.name;
+    if (contender.family == "tribocheck") {
+      EXPECT_LE(errors.max_ulp, hertz_ellipse_contract.ulp);
+    }
+    if (contender.counted) {
+      const EllipseCase one{50, 107.9e9, 9.5e-3, 19e-3};
+      EllipseAnswer got{};
+      EXPECT_GE(evaluations_of([&] {
+                  contender.counted({&one, 1}, {&got, 1});
+                }),
+                5)
+          << contender.name;
+    }
+  }
 }
 
 TEST(ErrorTally, MeasuresInUnitsInTheLastPlace) {

@@ -58,6 +58,7 @@ class SceneBinder {
     check_faces();
     check_film();
     check_profile();
+    check_ellipse();
     if (problems_.any()) return;
     complete();
     warn_of_odd_pairs();
@@ -186,7 +187,7 @@ class SceneBinder {
     if (value.fault == NumberFault::overflow) return " is beyond 1.8e308; it must be finite";
     if (value.fault == NumberFault::underflow)
       return " underflows: it is nearer to 0 than 4.9e-324";
-    if (info.is_radius_of_face) return number < 0 || number > 0 ? "" : " is not allowed";
+    if (info.is_radius_of_face && !std::isnan(number)) return number == 0 ? " is not allowed" : "";
     if (!std::isfinite(number)) return " is not allowed: it must be finite";
     if (info.type == FieldType::integer && !is_whole(number)) return " is not whole";
     const bool low = info.exclusive_minimum ? number <= info.minimum : number < info.minimum;
@@ -416,6 +417,20 @@ class SceneBinder {
     problems_.error("closures.film",
                     (film == nullptr ? "missing" : value_text(film->value) + " is not allowed") +
                         ": " + contact + "; allowed: " + joined(fitting, " or "));
+  }
+
+  // Radii so far apart that the axes are beyond double.
+  void check_ellipse() {
+    if (scene_.bodies.shape() != ContactShape::ellipse || problems_.any()) return;
+    const auto numbers = detail::numbers_of<double>(scene_);
+    const EllipseOfCircle<double>& ellipse = numbers.ellipse;
+    const double cube = ellipse.axis_cube, ratio = ellipse.axes_ratio;
+    if (cube > 0 && std::isfinite(cube) && ratio > 0 && std::isfinite(ratio)) return;
+    problems_.error("bodies.radius_y",
+                    rounded_text(numbers.across) +
+                        " is not allowed beside R_x = " + rounded_text(numbers.radius_x) +
+                        " m; allowed: a ratio of the two that double can hold, "
+                        "or length in place of R_y, for a line");
   }
 
   void check_profile() {

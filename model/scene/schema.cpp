@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "scene/text.hpp"
@@ -41,6 +42,7 @@ constexpr Row ratio_row(std::string_view path, std::string_view meaning, Store s
 constexpr Row face_row(std::string_view path, std::string_view meaning, Store store) {
   return {{.path = path,
            .unit = "m",
+           .minimum = -std::numeric_limits<double>::max(),
            .is_radius_of_face = true,
            .plausible_minimum = -1e4,
            .meaning = meaning},

@@ -72,11 +72,13 @@ inline Ball film_ratio_by_inlet_length(Inlet inlet, const Ball& r, const Ball& g
     t = (t - step).midpoint();
     if (abs(step) < pow(Ball(2), Ball(-250))) break;
   }
-  const Ball radius = pow(Ball(2), Ball(-240));
-  if (!(excess((t - radius).midpoint()) < 0 && excess((t + radius).midpoint()) > 0))
-    throw std::runtime_error("no sign proof for a film ratio");
-  arb_add_error(t.get(), radius.get());
-  return ratio_at(exp(t));
+  for (const int bits : {240, 210, 170, 145}) {  // r is a root itself, known to as many bits
+    const Ball radius = pow(Ball(2), Ball(-bits));
+    if (!(excess((t - radius).midpoint()) < 0 && excess((t + radius).midpoint()) > 0)) continue;
+    arb_add_error(t.get(), radius.get());
+    return ratio_at(exp(t));
+  }
+  throw std::runtime_error("no sign proof for a film ratio");
 }
 
 }  // namespace tribo::reference

@@ -31,6 +31,8 @@ Group diagnosis_group(const ReportPlaces& places);
 Group work_precision_group(const ReportPlaces& places);
 Group gates_group(const ReportPlaces& places);
 Group sweep_speed_group(const ReportPlaces& places);
+// Published fits to Hertz' ellipse beside the ellipse.
+Group ellipse_fits_group(const ReportPlaces& places);
 // Evaluations that scenes with fewer outputs save.
 Group skipped_work_group(const ReportPlaces& places, const std::vector<SolvedCase>& solved);
 

@@ -191,15 +191,17 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
 }
 
 constexpr const char* bench_footer =
-    R"(Jobs: moment_5_2, moment_2, root_wide, root_one_surface, curve_200, points_1e6. Every contender of a
-job is written as its users write it and runs in the same process, repetitions interleaved. Columns:
-ns, CPU time a point, the median; ratio, to the fastest of tribocheck's in the same job; max ulp, the
-greatest true error in units in the last place, against certified values, of curve_200 and points_1e6
-against the model in long double; evaluations, of the integrand or the moment a point; failures, cases
-with no number or off by more than 1e-6 of it times its condition, as `verify` judges. The published
-fits are judged where they claim to hold. A plug-in, a shared library made for tribocheck_plugin.h, takes
-part in the jobs that it offers, as family "plugin"; cases that it does not offer are not judged. With --baseline counts are held exactly, errors to 4 times what they were, and times, over the
-control's of the run, to a tenth more where their intervals do not meet, twice; exit code 1 where that fails.
+    R"(Jobs: moment_5_2, moment_2, root_wide, root_one_surface, curve_200, points_1e6, hertz_ellipse. Every
+contender of a job is written as its users write it and runs in the same process, repetitions interleaved.
+Columns: ns, CPU time a point, the median; ratio, to the fastest of tribocheck's in the same job; max ulp,
+the greatest true error in units in the last place, against certified values, of curve_200 and points_1e6
+against the model in long double; evaluations, of the integrand, of the moment or of a pair of elliptic
+integrals a point; failures, cases with no number or off by more than 1e-6 of it times its condition, as
+`verify` judges. The published fits of moments are judged where they claim to hold. A plug-in, a shared
+library made for tribocheck_plugin.h, takes part in the jobs that it offers, as family "plugin"; cases that
+it does not offer are not judged. With --baseline counts are held exactly, errors to 4 times what they were,
+and times, over the control's of the run, to a tenth more where their intervals do not meet, twice; exit
+code 1 where that fails.
 Takes some five minutes, with --quick less than one.
 
 Example:

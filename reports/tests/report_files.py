@@ -24,13 +24,14 @@ FIGURES = PAPER_FIGURES + LEDGER_FIGURES + SWEEP_FIGURES + CONTACT_FIGURES
 DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] + [f"data/scenes/{scene}.toml" for scene in SCENES] +
               [f"data/figure_04_{name}.tsv"
                for name in ("flooded", "starved_inlet", "damiens", "guides", "marks")] +
-              ["data/figure_11_ratio.tsv", "data/marks.tsv", "data/comparison.tsv"])
-JOBS = ["moment_5_2", "moment_2", "root_wide", "root_one_surface", "curve_200", "points_1e6"]
-COUNTED = ["moment_5_2", "root_wide", "root_one_surface"]
+              ["data/ellipse_fits.blocks.tsv", "data/figure_11_ratio.tsv", "data/marks.tsv", "data/comparison.tsv"])
+JOBS = ["moment_5_2", "moment_2", "root_wide", "root_one_surface", "curve_200", "points_1e6", "hertz_ellipse"]
+COUNTED = ["moment_5_2", "root_wide", "root_one_surface", "hertz_ellipse"]
+FITS_FIGURES = ["ellipse_fits"]  # behind those of work, and made without a baseline
 WORK_DATA = sorted(f"data/work_precision/{name}.blocks.tsv"
                    for name in JOBS + ["profile", "by_size", "by_threads"])
 WORK_FIGURES = [f"work_{name}" for name in JOBS + [f"{job}_evaluations" for job in COUNTED] +
-                ["profile", "by_size", "by_threads"]]
+                ["profile", "by_size", "by_threads"]] + FITS_FIGURES
 CONTACTS = ["ball_on_flat", "bearing_outer_ring", "gear_flank"]
 CONTACT_DATA = [f"data/{kind}{contact}{end}" for kind, end in (("contact_", ".tsv"), ("scenes/", ".toml"))
                 for contact in CONTACTS] + ["data/contact_marks.tsv"]

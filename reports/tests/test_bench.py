@@ -141,7 +141,7 @@ class Refusals(unittest.TestCase):
 
     def test_a_filter_that_matches_nothing(self):
         self.one_line(bench("--filter", "no such contender"), "no such contender",
-                      "the jobs are moment_5_2, ", "points_1e6; the families are GSL, ", "tribocheck")
+                      "the jobs are moment_5_2, ", "points_1e6, hertz_ellipse; the families are GSL, ", "tribocheck")
 
     def test_an_unknown_format(self):
         self.one_line(bench("--format", "xml"), "--format")

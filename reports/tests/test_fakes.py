@@ -6,9 +6,9 @@ import re
 import subprocess
 import unittest
 
-from subjects import (SUBJECTS, all_lines, answers_of, effective_moduli, examples, films, hertz_ellipses, hertz_lines, hertz_points,
-                      is_close, load_sharings, moments, numbered, operating_points, python, reduced_radii, reference_answers,
-                      starvation_ratios)
+from subjects import (SUBJECTS, all_lines, answers_of, effective_moduli, examples, films, hertz_ellipses, hertz_lines,
+                      hertz_points, is_close, load_sharings, moments, numbered, operating_points, python,
+                      reduced_radii, reference_answers, starvation_ratios)
 
 ELEMENTARY = ("effective_modulus", "reduced_radius", "gaussian_moment", "hertz_point", "hertz_ellipse", "hertz_line",
               "hamrock_dowson_central", "starvation_ratio", *sorted({line["function"] for line in examples()}))

@@ -9,6 +9,10 @@ from program import run
 
 # A fake's mistake, and what the diagnosis may call it. The numbers do not tell some apart.
 NAMED = {
+    "point_ellipse_as_circle": "point-ellipse-as-circle",
+    "point_film_of_circle": "point-film-of-circle",
+    "point_ellipse_exchanged": "point-ellipse-exchanged",
+    "point_line_too_wide": "point-line-too-wide",
     "asperity_stiffness_halved": "stiffness-halved",
     "asperity_stiffness_of_williamson": "stiffness-gw-for-gt",
     "asperity_sd_in_micrometres": "stiffness-sigma-in-um",

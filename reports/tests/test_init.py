@@ -94,7 +94,7 @@ class Init(unittest.TestCase):
         path = pathlib.Path(self.folder.path("mine.py"))
         init("python", "--out", path)
         filled = path.read_text().replace("return None  # h₀", "return 1 / 3  # h₀").replace(
-            "the two bodies, in m\n    return None", 'the two bodies, in m\n    return {"radius": load}')
+            "a²/R, of the two bodies, in m\n    return None", 'a²/R, of the two bodies, in m\n    return {"radius": load}')
         path.write_text(filled)
         lines = [line for line in all_lines()
                  if line.get("function") in ("hamrock_dowson_central", "hertz_point")]

@@ -8,7 +8,7 @@ import shutil
 import tempfile
 import unittest
 
-from report_files import FIGURES, ROOT, PageReader, report
+from report_files import FIGURES, FITS_FIGURES, ROOT, PageReader, report
 
 
 class Baselines(unittest.TestCase):
@@ -33,6 +33,7 @@ class Baselines(unittest.TestCase):
         for part in ("reference/published", "reference/scenes", "reference/exact", "reference/baselines", "reports/page/gnuplot",
                      "reports/page/render", "reports/page/schema"):
             shutil.copytree(ROOT / part, self.project / part)
+        shutil.copy(ROOT / "reference/mistakes.toml", self.project / "reference")
         # A ledger lacks new faults until the next run that plants a part of them.
         path = self.project / "reference/baselines/planted_faults.json"
         ledger = json.loads(path.read_text())
@@ -89,7 +90,7 @@ class Baselines(unittest.TestCase):
     def test_only_the_sections_that_are_asked_for_are_made(self):
         for sections, groups in ((["uncertainty"], {"ledger", "onset_uncertainty"}),
                                  (["gates", "environment"], {"gates", "environment"}),
-                                 (["skipped-work", "work-precision"], {"skipped_work", "work_precision"})):
+                                 (["skipped-work", "work-precision"], {"skipped_work", "work_precision", "ellipse_fits"})):
             page = self.page(sections)
             self.assertEqual(set(page["sections"]), set(sections))
             self.assertEqual(set(page) - {"tribocheck", "sections", "findings", "not_run", "files"}, groups)
@@ -126,7 +127,7 @@ class Baselines(unittest.TestCase):
         absent = {one["section"] for one in page["findings"] if one["standing"] == "absent"}
         self.assertLessEqual({"verification", "planted-faults", "worst-inputs", "work-precision", "gates",
                               "sweep-speed"}, absent)
-        self.assertEqual(sorted(self.reader.figures), sorted(FIGURES))
+        self.assertEqual(sorted(self.reader.figures), sorted(FIGURES + FITS_FIGURES))
 
     def test_a_fault_that_survived_is_a_broken_promise_on_top(self):
         path = self.project / "reference/baselines/planted_faults.json"
@@ -191,7 +192,8 @@ class Baselines(unittest.TestCase):
         self.assertEqual(self.findings["certified_values"]["standing"], "fails")
         self.assertLessEqual(before["worst_part_of_bound"], 1)
         self.assertGreater(after["worst_part_of_bound"], 10)
-        self.assertEqual((before["held"], after["held"]), (17, 16))
+        self.assertEqual(before["held"] - after["held"], 1)
+        self.assertGreaterEqual(before["held"], 17)
         self.assertEqual([row[0] for row in self.rows(self.TITLES["verification"]) if row[-1] == "FAILED"],
                          ["`hertz_point`"])
 

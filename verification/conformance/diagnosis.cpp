@@ -63,9 +63,15 @@ std::string known_factor(double ratio) {
 // The functions that a function's numbers rest on.
 std::vector<std::string> rests_on(const std::string& function) {
   if (function == "load_sharing") return {"gaussian_moment"};
-  if (is_operating_point(function))
-    return {"hertz_point", "hamrock_dowson_central", "gaussian_moment", "load_sharing",
-            "starvation_ratio"};
+  if (is_operating_point(function)) {
+    std::vector<std::string> below{"hertz_point",     "hertz_ellipse", "hertz_line",
+                                   "gaussian_moment", "load_sharing",  "starvation_ratio"};
+    below.insert(below.end(), film_formula_words.begin(), film_formula_words.end());
+    // A point of the usual kind rests on the first law and on the circle alone.
+    if (function == operating_point_functions[0])
+      return {"hertz_point", below.at(6), "gaussian_moment", "load_sharing", "starvation_ratio"};
+    return below;
+  }
   return {};
 }
 

@@ -34,7 +34,7 @@ SECTIONS = {
     "worst-inputs": Section("Accuracy at random inputs", True),
     "planted-faults": Section("Planted faults: do the checks find errors?", True),
     "diagnosis": Section("Wrong solvers: are their mistakes named?", True),
-    "work-precision": Section("Run time against error"),
+    "work-precision": Section("Run time against error", further=("ellipse-fits",)),
     "skipped-work": Section("Work that is skipped", True),
     "gates": Section("Checks of run time", True),
     "sweep-speed": Section("Run time of sweeps over many inputs", True),

@@ -15,7 +15,8 @@ inline constexpr Contract oil_bulk_modulus_contract{6, 0};
 template <class T>
 T oil_bulk_modulus(const T& pressure) {
   const T scale = T(590000000);
-  return (scale + ratio<T>(134, 100) * pressure) * ((scale + pressure) / (ratio<T>(34, 100) * scale));
+  return (scale + ratio<T>(134, 100) * pressure) *
+         ((scale + pressure) / (ratio<T>(34, 100) * scale));
 }
 
 }  // namespace tribo

@@ -137,13 +137,14 @@ TEST(HertzEllipse, PressureClosesTheGap) {
   for (const double ratio : {1.0, 1.001, 2.0, 0.5, 10.0, 0.1, 100.0}) {
     const double modulus = 107.9e9, radius_x = 9.5e-3, radius_y = radius_x * ratio;
     const HertzEllipse<double> got = hertz_ellipse(50.0, modulus, radius_x, radius_y);
-    for (const auto& [u, v] : {std::pair{0.0, 0.0},
-                               {0.5, 0.0},
-                               {0.0, 0.5},
-                               {0.9, 0.0},
-                               {0.0, 0.9},
-                               {0.4, -0.3},
-                               {-0.6, 0.7}}) {
+    for (const auto& place : {std::pair{0.0, 0.0},
+                              {0.5, 0.0},
+                              {0.0, 0.5},
+                              {0.9, 0.0},
+                              {0.0, 0.9},
+                              {0.4, -0.3},
+                              {-0.6, 0.7}}) {
+      const double u = place.first, v = place.second;
       const auto ray = [&](double angle) {
         const double x = std::cos(angle) / got.semi_axis_x, y = std::sin(angle) / got.semi_axis_y;
         // (p/p₀)² = c − 2bs − as² = g² − a(s + b/a)²
@@ -202,6 +203,16 @@ TEST(HertzEllipse, OtherLibrariesAgree) {
     EXPECT_TRUE(is_close(got.semi_axis_x, major / k, 2 * cancelled, inputs));
     EXPECT_TRUE(is_close(got.approach, 3 * load * first / (2 * pi<double>() * modulus * major),
                          2 * cancelled, inputs));
+  }
+}
+
+// Also where C has few digits, by its series or by its difference.
+TEST(HertzEllipse, SolvesItsEquationInFiftyDigits) {
+  for (double above = 1e-16; above < 1e4; above *= 1.7) {
+    const Reference ratio = 1 + Reference(above);
+    const Reference k = ellipse_shape(ratio).ellipticity;
+    const auto [b, d] = detail::associated_integrals(k);
+    EXPECT_TRUE(is_within(relative_error(Reference(k * k * b / d), ratio), 0, 1e-49)) << above;
   }
 }
 

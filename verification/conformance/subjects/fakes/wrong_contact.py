@@ -72,3 +72,35 @@ def sharing_none(right, model, flooded, K, delta):
 @replaces(solver, "film_exponent", SHARING, "exponent 0.67 for 0.14 in h = h0 (1-A)^-0.14")
 def sharing_film_exponent_067(right):
     return 0.67
+
+
+# Ellipses and lines
+
+def mean_pressure(scene, radius):
+    return solver.hertz_point(scene["load"], scene["bodies.effective_modulus"], radius)["mean_pressure"]
+
+
+@replaces(point, "smooth_contact", "operating_point_of_ellipse", "the circle of R_x for the ellipse")
+def point_ellipse_as_circle(right, scene):
+    radius, ellipticity, mean = right(scene)
+    return radius, ellipticity, mean if scene["bodies.radius_y"] is None else mean_pressure(scene, radius)
+
+
+@replaces(point, "smooth_contact", "operating_point_of_ellipse", "k = 1 in the film formula of an ellipse")
+def point_film_of_circle(right, scene):
+    radius, ellipticity, mean = right(scene)
+    return radius, ellipticity if scene["bodies.radius_y"] is None else 1.0, mean
+
+
+@replaces(point, "smooth_contact", "operating_point_of_ellipse", "R_x and R_y exchanged")
+def point_ellipse_exchanged(right, scene):
+    across = scene["bodies.radius_y"]
+    if across is not None:
+        scene = {**scene, "bodies.radius_x": across, "bodies.radius_y": scene["bodies.radius_x"]}
+    return right(scene)
+
+
+@replaces(point, "smooth_contact", "operating_point_of_line", "the half-width of a line sqrt(2) too large")
+def point_line_too_wide(right, scene):
+    radius, ellipticity, mean = right(scene)
+    return radius, ellipticity, mean if scene["bodies.length"] is None else mean / 2 ** 0.5

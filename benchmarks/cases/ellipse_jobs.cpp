@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Hertz' elliptical contact at 1024 ratios of its radii.
+#include <memory>
+
+#include "cases/ellipse_cases.hpp"
+#include "cases/measured.hpp"
+
+namespace tribo::benchmarks {
+
+std::vector<Measured> ellipse_jobs(Settings settings) {
+  constexpr std::size_t count = 1024;
+  const auto cases = std::make_shared<const std::vector<EllipseCase>>(random_ellipses(count));
+  const auto answers = std::make_shared<std::vector<EllipseAnswer>>(count);
+  std::vector<Measured> all;
+  for (const EllipseContender& contender : ellipse_contenders(settings)) {
+    Measured measured{"hertz_ellipse",
+                      contender.family,
+                      contender.name,
+                      count,
+                      [=] { contender.run(*cases, *answers); },
+                      [=] { return judge(contender); },
+                      {},
+                      {}};
+    if (contender.counted)
+      measured.evaluations = [=] {
+        return evaluations_of([&] { contender.counted(*cases, *answers); }) /
+               static_cast<double>(count);
+      };
+    all.push_back(std::move(measured));
+  }
+  return all;
+}
+
+}  // namespace tribo::benchmarks
