@@ -68,16 +68,15 @@ std::string_view allowed(std::string_view name) {
   return "";
 }
 
-// Rules of the scene reader about several numbers or words: faces that meet, the moments of a
-// profile, and Roelands' law. A rule about fewer than two fields that can vary needs no entry.
-constexpr std::array<std::string_view, 2> faces_along{"bodies.first_radius_x",
-                                                      "bodies.second_radius_x"};
-constexpr std::array<std::string_view, 2> faces_across{"bodies.first_radius_y",
-                                                       "bodies.second_radius_y"};
+// Rules of the scene reader about several numbers or words: faces that meet in an ellipse that
+// double can hold, the moments of a profile, and Roelands' law.
+constexpr std::array<std::string_view, 4> faces{"bodies.first_radius_x", "bodies.second_radius_x",
+                                                "bodies.first_radius_y", "bodies.second_radius_y"};
+constexpr std::array<std::string_view, 2> radii{"bodies.radius_x", "bodies.radius_y"};
 constexpr std::array<std::string_view, 3> moments{"surface.m0", "surface.m2", "surface.m4"};
 constexpr std::array<std::string_view, 2> roelands{"lubricant.viscosity", "friction.viscosity"};
-constexpr std::array<std::span<const std::string_view>, 4> fields_of_rules{
-    faces_along, faces_across, moments, roelands};
+constexpr std::array<std::span<const std::string_view>, 4> fields_of_rules{faces, radii, moments,
+                                                                           roelands};
 
 // What the scene reader says before it tells of other fields, on which such a rule rests.
 constexpr std::string_view because = " is not allowed: ";
