@@ -367,7 +367,7 @@ class SweepBinder {
             scene_detail::rounded_text(std::abs(value)) + "; ";
     if (allowed == std::string::npos) return text + fault;
     text += field + " must be " + fault.substr(allowed + link.size());
-    const bool is_low = value == variable.distribution.least();
+    const bool is_low = value < variable.nominal;
     const DistributionKind kind = variable.distribution.kind();
     const bool has_tails = kind == DistributionKind::normal || kind == DistributionKind::log_normal;
     if (has_tails) text += std::string(": truncate it with `") + (is_low ? "from`" : "to`");

@@ -172,6 +172,8 @@ class Shapes(SweepTest):
          ["bodies.first_radius_y: where bodies.second_radius_y reaches -0.0045: ", "do not meet"]),
         (FACES, {"bodies.second_radius_y": '{ distribution = "normal", mean = -5.1e-3, sd = 1e-4 }'},
          ["where bodies.second_radius_y reaches -0.004", "do not meet"]),
+        (FACES, {"bodies.second_radius_x": '{ distribution = "normal", mean = 0.02, sd = 0.01 }'},
+         ["bodies.second_radius_x: this normal distribution reaches 0; ", ": truncate it with `from`"]),
         (FACES, {"bodies.second_radius_x": uniform(-1, 1.5)},
          ["bodies.second_radius_x: this uniform distribution reaches 0; second_radius_x must be a number other than 0"]),
         (FACES, {"bodies.first_radius_y": uniform(4e-3, 6e-3)},
