@@ -4,6 +4,8 @@
 
 import json
 import math
+import os
+import shutil
 import tomllib
 import unittest
 
@@ -141,6 +143,27 @@ class Shapes(SweepTest):
         cases = run("sweep", "show", self.path("out.h5"), "--cases", "--format", "csv")
         self.assertEqual((cases.code, cases.err), (0, ""))
         self.assertEqual(len(cases.out.splitlines()), 1 + 2 * 4 * 2)
+
+    def test_a_flat_face_is_told_as_inf_and_left_out_of_a_map_of_films(self):
+        speeds, outputs = "{ from = 1e-3, to = 1, count = 30 }", '["film"]'
+        for radii, drawn in (("[0.05, 0.1, 0.2, inf]", True), ("[-inf, -0.2, -0.1, -0.05]", True),
+                             ("[-0.1, 0.05, 0.1, 0.2]", False)):
+            with self.subTest(radii):
+                shutil.rmtree(self.path("drawn"), ignore_errors=True)
+                self.swept(sweep({**FACES, "bodies.second_radius_x": radii, "speed": speeds, "outputs": outputs}),
+                           "--force", "--pictures", self.path("drawn"))
+                names = os.listdir(self.path("drawn")) if os.path.isdir(self.path("drawn")) else []
+                self.assertEqual("film_map.svg" in names, drawn, names)
+                if drawn:
+                    with open(self.path("drawn/film_map.svg"), encoding="utf-8") as file:
+                        self.assertIn("flat faces are left out", file.read())
+                told = {form: run("sweep", "show", self.path("out.h5"), "--cases", "--format", form).out
+                        for form in ("csv", "json")}
+                rows = [json.loads(line)["bodies.second_radius_x"] for line in told["json"].splitlines()]
+                self.assertEqual([float(one) for one in rows],
+                                 [float(line.split(",")[2]) for line in told["csv"].splitlines()[1:]])
+                self.assertEqual({one for one in rows if isinstance(one, str)}, {"inf", "-inf"} & set(rows))
+                self.assertEqual(sorted({float(one) for one in rows}), sorted(map(float, radii.strip("[]").split(", "))))
 
     # What varies, and what is said of it; each in one line.
     REFUSED = [
