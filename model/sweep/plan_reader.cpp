@@ -68,6 +68,19 @@ std::string_view allowed(std::string_view name) {
   return "";
 }
 
+// Rules of the scene reader about several numbers or words: faces that meet in an ellipse that
+// double can hold, the moments of a profile, and Roelands' law.
+constexpr std::array<std::string_view, 4> faces{"bodies.first_radius_x", "bodies.second_radius_x",
+                                                "bodies.first_radius_y", "bodies.second_radius_y"};
+constexpr std::array<std::string_view, 2> radii{"bodies.radius_x", "bodies.radius_y"};
+constexpr std::array<std::string_view, 3> moments{"surface.m0", "surface.m2", "surface.m4"};
+constexpr std::array<std::string_view, 2> roelands{"lubricant.viscosity", "friction.viscosity"};
+constexpr std::array<std::span<const std::string_view>, 4> fields_of_rules{faces, radii, moments,
+                                                                           roelands};
+
+// What the scene reader says before it tells of other fields, on which such a rule rests.
+constexpr std::string_view because = " is not allowed: ";
+
 // A variable, and the place of its field in the list of entries.
 struct VariedEntry {
   std::size_t entry;
@@ -235,37 +248,109 @@ class SweepBinder {
                     "not empty and not \".\"");
   }
 
-  // The least and the greatest value of a variable have to be legal: then so are all values
-  // between, as legal numbers have no gaps. Of whole numbers all values have to be legal.
+  // --- The values that the variables take, each alone and with those of others that share a rule.
+
+  struct Setting {
+    const VariedEntry* varied;
+    double value;
+  };
+
   void check_extremes() {
-    for (const VariedEntry& varied : varied_) {
-      const Variable& variable = varied.variable;
-      if (!variable.words.empty()) continue;
-      std::vector<double> values = variable.grid;
-      const FieldInfo& field = scene_fields()[scene_detail::field_at(variable.path)];
-      if (variable.is_drawn()) {
-        values = {variable.distribution.least(), variable.distribution.greatest()};
-      } else if (field.type != FieldType::integer) {
-        const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-        values = {*least, *greatest};
-      }
-      for (const double value : values)
-        if (!check_value(varied, value)) break;
-    }
+    bool all_good = true;
+    for (const VariedEntry& varied : varied_)
+      for (const double value : values_to_check(varied.variable))
+        if (!check({{&varied, value}})) {
+          all_good = false;
+          break;
+        }
+    for (const auto& fields : fields_of_rules)
+      if (all_good) check_together(fields);
   }
 
-  bool check_value(const VariedEntry& varied, double value) {
-    Entry& entry = entries_[varied.entry];
-    const Value before = entry.value;
-    entry.value = value_for(varied.variable, value);
+  // If these values are legal, so are all others of the variable: legal numbers have no gaps but
+  // that of the radii of faces at 0, and 1/R, which the rule of two faces adds up, falls on both
+  // sides of it. Of whole numbers and words all values are looked at.
+  static std::vector<double> values_to_check(const Variable& variable) {
+    const FieldInfo& field = scene_fields()[scene_detail::field_at(variable.path)];
+    if (variable.is_drawn()) {
+      const double least = variable.distribution.least();
+      const double greatest = variable.distribution.greatest();
+      if (field.is_radius_of_face && least < 0 && greatest > 0) return {0};
+      return {least, greatest};
+    }
+    const std::vector<double>& grid = variable.grid;
+    if (!variable.words.empty() || field.type == FieldType::integer) return grid;
+    const auto [least, greatest] = std::minmax_element(grid.begin(), grid.end());
+    std::vector<double> values{*least, *greatest};
+    if (!field.is_radius_of_face || *least > 0) return values;
+    double below = *least, above = *greatest;
+    for (const double value : grid) {
+      if (value == 0) return {0};
+      if (value < 0) below = std::max(below, value);
+      if (value > 0) above = std::min(above, value);
+    }
+    values.insert(values.end(), {below, above});
+    return values;
+  }
+
+  // Fields that a rule of the scene reader looks at together, as far as they vary: all values to
+  // check of each with all of the others.
+  void check_together(std::span<const std::string_view> fields) {
+    std::vector<std::vector<Setting>> sets{{}};
+    std::size_t count = 0;
+    for (const VariedEntry& varied : varied_) {
+      if (std::find(fields.begin(), fields.end(), varied.variable.path) == fields.end()) continue;
+      ++count;
+      std::vector<std::vector<Setting>> longer;
+      for (const std::vector<Setting>& set : sets)
+        for (const double value : values_to_check(varied.variable)) {
+          longer.push_back(set);
+          longer.back().push_back({&varied, value});
+        }
+      sets = std::move(longer);
+    }
+    if (count < 2) return;
+    for (const std::vector<Setting>& set : sets)
+      if (!check(set)) return;
+  }
+
+  void set(const VariedEntry& varied, double value) {
+    entries_[varied.entry].value = value_for(varied.variable, value);
+  }
+
+  // Is the scene legal with these values?
+  bool check(const std::vector<Setting>& settings) {
+    for (const Setting& one : settings) set(*one.varied, one.value);
     const SceneReading scene = bound(entries_);
-    entry.value = before;
+    for (const Setting& one : settings) set(*one.varied, one.varied->variable.nominal);
     if (scene.errors.empty()) return true;
-    const std::string& fault = scene.errors.front().message;
-    error(varied.variable.path, varied.variable.is_drawn()
-                                    ? reach_text(varied.variable, value, fault)
-                                    : "a value of its grid: " + fault);
+    const InputProblem& fault = scene.errors.front();
+    const Setting& first = settings.front();
+    const Variable& variable = first.varied->variable;
+    const bool is_own = settings.size() == 1 && fault.field == variable.path;
+    const bool is_of_others = fault.message.find(because) != std::string::npos ||
+                              fault.message.find("; allowed: a number") == std::string::npos;
+    if (is_own && variable.is_drawn() && !is_of_others)
+      error(fault.field, reach_text(variable, first.value, fault.message));
+    else if (is_own && !variable.is_drawn())
+      error(fault.field, "a value of its grid: " + fault.message);
+    else
+      error(fault.field, where_text(settings) + fault.message);
     return false;
+  }
+
+  // "where surface.m0 is 1e-15 and surface.m2 is 1e-3: "
+  static std::string where_text(const std::vector<Setting>& settings) {
+    std::string text;
+    for (const Setting& one : settings) {
+      const Variable& variable = one.varied->variable;
+      text += text.empty() ? "where " : " and ";
+      text += variable.path + (variable.is_drawn() ? " reaches " : " is ");
+      text += variable.is_drawn()      ? scene_detail::rounded_text(one.value)
+              : variable.words.empty() ? scene_detail::number_text(one.value)
+                                       : variable.words[static_cast<std::size_t>(one.value)];
+    }
+    return text + ": ";
   }
 
   // "this normal distribution reaches −0.062; viscosity must be a number above 0, in Pa·s: truncate
@@ -282,7 +367,7 @@ class SweepBinder {
             scene_detail::rounded_text(std::abs(value)) + "; ";
     if (allowed == std::string::npos) return text + fault;
     text += field + " must be " + fault.substr(allowed + link.size());
-    const bool is_low = value == variable.distribution.least();
+    const bool is_low = value < variable.nominal;
     const DistributionKind kind = variable.distribution.kind();
     const bool has_tails = kind == DistributionKind::normal || kind == DistributionKind::log_normal;
     if (has_tails) text += std::string(": truncate it with `") + (is_low ? "from`" : "to`");

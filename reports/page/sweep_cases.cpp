@@ -89,6 +89,8 @@ std::string plain_cell(const CaseColumn& column, double value) {
 nlohmann::ordered_json json_cell(const CaseColumn& column, double value) {
   if (std::isnan(value)) return nullptr;
   if (!column.words.empty()) return word_of(column, value);
+  // The radius of a flat face, as a scene file has it: JSON has no number for it.
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   return value;
 }
 

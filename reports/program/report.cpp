@@ -63,9 +63,10 @@ int write_report(const report::ReportOptions& options, OutputStream& output) {
 
 constexpr const char* report_footer =
     R"(Reads rough.toml, medium.toml, smooth.toml, their _gw.toml twins and claims.tsv, and writes
-index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg and *.png. Shows what
-reference/exact and reference/baselines have, and says what is missing. The folders' defaults lie in
-the project that the current folder, or else the program, is part of.
+index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg and *.png. Solves the
+scenes of reference/scenes, shows what reference/exact and reference/baselines have, and says what is
+missing. The folders' defaults lie in the project that the current folder, or else the program, is
+part of.
 Exit code 1: figures are missing, because gnuplot is or because it failed.
 
 Example:

@@ -404,6 +404,33 @@ class Failures(unittest.TestCase):
         done = report("--scenes", scenes, "--out", self.path / "out")
         self.assert_refused(done, "rough_gw.toml", "greenwood_williamson")
 
+    def test_scenes_of_ellipses_and_lines_are_listed_with_their_own_inputs(self):
+        """The ledger, which is of the paper's circle, says what it needs."""
+        for fields, film in (({"radius_x": 9.5e-3, "radius_y": 19e-3}, "hamrock_dowson_central"),
+                             ({"radius_x": 9.5e-3, "length": 5e-4}, "dowson_toyoda_central")):
+            with self.subTest(film):
+                scenes, out = self.path / film, self.path / f"{film}.out"
+                shutil.copytree(PUBLISHED, scenes)
+                for scene in SCENES:
+                    path = scenes / f"{scene}.toml"
+                    text = re.sub(r"(?m)^reduced_radius = .*", "\n".join(f"{k} = {v}" for k, v in fields.items()),
+                                  path.read_text())
+                    path.write_text(text.replace("[closures]", f'[closures]\nfilm = "{film}"'))
+                done = report("--scenes", scenes, "--out", out, "--section", "comparison", "--section", "claims")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                told = json.loads((out / "report.json").read_text())
+                inputs = {one["field"]: one["values"]["smooth"] for one in told["paper"]["inputs"]}
+                self.assertEqual({name: inputs.get(f"bodies.{name}") for name in
+                                  ("reduced_radius", "ellipticity", "radius_x", "radius_y", "length")},
+                                 {"reduced_radius": None, "ellipticity": None, "radius_y": None, "length": None} | fields)
+                self.assertEqual(inputs["closures.film"], film)
+                self.assertIn("the ledger needs bodies.reduced_radius", told["ledger"]["missing"]["why"])
+                rows = table(out / "data/curve_smooth.tsv")
+                path = scenes / "smooth.toml"
+                path.write_text(re.sub(r"(?m)^speed = .*", f"speed = {float(rows[99]['speed'])!r}", path.read_text()))
+                solved = next(csv.DictReader(io.StringIO(run("solve", path, "--format", "csv").out)))
+                self.assertAlmostEqual(float(rows[99]["film"]) / float(solved["film"]), 1, delta=1e-12)
+
     def test_scene_without_a_range_of_speeds(self):
         scenes = self.scenes()
         text = (scenes / "rough.toml").read_text()

@@ -15,6 +15,7 @@ import argparse
 import json
 import math
 import pathlib
+import re
 import typing
 
 import drawing
@@ -384,13 +385,22 @@ def end_of_floor(speeds, films):
     return speeds[flat] if flat else NAN
 
 
+def is_face(path):
+    """Is it the radius of one of two faces, below 0 where it is concave?"""
+    return re.fullmatch(r"bodies\.(first|second)_radius_[xy]", path) is not None
+
+
 def film_map(scene, number=1):
     if "map" not in scene:
         return None
     field, film = scene["inputs"][0], column_of(scene, "film")
     speeds = [value["speed"] for value in film["values"]]
-    grid = sorted(zip(scene["map"]["field"], scene["map"]["film"]), key=lambda one: one[0])
-    if len(grid) < 3 or not grid[0][0] < grid[-1][0]:
+    # A flat face has no place on an axis of radii: its radius is infinite, null in JSON. Convex and concave faces are
+    # neighbours there, not at 0, so that no axis has both.
+    grid = sorted(((at, films) for at, films in zip(scene["map"]["field"], scene["map"]["film"]) if at is not None),
+                  key=lambda one: one[0])
+    flat = len(scene["map"]["field"]) - len(grid)
+    if len(grid) < 3 or not grid[0][0] < grid[-1][0] or is_face(field["path"]) and grid[0][0] < 0 < grid[-1][0]:
         return None
     unit, factor = readable_unit(field["unit"], [grid[0][0], grid[-1][0]])
     shown, table, ridge, floor, has_gaps, has_ridge, on_floor = [], "", "", "", False, False, 0
@@ -414,7 +424,7 @@ def film_map(scene, number=1):
     words = field_words(field["path"])
     floor_part = percent(on_floor / len(thinned(len(grid), MOST_ROWS)), 2)
     subtitle = (f"{drawing.enhanced(cell(scene['id']))}: {len(speeds)} × {len(grid)} points" +
-                ("; orange: the greatest film" if has_ridge else "") + ("; white: it has collapsed" if has_gaps else "") +
+                ("; flat faces are left out" if flat else "") + ("; orange: the greatest film" if has_ridge else "") + ("; white: it has collapsed" if has_gaps else "") +
                 (f"; left of black, {floor_part}: a floor, asperities carry the load" if on_floor else ""))
     return Picture("film_map" if number == 1 else f"film_map_{number}", "sweep_film_map.gp",
                    f"Film over speed and {words}", subtitle, 720,
