@@ -48,8 +48,8 @@ class SceneBinder {
 
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
-    for (std::size_t field = 0; field < field_count; ++field) take(field);
     for (const FieldGroup& group : scene_field_groups()) check_group(group);
+    for (std::size_t field = 0; field < field_count; ++field) take(field);
     check_supply();
     check_outputs();
     check_speed_range();

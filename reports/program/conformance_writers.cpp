@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "page/markup.hpp"
+#include "page/text_table.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {
@@ -177,12 +178,35 @@ void append_examples(Text& to, const SubjectVerdict& verdict) {
   }
 }
 
+// Quantities that are not offered take no rows of a table: a function of which none is offered is
+// named once. Empty where all are offered.
+std::string not_offered(const ConformanceResult& result) {
+  const auto function = [](const QuantityVerdict& one) {
+    return one.quantity.substr(0, one.quantity.find('.'));
+  };
+  std::vector<std::string> names;
+  for (const QuantityVerdict& one : result.quantities) {
+    if (one.status != Status::not_offered) continue;
+    const bool is_whole =
+        std::all_of(result.quantities.begin(), result.quantities.end(), [&](const auto& other) {
+          return function(other) != function(one) || other.status == Status::not_offered;
+        });
+    const std::string name = is_whole ? function(one) : one.quantity;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names.empty() ? "" : "Not offered: " + joined(names) + ".";
+}
+
 void append_subject_table(Text& to, const SubjectVerdict& verdict) {
+  std::size_t widest = 36;
+  for (const QuantityVerdict& one : verdict.result.quantities)
+    if (one.status != Status::not_offered) widest = std::max(widest, one.quantity.size());
   const std::vector<ColumnHead> heads{
-      {"quantity", "", 36}, {"asked", "", 6},        {"held", "", 6},     {"failed", "", 6},
-      {"skipped", "", 7},   {"worst_error", "", 11}, {"of_bound", "", 9}, {"verdict", "", 16}};
+      {"quantity", "", widest}, {"asked", "", 6},        {"held", "", 6},     {"failed", "", 6},
+      {"skipped", "", 7},       {"worst_error", "", 11}, {"of_bound", "", 9}, {"verdict", "", 16}};
   append_heads(to, heads);
   for (const QuantityVerdict& one : verdict.result.quantities) {
+    if (one.status == Status::not_offered) continue;
     const std::string cells[] = {one.quantity,
                                  std::to_string(one.asked),
                                  std::to_string(one.held),
@@ -193,6 +217,10 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
                                  status_text(verdict, one)};
     for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
     append(to, "\n");
+  }
+  if (const std::string rest = not_offered(verdict.result); !rest.empty()) {
+    append(to, "\n");
+    for (const std::string& line : report::wrapped(rest, 100)) append(to, line + "\n");
   }
   append_examples(to, verdict);
   for (const Diagnosis& one : verdict.diagnoses)
@@ -278,7 +306,8 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
   append(to,
          "| quantity | verdict | held | failed | skipped | worst error | of its bound |\n"
          "|---|---|---:|---:|---:|---:|---:|\n");
-  for (const QuantityVerdict& one : verdict.result.quantities)
+  for (const QuantityVerdict& one : verdict.result.quantities) {
+    if (one.status == Status::not_offered) continue;
     append(to, fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", one.quantity,
                            one.status == Status::failed && !failed_already(verdict, one)
                                ? "**FAILED**"
@@ -286,7 +315,10 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
                            one.held, one.failed, one.skipped,
                            has_numbers(one) ? error(one.worst_relative) : "",
                            has_numbers(one) ? margin(one.worst_part_of_bound) : ""));
+  }
   append(to, "\n");
+  if (const std::string rest = not_offered(verdict.result); !rest.empty())
+    append(to, "- " + cell(rest) + "\n");
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("- **Diagnosis.** {}\n", cell(one.text)));
   for (const Example& one : verdict.examples)

@@ -103,6 +103,11 @@ def operating_points():
                     for speed in [1e-4, 0.01, 0.1, 3]:
                         points.append(scene(surface, speed=speed, supply=supply, friction=friction[i],
                                             closures={"asperity": asperity, "starvation": closure}))
+    # Other shapes and film laws; every third of these lines is asked by some tests.
+    for radius in [{"radius_y": 30e-3}, {"radius_y": 4e-3}, {"length": 2e-3}]:
+        bodies = {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, **radius}
+        closures = {"film": "dowson_toyoda_central"} if "length" in radius else {}
+        points += [scene("smooth", speed=speed, bodies=bodies, closures=closures) for speed in [0.01, 0.03, 0.1]]
     return points
 
 

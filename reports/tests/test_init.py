@@ -107,7 +107,7 @@ class Init(unittest.TestCase):
         init("python", "--out", path)
         path.write_text(path.read_text().replace(
             "return None  # h₀", "print('film'); os.system('echo film'); return 1 / (load - load)  # h₀", 1).replace(
-            "the two bodies, in m\n    return None", 'the two bodies, in m\n    return {"radius": load}'))
+            "a²/R, of the two bodies, in m\n    return None", 'a²/R, of the two bodies, in m\n    return {"radius": load}'))
         result = run("verify", "--subject", f"python3 {path}", "--sample", "5", "--format", "json")
         self.assertEqual((result.code, result.err), (1, ""))
         verdict = result.json()
@@ -130,7 +130,7 @@ class Init(unittest.TestCase):
                     done = subprocess.run(["sh", "-c", line + " --sample 2"], capture_output=True, text=True,
                                           timeout=TIMEOUT, cwd=self.folder.name, env=ENVIRONMENT)
                     self.assertEqual((done.returncode, done.stderr), (1, ""))
-                    self.assertIn("NOTHING: 0 of 43", done.stdout)
+                    self.assertIn("NOTHING: 0 of 86", done.stdout)
 
     def test_an_exception_in_a_cpp_solver_is_of_its_own_case(self):
         path = pathlib.Path(self.folder.path("solver.cpp"))

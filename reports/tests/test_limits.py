@@ -7,7 +7,7 @@ import subprocess
 import threading
 import unittest
 
-from program import Folder, json_value, run, scene, start, strict_json, wait_for
+from program import Folder, json_value, run, quiet_scene, start, strict_json, wait_for
 
 MEMORY = 100  # MB
 GIGABYTE = 1000 * (1 << 20)
@@ -52,7 +52,7 @@ class Input(Limits):
     def test_a_line_of_1_gb_to_stream(self):
         def parts():
             yield from repeated(b"x" * (1 << 20), GIGABYTE)
-            yield b"\n" + json_value(scene(speed=1)).encode()
+            yield b"\n" + json_value(quiet_scene(speed=1)).encode()
         code, memory, out, _ = self.fed(parts(), "stream")
         first, second = map(strict_json, out.splitlines())
         self.assertEqual((code, first["id"], second["id"]), (0, None, "rough"))
@@ -68,7 +68,7 @@ class Input(Limits):
                 self.assertLess(memory, MEMORY)
 
     def test_many_lines(self):
-        lines = "".join(json_value(scene(id=f"p{i}", speed=1e-3 * (1 + i))) + "\n" for i in range(100))
+        lines = "".join(json_value(quiet_scene(id=f"p{i}", speed=1e-3 * (1 + i))) + "\n" for i in range(100))
         code, memory, out, _ = self.fed(repeated(lines.encode(), 200 * len(lines)), "stream")
         self.assertEqual((code, out.count("\n")), (0, 20000))
         self.assertLess(memory, MEMORY)
@@ -84,7 +84,7 @@ class Input(Limits):
 
 class Output(Limits):
     def long(self, **changes):
-        return self.folder.write("long.toml", scene(speed={"from": 1e-4, "to": 3, **changes}))
+        return self.folder.write("long.toml", quiet_scene(speed={"from": 1e-4, "to": 3, **changes}))
 
     def test_memory_does_not_grow_with_the_rows(self):
         path = self.long(count=30000)
@@ -97,7 +97,7 @@ class Output(Limits):
 
     def assert_ends_quietly(self, *arguments, **options):
         process = start(*arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
-        thread = feed(process, repeated(json_value(scene(speed=1)).encode() + b"\n", 1 << 40)) \
+        thread = feed(process, repeated(json_value(quiet_scene(speed=1)).encode() + b"\n", 1 << 40)) \
             if process.stdin else None
         process.stdout.readline()
         process.stdout.close()
@@ -115,7 +115,7 @@ class Output(Limits):
         self.assert_ends_quietly("stream", stdin=subprocess.PIPE)
 
     def test_a_full_disk(self):
-        path = self.folder.write("rough.toml", scene())
+        path = self.folder.write("rough.toml", quiet_scene())
         for arguments in [["solve", path], ["curve", path], ["onset", path], ["stream"], ["--help"],
                           ["solve", "--version"]]:
             with self.subTest(arguments=arguments), open("/dev/full", "w") as full:
@@ -129,7 +129,7 @@ class Output(Limits):
     def test_a_disk_that_is_full_in_the_middle_of_the_results(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
-        path = self.folder.write("rough.toml", scene())
+        path = self.folder.write("rough.toml", quiet_scene())
         for style in ["table", "csv", "json"]:
             with self.subTest(style), open(self.folder.path("out"), "wb") as out:
                 process = start("solve", path, "--format", style, stdout=out, stderr=subprocess.PIPE,
@@ -147,7 +147,7 @@ class Output(Limits):
         self.assertEqual((process.returncode, out), (2, b""))
 
     def test_no_colour_and_no_progress_but_on_a_terminal(self):
-        result = run("solve", self.folder.write("rough.toml", scene()))
+        result = run("solve", self.folder.write("rough.toml", quiet_scene()))
         self.assertNotIn("\x1b", result.out + result.err)
 
 

@@ -26,8 +26,8 @@ for line in sys.stdin:
 
 
 def questions(sample):
-    """So many of each function, and of the operating points."""
-    return sample * (len(run("functions").out.splitlines()) + 1)
+    """So many of each function, and of the four kinds of operating points."""
+    return sample * (len(run("functions").out.splitlines()) + 4)
 
 
 class Trips(unittest.TestCase):
@@ -246,9 +246,9 @@ class Evidence(Trips):
         self.assertRegex(result.out, "hertz_point.radius: expected .* m, give or take ")
 
     def test_a_case_that_is_not_there_is_bad_input(self):
-        result = run("verify", "--show", "x0000")
+        result = run("verify", "--show", "z0000")
         self.assertEqual((result.code, result.out), (2, ""))
-        self.assertIn("--show: no case is called x0000; --save-cases - lists all", result.err)
+        self.assertIn("--show: no case is called z0000; --save-cases - lists all", result.err)
 
     def test_the_cases_are_saved_as_lines_for_any_program(self):
         path = self.folder.path("cases.jsonl")

@@ -32,7 +32,7 @@ GOOD = {
         "summit_density": 5e10,
         "summit_radius": 1e-5,
         "summit_height_sd": 1e-7,
-        "summit_plane_offset": 1.146,
+        "summit_plane_offset": 0.919,
     },
     "bodies": {"effective_modulus": 107.9e9, "reduced_radius": 9.5e-3},
     "lubricant": {"viscosity": 0.0202, "pressure_viscosity": 2e-8, "eyring_stress": 2.5e6},

@@ -356,7 +356,8 @@ class Estimates(SweepTest):
 
 class Progress(SweepTest):
     # Some seconds: the friction minimum is searched for.
-    TEXT = sweep({"load": '{ printed = "50" }', "speed": "{ from = 1e-3, to = 1 }"},
+    TEXT = sweep({"load": '{ printed = "50" }', "speed": "{ from = 1e-3, to = 1 }",
+                  "surface.summit_plane_offset": "0.919"},
                  onset='["friction_minimum"]', draws=25000)
 
     def said_to(self, stderr):

@@ -101,12 +101,12 @@ Mistake with_fields(const MistakeEntry& entry) {
     touches.push_back(path);
   }
   return changed(entry.name, entry.text, std::move(touches), [changes](Question& question) {
-    for (const FieldChange& one : changes)
-      one.field.store(
-          *question.scene,
-          one.is ? *one.is
-                 : one.change.of(number_of(*one.field.info,
-                                           written_at(question.asked->inputs, *one.field.info))));
+    for (const FieldChange& one : changes) {
+      const json written = written_at(question.asked->inputs, *one.field.info);
+      if (written.is_discarded()) continue;  // neither given nor with a default: of another shape
+      one.field.store(*question.scene,
+                      one.is ? *one.is : one.change.of(number_of(*one.field.info, written)));
+    }
   });
 }
 

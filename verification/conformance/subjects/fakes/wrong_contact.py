@@ -65,7 +65,7 @@ def sharing_share_exponent_one(right, model):
 
 
 @replaces(solver, "load_sharing", SHARING, "no load sharing: the film is that of smooth faces")
-def sharing_none(right, model, flooded, K, delta):
+def sharing_none(right, model, flooded, K, delta, exponent=None):
     return flooded
 
 
@@ -80,19 +80,19 @@ def mean_pressure(scene, radius):
     return solver.hertz_point(scene["load"], scene["bodies.effective_modulus"], radius)["mean_pressure"]
 
 
-@replaces(point, "smooth_contact", "operating_point_of_ellipse", "the circle of R_x for the ellipse")
+@replaces(point, "smooth_contact", POINT, "the circle of R_x for the ellipse")
 def point_ellipse_as_circle(right, scene):
     radius, ellipticity, mean = right(scene)
     return radius, ellipticity, mean if scene["bodies.radius_y"] is None else mean_pressure(scene, radius)
 
 
-@replaces(point, "smooth_contact", "operating_point_of_ellipse", "k = 1 in the film formula of an ellipse")
+@replaces(point, "smooth_contact", POINT, "k = 1 in the film formula of an ellipse")
 def point_film_of_circle(right, scene):
     radius, ellipticity, mean = right(scene)
     return radius, ellipticity if scene["bodies.radius_y"] is None else 1.0, mean
 
 
-@replaces(point, "smooth_contact", "operating_point_of_ellipse", "R_x and R_y exchanged")
+@replaces(point, "smooth_contact", POINT, "R_x and R_y exchanged")
 def point_ellipse_exchanged(right, scene):
     across = scene["bodies.radius_y"]
     if across is not None:
@@ -100,7 +100,7 @@ def point_ellipse_exchanged(right, scene):
     return right(scene)
 
 
-@replaces(point, "smooth_contact", "operating_point_of_line", "the half-width of a line sqrt(2) too large")
+@replaces(point, "smooth_contact", POINT, "the half-width of a line sqrt(2) too large")
 def point_line_too_wide(right, scene):
     radius, ellipticity, mean = right(scene)
     return radius, ellipticity, mean if scene["bodies.length"] is None else mean / 2 ** 0.5
