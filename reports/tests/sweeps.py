@@ -8,7 +8,7 @@ from program import ENVIRONMENT, Folder, run
 
 ONE_LINE = {"load": "50", "bodies.effective_modulus": "107.9e9", "bodies.reduced_radius": "9.5e-3",
             "surface.summit_density": "2e11", "surface.summit_radius": "1e-5",
-            "surface.summit_height_sd": "2.5e-8", "surface.summit_plane_offset": "1.146",
+            "surface.summit_height_sd": "2.5e-8", "surface.summit_plane_offset": "0.919",
             "lubricant.viscosity": "0.0202", "lubricant.pressure_viscosity": "2e-8",
             "lubricant.eyring_stress": "2.5e6", "supply.inlet_film_ratio": "4",
             "friction.boundary_coefficient": "0.13"}

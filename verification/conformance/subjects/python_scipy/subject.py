@@ -84,6 +84,8 @@ def operating_point(line):
     load, speed = line["load"], line["speed"]
     surface, bodies, oil = line["surface"], line["bodies"], line["lubricant"]
     closures, supply = line.get("closures", {}), line.get("supply")
+    if "reduced_radius" not in bodies or "film" in closures:
+        raise Skip("circles with the usual film law alone")
     asperity = closures.get("asperity", TRIPP)
     sd, beta, density = (surface[f"summit_{name}"] for name in ("height_sd", "radius", "density"))
     E, R = bodies["effective_modulus"], bodies["reduced_radius"]
