@@ -62,12 +62,12 @@ TEST(AstmD341, GoesThroughBothPointsInAnyOrder) {
     const auto is_same = [](const Reference& a, const Reference& b) {
       return abs(a / b - 1) < Reference("1e-40");
     };
-    EXPECT_TRUE(is_same(astm_d341_viscosity(t1, thick, t2, thin, t1), thick));
-    EXPECT_TRUE(is_same(astm_d341_viscosity(t1, thick, t2, thin, t2), thin));
+    EXPECT_EQ(is_same(astm_d341_viscosity(t1, thick, t2, thin, t1), thick), true);
+    EXPECT_EQ(is_same(astm_d341_viscosity(t1, thick, t2, thin, t2), thin), true);
     const Reference between = astm_d341_viscosity(t1, thick, t2, thin, t);
-    EXPECT_TRUE(is_same(astm_d341_viscosity(t2, thin, t1, thick, t), between));
+    EXPECT_EQ(is_same(astm_d341_viscosity(t2, thin, t1, thick, t), between), true);
     // A third point of the line draws the same line.
-    EXPECT_TRUE(t == t1 || is_same(astm_d341_viscosity(t1, thick, t, between, t2), thin));
+    EXPECT_EQ(t == t1 || is_same(astm_d341_viscosity(t1, thick, t, between, t2), thin), true);
   }
 }
 
