@@ -21,7 +21,9 @@ constexpr std::size_t cases_in_hand = 256;
 
 using Numbers = std::array<double, sizeof(detail::SceneNumbers<double>) / sizeof(double)>;
 
-Numbers numbers_of(const Scene& scene) { return std::bit_cast<Numbers>(detail::numbers_of<double>(scene)); }
+Numbers numbers_of(const Scene& scene) {
+  return std::bit_cast<Numbers>(detail::numbers_of<double>(scene));
+}
 
 // The place, among a contact's numbers, of the number that a variable sets, found by trying two
 // values of the variable. Nothing where the variable changes anything else.

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
