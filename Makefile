@@ -85,7 +85,7 @@ faults: ## plant every fault of verification/gates/faults, see it caught; an hou
 	@.ci/deps build test
 	verification/gates/faults/plant.py $(if $(OLDEST),--oldest $(OLDEST)) --out reference/baselines/planted_faults.json
 
-diagnosis: build ## put every fake, alone and together, to verify --subject: writes reference/baselines/diagnosis.json; a minute
+diagnosis: build ## put every fake, alone and together, to verify --subject: writes reference/baselines/diagnosis.json; two or three minutes
 	@.ci/deps build test
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target tribocheck diagnosis_test
@@ -170,7 +170,7 @@ references-check: ## make SAMPLE rows of each table again (default 8), and compa
 	cmake --build --preset release --target generate_references
 	build/release/reference/generators/generate_references reference/exact --sample $(SAMPLE) --seed 1
 
-pieces: ## make the polynomials of the moment kernels anew, with their proven error; a minute
+pieces: ## make the polynomials of the moment kernels anew, with their proven error; two or three minutes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_moment_pieces

@@ -263,8 +263,8 @@ class SweepBinder {
           all_good = false;
           break;
         }
-    for (const auto& fields : fields_of_rules)
-      if (all_good) check_together(fields);
+    for (const auto& together : fields_of_rules)
+      if (all_good) check_together(together);
   }
 
   // If these values are legal, so are all others of the variable: legal numbers have no gaps but
@@ -295,11 +295,11 @@ class SweepBinder {
 
   // Fields that a rule of the scene reader looks at together, as far as they vary: all values to
   // check of each with all of the others.
-  void check_together(std::span<const std::string_view> fields) {
+  void check_together(std::span<const std::string_view> paths) {
     std::vector<std::vector<Setting>> sets{{}};
     std::size_t count = 0;
     for (const VariedEntry& varied : varied_) {
-      if (std::find(fields.begin(), fields.end(), varied.variable.path) == fields.end()) continue;
+      if (std::find(paths.begin(), paths.end(), varied.variable.path) == paths.end()) continue;
       ++count;
       std::vector<std::vector<Setting>> longer;
       for (const std::vector<Setting>& set : sets)
