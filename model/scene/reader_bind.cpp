@@ -48,7 +48,7 @@ class SceneBinder {
 
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
-    for (const FieldGroup& group : scene_field_groups()) check_group(group);
+    for (const FieldGroup group : scene_field_groups()) check_group(group);
     for (std::size_t field = 0; field < field_count; ++field) take(field);
     check_supply();
     check_outputs();
@@ -334,12 +334,12 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   // One set of the group is given, whole, and nothing of the others.
-  void check_group(const FieldGroup& group) {
+  void check_group(FieldGroup group) {
     for (std::size_t field = 0; field < field_count; ++field)
       if (explained_[field] && is_of(group, scene_fields()[field].path)) return;
     std::vector<std::string_view> given;
     std::vector<const FieldSet*> fitting;  // those that have all fields that are given
-    for (const FieldSet& set : group.sets) fitting.push_back(&set);
+    for (const FieldSet& set : group) fitting.push_back(&set);
     for (std::size_t field = 0; field < field_count; ++field) {
       const std::string_view path = scene_fields()[field].path;
       if (given_[field] == nullptr || !is_of(group, path)) continue;
@@ -354,7 +354,7 @@ class SceneBinder {
     const FieldSet& chosen = whole == fitting.end() ? *fitting.front() : **whole;
     for (const std::string_view path : chosen.fields)
       if (!is_given(path)) report_missing_of(group, path, given);
-    for (const FieldSet& set : group.sets)
+    for (const FieldSet& set : group)
       for (const std::string_view path : set.optional)
         if (is_given(path) && !given.empty() && !contains(chosen.optional, path))
           problems_.error(path, "given beside " + std::string(given.front()) +
@@ -364,21 +364,21 @@ class SceneBinder {
   static bool contains(std::span<const std::string_view> names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
-  static bool is_of(const FieldGroup& group, std::string_view path) {
-    return std::any_of(group.sets.begin(), group.sets.end(),
+  static bool is_of(FieldGroup group, std::string_view path) {
+    return std::any_of(group.begin(), group.end(),
                        [&](const FieldSet& set) { return contains(set.fields, path); });
   }
 
-  void refuse_beside(const FieldGroup& group, std::string_view path,
+  void refuse_beside(FieldGroup group, std::string_view path,
                      const std::vector<std::string_view>& given) {
     problems_.error(
         path, "given beside " + std::string(given.front()) + "; allowed: " + sets_text(group));
   }
 
-  void report_missing_of(const FieldGroup& group, std::string_view path,
+  void report_missing_of(FieldGroup group, std::string_view path,
                          const std::vector<std::string_view>& given) {
     const std::size_t field = field_at(path);
-    if (given.empty() && group.sets.front().fields.size() > 1) return report_missing(field, "");
+    if (given.empty() && group.front().fields.size() > 1) return report_missing(field, "");
     if (given.empty())
       return problems_.error(path, "missing; allowed: " + allowed_text(scene_fields()[field]) +
                                        "; or, in its place, " + sets_text(group, 1));

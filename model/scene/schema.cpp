@@ -335,9 +335,7 @@ constexpr std::array beside_summits{Words("surface.summit_plane_offset")};
 constexpr std::array of_profile{Words("surface.m0"), Words("surface.m2"), Words("surface.m4")};
 constexpr std::array summits{FieldSet{of_summits, beside_summits}, FieldSet{of_profile, {}}};
 
-constexpr std::array groups{FieldGroup{"the summits of the surfaces", summits},
-                            FieldGroup{"the elasticity of the bodies", elasticity},
-                            FieldGroup{"the shape of the contact", shapes}};
+constexpr std::array groups{FieldGroup(summits), FieldGroup(elasticity), FieldGroup(shapes)};
 
 constexpr std::array<FieldInfo, field_count> infos = [] {
   std::array<FieldInfo, field_count> result;
@@ -436,12 +434,12 @@ std::string joined(std::span<const std::string_view> words, std::string_view las
   return result;
 }
 
-std::string sets_text(const FieldGroup& group, std::size_t first) {
+std::string sets_text(FieldGroup group, std::size_t first) {
   std::string text;
-  for (std::size_t i = first; i < group.sets.size(); ++i) {
+  for (std::size_t i = first; i < group.size(); ++i) {
     if (i > first) text += ", or ";
     std::vector<std::string_view> names;
-    for (const std::string_view path : group.sets[i].fields) names.push_back(last_part(path));
+    for (const std::string_view path : group[i].fields) names.push_back(last_part(path));
     text += joined(names, " and ");
   }
   return text;

@@ -37,7 +37,7 @@ std::string_view nearest_name(std::string_view path, bool sections, bool fields)
 std::string_view nearest_choice(std::string_view word, std::span<const std::string_view> choices);
 
 // "reduced_radius, or radius_x and radius_y …": the sets of a group, from number `first` on.
-std::string sets_text(const FieldGroup& group, std::size_t first = 0);
+std::string sets_text(FieldGroup group, std::size_t first = 0);
 // "a, b or c"
 std::string joined(std::span<const std::string_view> words, std::string_view last_link);
 // "a number above 0, in m"

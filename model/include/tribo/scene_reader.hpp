@@ -46,10 +46,7 @@ struct FieldSet {
   std::span<const std::string_view> fields;    // dotted paths
   std::span<const std::string_view> optional;  // legal beside them alone
 };
-struct FieldGroup {
-  std::string_view what;  // "the shape of the contact"
-  std::span<const FieldSet> sets;
-};
+using FieldGroup = std::span<const FieldSet>;
 std::span<const FieldGroup> scene_field_groups();
 
 // One thing wrong (or odd) with an input. `line()` is what a person reads. All texts are valid

@@ -106,14 +106,14 @@ std::string section_of(std::string_view path) {
 std::string name_of(std::string_view path) { return std::string(path.substr(path.find('.') + 1)); }
 
 // Exactly one of the group's sets is there, whole, and no field of the others.
-Json group_rule(const FieldGroup& group) {
+Json group_rule(FieldGroup group) {
   Json sets = Json::array();
-  for (const FieldSet& set : group.sets) {
+  for (const FieldSet& set : group) {
     Json required = Json::array(), barred = Json::array();
     std::vector<std::string_view> legal(set.fields.begin(), set.fields.end());
     legal.insert(legal.end(), set.optional.begin(), set.optional.end());
     for (const std::string_view path : set.fields) required.push_back(name_of(path));
-    for (const FieldSet& other : group.sets)
+    for (const FieldSet& other : group)
       for (const auto& paths : {other.fields, other.optional})
         for (const std::string_view path : paths) {
           const Json one = Json::object({{"required", Json::array({name_of(path)})}});
@@ -142,8 +142,8 @@ Json table_of(const std::string& section) {
     table["maxProperties"] = 1;
   }
   table["properties"] = properties;
-  for (const FieldGroup& group : scene_field_groups())
-    if (section_of(group.sets.front().fields.front()) == section)
+  for (const FieldGroup group : scene_field_groups())
+    if (section_of(group.front().fields.front()) == section)
       table["allOf"].push_back(group_rule(group));
   return table;
 }
@@ -199,9 +199,9 @@ Json schema_of_table() {
     const bool in_table = dot != std::string_view::npos;
     if (!properties.contains(name)) properties[name] = in_table ? table_of(name) : schema_of(field);
     const bool listed = std::find(required.begin(), required.end(), name) != required.end();
-    const bool has_group = std::any_of(
-        scene_field_groups().begin(), scene_field_groups().end(),
-        [&](const FieldGroup& group) { return group.sets.front().fields.front() == field.path; });
+    const bool has_group =
+        std::any_of(scene_field_groups().begin(), scene_field_groups().end(),
+                    [&](FieldGroup group) { return group.front().fields.front() == field.path; });
     if ((field.required || has_group) && !listed && name != "speed") required.push_back(name);
   }
   Json rules = Json::array({roelands_rule(), film_rule()});

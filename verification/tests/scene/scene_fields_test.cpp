@@ -47,8 +47,8 @@ TEST(SceneFields, GoodValueOfEachIsAccepted) {
 }
 
 bool is_of_a_set(std::string_view path) {
-  for (const FieldGroup& group : scene_field_groups())
-    for (const FieldSet& set : group.sets)
+  for (const FieldGroup group : scene_field_groups())
+    for (const FieldSet& set : group)
       if (std::find(set.fields.begin(), set.fields.end(), path) != set.fields.end()) return true;
   return false;
 }

@@ -41,19 +41,19 @@ class SceneText {
       text.remove("speed");
       text.set("speed.from", "1e-4").set("speed.to", "3");
     }
-    for (const FieldGroup& group : scene_field_groups()) text.take_set_with(group, field.path);
+    for (const FieldGroup group : scene_field_groups()) text.take_set_with(group, field.path);
     if (field.path == "bodies.length") text.set("closures.film", "\"dowson_toyoda_central\"");
     return text.set(field.path, good_value(field));
   }
 
   // The fields of the group's first set that has this field, in place of the others.
-  void take_set_with(const FieldGroup& group, std::string_view path) {
+  void take_set_with(FieldGroup group, std::string_view path) {
     const auto has = [&](const FieldSet& set) {
       return std::find(set.fields.begin(), set.fields.end(), path) != set.fields.end();
     };
-    const auto found = std::find_if(group.sets.begin(), group.sets.end(), has);
-    if (found == group.sets.end() || found == group.sets.begin()) return;
-    for (const FieldSet& set : group.sets)
+    const auto found = std::find_if(group.begin(), group.end(), has);
+    if (found == group.end() || found == group.begin()) return;
+    for (const FieldSet& set : group)
       for (const auto& others : {set.fields, set.optional})
         for (const std::string_view other : others) remove(other);
     for (const std::string_view one : found->fields) set(one, "0.3");
