@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is read off a solved film.
+#pragma once
+
+#include "ehl/line_film.hpp"
+
+namespace tribo::ehl {
+
+// All without units: H, P and X of line_contact.hpp.
+struct FilmFeatures {
+  double central = 0;               // H at X = 0
+  double minimum = 0;               // the least H, between nodes too
+  double at_greatest_pressure = 0;  // H where P is greatest
+  double greatest_pressure = 0;     // P there
+  bool has_spike = false;           // a second maximum of P, downstream of a minimum
+  double spike_pressure = 0;        // P at its top
+  double spike_place = 0;           // X of its top
+};
+
+FilmFeatures features_of(const LineContact& contact, const LineFilm& film);
+
+}  // namespace tribo::ehl

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The film at every node from the pressure at every node: H = K P, and what is kept of K. Blocks of
+// K between neighbouring halves of the nodes have few independent rows, because ln|x − t| is smooth
+// there, and are kept as products of two thin matrices. So N nodes take N log N numbers, and as
+// many operations, instead of N².
+#pragma once
+
+#include <Eigen/Dense>
+#include <span>
+#include <vector>
+
+namespace tribo::ehl {
+
+// Of a block: left · rightᵀ.
+struct ThinProduct {
+  Eigen::MatrixXd left, right;
+};
+
+// The nodes from begin to end. A leaf keeps its block of K; the others keep the two blocks between
+// their halves.
+struct KernelPart {
+  int begin = 0, end = 0, middle = 0;  // middle: where the second half begins; 0: a leaf
+  int first = -1, second = -1;         // the halves, as places in the tree
+  // A leaf's block, with the rows of the two nodes before it and of one after it, which its flows
+  // need.
+  Eigen::MatrixXd dense;
+  ThinProduct upper,
+      lower;  // rows of the first half, columns of the second; and the other way round
+  // Of the nodes begin − 2, begin − 1 and middle: the columns of the second half; of middle − 2,
+  // middle − 1 and end: the columns of the first. Zeros for nodes that are not there.
+  Eigen::MatrixXd upper_rows, lower_rows;
+};
+
+class FilmKernel {
+ public:
+  // Of pressure that is linear between the nodes x and 0 at the first and the last. Entries of K
+  // are met to 1e-12 of the block's greatest.
+  explicit FilmKernel(std::span<const double> x);
+
+  // K P: the film that the pressure adds. pressure.size() is that of x.
+  Eigen::VectorXd operator*(const Eigen::VectorXd& pressure) const;
+
+  double entry(int row, int column) const;
+  int size() const { return static_cast<int>(x_.size()); }
+  int root() const { return 0; }
+  std::size_t part_count() const { return parts_.size(); }
+  const KernelPart& part(int index) const { return parts_[static_cast<std::size_t>(index)]; }
+  std::size_t bytes() const;
+
+ private:
+  int add_part(int begin, int end);
+  Eigen::MatrixXd rows(int row, int row_end, int column, int column_end) const;
+  ThinProduct thin_product(int row, int row_end, int column, int column_end) const;
+  void add_product(int index, const Eigen::VectorXd& pressure, Eigen::VectorXd& film) const;
+
+  std::vector<double> x_;
+  std::vector<KernelPart> parts_;
+};
+
+}  // namespace tribo::ehl

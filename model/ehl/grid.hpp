@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes across the contact, dense where the pressure bends: at the inlet, at the outlet's
+// constriction and at the spike. A grid of 2N cells has all nodes of that of N, so that what
+// differs between their films is the error of the discretisation.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ehl/line_contact.hpp"
+
+namespace tribo::ehl {
+
+using Numbers = std::vector<double>;
+
+// Where nodes go: their density over X, of which a share below each place is kept.
+class NodeDensity {
+ public:
+  // density[i] > 0 holds between place[i] and place[i + 1]; places rise.
+  NodeDensity(Numbers place, std::span<const double> density);
+
+  // cells + 1 nodes, the first and the last at the ends of the domain.
+  Numbers nodes(int cells) const;
+
+ private:
+  Numbers place_, share_;
+};
+
+// What the lengths of a contact follow from before it is solved.
+struct Scales {
+  double edge;        // the width of the inlet and of the constriction, in X
+  double inlet_end;   // where the liquid's pressure starts, far from the contact: below −1
+  double outlet_end;  // behind the end of the film
+};
+// A film number of the right size: the greatest of the four limits that Moes' formula joins.
+double expected_film(const LineContact& contact);
+// `inlet_factor` makes the inlet longer; its effect on the film falls with the third power of it.
+Scales scales_of(const LineContact& contact, double inlet_factor = 1);
+// A density for a contact that has not been solved.
+NodeDensity first_density(const Scales& scales);
+
+// A density after a solved film: by the root of the pressure's curvature, which is what a linear
+// pressure between nodes is wrong by, by the film's slope and by the distance. At most `at_edge` of
+// all nodes fall into the width of the outlet's constriction, so that a sharp spike does not draw
+// all of them.
+NodeDensity density_of(std::span<const double> x, std::span<const double> pressure,
+                       std::span<const double> film, double at_edge);
+
+// The values at other places, by cubics through four neighbours; between a value of 0 and its
+// neighbour within these two, so that nothing of pressure falls below 0.
+Numbers interpolated(std::span<const double> x, std::span<const double> values,
+                     std::span<const double> to);
+
+}  // namespace tribo::ehl

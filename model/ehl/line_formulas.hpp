@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The films that printed formulas give for a line contact, as film numbers of M and L
+// (moes_line.hpp), and which number of the solved film each stands for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "ehl/solved_film.hpp"
+#include "tribo/film_laws.hpp"
+
+namespace tribo::ehl {
+
+enum class FilmQuantity : std::uint8_t { central, minimum, at_greatest_pressure };
+
+struct LineFormula {
+  std::string_view name;  // as in scenes and in the catalogue of functions
+  std::string_view authors;
+  FilmQuantity quantity;
+  const FilmLaw* law;    // none: Moes' formula
+  bool is_compressible;  // whether the films that it was fitted to were of a compressible liquid
+};
+
+inline constexpr std::array<LineFormula, 6> line_formulas{{
+    {"moes_line", "Moes", FilmQuantity::at_greatest_pressure, nullptr, false},
+    {"ertel_grubin", "Ertel and Grubin", FilmQuantity::at_greatest_pressure, &ertel_grubin_law,
+     false},
+    {"dowson_higginson_minimum", "Dowson and Higginson", FilmQuantity::minimum,
+     &dowson_higginson_minimum_law, false},
+    {"dowson_toyoda_central", "Dowson and Toyoda", FilmQuantity::central,
+     &dowson_toyoda_central_law, true},
+    {"pan_hamrock_minimum", "Pan and Hamrock", FilmQuantity::minimum, &pan_hamrock_minimum_law,
+     true},
+    {"pan_hamrock_central", "Pan and Hamrock", FilmQuantity::central, &pan_hamrock_central_law,
+     true},
+}};
+
+// (h/R)(2U)^{−1/2} by a formula, at M > 0, L > 0 and the speed number U = η₀u/(2E*R): Pan and
+// Hamrock's exponents leave −0.012 and −0.0085 of it; of the others it is of no matter.
+double film_number(const LineFormula& formula, double load_number, double material_number,
+                   double speed_number);
+
+// The number of a solved film that a formula stands for: H of film_features.hpp.
+const Estimate& compared_film(const LineFormula& formula, const SolvedFilm& solved);
+
+}  // namespace tribo::ehl
