@@ -72,6 +72,7 @@ struct SceneSweep {
   OutputSet outputs;                     // of operating points; empty: none
   std::vector<OnsetCriterion> criteria;  // of onsets; empty: none
   double departure = default_departure;  // ε of film_departure
+  bool solves_film = false;              // of lines: the film of the Reynolds equation
   std::vector<Column> columns;           // what these come to, in the order of the result
 
   std::uint64_t grid_cells = 1;  // sets of grid values
