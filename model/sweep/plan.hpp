@@ -80,6 +80,7 @@ struct SceneSweep {
   std::uint64_t chunk_groups = 1;
   std::uint64_t chunks = 1;
 
+  bool asks_at_speeds() const { return !outputs.empty() || solves_film; }  // not for onsets alone
   std::size_t drawn() const;  // variables that are drawn; they are the last ones
   std::size_t cases_kept_per_group() const { return sensitivity ? 2 : 1; }
   std::size_t cases_per_group() const { return sensitivity ? 2 + drawn() : 1; }

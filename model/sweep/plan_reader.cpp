@@ -499,8 +499,7 @@ class SweepBinder {
     double points = static_cast<double>(sweep_.draws * sweep_.cases_per_group());
     for (const Variable& variable : sweep_.variables)
       if (!variable.is_drawn()) points *= static_cast<double>(variable.grid.size());
-    if (!sweep_.outputs.empty() || sweep_.solves_film)
-      points *= static_cast<double>(sweep_.scene.speeds.size());
+    if (sweep_.asks_at_speeds()) points *= static_cast<double>(sweep_.scene.speeds.size());
     if (points <= static_cast<double>(most_cases)) return;
     error("sweep",
           "comes to " + scene_detail::number_text(points) + " points; allowed: up to 1e12");
