@@ -3,7 +3,6 @@
 // within the errors that both state.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <openssl/sha.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "ehl/solved_film.hpp"
+#include "generators/checksum.hpp"
 #include "generators/sampler.hpp"
 
 namespace {
@@ -103,14 +103,6 @@ std::vector<std::string> rows_of(const std::vector<Contact>& which) {
   return rows;
 }
 
-std::string sha256(const std::string& text) {
-  unsigned char digest[SHA256_DIGEST_LENGTH];
-  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest);
-  std::string result;
-  for (const unsigned char byte : digest) result += fmt::format("{:02x}", byte);
-  return result;
-}
-
 int make_table(const std::filesystem::path& file) {
   std::string rows;
   for (const std::string& line : rows_of(contacts())) rows += line + "\n";
@@ -131,7 +123,7 @@ int make_table(const std::filesystem::path& file) {
       "cells\n"
       "# error: what Richardson's value changed by, and what a longer inlet would change\n"
       "# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
-      fmt::gmtime(std::time(nullptr)), sha256(rows));
+      fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
   const std::filesystem::path temporary = file.string() + ".part";
   std::ofstream(temporary) << header << columns << rows;
   std::filesystem::rename(temporary, file);
