@@ -3,7 +3,6 @@
 // of the schema takes its value, then come the rules that look at several fields.
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -26,7 +25,7 @@ bool is_whole(double number) { return std::trunc(number) == number; }
 struct NamedFields {
   std::size_t speed = field_at("speed"), speed_from = field_at("speed.from");
   std::size_t speed_to = field_at("speed.to"), outputs = field_at("outputs");
-  std::bitset<field_count> of_speed, of_supply;  // those of the tables of these names
+  FieldPlaces of_speed, of_supply;  // those of the tables of these names
 
   NamedFields() {
     for (std::size_t field = 0; field < field_count; ++field) {
@@ -48,7 +47,7 @@ class SceneBinder {
 
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
-    for (const FieldGroup group : scene_field_groups()) check_group(group);
+    for (const GroupPlaces& group : group_places()) check_group(group);
     for (std::size_t field = 0; field < field_count; ++field) take(field);
     check_supply();
     check_outputs();
@@ -89,6 +88,7 @@ class SceneBinder {
   void place_field(const Entry& entry, std::size_t field) {
     if (given_[field] != nullptr) return problems_.error(entry.path, "given twice");
     given_[field] = &entry;
+    is_given_.set(field);
   }
 
   void refuse_section(const Entry& entry) {
@@ -334,56 +334,59 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   // One set of the group is given, whole, and nothing of the others.
-  void check_group(FieldGroup group) {
-    for (std::size_t field = 0; field < field_count; ++field)
-      if (explained_[field] && is_of(group, scene_fields()[field].path)) return;
-    std::vector<std::string_view> given;
-    std::vector<const FieldSet*> fitting;  // those that have all fields that are given
-    for (const FieldSet& set : group) fitting.push_back(&set);
+  void check_group(const GroupPlaces& group) {
+    const FieldPlaces given = is_given_ & group.fields, beside = is_given_ & group.optional;
+    for (const SetPlaces& set : group.sets)
+      if (given == set.fields && (beside & ~set.optional).none()) return;
+    if ((explained_ & group.fields).none()) refuse_group(group, given);
+  }
+
+  void refuse_group(const GroupPlaces& group, const FieldPlaces& given) {
+    FieldPlaces so_far;
+    std::string_view first;
     for (std::size_t field = 0; field < field_count; ++field) {
+      if (!given[field]) continue;
       const std::string_view path = scene_fields()[field].path;
-      if (given_[field] == nullptr || !is_of(group, path)) continue;
-      const auto lacks = [&](const FieldSet* set) { return !contains(set->fields, path); };
-      if (std::all_of(fitting.begin(), fitting.end(), lacks))
-        return refuse_beside(group, path, given);
-      std::erase_if(fitting, lacks);
-      given.push_back(path);
+      if (first.empty()) first = path;
+      if (fitting_set(group, so_far.set(field)) == nullptr)
+        return refuse_beside(path, first, sets_text(group.names));
     }
-    const auto is_whole = [&](const FieldSet* set) { return set->fields.size() == given.size(); };
-    const auto whole = std::find_if(fitting.begin(), fitting.end(), is_whole);
-    const FieldSet& chosen = whole == fitting.end() ? *fitting.front() : **whole;
+    const FieldSet& chosen = fitting_set(group, given)->names;
     for (const std::string_view path : chosen.fields)
-      if (!is_given(path)) report_missing_of(group, path, given);
-    for (const FieldSet& set : group)
-      for (const std::string_view path : set.optional)
-        if (is_given(path) && !given.empty() && !contains(chosen.optional, path))
-          problems_.error(path, "given beside " + std::string(given.front()) +
-                                    "; allowed: only beside " + std::string(set.fields.front()));
+      if (!is_given(path)) report_missing_of(group.names, path, first);
+    for (const SetPlaces& set : group.sets)
+      for (const std::string_view path : set.names.optional)
+        if (is_given(path) && !first.empty() && !contains(chosen.optional, path))
+          refuse_beside(path, first, "only beside " + std::string(set.names.fields.front()));
+  }
+
+  // The set that these are, else the first that has them all, else null.
+  static const SetPlaces* fitting_set(const GroupPlaces& group, const FieldPlaces& given) {
+    const SetPlaces* fitting = nullptr;
+    for (const SetPlaces& set : group.sets) {
+      if (set.fields == given) return &set;
+      if (fitting == nullptr && (given & ~set.fields).none()) fitting = &set;
+    }
+    return fitting;
   }
 
   static bool contains(std::span<const std::string_view> names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
-  static bool is_of(FieldGroup group, std::string_view path) {
-    return std::any_of(group.begin(), group.end(),
-                       [&](const FieldSet& set) { return contains(set.fields, path); });
+
+  void refuse_beside(std::string_view path, std::string_view first, const std::string& allowed) {
+    problems_.error(path, "given beside " + std::string(first) + "; allowed: " + allowed);
   }
 
-  void refuse_beside(FieldGroup group, std::string_view path,
-                     const std::vector<std::string_view>& given) {
-    problems_.error(
-        path, "given beside " + std::string(given.front()) + "; allowed: " + sets_text(group));
-  }
-
-  void report_missing_of(FieldGroup group, std::string_view path,
-                         const std::vector<std::string_view>& given) {
+  // `first`: the first given field of the group, empty if there is none.
+  void report_missing_of(FieldGroup group, std::string_view path, std::string_view first) {
     const std::size_t field = field_at(path);
-    if (given.empty() && group.front().fields.size() > 1) return report_missing(field, "");
-    if (given.empty())
+    if (first.empty() && group.front().fields.size() > 1) return report_missing(field, "");
+    if (first.empty())
       return problems_.error(path, "missing; allowed: " + allowed_text(scene_fields()[field]) +
                                        "; or, in its place, " + sets_text(group, 1));
-    problems_.error(
-        path, "missing beside " + std::string(given.front()) + "; allowed: " + sets_text(group));
+    problems_.error(path,
+                    "missing beside " + std::string(first) + "; allowed: " + sets_text(group));
   }
 
   // Two faces that meet at a point, or along a line.
@@ -466,11 +469,10 @@ class SceneBinder {
     for (std::size_t field = 0; field < field_count; ++field) {
       if (given_[field] == nullptr || !named().of_supply[field]) continue;
       const std::string_view path = scene_fields()[field].path;
-      if (!first.empty())
-        problems_.error(path, "given beside " + std::string(first) + "; allowed: exactly one of " +
-                                  names_in("supply"));
-      else
+      if (first.empty())
         first = path;
+      else
+        refuse_beside(path, first, "exactly one of " + names_in("supply"));
     }
     if (first.empty() && has_section("supply") && !supply_explained_)
       problems_.error("supply", "empty; allowed: exactly one of " + names_in("supply") +
@@ -563,7 +565,8 @@ class SceneBinder {
   SceneReading& reading_;
   Scene scene_;
   std::array<const Entry*, field_count> given_{};
-  std::bitset<field_count> explained_;  // an error already says why the field is not there
+  FieldPlaces is_given_;   // whether there is one
+  FieldPlaces explained_;  // an error already says why the field is not there
   bool supply_explained_ = false;
   std::array<std::string_view, section_count> sections_;  // the tables that were given
   std::size_t section_count_ = 0;
