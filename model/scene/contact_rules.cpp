@@ -59,10 +59,12 @@ void check_profile(const Scene& scene, Problems& problems) {
   const auto& [m0, m2, m4] = scene.surface.moments;
   const Summits<double> summits = summits_from_spectral_moments(m0, m2, m4);
   if (!(summits.bandwidth > 0))
-    problems.error("surface.m4", number_text(m4) + " is not allowed: m0 · m4/m2² = " +
-                                     rounded_text(m0 / m2 * (m4 / m2)) +
-                                     "; allowed: a number that makes it above 0.8968, and 1.5 "
-                                     "or more of an isotropic Gaussian face");
+    problems.error(
+        "surface.m4",
+        number_text(m4) + " is not allowed: m0 · m4/m2² = " + rounded_text(m0 / m2 * (m4 / m2)) +
+            "; allowed: a number that makes it above " +
+            number_text(ratio<double>(bandwidth_without_summits)) + ", and " +
+            number_text(least_isotropic_bandwidth) + " or more of an isotropic Gaussian face");
 }
 
 // Radii so far apart that the axes are beyond double.
@@ -85,21 +87,23 @@ void warn_of_summits(const Surface& surface, Problems& problems) {
                                     " is legal but implausible: usual are 0.03 to 0.05");
   if (surface.has_moments()) {
     const auto& [m0, m2, m4] = surface.moments;
-    if (const double bandwidth = m0 / m2 * (m4 / m2); bandwidth < 1.5 * (1 - 1e-9))
-      problems.warning("surface", "m0 · m4/m2² = " + rounded_text(bandwidth) +
-                                      " is legal but implausible: 1.5 or more of every "
-                                      "isotropic Gaussian face");
+    if (const double bandwidth = m0 / m2 * (m4 / m2);
+        bandwidth < least_isotropic_bandwidth * (1 - 1e-9))
+      problems.warning("surface",
+                       "m0 · m4/m2² = " + rounded_text(bandwidth) +
+                           " is legal but implausible: " + number_text(least_isotropic_bandwidth) +
+                           " or more of every isotropic Gaussian face");
     return;
   }
-  // (D_d/σ_s) nβσ_s of every isotropic Gaussian face (spectral_moments.hpp).
   const double product = surface.summit_plane_offset * surface.summit_density *
                          surface.summit_radius * surface.summit_height_sd;
-  if (product > 0 && !(std::abs(product / 0.0459441 - 1) < 0.1))
+  if (product > 0 && !(std::abs(product / offset_times_roughness - 1) < 0.1))
     problems.warning("surface",
                      "summit_plane_offset · summit_density · summit_radius · summit_height_sd = " +
-                         rounded_text(product) +
-                         " is legal, but 0.0459 of every isotropic Gaussian face: give m0, m2 "
-                         "and m4 of a profile, and all four follow");
+                         rounded_text(product) + " is legal, but " +
+                         rounded_text(offset_times_roughness) +
+                         " of every isotropic Gaussian face: give m0, m2 and m4 of a profile, and "
+                         "all four follow");
 }
 
 void warn_if_large(std::string_view field, double radius, std::string_view axis, double size,
