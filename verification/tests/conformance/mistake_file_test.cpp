@@ -70,7 +70,7 @@ TEST(Mistakes, InFrictionAreSaidOfEveryShape) {
         for (const Expected& expected : asked.expected) {
           if (expected.field != "friction" || expected.is_undefined) continue;
           ASSERT_TRUE(given);
-          EXPECT_TRUE(std::isfinite(given->at(static_cast<std::size_t>(Output::friction))))
+          EXPECT_EQ(std::isfinite(given->at(static_cast<std::size_t>(Output::friction))), true)
               << asked.id;
           shapes.insert(question.scene->bodies.shape());
         }
@@ -89,7 +89,7 @@ TEST(Mistakes, InLoadSharingAreSaidOfFilmsOfItsExponentAlone) {
       [&](const Case& asked, const Question& question, const std::optional<Numbers>& given) {
         const bool is_other = film_law(question.scene->closures.film).sharing_power.value !=
                               hamrock_dowson_central_law.sharing_power.value;
-        EXPECT_FALSE(is_other && given) << asked.id;
+        EXPECT_EQ(is_other && given.has_value(), false) << asked.id;
         ++(given ? said : unsaid_of);
       });
   EXPECT_GT(said, 0U);
