@@ -491,6 +491,10 @@ TEST(SceneShapes, OddOnesAreWarnedOf) {
                        "was fitted to k from 1 to 8"));
     EXPECT_TRUE(warned(format, ellipse().set("bodies.radius_y", "5"), "bodies.radius_y",
                        "was fitted to k from 1 to 8"));
+    const SceneText soft = ellipse()
+                               .set("bodies.radius_y", "5")
+                               .set("closures.film", "\"hamrock_dowson_soft_central\"");
+    EXPECT_EQ(has_problem(read(format, soft).warnings, "bodies.radius_y", "was fitted to"), false);
     EXPECT_TRUE(warned(format, line().set("bodies.length", "1e-5"), "bodies.length",
                        "the contact is wider"));
     EXPECT_TRUE(warned(format,
