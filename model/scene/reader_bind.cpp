@@ -48,15 +48,20 @@ class SceneBinder {
 
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
-    for (const FieldGroup group : scene_field_groups()) check_group(group);
+    for (const FieldGroup group : scene_field_groups())
+      if (!is_of_line_film() || !is_of(group, "surface.summit_density") || has_section("surface"))
+        check_group(group);
     for (std::size_t field = 0; field < field_count; ++field) take(field);
     check_supply();
-    check_outputs();
+    if (!is_of_line_film()) check_outputs();
     check_speed_range();
     check_roelands();
     if (problems_.any()) return;
     check_faces();
-    check_film();
+    if (is_of_line_film())
+      check_line();
+    else
+      check_film();
     check_profile();
     check_ellipse();
     if (problems_.any()) return;
@@ -153,7 +158,7 @@ class SceneBinder {
     const FieldInfo& info = scene_fields()[field];
     bool needed = info.required;
     if (named().of_speed[field]) needed = needed && speed_is_table();
-    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset;
+    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset && !is_of_line_film();
     if (needed) report_missing(field, "");
   }
 
@@ -403,6 +408,22 @@ class SceneBinder {
     problems_.error("bodies." + one, text);
   }
 
+  bool is_of_line_film() const { return use_ == SceneUse::line_film; }
+
+  void check_line() {
+    const ContactShape shape = scene_.bodies.shape();
+    if (shape == ContactShape::line) return;
+    const bool is_circle = shape == ContactShape::circle;
+    const std::string_view radius = is_circle                               ? "reduced_radius"
+                                    : scene_.bodies.bodies[0].radius_y != 0 ? "first_radius_y"
+                                                                            : "radius_y";
+    problems_.error("bodies." + std::string(radius),
+                    std::string("this is the contact of ") +
+                        (is_circle ? "a circle" : "an ellipse") +
+                        ", and the film is solved of line contacts alone; allowed: radius_x and "
+                        "length, or first_radius_x, second_radius_x and length");
+  }
+
   // Laws of points are for points, and those of lines for lines.
   void check_film() {
     const bool is_line = scene_.bodies.shape() == ContactShape::line;
@@ -472,6 +493,8 @@ class SceneBinder {
       else
         first = path;
     }
+    if (is_of_line_film() && !first.empty())
+      problems_.warning(first, "not used: the solved film is that of a flooded inlet");
     if (first.empty() && has_section("supply") && !supply_explained_)
       problems_.error("supply", "empty; allowed: exactly one of " + names_in("supply") +
                                     " (no supply at all: fully flooded)");
@@ -491,6 +514,16 @@ class SceneBinder {
                     number_text(viscosity) +
                         " is not allowed with friction.viscosity = \"roelands\"; allowed: a number "
                         "above 6.315e-5, in Pa·s");
+  }
+
+  void warn_of_roughness() {
+    const Surface& surface = scene_.surface;
+    const double roughness =
+        surface.summit_density * surface.summit_radius * surface.summit_height_sd;
+    if (!(roughness >= 1e-3 && roughness <= 1))
+      problems_.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
+                                       rounded_text(roughness) +
+                                       " is legal but implausible: usual are 0.03 to 0.05");
   }
 
   // (D_d/σ_s) nβσ_s of every isotropic Gaussian face (spectral_moments.hpp).
@@ -515,14 +548,10 @@ class SceneBinder {
   }
 
   void warn_of_odd_pairs() {
-    const Surface& surface = scene_.surface;
-    const double roughness =
-        surface.summit_density * surface.summit_radius * surface.summit_height_sd;
-    if (!(roughness >= 1e-3 && roughness <= 1))
-      problems_.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
-                                       rounded_text(roughness) +
-                                       " is legal but implausible: usual are 0.03 to 0.05");
-    warn_of_summits();
+    if (!is_of_line_film()) {
+      warn_of_roughness();
+      warn_of_summits();
+    }
     const auto numbers = detail::numbers_of<double>(scene_);
     const ContactShape shape = scene_.bodies.shape();
     const HertzContact<double> hertz = hertz_contact(shape, numbers);
