@@ -170,7 +170,8 @@ Each number is followed by what it may be off by (±, in CSV and JSON `error`), 
 their cells show it. `deviation` is how far a formula's film is from the solved film that it stands
 for; formulas that were fitted to the films of a compressible liquid are to be compared with
 --density dowson_higginson. Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
-material; x is along the direction of entrainment, from the middle of Hertz' contact.
+material; x is along the direction of entrainment, from the middle of Hertz' contact. A profile is
+that of the finest grid; the films are extrapolated from all grids, and so are nearer to the truth.
 
 A contact takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
 200 contacts. Ctrl-C stops at the next step, and what was solved is written.

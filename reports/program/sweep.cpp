@@ -244,7 +244,7 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
     if (const std::string refusal = own_input(arguments); !refusal.empty())
       throw sweep::RunRefused(refusal);
     watch_for_stop();
-      SweepProgress progress(0);
+    SweepProgress progress(0);
     sweep::RunSettings settings = settings_of(arguments, progress, true);
     int shown = exit_done;
     settings.finished = [&] {
