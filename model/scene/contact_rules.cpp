@@ -38,6 +38,19 @@ void check_faces(const Scene& scene, Problems& problems) {
   if (first.radius_y != 0) check_pair("y", first.radius_y, second.radius_y, problems);
 }
 
+void check_line(const Bodies& bodies, Problems& problems) {
+  const ContactShape shape = bodies.shape();
+  if (shape == ContactShape::line) return;
+  const bool is_circle = shape == ContactShape::circle;
+  const std::string_view radius = is_circle                        ? "reduced_radius"
+                                  : bodies.bodies[0].radius_y != 0 ? "first_radius_y"
+                                                                   : "radius_y";
+  problems.error("bodies." + std::string(radius),
+                 std::string("this is the contact of ") + (is_circle ? "a circle" : "an ellipse") +
+                     ", and the film is solved of line contacts alone; allowed: radius_x and "
+                     "length, or first_radius_x, second_radius_x and length");
+}
+
 // Laws of points are for points, and those of lines for lines.
 void check_film(const Scene& scene, bool is_given, Problems& problems) {
   const bool is_line = scene.bodies.shape() == ContactShape::line;
@@ -128,9 +141,13 @@ void warn_of_ellipticity(const Scene& scene, const Numbers& numbers, Problems& p
 
 }  // namespace
 
-std::optional<Numbers> check_contact(const Scene& scene, bool film_is_given, Problems& problems) {
+std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film_is_given,
+                                     Problems& problems) {
   check_faces(scene, problems);
-  check_film(scene, film_is_given, problems);
+  if (use == SceneUse::line_film)
+    check_line(scene.bodies, problems);
+  else
+    check_film(scene, film_is_given, problems);
   check_profile(scene, problems);
   if (problems.any()) return std::nullopt;
   const auto numbers = detail::numbers_of<double>(scene);
@@ -139,8 +156,8 @@ std::optional<Numbers> check_contact(const Scene& scene, bool film_is_given, Pro
   return numbers;
 }
 
-void warn_of_contact(const Scene& scene, const Numbers& numbers, Problems& problems) {
-  warn_of_summits(scene.surface, problems);
+void warn_of_contact(const Scene& scene, SceneUse use, const Numbers& numbers, Problems& problems) {
+  if (use != SceneUse::line_film) warn_of_summits(scene.surface, problems);
   const ContactShape shape = scene.bodies.shape();
   const HertzContact<double> hertz = hertz_contact(shape, numbers);
   if (shape == ContactShape::circle)

@@ -11,11 +11,11 @@
 namespace tribo::scene_detail {
 
 // The numbers of the contact; nothing, and errors, where there is none.
-std::optional<detail::SceneNumbers<double>> check_contact(const Scene& scene, bool film_is_given,
-                                                          Problems& problems);
+std::optional<detail::SceneNumbers<double>> check_contact(const Scene& scene, SceneUse use,
+                                                          bool film_is_given, Problems& problems);
 
 // Of a scene that has the summits and the E* of these numbers.
-void warn_of_contact(const Scene& scene, const detail::SceneNumbers<double>& numbers,
+void warn_of_contact(const Scene& scene, SceneUse use, const detail::SceneNumbers<double>& numbers,
                      Problems& problems);
 
 }  // namespace tribo::scene_detail

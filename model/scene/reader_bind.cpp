@@ -47,17 +47,18 @@ class SceneBinder {
 
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
-    for (const GroupPlaces& group : group_places()) check_group(group);
+    for (const GroupPlaces& group : group_places())
+      if (!may_be_without(group)) check_group(group);
     for (std::size_t field = 0; field < field_count; ++field) take(field);
     check_supply();
-    check_outputs();
+    if (!is_of_line_film()) check_outputs();
     check_speed_range();
     check_roelands();
     if (problems_.any()) return;
-    const auto numbers = check_contact(scene_, is_given_[named().film], problems_);
+    const auto numbers = check_contact(scene_, use_, is_given_[named().film], problems_);
     if (!numbers) return;
     complete(*numbers);
-    warn_of_contact(scene_, *numbers, problems_);
+    warn_of_contact(scene_, use_, *numbers, problems_);
     reading_.scene = std::move(scene_);
   }
 
@@ -150,7 +151,7 @@ class SceneBinder {
     const FieldInfo& info = scene_fields()[field];
     bool needed = info.required;
     if (named().of_speed[field]) needed = needed && speed_is_table();
-    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset;
+    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset && !is_of_line_film();
     if (needed) report_missing(field, "");
   }
 
@@ -331,6 +332,13 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   // One set of the group is given, whole, and nothing of the others.
+  bool is_of_line_film() const { return use_ == SceneUse::line_film; }
+  // The film of a smooth line asks nothing of the surface.
+  bool may_be_without(const GroupPlaces& group) const {
+    return is_of_line_film() && !has_section("surface") &&
+           group.fields[field_at("surface.summit_density")];
+  }
+
   void check_group(const GroupPlaces& group) {
     const FieldPlaces given = is_given_ & group.fields, beside = is_given_ & group.optional;
     for (const SetPlaces& set : group.sets)
@@ -411,6 +419,8 @@ class SceneBinder {
       else
         refuse_beside(path, first, "exactly one of " + names_in("supply"));
     }
+    if (is_of_line_film() && !first.empty())
+      problems_.warning(first, "not used: the solved film is that of a flooded inlet");
     if (first.empty() && has_section("supply") && !supply_explained_)
       problems_.error("supply", "empty; allowed: exactly one of " + names_in("supply") +
                                     " (no supply at all: fully flooded)");
