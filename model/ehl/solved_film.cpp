@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace tribo::ehl {
 namespace {
@@ -66,6 +67,26 @@ std::string why_not(const LineContact& contact, const Step& last) {
     why += text("; the solver was tried up to M = %g and L = %g", greatest_tried_load_number,
                 greatest_tried_material_number);
   return why;
+}
+
+// Where the nodes of all grids go, and the cells of the coarsest one that shows the film.
+struct Start {
+  NodeDensity density;
+  int cells;
+};
+// `film`: the last that was tried; that of the coarsest grid, if there is a start.
+std::optional<Start> start_of(const LineContact& contact, int cells, const Scales& scales,
+                              double at_edge, LineFilm& film, const Watch& watch) {
+  film = solve_from_nothing(contact, cells, scales, watch);
+  if (film.outcome != Outcome::solved) return std::nullopt;
+  film = solve_on(contact, first_density(scales).nodes(2 * cells), film, watch);
+  if (film.outcome != Outcome::solved) return std::nullopt;
+  const std::size_t count = film.x.size();
+  NodeDensity density =
+      density_of(film.x, {film.pressure.data(), count}, {film.film.data(), count}, at_edge);
+  film = solve_on(contact, density.nodes(cells), film, watch);
+  if (film.outcome != Outcome::solved) return std::nullopt;
+  return Start{std::move(density), cells};
 }
 
 void estimate_all(SolvedFilm& solved, const std::vector<FilmFeatures>& grids) {
@@ -139,17 +160,19 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
 
   // An inlet of the usual length costs up to 2e-5 of the film.
   const Scales scales = scales_of(contact, std::fmax(1, std::cbrt(8e-5 / options.tolerance)));
-  LineFilm film = solve_from_nothing(contact, options.first_cells, scales, noting);
+  // Thin films under great loads are not found on few cells.
+  std::optional<Start> start;
+  LineFilm film;
+  for (int cells = options.first_cells; !start && cells <= 8 * options.first_cells; cells *= 2) {
+    start = start_of(contact, cells, scales, options.at_edge, film, noting);
+    if (film.outcome == Outcome::stopped) break;
+  }
   if (failed(film)) return solved;
-  film = solve_on(contact, first_density(scales).nodes(2 * options.first_cells), film, noting);
-  if (failed(film)) return solved;
-  const NodeDensity density = density_of(film.x, {film.pressure.data(), film.x.size()},
-                                         {film.film.data(), film.x.size()}, options.at_edge);
 
   std::vector<FilmFeatures> grids;
   double worst = 0;  // relative error of the three films
-  for (int cells = options.first_cells; cells <= options.greatest_cells; cells *= 2) {
-    LineFilm finer = solve_on(contact, density.nodes(cells), film, noting);
+  for (int cells = start->cells; cells <= options.greatest_cells; cells *= 2) {
+    LineFilm finer = solve_on(contact, start->density.nodes(cells), film, noting);
     solved.steps = finer.steps;
     if (failed(finer)) break;
     film = std::move(finer);
