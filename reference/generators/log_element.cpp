@@ -78,7 +78,7 @@ LogElement::LogElement(int degree) : nodes_(radau_nodes(degree)), slopes_(degree
   to_legendre_ = values.inverse();
   slopes_ = slopes * to_legendre_;
   medium_ = gauss<12>();
-  far_ = gauss<6>();
+  far_ = gauss<8>();
 }
 
 // The points are the eigenvalues of the matrix of Legendre's recurrence (Golub and Welsch).
@@ -102,7 +102,7 @@ LogElement::Gauss<count> LogElement::gauss() const {
 
 LogElement::Weights LogElement::log_weights(double z) const {
   if (std::fabs(z) > 10) return far_weights(far_, z);
-  if (std::fabs(z) > 2) return far_weights(medium_, z);
+  if (std::fabs(z) > 2.5) return far_weights(medium_, z);
   return to_legendre_.transpose() * near_potentials(degree(), z);
 }
 

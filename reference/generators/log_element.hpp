@@ -12,11 +12,11 @@ double legendre(int n, double z);
 
 class LogElement {
  public:
-  static constexpr int most_nodes = 8;
+  static constexpr int most_nodes = 6;
   // Of each node.
   using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_nodes, 1>;
 
-  explicit LogElement(int degree);  // 1 to 7
+  explicit LogElement(int degree);  // 1 to 5
 
   int degree() const { return static_cast<int>(nodes_.size()) - 1; }
   const Eigen::VectorXd& nodes() const { return nodes_; }
@@ -27,9 +27,9 @@ class LogElement {
   // What the values weigh in the integral of f.
   Weights integral() const { return 2 * to_legendre_.row(0).transpose(); }
 
-  // What the values weigh in ∫ f(t) ln|z − t| dt. Near the element exactly, by Legendre's functions
-  // of the second kind; from |z| = 2 on by Gauss's 12 points, from 10 on by 6 of them, which are
-  // exact to rounding there.
+  // What the values weigh in ∫ f(t) ln|z − t| dt, to 2e-12. Near the element by Legendre's
+  // functions of the second kind, which is exact but for rounding; from |z| = 2.5 on by Gauss's 12
+  // points, from 10 on by 8 of them.
   Weights log_weights(double z) const;
 
  private:
@@ -49,7 +49,7 @@ class LogElement {
   }
 
   Gauss<12> medium_;
-  Gauss<6> far_;
+  Gauss<8> far_;
 };
 
 }  // namespace tribo::reference
