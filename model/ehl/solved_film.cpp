@@ -112,6 +112,7 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
                                          {film.film.data(), film.x.size()}, options.at_edge);
 
   std::vector<FilmFeatures> grids;
+  double worst = 0;
   for (int cells = options.first_cells; cells <= options.greatest_cells; cells *= 2) {
     LineFilm finer = solve_on(contact, density.nodes(cells), film, watch);
     solved.steps = finer.steps;
@@ -129,14 +130,17 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
     }
     if (grids.size() < 3) continue;
     estimate_all(solved, grids);
-    const double worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
-                                   solved.at_greatest_pressure.relative_error()});
+    worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
+                      solved.at_greatest_pressure.relative_error()});
     if (grids.size() > 3 && worst <= options.tolerance) break;
   }
   solved.grids = static_cast<int>(grids.size());
   solved.film = std::move(film);
   if (grids.size() < 3) return solved;
   solved.outcome = Outcome::solved;
+  if (solved.reason.empty() && !(worst <= options.tolerance))
+    solved.reason = text("the films are met to %.2g of themselves, not to the %.2g asked for",
+                         worst, options.tolerance);
   return solved;
 }
 
