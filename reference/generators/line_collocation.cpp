@@ -83,15 +83,14 @@ class Collocation {
     v.minimum =
         least_film(state, x[std::max<Index>(least - 1, 0)], x[std::min(least + 1, x.size() - 1)]);
     const std::vector<double> tops = pressure_maxima(state);
-    double greatest = 0;
     v.spike_pressure = v.spike_place = std::numeric_limits<double>::quiet_NaN();
     for (const double top : tops) {
       const double p = pressure_at(state, top).value;
-      greatest = std::max(greatest, p);
       if (top == tops.front() || v.spike_pressure > p) continue;
       v.spike_pressure = p;
       v.spike_place = top;
     }
+    const double greatest = pressure_at(state, tops.front()).value;
     v.at_greatest_pressure = state.mass_flow / contact_.fluid.density(greatest);
     return v;
   }
@@ -416,8 +415,8 @@ struct Level {
   Values values;
 };
 
-// Of the last levels: the value at φ = 0 if it changes linearly, and by how much that changed from
-// the levels before.
+// Of the last levels: the value at φ = 0 if it changes linearly. The error is what is left of that
+// value's own changes if they fall with the root of φ: about the spike they fall slower than φ².
 CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Values::*member) {
   const auto extrapolated = [&](std::size_t i) {
     const Level &coarse = levels[i - 1], &fine = levels[i];
@@ -426,7 +425,9 @@ CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Value
            (value - coarse.values.*member) * fine.fluidity / (coarse.fluidity - fine.fluidity);
   };
   const std::size_t last = levels.size() - 1;
-  return {extrapolated(last), std::fabs(extrapolated(last) - extrapolated(last - 1))};
+  const double changed = std::fabs(extrapolated(last) - extrapolated(last - 1));
+  const double root = std::sqrt(levels[last].fluidity / levels[last - 1].fluidity);
+  return {extrapolated(last), changed * root / (1 - root)};
 }
 
 // With a given number of elements to begin with.

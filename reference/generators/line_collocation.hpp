@@ -49,7 +49,7 @@ struct CollocatedNumber {
 struct CollocatedFilm {
   bool is_solved = false;
   std::string reason;                                       // why not, in a sentence
-  CollocatedNumber central, minimum, at_greatest_pressure;  // H
+  CollocatedNumber central, minimum, at_greatest_pressure;  // H as of ehl/film_features.hpp
   CollocatedNumber spike_pressure, spike_place;             // P and X; only if φ is 0
   CollocatedNumber outlet;                                  // X_e
   double least_fluidity = 0;                                // φ, the smallest that was solved for
@@ -57,7 +57,7 @@ struct CollocatedFilm {
   int steps = 0;                                            // of Newton's method, in all
 };
 
-// The errors: what halving all elements changes, what Richardson's value in φ last changed by, and
+// The errors: what halving all elements changes, what is left of the changes with φ, and
 // the inlet's. If it fails, it is tried again with more elements.
 CollocatedFilm collocate_line_film(const ehl::LineContact& contact, const FilmStart& start,
                                    const CollocationOptions& options = {});
