@@ -158,17 +158,19 @@ profile: gate-program ## run callgrind on the inner loop: build/profile/callgrin
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
 ##@ Numbers made anew
-references: ## make the tables of reference/exact anew, in ball arithmetic; a minute or two
+references: ## make the tables of reference/exact and reference/ehl anew; three or four minutes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_references
+	cmake --build --preset release --target generate_references generate_line_films
 	build/release/reference/generators/generate_references reference/exact
+	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv
 
-references-check: ## make SAMPLE rows of each table again (default 8), and compare bytes
+references-check: ## make SAMPLE rows of each table again (default 8), and compare them
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
-	cmake --build --preset release --target generate_references
+	cmake --build --preset release --target generate_references generate_line_films
 	build/release/reference/generators/generate_references reference/exact --sample $(SAMPLE) --seed 1
+	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv --sample $(SAMPLE) --seed 1
 
 pieces: ## make the polynomials of the moment kernels anew, with their proven error; two or three minutes
 	@.ci/deps build references

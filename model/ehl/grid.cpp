@@ -79,11 +79,16 @@ Scales scales_of(const LineContact& contact, double inlet_factor) {
 }
 
 NodeDensity first_density(const Scales& scales) {
-  Numbers place;
-  for (double x = scales.inlet_end; x < -2; x *= 0.99) place.push_back(x);
+  // In even steps of the logarithm from far off, then in even ones of X.
+  constexpr double near = -2;
+  const int far_steps = static_cast<int>(100 * std::log(scales.inlet_end / near));
   const double step = std::fmin(0.002, scales.edge / 10);
-  for (double x = -2; x < scales.outlet_end; x += step) place.push_back(x);
-  place.back() = scales.outlet_end;
+  const int near_steps = static_cast<int>((scales.outlet_end - near) / step);
+  Numbers place;
+  for (int i = 0; i < far_steps; ++i)
+    place.push_back(scales.inlet_end * std::pow(near / scales.inlet_end, i / (far_steps + 0.)));
+  for (int i = 0; i <= near_steps; ++i)
+    place.push_back(near + (scales.outlet_end - near) * i / near_steps);
   Numbers density(place.size() - 1);
   const double edge = scales.edge;
   for (std::size_t i = 0; i < density.size(); ++i) {

@@ -15,7 +15,8 @@ Eigen::MatrixXd Jacobian::leaf_block(const KernelPart& part) const {
   const int size = part.end - part.begin;
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(size, size);
   for (int i = 0; i < size; ++i) {
-    const auto node = static_cast<std::size_t>(part.begin + i);
+    const int row = part.begin + i;
+    const auto node = static_cast<std::size_t>(row);
     if (is_free_[node] == 0) {
       block(i, i) = 1;
       continue;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "tribo/contact_numbers.hpp"
 #include "tribo/friction.hpp"
 #include "tribo/hertz_line.hpp"
 
@@ -12,6 +13,16 @@ namespace {
 constexpr double density_pressure = 5.9e8;  // Pa
 
 }  // namespace
+
+LineConditions conditions_of(const Scene& scene, double speed) {
+  const detail::SceneNumbers<double> numbers = detail::numbers_of<double>(scene);
+  return {.speed = speed,
+          .viscosity = numbers.viscosity,
+          .pressure_viscosity = numbers.pressure_viscosity,
+          .load_per_length = numbers.load / numbers.across,
+          .effective_modulus = numbers.effective_modulus,
+          .radius = numbers.radius_x};
+}
 
 LineScale scale_of(const LineConditions& c) {
   const HertzLine<double> hertz = hertz_line(c.load_per_length, c.effective_modulus, c.radius);

@@ -31,6 +31,10 @@ struct LineScale {
   double speed_number;   // U = η₀u/(2E*R)
 };
 
+// Of a scene whose bodies make a line, at a speed. What else it says of its lubricant's viscosity
+// is said of friction: viscosity_law and density_law are the defaults.
+LineConditions conditions_of(const Scene& scene, double speed);
+
 LineScale scale_of(const LineConditions& conditions);
 // M = W(2U)^{−1/2}, L = G(2U)^{1/4}; Roelands' z is that of α: z = α · 196.2 MPa/(ln η₀ + 9.67).
 LineContact contact_of(const LineConditions& conditions);

@@ -114,7 +114,7 @@ class Newton {
 
     const double least = result_.film.minCoeff();
     double part = std::fmin(1, greatest_change / change.cwiseAbs().maxCoeff());
-    for (; part > 1e-4; part /= 2) {
+    for (int halving = 0; halving < 12; ++halving, part /= 2) {
       VectorXd pressure = (result_.pressure + part * change).cwiseMax(0);
       const double separation = result_.separation + part * rise;
       VectorXd film = film_of(pressure, separation);

@@ -131,7 +131,9 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
     estimate_all(solved, grids);
     const double worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
                                    solved.at_greatest_pressure.relative_error()});
-    if (grids.size() > 3 && worst <= options.tolerance) break;
+    // Without a spike there is nothing to wait for.
+    const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);
+    if (grids.size() > 3 && worst <= options.tolerance && is_spike_met) break;
   }
   solved.grids = static_cast<int>(grids.size());
   solved.film = std::move(film);

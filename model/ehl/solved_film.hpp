@@ -28,10 +28,11 @@ struct Estimate {
 Estimate estimate_of(const std::vector<double>& values);
 
 struct SolveOptions {
-  double tolerance = 1e-4;    // relative, of the central and the least film
-  int first_cells = 128;      // of the coarsest grid
-  int greatest_cells = 8192;  // of the finest
-  double at_edge = 0.05;      // share of the nodes in the constriction: more resolve sharper spikes
+  double tolerance = 1e-4;  // relative, of the central and the least film
+  double spike_tolerance = std::numeric_limits<double>::infinity();  // of the spike's pressure
+  int first_cells = 128;                                             // of the coarsest grid
+  int greatest_cells = 8192;                                         // of the finest
+  double at_edge = 0.05;  // share of the nodes in the constriction: more resolve sharper spikes
 };
 
 struct SolvedFilm {

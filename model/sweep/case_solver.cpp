@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ehl/line_conditions.hpp"
+#include "ehl/solved_film.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::sweep {
@@ -61,7 +63,8 @@ CaseSolver::CaseSolver(const SceneSweep& sweep)
   for (const OutputInfo& info : output_infos)
     if (sweep.outputs.contains(info.output)) asked_.push_back(info.output);
   point_width_ = asked_.size() * speeds_.size();
-  if (sweep.variables.size() == 1 && speed_variable_ == 0 && sweep.criteria.empty())
+  if (sweep.variables.size() == 1 && speed_variable_ == 0 && sweep.criteria.empty() &&
+      !sweep.solves_film)
     only_contact_.emplace(scene_);
 }
 
@@ -90,8 +93,27 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
       }
       if (!sweep_.criteria.empty())
         find_onsets(values.subspan(i * count, count), contacts_[contact_of_[i]],
-                    to.subspan(i * width + point_width_, width - point_width_));
+                    to.subspan(i * width + point_width_, 3 * sweep_.criteria.size()));
+      if (sweep_.solves_film)
+        solve_films(values.subspan(i * count, count),
+                    to.subspan((i + 1) * width - film_width(), film_width()));
     }
+  }
+}
+
+void CaseSolver::solve_films(std::span<const double> values, std::span<double> results) {
+  for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
+  const std::size_t speeds = scene_.speeds.size();
+  for (std::size_t j = 0; j < speeds; ++j) {
+    const ehl::LineConditions conditions = ehl::conditions_of(scene_, scene_.speeds[j]);
+    const ehl::LineContact contact = ehl::contact_of(conditions);
+    const ehl::SolvedFilm solved = ehl::solve_line_film(contact);
+    const bool is_solved = solved.outcome == ehl::Outcome::solved;
+    const double unit = is_solved ? ehl::scale_of(conditions).film : undefined;
+    const std::array<double, solved_columns.size()> numbers{
+        contact.load_number,         contact.material_number,     unit * solved.central.value,
+        unit * solved.central.error, unit * solved.minimum.value, unit * solved.minimum.error};
+    for (std::size_t c = 0; c < numbers.size(); ++c) results[c * speeds + j] = numbers[c];
   }
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "sweep/layout.hpp"
 #include "sweep/plan.hpp"
 #include "tribo/mixed_contacts.hpp"
 #include "tribo/onset.hpp"
@@ -25,6 +26,7 @@ class CaseSolver {
   void solve(std::span<const double> variables, std::span<double> results);
 
  private:
+  std::size_t film_width() const { return solved_columns.size() * scene_.speeds.size(); }
   bool is_contact_of(std::span<const double> values) const;
   void find_places();
   void add(std::span<const double> values);  // one more case in hand
@@ -33,6 +35,8 @@ class CaseSolver {
   void put_points(std::span<double> results, std::size_t cases) const;
   void solve_few_speeds(std::span<const double> variables, std::span<double> results);
   void prepare_inlet(const MixedContact<double>& contact);
+  // The solved films of a case at its speeds.
+  void solve_films(std::span<const double> values, std::span<double> results);
   void find_onsets(std::span<const double> values, const MixedContact<double>& contact,
                    std::span<double> results);
 

@@ -250,9 +250,11 @@ Needs needs_of(const SweepPlan& plan, int threads) {
   for (const SceneSweep& scene : plan.scenes) {
     const Sample sample = at_all_speeds(scene, scene.chunk_groups);
     // Summaries grow with the number of different values, and a chunk may have one case alone: this
-    // sample takes chunks of up to 256 groups.
+    // sample takes chunks of up to 256 groups. So many films are not solved for an estimate.
     const double merged =
-        scene.chunk_groups >= sampled_groups
+        scene.solves_film ? static_cast<double>(scene.width()) *
+                                QuantileSketch::most_memory(static_cast<double>(scene.cases()))
+        : scene.chunk_groups >= sampled_groups
             ? sample.merged_memory
             : at_all_speeds(scene, std::min(scene.groups, sampled_groups)).merged_memory;
     const Phases phases = phases_of(scene, sample, merged,

@@ -72,6 +72,7 @@ struct SceneSweep {
   OutputSet outputs;                     // of operating points; empty: none
   std::vector<OnsetCriterion> criteria;  // of onsets; empty: none
   double departure = default_departure;  // ε of film_departure
+  bool solves_film = false;              // of lines: the film of the Reynolds equation
   std::vector<Column> columns;           // what these come to, in the order of the result
 
   std::uint64_t grid_cells = 1;  // sets of grid values
@@ -79,6 +80,7 @@ struct SceneSweep {
   std::uint64_t chunk_groups = 1;
   std::uint64_t chunks = 1;
 
+  bool asks_at_speeds() const { return !outputs.empty() || solves_film; }  // not for onsets alone
   std::size_t drawn() const;  // variables that are drawn; they are the last ones
   std::size_t cases_kept_per_group() const { return sensitivity ? 2 : 1; }
   std::size_t cases_per_group() const { return sensitivity ? 2 + drawn() : 1; }

@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 4> criterion_names{
     name(OnsetCriterion::friction_minimum), name(OnsetCriterion::asperity_minimum)};
 constexpr std::array<std::string_view, 2> keep_names{"points", "summaries"};
 
-constexpr std::array<SweepField, 9> fields{{
+constexpr std::array<SweepField, 10> fields{{
     {"design", "sobol, latin_hypercube, monte_carlo; factorial where all that varies is a grid",
      "sobol", "how the distributions are drawn from; grids are always crossed in full"},
     {"draws", "a whole number from 1 to 1e12", "16384",
@@ -48,6 +48,10 @@ constexpr std::array<SweepField, 9> fields{{
      "the onset's speed, film and film parameter by these criteria; with it, operating "
      "points are computed only where the scene lists `outputs`"},
     {"departure", "a number above 0 and below 1", "0.05", "the ε of film_departure"},
+    {"solved_film", "true or false", "false",
+     "of lines: the flooded film solved, with its error, in some tenths of a second a point; with "
+     "it, "
+     "operating points are computed only where the scene lists `outputs`"},
     {"sensitivity", "true or false", "false",
      "Sobol indices of the drawn fields, which have to be independent, without grids"},
     {"correlated", "a list of drawn fields", "none", "the fields of the correlation matrix"},
@@ -209,6 +213,7 @@ class SweepBinder {
         table.refuse("departure", scene_detail::number_text(*departure) + " is not allowed",
                      allowed("departure"));
     }
+    sweep_.solves_film = table.boolean("solved_film").value_or(false);
     sweep_.sensitivity = table.boolean("sensitivity").value_or(false);
     if (const auto keep = table.word("keep", keep_names)) sweep_.keep_points = *keep == 0;
     hand_over();
@@ -218,7 +223,7 @@ class SweepBinder {
 
   void take_scene() {
     for (const Entry& entry : entries_) lists_outputs_ = lists_outputs_ || entry.path == "outputs";
-    asks_points_ = sweep_.criteria.empty() || lists_outputs_;
+    asks_points_ = (sweep_.criteria.empty() && !sweep_.solves_film) || lists_outputs_;
     SceneReading scene = bound(entries_);
     for (InputProblem& problem : scene.errors) reading_.errors.push_back(std::move(problem));
     reading_.warnings = std::move(scene.warnings);
@@ -457,6 +462,9 @@ class SweepBinder {
     if (!drawn) sweep_.design = Design::factorial, sweep_.draws = 1;
     if (sweep_.sensitivity) check_sensitivity();
     check_onsets();
+    if (sweep_.solves_film && sweep_.scene.bodies.shape() != ContactShape::line)
+      error("sweep.solved_film",
+            "the film is solved of lines alone; allowed: true where bodies.length makes a line");
   }
 
   void check_sensitivity() {
@@ -491,7 +499,7 @@ class SweepBinder {
     double points = static_cast<double>(sweep_.draws * sweep_.cases_per_group());
     for (const Variable& variable : sweep_.variables)
       if (!variable.is_drawn()) points *= static_cast<double>(variable.grid.size());
-    if (!sweep_.outputs.empty()) points *= static_cast<double>(sweep_.scene.speeds.size());
+    if (sweep_.asks_at_speeds()) points *= static_cast<double>(sweep_.scene.speeds.size());
     if (points <= static_cast<double>(most_cases)) return;
     error("sweep",
           "comes to " + scene_detail::number_text(points) + " points; allowed: up to 1e12");

@@ -208,7 +208,7 @@ class SceneWriter {
   SceneWriter(hid_t file, const SceneSweep& scene)
       : scene_(scene), group_(hdf5::make_group(file, scene.scene.id)) {
     write_attributes();
-    if (!scene.outputs.empty()) write_speeds();
+    if (scene.asks_at_speeds()) write_speeds();
     make_inputs();
     if (scene.keep_points) make_outputs();
     for (const Column& column : scene.columns) {

@@ -2,7 +2,6 @@
 // Makes the tables of reference/exact, or makes a seeded sample of their rows again and compares
 // bytes.
 #include <fmt/chrono.h>
-#include <openssl/sha.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -11,6 +10,7 @@
 #include <iostream>
 #include <thread>
 
+#include "generators/checksum.hpp"
 #include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
 
@@ -47,14 +47,6 @@ const std::vector<Named> tables = [] {
   return all;
 }();
 
-std::string sha256(const std::string& text) {
-  unsigned char digest[SHA256_DIGEST_LENGTH];
-  SHA256(reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest);
-  std::string result;
-  for (const unsigned char byte : digest) result += fmt::format("{:02x}", byte);
-  return result;
-}
-
 std::string header_text(const tribo::reference::Header& h, const std::string& rows) {
   return fmt::format(
       "# quantity: {}\n# definition: {}\n# units: {}\n# domain: {}\n"
@@ -64,7 +56,8 @@ std::string header_text(const tribo::reference::Header& h, const std::string& ro
       "# condition: sum of |d ln value/d ln input|\n# date: {:%Y-%m-%d}\n# sha256 of the rows: "
       "{}\n{}\n",
       h.quantity, h.definition, h.units, h.domain, arb_version, tribo::reference::ball_precision,
-      h.first_method, h.second_method, fmt::gmtime(std::time(nullptr)), sha256(rows), h.columns);
+      h.first_method, h.second_method, fmt::gmtime(std::time(nullptr)),
+      tribo::reference::sha256(rows), h.columns);
 }
 
 // Groups of rows that share work (an operating point's outputs) stay on one thread: blocks of 9.

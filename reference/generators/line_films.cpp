@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes reference/ehl/line_films.csv, or makes a seeded sample of its rows again and compares them
+// within the errors that both state.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "ehl/solved_film.hpp"
+#include "generators/checksum.hpp"
+#include "generators/sampler.hpp"
+
+namespace {
+
+using tribo::ehl::Estimate;
+using tribo::ehl::SolvedFilm;
+
+constexpr double load_numbers[] = {1, 2, 5, 10, 20, 50, 100, 200};
+constexpr double material_numbers[] = {0, 1, 2.5, 5, 10, 15, 20};
+constexpr const char* columns =
+    "load_number,material_number,central,central_error,minimum,minimum_error,"
+    "at_greatest_pressure,at_greatest_pressure_error,spike_pressure,spike_pressure_error,"
+    "spike_place,spike_place_error,note\n";
+constexpr int numbers = 12;              // columns before the note
+constexpr double sharpest_spike = 0.01;  // relative error of a spike's pressure that is still given
+
+struct Contact {
+  double load_number, material_number;
+};
+
+std::vector<Contact> contacts() {
+  std::vector<Contact> all;
+  for (const double m : load_numbers)
+    for (const double l : material_numbers) all.push_back({m, l});
+  return all;
+}
+
+std::string fields(const Estimate& e, double unit) {
+  return fmt::format(",{:.9g},{:.2g}", e.value * unit, e.error * unit);
+}
+
+std::string row(const Contact& c) {
+  const tribo::ehl::LineContact contact =
+      tribo::ehl::barus_contact(c.load_number, c.material_number);
+  const SolvedFilm films =
+      tribo::ehl::solve_line_film(contact, {.tolerance = 1e-5, .greatest_cells = 16384});
+  // More nodes in the constriction show sharper spikes.
+  const SolvedFilm spiky = tribo::ehl::solve_line_film(
+      contact,
+      {.tolerance = 1e-4, .spike_tolerance = 1e-4, .greatest_cells = 8192, .at_edge = 0.6});
+  if (films.outcome != tribo::ehl::Outcome::solved)
+    throw std::runtime_error(
+        fmt::format("M = {}, L = {}: {}", c.load_number, c.material_number, films.reason));
+  const double unit = contact.film_number(1);
+  std::string text = fmt::format("{},{}", c.load_number, c.material_number);
+  text += fields(films.central, unit) + fields(films.minimum, unit) +
+          fields(films.at_greatest_pressure, unit);
+  const double off = spiky.spike_pressure.relative_error();
+  std::string note;
+  if (std::isnan(spiky.spike_pressure.value)) {
+    text += ",,,,";
+    note = "no second maximum of the pressure";
+  } else if (!(off <= sharpest_spike)) {
+    text += ",,";
+    text += fields(spiky.spike_place, 1);
+    note = fmt::format(
+        "spike too sharp for the grid: its pressure still changed by {:.0f} % from {} to {} cells",
+        100 * off, (spiky.film.x.size() - 1) / 2, spiky.film.x.size() - 1);
+  } else {
+    text += fields(spiky.spike_pressure, 1) + fields(spiky.spike_place, 1);
+  }
+  return text + "," + note;
+}
+
+// All of `which`, on all cores, in their order.
+std::vector<std::string> rows_of(const std::vector<Contact>& which) {
+  std::vector<std::string> rows(which.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < which.size() && !failed;) try {
+        rows[i] = row(which[i]);
+        std::cerr << fmt::format("{} of {}: {}\n", i + 1, which.size(), rows[i]);
+      } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        failed = true;
+      }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+    threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  if (failed) std::exit(1);
+  return rows;
+}
+
+int make_table(const std::filesystem::path& file) {
+  std::string rows;
+  for (const std::string& line : rows_of(contacts())) rows += line + "\n";
+  const std::string header = fmt::format(
+      "# quantity: films of smooth line contacts, solved\n"
+      "# definition: central, minimum and at_greatest_pressure are (h/R)(2U)^(-1/2) at x = 0, "
+      "where h is "
+      "least, and where p is greatest; spike_pressure is p/p0 at the second maximum of the "
+      "pressure, "
+      "spike_place its x/b; load_number M = W(2U)^(-1/2), material_number L = G(2U)^(1/4)\n"
+      "# equations: steady Reynolds equation, elastic half-planes, load balance, p >= 0 where the "
+      "film breaks\n"
+      "# assumptions: isothermal, Newtonian, Barus, incompressible, smooth, fully flooded\n"
+      "# units: none; each ..._error is absolute, in the unit of its number\n"
+      "# domain: M 1 to 200, L 0 to 20\n"
+      "# generator: reference/generators/line_films.cpp, model/ehl\n"
+      "# method: second order in space; Richardson's value of four or more grids of 128, 256, ... "
+      "cells\n"
+      "# error: what Richardson's value changed by, and what a longer inlet would change\n"
+      "# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
+      fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
+  const std::filesystem::path temporary = file.string() + ".part";
+  std::ofstream(temporary) << header << columns << rows;
+  std::filesystem::rename(temporary, file);
+  return 0;
+}
+
+std::vector<std::string> committed_rows(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with("#") && !line.starts_with("load_number")) rows.push_back(line);
+  return rows;
+}
+
+std::vector<double> numbers_of(const std::string& line) {
+  std::vector<double> values;
+  std::istringstream in(line);
+  for (std::string field;
+       static_cast<int>(values.size()) < numbers && std::getline(in, field, ',');)
+    values.push_back(field.empty() ? std::nan("") : std::stod(field));
+  return values;
+}
+
+// Machines and compilers round differently, so that bytes may; numbers agree within their errors.
+bool is_same(const std::string& committed, const std::string& again) {
+  const std::vector<double> a = numbers_of(committed), b = numbers_of(again);
+  if (a.size() != numbers || b.size() != numbers || a[0] != b[0] || a[1] != b[1]) return false;
+  for (std::size_t i = 2; i < numbers; i += 2) {
+    if (std::isnan(a[i]) != std::isnan(b[i])) return false;
+    if (std::fabs(a[i] - b[i]) > a[i + 1] + b[i + 1]) return false;
+  }
+  return true;
+}
+
+int check_sample(const std::filesystem::path& file, std::uint64_t seed, int count) {
+  const std::vector<Contact> all = contacts();
+  const std::vector<std::string> rows = committed_rows(file);
+  if (rows.size() != all.size()) {
+    std::cout << fmt::format("{}: {} rows, the generator makes {}\n", file.string(), rows.size(),
+                             all.size());
+    return 1;
+  }
+  tribo::reference::Sampler sampler(seed);
+  std::vector<Contact> some;
+  std::vector<std::string> committed;
+  for (int i = 0; i < count; ++i) {
+    const auto at =
+        std::min(rows.size() - 1,
+                 static_cast<std::size_t>(sampler.uniform(0, static_cast<double>(rows.size()))));
+    some.push_back(all[at]);
+    committed.push_back(rows[at]);
+  }
+  int different = 0;
+  const std::vector<std::string> again = rows_of(some);
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    if (is_same(committed[i], again[i])) continue;
+    ++different;
+    std::cout << fmt::format("{}:\n  committed {}\n  again     {}\n", file.string(), committed[i],
+                             again[i]);
+  }
+  std::cout << fmt::format("{}: {} of {} rows made again\n", file.string(), count, rows.size());
+  return different == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Makes the table of solved line films; some two minutes on two cores"};
+  app.footer("Example:\n  generate_line_films reference/ehl/line_films.csv --sample 5 --seed 42");
+  std::string file;
+  int sample = 0;
+  std::uint64_t seed = 1;
+  app.add_option("file", file, "where the table is, or goes")->required();
+  app.add_option("--sample", sample, "make this many rows again and compare them");
+  app.add_option("--seed", seed, "of the sample");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return sample > 0 ? check_sample(file, seed, sample) : make_table(file);
+}
