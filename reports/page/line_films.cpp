@@ -156,7 +156,7 @@ struct TrackPoint {
 };
 
 TrackPoint track_point(const LineScene& scene, double speed) {
-  const ehl::LineContact contact = ehl::contact_of(scene.at(speed));
+  const ehl::LineContact contact = ehl::contact_of(ehl::conditions_of(scene.scene, speed));
   return {speed, contact.load_number, contact.material_number};
 }
 
@@ -282,6 +282,7 @@ Json tracks_json(const std::vector<Track>& tracks) {
                    {"file", track.scene.file},
                    {"slowest", track.scene.range.low},
                    {"fastest", track.scene.range.high},
+                   {"is_of_paper", track.is_of_paper},
                    {"is_on_map", track.is_on_map}});
   return all;
 }
@@ -300,7 +301,7 @@ void add_profile(Group& group, const std::vector<Track>& tracks) {
   });
   if (found == tracks.end())
     throw std::runtime_error(fmt::format("reference/scenes has no line contact {}", profile_scene));
-  const ehl::LineConditions conditions = found->scene.at(profile_speed);
+  const ehl::LineConditions conditions = ehl::conditions_of(found->scene.scene, profile_speed);
   const ehl::LineScale scale = ehl::scale_of(conditions);
   const ehl::LineContact contact = ehl::contact_of(conditions);
   const ehl::SolvedFilm solved = ehl::solve_line_film(contact);

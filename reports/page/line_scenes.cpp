@@ -4,21 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "tribo/contact_numbers.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::report {
-
-ehl::LineConditions LineScene::at(double speed) const {
-  const auto numbers = detail::numbers_of<double>(scene);
-  return {.speed = speed,
-          .viscosity = numbers.viscosity,
-          .pressure_viscosity = numbers.pressure_viscosity,
-          .load_per_length = numbers.load / scene.bodies.length,
-          .effective_modulus = numbers.effective_modulus,
-          .radius = numbers.radius_x};
-}
 
 std::vector<LineScene> line_scenes(const ReportPlaces& places,
                                    const std::filesystem::path& folder) {

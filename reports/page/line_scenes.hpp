@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "ehl/line_conditions.hpp"
 #include "page/project_files.hpp"
 #include "page/solved_case.hpp"
 #include "tribo/scene.hpp"
@@ -18,9 +17,6 @@ struct LineScene {
   std::string file;  // as provenance names it
   Scene scene;
   SpeedRange range;
-
-  // With the liquid of the film formulas: Barus', incompressible.
-  ehl::LineConditions at(double speed) const;
 };
 
 // Of the folder's *.toml that are scenes with speeds, in the order of their names.
