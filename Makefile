@@ -129,11 +129,11 @@ bench-sweep: ## measure sweeps beside the kernels, threads, ranks, memory; write
 	cmake --build --preset release --target tribocheck tribocheck_bench_sweep tribocheck_bench_ranks
 	benchmarks/sweep/scaling.py build/release
 
-work-precision: ## measure true error against work, draw it: reports/out/work_precision; some two minutes
+work-precision: ## measure true error against work, draw it: reports/out/work_precision; some five minutes; ONLY=line-film for a part
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck_work_precision
-	build/release/benchmarks/tribocheck_work_precision --out reports/out/work_precision \
+	build/release/benchmarks/tribocheck_work_precision --out reports/out/work_precision $(ONLY:%=--only-%) \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" --date "$$(date -u +%F)" \
 	  $(if $(PLUGIN),--plugin '$(PLUGIN)',--baseline reference/baselines/work_precision.json)
 	benchmarks/work_precision/draw reports/out/work_precision

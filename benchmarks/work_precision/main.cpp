@@ -17,6 +17,7 @@
 #include "contenders/plugin_way.hpp"
 #include "tribo/batch.hpp"
 #include "work_precision/error_against_work.hpp"
+#include "work_precision/line_film.hpp"
 #include "work_precision/profile.hpp"
 #include "work_precision/throughput.hpp"
 
@@ -30,6 +31,7 @@ struct Arguments {
   std::string date = "unknown";
   std::string plugin;  // empty: none
   bool quick = false;
+  bool only_line_film = false;
 };
 
 std::string processor() {
@@ -39,9 +41,64 @@ std::string processor() {
   return "unknown";
 }
 
-void write_all(const Arguments& arguments) {
-  const Effort effort = arguments.quick ? Effort{3, 0.002} : Effort{};
-  const auto step = [](const char* what) { fmt::print(stderr, "{}\n", what); };
+void step(const char* what) { fmt::print(stderr, "{}\n", what); }
+
+using Json = nlohmann::ordered_json;
+
+Json environment() {
+  return {{"compiler", "g++ " __VERSION__},
+          {"cpu", processor()},
+          {"instruction_set", instruction_set()}};
+}
+
+// Into the tables of gnuplot, and as parts of the baseline with a commit of their own, since they
+// can be measured alone.
+Json line_film_parts(const Arguments& arguments, const Effort& effort) {
+  step("films of line contacts: error against work");
+  const Rows errors = line_film_errors(effort);
+  step("films of line contacts: growth");
+  const Rows growth = line_film_growth(effort);
+  const Rows exponents = line_film_exponents(growth);
+  const std::string folder = arguments.out + "/";
+  write_text(folder + "line_film.blocks.tsv", tsv_blocks(errors, "series"));
+  write_text(folder + "line_film_growth.blocks.tsv", tsv_blocks(growth, "solver"));
+  write_text(folder + "line_film_exponents.blocks.tsv", tsv_blocks(exponents, "solver"));
+  return {
+      {"line_film_run",
+       {{"commit", arguments.commit}, {"date", arguments.date}, {"environment", environment()}}},
+      {"line_film", errors},
+      {"line_film_growth", growth},
+      {"line_film_exponents", exponents}};
+}
+
+// A row a line, so that a change can be read.
+void write_baseline(const std::string& path, const Json& baseline) {
+  std::string text = "{";
+  for (const auto& [key, value] : baseline.items()) {
+    text += text.size() == 1 ? "\n" : ",\n";
+    text += fmt::format("\"{}\": ", key);
+    if (!value.is_array()) {
+      text += value.dump();
+      continue;
+    }
+    text += "[";
+    for (std::size_t i = 0; i < value.size(); ++i)
+      text += (i == 0 ? "\n" : ",\n") + value[i].dump();
+    text += "]";
+  }
+  write_text(path, text + "\n}\n");
+}
+
+void write_line_film(const Arguments& arguments, const Effort& effort) {
+  const Json parts = line_film_parts(arguments, effort);
+  if (arguments.baseline.empty()) return;
+  std::ifstream file(arguments.baseline);
+  Json baseline = Json::parse(file);
+  baseline.update(parts);
+  write_baseline(arguments.baseline, baseline);
+}
+
+void write_all(const Arguments& arguments, const Effort& effort) {
   std::vector<Measured> others;
   std::vector<RootContender> other_roots;
   if (!arguments.plugin.empty()) {
@@ -58,6 +115,7 @@ void write_all(const Arguments& arguments) {
   step("throughput");
   const Rows by_size = throughput_by_size(effort);
   const Rows by_threads = throughput_by_threads(effort);
+  const Json line_film = line_film_parts(arguments, effort);
 
   const std::string folder = arguments.out + "/";
   std::map<std::string, Rows> by_job;
@@ -70,32 +128,12 @@ void write_all(const Arguments& arguments) {
   write_text(folder + "by_size.blocks.tsv", tsv_blocks(by_size, "kernel"));
   write_text(folder + "by_threads.blocks.tsv", tsv_blocks(by_threads, "kernel"));
   if (arguments.baseline.empty()) return;
-  const nlohmann::ordered_json baseline{{"commit", arguments.commit},
-                                        {"date", arguments.date},
-                                        {"environment",
-                                         {{"compiler", "g++ " __VERSION__},
-                                          {"cpu", processor()},
-                                          {"instruction_set", instruction_set()}}},
-                                        {"error_against_work", work},
-                                        {"error_by_range", ranges},
-                                        {"performance_profile", profile},
-                                        {"throughput_by_size", by_size},
-                                        {"throughput_by_threads", by_threads}};
-  // A row a line, so that a change can be read.
-  std::string text = "{";
-  for (const auto& [key, value] : baseline.items()) {
-    text += text.size() == 1 ? "\n" : ",\n";
-    text += fmt::format("\"{}\": ", key);
-    if (!value.is_array()) {
-      text += value.dump();
-      continue;
-    }
-    text += "[";
-    for (std::size_t i = 0; i < value.size(); ++i)
-      text += (i == 0 ? "\n" : ",\n") + value[i].dump();
-    text += "]";
-  }
-  write_text(arguments.baseline, text + "\n}\n");
+  Json baseline{{"commit", arguments.commit},    {"date", arguments.date},
+                {"environment", environment()},  {"error_against_work", work},
+                {"error_by_range", ranges},      {"performance_profile", profile},
+                {"throughput_by_size", by_size}, {"throughput_by_threads", by_threads}};
+  baseline.update(line_film);
+  write_baseline(arguments.baseline, baseline);
 }
 
 }  // namespace
@@ -110,10 +148,17 @@ int main(int count, char** argv) {
   program.add_option("--date", arguments.date, "when");
   program.add_option("--plugin", arguments.plugin, "a shared library with a solver of yours");
   program.add_flag("--quick", arguments.quick, "fewer and shorter repetitions");
+  program.add_flag("--only-line-film", arguments.only_line_film,
+                   "only films of line contacts; the baseline's other parts stay");
   CLI11_PARSE(program, count, argv);
   try {
     std::filesystem::create_directories(arguments.out);
-    tribo::benchmarks::write_all(arguments);
+    const tribo::benchmarks::Effort effort =
+        arguments.quick ? tribo::benchmarks::Effort{3, 0.002} : tribo::benchmarks::Effort{};
+    if (arguments.only_line_film)
+      tribo::benchmarks::write_line_film(arguments, effort);
+    else
+      tribo::benchmarks::write_all(arguments, effort);
   } catch (const std::exception& error) {
     fmt::print(stderr, "tribocheck_work_precision: {}\n", error.what());
     return 1;

@@ -22,6 +22,8 @@ Group ledger_group(const ReportPlaces& places, const reproduction::Ledger& ledge
 Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Ledger& ledger);
 // Scenes of a circle, an ellipse and a line, solved: reference/scenes.
 Group contacts_group(const ReportPlaces& places);
+// Film formulas of a line contact beside its solved film: reference/ehl, reference/scenes.
+Group line_films_group(const ReportPlaces& places);
 // The model against the certified tables of reference/exact.
 Group certified_group(const ReportPlaces& places);
 // What the slow targets of make left in reference/baselines.

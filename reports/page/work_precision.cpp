@@ -212,6 +212,71 @@ std::vector<DataFile> data_files(const Json& baseline) {
   return files;
 }
 
+// Films of line contacts: every way, and how ours and a dense matrix grow.
+Json line_film(const Json& baseline) {
+  Json found = run_of(baseline.at("line_film_run"));
+  found["ways"] = Json::array();
+  for (const Json& row : baseline.at("line_film")) {
+    Json way;
+    copy<std::string>(row, {"family", "name"}, way);
+    copy<double>(row, {"ns"}, way);
+    for (const char* const key : {"steps", "max_relative", "mean_relative"})
+      way[key] = number_or_null(row.at(key));
+    copy<int>(row, {"no_numbers", "judged"}, way);
+    found["ways"].push_back(std::move(way));
+  }
+  found["exponents"] = Json::array();
+  for (const Json& row : baseline.at("line_film_exponents")) {
+    Json one;
+    copy<std::string>(row, {"solver", "quantity"}, one);
+    copy<double>(row, {"exponent", "uncertainty"}, one);
+    copy<int>(row, {"from_cells", "to_cells"}, one);
+    found["exponents"].push_back(std::move(one));
+  }
+  found["largest"] = Json::array();  // grid of each solver
+  for (const Json& row : baseline.at("line_film_growth")) {
+    Json one;
+    copy<std::string>(row, {"solver"}, one);
+    copy<double>(row, {"cells", "kernel_ns", "step_ns", "bytes"}, one);
+    if (Json* const known = find(found["largest"], "solver", one["solver"]))
+      *known = std::move(one);
+    else
+      found["largest"].push_back(std::move(one));
+  }
+  return found;
+}
+
+std::vector<DataFile> line_film_files(const Json& baseline) {
+  const auto every = [](const Json&) { return true; };
+  return {blocks(baseline, "line_film", "line_film", "series",
+                 {{"job", "job"},
+                  {"family", "family"},
+                  {"series", "series"},
+                  {"name", "way"},
+                  {"ns", "CPU time a contact [ns]"},
+                  {"steps", "steps of Newton's method a contact"},
+                  {"max_relative", "greatest relative error"},
+                  {"mean_relative", "mean relative error"},
+                  {"no_numbers", "no numbers"},
+                  {"judged", "numbers judged"}},
+                 every),
+          blocks(baseline, "line_film_growth", "line_film_growth", "solver",
+                 {{"solver", "solver"},
+                  {"cells", "cells"},
+                  {"kernel_ns", "CPU time for the matrix of influences [ns]"},
+                  {"step_ns", "CPU time of a step of Newton's method [ns]"},
+                  {"bytes", "bytes"}},
+                 every),
+          blocks(baseline, "line_film_exponents", "line_film_exponents", "solver",
+                 {{"solver", "solver"},
+                  {"quantity", "quantity"},
+                  {"exponent", "exponent of the cells"},
+                  {"uncertainty", "its standard error"},
+                  {"from_cells", "fitted from cells"},
+                  {"to_cells", "fitted to cells"}},
+                 every)};
+}
+
 Group work_precision(const Json& baseline) {
   Group group{run_of(baseline)};
   copy<std::string>(baseline.at("environment"), {"instruction_set"}, group.data["environment"]);
@@ -226,8 +291,10 @@ Group work_precision(const Json& baseline) {
                      {"throughput", greatest_of_kernels(baseline.at("throughput_by_size"),
                                                         "gigabytes_per_second")},
                      {"most_threads", most_threads(by_threads)},
-                     {"speedup", greatest_of_kernels(by_threads, "speedup")}});
+                     {"speedup", greatest_of_kernels(by_threads, "speedup")},
+                     {"line_film", line_film(baseline)}});
   group.files = data_files(baseline);
+  for (DataFile& file : line_film_files(baseline)) group.files.push_back(std::move(file));
   group.findings = {{"work_precision", "work-precision", About::software, Standing::measured}};
   if (!is_compared)
     group.findings = {{"work_precision", "work-precision", About::software, Standing::absent,

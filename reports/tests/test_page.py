@@ -17,7 +17,7 @@ from selenium.webdriver.common.keys import Keys
 
 from report_files import WrittenReport
 
-LABELS = r"\((ns|ulp|GB/s)\)|^threads$|^speed-up|points in a batch|^τ, times|^fraction"
+LABELS = r"\((ns|ulp|GB/s)\)|^threads$|^speed-up|points in a batch|^τ, times|^fraction|^CPU time a contact|relative error"
 WIDTHS = (390, 800, 1400)
 SCHEMES = ("light", "dark")
 SWITCHES = ("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
@@ -261,7 +261,7 @@ class Page(WrittenReport):
 
         seen = set()
         for path in sorted((self.out / "figures").glob("*.svg")):
-            if "film_map" in path.name:
+            if "film_map" in path.name or path.name == "line_film_errors.svg":  # fields of colour
                 continue
             for found in re.findall(r"(?:<path stroke|color)='rgb\(([^)]+)\)'", path.read_text()):
                 numbers = re.findall(r"\d+", found)

@@ -30,7 +30,7 @@ class Baselines(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.project = pathlib.Path(self.folder.name) / "project"
-        for part in ("reference/published", "reference/scenes", "reference/exact", "reference/baselines",
+        for part in ("reference/published", "reference/scenes", "reference/ehl", "reference/exact", "reference/baselines",
                      "reports/page/gnuplot", "reports/page/render", "reports/page/schema"):
             shutil.copytree(ROOT / part, self.project / part)
         shutil.copy(ROOT / "reference/mistakes.toml", self.project / "reference")

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways to the film of a line contact: solved by ours, solved as textbooks do, and by formulas.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "ehl/line_film.hpp"
+
+namespace tribo::benchmarks {
+
+// Film numbers (h/R)(2U)^{−1/2}; NaN: no number. A formula gives one of them.
+struct LineFilmAnswer {
+  double central = std::numeric_limits<double>::quiet_NaN();
+  double minimum = std::numeric_limits<double>::quiet_NaN();
+  double at_greatest_pressure = std::numeric_limits<double>::quiet_NaN();
+  int steps = 0;  // of Newton's method
+};
+
+struct LineFilmWay {
+  std::string family;
+  std::string series;  // what is joined by a line in a diagram
+  std::string name;
+  // The one number that a formula stands for; none: a solver, judged by the first two.
+  double LineFilmAnswer::*quantity;
+  std::function<LineFilmAnswer(const ehl::LineContact& contact)> run;
+};
+
+// Every one, from coarse to fine; ours last.
+std::vector<LineFilmWay> line_film_ways();
+
+// A film on a coarse grid, and where finer grids have their nodes: where ours begins, too.
+struct CoarseFilm {
+  ehl::LineFilm film;
+  ehl::NodeDensity density;
+};
+CoarseFilm coarse_film(const ehl::LineContact& contact);
+
+}  // namespace tribo::benchmarks

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ways to the film of a line contact: those that solve the same equations on the same grid agree,
+// and the others are as far off as is known.
+#include "contenders/line_film_ways.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "contenders/dense_line_film.hpp"
+#include "ehl/line_contact.hpp"
+#include "work_precision/line_film.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+LineFilmAnswer answer_of(const std::string& name, const ehl::LineContact& contact) {
+  for (const LineFilmWay& way : line_film_ways())
+    if (way.name == name) return way.run(contact);
+  ADD_FAILURE() << name << " is no way";
+  return {};
+}
+
+double apart(double a, double b) { return std::fabs(a / b - 1); }
+
+TEST(LineFilmWays, OfOneGridGiveOneFilm) {
+  for (const double material_number : {0., 5., 10.}) {
+    const ehl::LineContact contact = ehl::barus_contact(10, material_number);
+    const LineFilmAnswer ours = answer_of("one grid 256", contact);
+    const LineFilmAnswer dense = answer_of("dense LU, our grid 256", contact);
+    EXPECT_LT(apart(dense.central, ours.central), 1e-7);
+    EXPECT_LT(apart(dense.minimum, ours.minimum), 1e-7);
+    EXPECT_LT(apart(dense.at_greatest_pressure, ours.at_greatest_pressure), 1e-7);
+  }
+}
+
+TEST(LineFilmWays, AreOffByWhatIsKnown) {
+  const ehl::LineContact contact = ehl::barus_contact(10, 5);
+  const LineFilmAnswer solved = answer_of("to 1e-04", contact);
+  EXPECT_LT(apart(answer_of("one grid 1024", contact).central, solved.central), 1e-3);
+  EXPECT_LT(apart(answer_of("dense LU, uniform grid 1024", contact).central, solved.central), 0.02);
+  EXPECT_LT(
+      apart(answer_of("moes_line", contact).at_greatest_pressure, solved.at_greatest_pressure),
+      0.03);
+  EXPECT_GT(apart(answer_of("pan_hamrock_central", contact).central, solved.central), 0.1);
+}
+
+TEST(LineFilmWays, FormulasGiveOneNumberAndNoneOfConstantViscosity) {
+  for (const LineFilmWay& way : line_film_ways()) {
+    if (way.quantity == nullptr) continue;
+    EXPECT_TRUE(std::isnan(way.run(ehl::barus_contact(10, 0)).*way.quantity)) << way.name;
+    EXPECT_GT(way.run(ehl::barus_contact(10, 5)).*way.quantity, 1) << way.name;
+  }
+}
+
+TEST(LineFilmExponents, OfPowersAreThesePowers) {
+  Rows growth;
+  for (int cells = 128; cells <= 4096; cells *= 2)
+    growth.push_back({{"solver", "one"},
+                      {"cells", cells},
+                      {"kernel_ns", 3. * cells},
+                      {"step_ns", 1e-3 * std::pow(cells, 2.5)},
+                      {"bytes", 8. * cells * cells}});
+  const Rows rows = line_film_exponents(growth);
+  ASSERT_EQ(rows.size(), 3U);
+  for (const auto& [at, expected] : {std::pair{0U, 1.}, {1U, 2.5}, {2U, 2.}}) {
+    EXPECT_NEAR(rows[at].at("exponent").get<double>(), expected, 1e-9);
+    EXPECT_LT(rows[at].at("uncertainty").get<double>(), 1e-9);
+    EXPECT_EQ(rows[at].at("from_cells"), 512);
+    EXPECT_EQ(rows[at].at("to_cells"), 4096);
+  }
+}
+
+}  // namespace
+}  // namespace tribo::benchmarks

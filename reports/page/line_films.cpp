@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+// The group `line_films`: films that formulas give for a line contact beside the solved one, over
+// the numbers of load and of material; and one contact of reference/scenes, solved.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ehl/line_conditions.hpp"
+#include "ehl/line_formulas.hpp"
+#include "ehl/solved_film.hpp"
+#include "page/contour_labels.hpp"
+#include "page/groups.hpp"
+#include "page/line_scenes.hpp"
+#include "page/number_text.hpp"
+#include "page/solved_films.hpp"
+
+namespace tribo::report {
+namespace {
+
+using Formulas = std::array<double, ehl::line_formulas.size()>;
+
+constexpr double map_speed_number = 1e-11;  // U: for the exponents that leave some of it
+constexpr int load_steps = 80, material_steps = 60;
+// Contours, per cent; the ones that should have a label first come first.
+constexpr std::array contour_levels{0.,  -10., 10., -20., 20., -5.,  5., -30.,
+                                    30., -50., 50., -2.,  2.,  -70., 70.};
+// Between the nodes of the map's films.
+constexpr std::array<std::array<double, 2>, 12> check_points{{{1.1, 3.2},
+                                                              {1.35, 8.4},
+                                                              {1.62, 17},
+                                                              {1.75, 17},
+                                                              {2.2, 12},
+                                                              {2.25, 17.5},
+                                                              {4.2, 3.5},
+                                                              {7, 12},
+                                                              {14, 3.5},
+                                                              {32, 8.4},
+                                                              {71, 2},
+                                                              {141, 17}}};
+constexpr std::string_view profile_scene = "gear_flank";
+constexpr double profile_speed = 1;  // m/s
+
+constexpr std::array<std::string_view, 3> quantity_words{"central", "minimum",
+                                                         "at_greatest_pressure"};
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double error_of(const ehl::LineFormula& formula, double load_number, double material_number,
+                double film) {
+  return ehl::film_number(formula, load_number, material_number, map_speed_number) / film - 1;
+}
+
+struct ErrorAt {
+  double error;
+  const SolvedNumbers* at;
+  Json json() const {
+    return {{"error", error},
+            {"load_number", at->load_number},
+            {"material_number", at->material_number}};
+  }
+};
+
+// A formula over the rows of the table with L > 0.
+Json formula_json(const ehl::LineFormula& formula, const std::vector<SolvedNumbers>& table) {
+  std::vector<ErrorAt> errors;
+  std::vector<double> sizes;
+  for (const SolvedNumbers& one : table) {
+    if (one.material_number == 0) continue;
+    errors.push_back(
+        {error_of(formula, one.load_number, one.material_number, one.film_of(formula)), &one});
+    sizes.push_back(std::fabs(errors.back().error));
+  }
+  if (errors.empty()) throw std::runtime_error("line_films.csv has no films with L > 0");
+  const auto by_error = [](const ErrorAt& a, const ErrorAt& b) { return a.error < b.error; };
+  const auto [least, greatest] = std::minmax_element(errors.begin(), errors.end(), by_error);
+  std::vector<double> signed_errors;
+  for (const ErrorAt& one : errors) signed_errors.push_back(one.error);
+  return {{"name", formula.name},
+          {"authors", formula.authors},
+          {"quantity", quantity_words[static_cast<std::size_t>(formula.quantity)]},
+          {"is_compressible", formula.is_compressible},
+          {"points", errors.size()},
+          {"least", least->json()},
+          {"median", median_of(signed_errors)},
+          {"greatest", greatest->json()},
+          {"median_size", median_of(sizes)}};
+}
+
+// What the films of the table may be off by, relative.
+Json solved_errors_json(const std::vector<SolvedNumbers>& table) {
+  std::vector<double> all;
+  std::size_t within = 0;
+  ErrorAt worst{0, &table.front()};
+  for (const SolvedNumbers& one : table)
+    for (std::size_t i = 0; i < one.film.size(); ++i) {
+      all.push_back(one.error[i] / one.film[i]);
+      within += all.back() <= 1e-4 ? 1 : 0;
+      if (all.back() > worst.error) worst = {all.back(), &one};
+    }
+  const std::size_t count = all.size();
+  return {{"films", count},
+          {"within_1e_4", within},
+          {"median", median_of(std::move(all))},
+          {"greatest", worst.json()}};
+}
+
+// Of the map against films that are solved between its nodes: the greatest error of each quantity.
+// Below `heavy_from` the central film has a kink, where the front of the stiffened liquid passes
+// the middle of the contact; it is told apart.
+Json interpolation_json(const FilmMap& map) {
+  constexpr double heavy_from = 2;
+  std::array<double, 3> greatest{}, greatest_light{};
+  std::size_t points = 0;
+  for (const auto& [load_number, material_number] : check_points) {
+    if (load_number < map.load_numbers.front() || load_number > map.load_numbers.back()) continue;
+    ++points;
+    const SolvedNumbers solved = solved_numbers(load_number, material_number);
+    for (std::size_t i = 0; i < solved.film.size(); ++i) {
+      const double film = map.surfaces[i].films(load_number, {material_number}).front();
+      double& worst = (load_number < heavy_from ? greatest_light : greatest)[i];
+      worst = std::fmax(worst, std::fabs(film / solved.film[i] - 1));
+    }
+  }
+  const auto json = [](const std::array<double, 3>& errors) {
+    Json all = Json::object();
+    for (std::size_t i = 0; i < errors.size(); ++i) all[std::string(quantity_words[i])] = errors[i];
+    return all;
+  };
+  return {{"points", points},
+          {"solved_here", map.solved_here},
+          {"heavy_from", heavy_from},
+          {"greatest", json(greatest)},
+          {"greatest_light", json(greatest_light)}};
+}
+
+// A scene's way over the map with its speed.
+struct Track {
+  LineScene scene;
+  bool is_of_paper;
+  bool is_on_map = false;
+};
+
+struct TrackPoint {
+  double speed, load_number, material_number;
+};
+
+TrackPoint track_point(const LineScene& scene, double speed) {
+  const ehl::LineContact contact = ehl::contact_of(ehl::conditions_of(scene.scene, speed));
+  return {speed, contact.load_number, contact.material_number};
+}
+
+class MapFrame {
+ public:
+  explicit MapFrame(const FilmMap& map)
+      : low_load_(map.load_numbers.front()),
+        low_material_(map.material_numbers.front()),
+        loads_(std::log(map.load_numbers.back() / low_load_)),
+        materials_(std::log(map.material_numbers.back() / low_material_)) {}
+
+  double load_at(double x) const { return low_load_ * std::exp(loads_ * x); }
+  double material_at(double y) const { return low_material_ * std::exp(materials_ * y); }
+  MapPlace place(const TrackPoint& point) const {
+    return {std::log(point.load_number / low_load_) / loads_,
+            std::log(point.material_number / low_material_) / materials_};
+  }
+  static bool contains(const MapPlace& place) {
+    return place.x >= 0 && place.x <= 1 && place.y >= 0 && place.y <= 1;
+  }
+
+ private:
+  double low_load_, low_material_, loads_, materials_;
+};
+
+std::string number_cell(double value) { return fmt::format("{:.5g}", value); }
+
+// Blocks: each track, its name first; whole powers of ten of the speed have it in a fourth column.
+DataFile tracks_file(const MapFrame& frame, std::vector<Track>& tracks,
+                     std::vector<MapPlace>& taken) {
+  std::string text =
+      "# line contacts over the numbers of load and of material, each a block\n"
+      "# load number M\tmaterial number L\tspeed [m/s]\twhole power of ten of it [m/s]\tlabel\n";
+  bool is_first = true;
+  for (Track& track : tracks) {
+    const auto [low, high] = track.scene.range;
+    std::string block = fmt::format("\"{}\"\n", track.scene.name);
+    constexpr int steps = 240;
+    for (int i = 0; i <= steps; ++i) {
+      const TrackPoint point =
+          track_point(track.scene, low * std::pow(high / low, static_cast<double>(i) / steps));
+      if (!MapFrame::contains(frame.place(point))) continue;
+      track.is_on_map = true;
+      block += fmt::format("{}\t{}\t{}\tNaN\t\"\"\n", number_cell(point.load_number),
+                           number_cell(point.material_number), number_cell(point.speed));
+    }
+    for (int power = -6; power <= 4; ++power) {
+      const double speed = std::pow(10, power);
+      const TrackPoint point = track_point(track.scene, speed);
+      const MapPlace place = frame.place(point);
+      if (speed < low || speed > high || !MapFrame::contains(place)) continue;
+      // Its label stands to the right.
+      const MapPlace label{place.x + 0.09, place.y};
+      const bool has_room = label.x < 0.94 && is_clear(label, taken);
+      taken.push_back(place);
+      if (has_room) taken.push_back(label);
+      block += fmt::format("{}\t{}\tNaN\t{}\t\"{}\"\n", number_cell(point.load_number),
+                           number_cell(point.material_number), number_cell(speed),
+                           has_room ? fmt::format("{} m/s", speed) : "");
+    }
+    if (!track.is_on_map) continue;
+    text += (is_first ? "" : "\n\n") + block;
+    is_first = false;
+  }
+  return {"data/line_film_tracks.blocks.tsv", std::move(text)};
+}
+
+// The errors over the map, and the labels of their contours.
+std::vector<DataFile> map_files(const FilmMap& map, const MapFrame& frame,
+                                const std::vector<MapPlace>& taken) {
+  std::string text =
+      "# errors of formulas for the film of a line contact against the solved film [%]\n"
+      "# load number M\tmaterial number L";
+  for (const ehl::LineFormula& formula : ehl::line_formulas)
+    text += fmt::format("\t{}", formula.name);
+  text += '\n';
+  std::vector<Eigen::MatrixXd> errors(ehl::line_formulas.size(),
+                                      Eigen::MatrixXd(load_steps + 1, material_steps + 1));
+  std::vector<double> materials;
+  for (int l = 0; l <= material_steps; ++l)
+    materials.push_back(frame.material_at(static_cast<double>(l) / material_steps));
+  for (int m = 0; m <= load_steps; ++m) {
+    const double load = frame.load_at(static_cast<double>(m) / load_steps);
+    std::array<std::vector<double>, 3> films;
+    for (std::size_t i = 0; i < films.size(); ++i)
+      films[i] = map.surfaces[i].films(load, materials);
+    for (int l = 0; l <= material_steps; ++l) {
+      const auto at = static_cast<std::size_t>(l);
+      text += number_cell(load) + '\t' + number_cell(materials[at]);
+      for (std::size_t f = 0; f < errors.size(); ++f) {
+        const ehl::LineFormula& formula = ehl::line_formulas[f];
+        const double film = films[static_cast<std::size_t>(formula.quantity)][at];
+        errors[f](m, l) = 100 * error_of(formula, load, materials[at], film);
+        text += fmt::format("\t{:.4g}", errors[f](m, l));
+      }
+      text += '\n';
+    }
+    text += '\n';
+  }
+
+  std::string labels =
+      "# labels of the contours, a block for each formula\n"
+      "# load number M\tmaterial number L\terror [%]\ttext\n";
+  for (std::size_t f = 0; f < errors.size(); ++f) {
+    labels += fmt::format("{}\"{}\"\n", f == 0 ? "" : "\n\n", ehl::line_formulas[f].name);
+    for (const ContourLabel& label :
+         contour_labels(errors[f], {contour_levels.begin(), contour_levels.end()}, taken))
+      labels += fmt::format("{}\t{}\t{}\t\"{}{} %\"\n", number_cell(frame.load_at(label.place.x)),
+                            number_cell(frame.material_at(label.place.y)), label.level,
+                            label.level > 0   ? "+"
+                            : label.level < 0 ? "−"
+                                              : "",
+                            std::fabs(label.level));
+  }
+  return {{"data/line_film_errors.tsv", std::move(text)},
+          {"data/line_film_labels.blocks.tsv", std::move(labels)}};
+}
+
+Json tracks_json(const std::vector<Track>& tracks) {
+  Json all = Json::array();
+  for (const Track& track : tracks)
+    all.push_back({{"name", track.scene.name},
+                   {"file", track.scene.file},
+                   {"slowest", track.scene.range.low},
+                   {"fastest", track.scene.range.high},
+                   {"is_of_paper", track.is_of_paper},
+                   {"is_on_map", track.is_on_map}});
+  return all;
+}
+
+Json estimate_json(const ehl::Estimate& estimate, double unit) {
+  return {{"value", number(std::isfinite(estimate.value) ? std::optional(unit * estimate.value)
+                                                         : std::nullopt)},
+          {"error", number(std::isfinite(estimate.error) ? std::optional(unit * estimate.error)
+                                                         : std::nullopt)}};
+}
+
+// Pressure and film across a contact, and what is read off them.
+void add_profile(Group& group, const std::vector<Track>& tracks) {
+  const auto found = std::find_if(tracks.begin(), tracks.end(), [](const Track& one) {
+    return one.scene.name == profile_scene && !one.is_of_paper;
+  });
+  if (found == tracks.end())
+    throw std::runtime_error(fmt::format("reference/scenes has no line contact {}", profile_scene));
+  const ehl::LineConditions conditions = ehl::conditions_of(found->scene.scene, profile_speed);
+  const ehl::LineScale scale = ehl::scale_of(conditions);
+  const ehl::LineContact contact = ehl::contact_of(conditions);
+  const ehl::SolvedFilm solved = ehl::solve_line_film(contact);
+  if (solved.outcome != ehl::Outcome::solved) throw std::runtime_error(solved.reason);
+  std::string text = fmt::format(
+      "# pressure and film across the line contact of {} at {} m/s\n"
+      "# x/b\tp/p0\tHertz' p/p0\tfilm [µm]\n",
+      found->scene.file, profile_speed);
+  for (std::size_t i = 0; i < solved.film.x.size(); ++i) {
+    const double x = solved.film.x[i];
+    const auto at = static_cast<Eigen::Index>(i);
+    if (x < -3) continue;
+    text += fmt::format("{}\t{}\t{}\t{}\n", exact(x), exact(solved.film.pressure[at]),
+                        exact(std::sqrt(std::fmax(0, 1 - x * x))),
+                        exact(1e6 * scale.film * solved.film.film[at]));
+  }
+  group.files.push_back({"data/line_film_profile.tsv", std::move(text)});
+  group.data["profile"] = {{"file", found->scene.file},
+                           {"speed", profile_speed},
+                           {"load_number", contact.load_number},
+                           {"material_number", contact.material_number},
+                           {"half_width", scale.half_width},
+                           {"peak_pressure", scale.peak_pressure},
+                           {"cells", solved.film.x.size() - 1},
+                           {"central", estimate_json(solved.central, scale.film)},
+                           {"minimum", estimate_json(solved.minimum, scale.film)},
+                           {"spike_pressure", estimate_json(solved.spike_pressure, 1)},
+                           {"spike_place", estimate_json(solved.spike_place, 1)}};
+}
+
+}  // namespace
+
+Group line_films_group(const ReportPlaces& places) {
+  const std::vector<SolvedNumbers> table =
+      read_solved_films((places.reference / "ehl/line_films.csv").string());
+  if (table.empty()) throw std::runtime_error("reference/ehl/line_films.csv has no films");
+  const FilmMap map(table);
+  const MapFrame frame(map);
+  std::vector<Track> tracks;
+  for (LineScene& one : line_scenes(places, places.reference / "scenes"))
+    tracks.push_back({std::move(one), false});
+  for (LineScene& one : line_scenes(places, places.scenes))
+    tracks.push_back({std::move(one), true});
+
+  Group group;
+  std::vector<MapPlace> taken;
+  group.files.push_back(tracks_file(frame, tracks, taken));
+  for (DataFile& file : map_files(map, frame, taken)) group.files.push_back(std::move(file));
+  group.data = {{"speed_number", map_speed_number},
+                {"least_load_number", map.load_numbers.front()},
+                {"greatest_load_number", map.load_numbers.back()},
+                {"least_material_number", map.material_numbers.front()},
+                {"greatest_material_number", map.material_numbers.back()},
+                {"solved", solved_errors_json(table)},
+                {"interpolation", interpolation_json(map)},
+                {"formulas", Json::array()},
+                {"scenes", tracks_json(tracks)}};
+  for (const ehl::LineFormula& formula : ehl::line_formulas)
+    group.data["formulas"].push_back(formula_json(formula, table));
+  add_profile(group, tracks);
+  group.findings = {{"line_films", "film-solved", About::software, Standing::measured}};
+  return group;
+}
+
+}  // namespace tribo::report

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The section of films that are solved: the formulas' errors, the map of them, and a contact's profile."""
+
+import csv
+import json
+import math
+import pathlib
+import re
+import shutil
+import tempfile
+import unittest
+
+from report_files import LINE_DATA, LINE_FIGURES, ROOT, WrittenReport, files_below, report, table
+
+TABLE = ROOT / "reference/ehl/line_films.csv"
+U = 1e-11  # as the page tells
+
+
+def solved_films():
+    rows = csv.DictReader(line for line in TABLE.read_text().splitlines() if not line.startswith("#"))
+    return {(float(row["load_number"]), float(row["material_number"])): row for row in rows}
+
+
+def number(constant, speed, material, load, m, l):
+    """(h/R)(2U)^(-1/2) of C U^a G^b W^c."""
+    root = math.sqrt(2 * U)
+    return constant * U**speed * (l / math.sqrt(root))**material * (m * root)**load / root
+
+
+# In the order of the columns of the map, without the first, which is no product of powers.
+LAWS = {"ertel_grubin": ("at_greatest_pressure", 1.95, 8 / 11, 8 / 11, -1 / 11),
+        "dowson_higginson_minimum": ("minimum", 2.65, 0.70, 0.54, -0.13),
+        "dowson_toyoda_central": ("central", 3.06, 0.69, 0.56, -0.10),
+        "pan_hamrock_minimum": ("minimum", 1.714, 0.694, 0.568, -0.128),
+        "pan_hamrock_central": ("central", 2.922, 0.692, 0.470, -0.166)}
+
+
+def error(name, m, l, film):
+    quantity, *law = LAWS[name]
+    return number(*law, m, l) / float(film[quantity]) - 1
+
+
+class LineFilms(WrittenReport):
+    sections = ("film-solved",)
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.told = json.loads((cls.out / "report.json").read_text())["line_films"]
+        cls.text = (cls.out / "report.md").read_text()
+
+    def test_files(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        pictures = [f"figures/{figure}.{kind}" for figure in LINE_FIGURES for kind in ("svg", "png")]
+        self.assertEqual(sorted(name for name in files_below(self.out) if "/" in name), sorted(LINE_DATA + pictures))
+
+    def test_errors_are_those_of_the_formulas_against_the_table(self):
+        films = {place: film for place, film in solved_films().items() if place[1] > 0}
+        formulas = {one["name"]: one for one in self.told["formulas"]}
+        self.assertEqual(set(formulas), {"moes_line", *LAWS})
+        for name in LAWS:
+            errors = sorted((error(name, m, l, film), m, l) for (m, l), film in films.items())
+            one = formulas[name]
+            with self.subTest(name):
+                self.assertEqual(one["points"], len(errors))
+                for key, expected in (("least", errors[0]), ("greatest", errors[-1])):
+                    found = one[key]
+                    self.assertAlmostEqual(found["error"], expected[0], 9)
+                    self.assertEqual((found["load_number"], found["material_number"]), expected[1:])
+                self.assertAlmostEqual(one["median"], errors[len(errors) // 2][0], 9)
+                shown = f"{abs(100 * one['greatest']['error']):.1e}"  # two digits
+                self.assertIn(f"| `{name}` |", self.text)
+                self.assertIn(f"{float(shown):g}"[:3], self.text)
+
+    def test_the_map_meets_the_table_at_its_corners(self):
+        films = solved_films()
+        rows = table(self.out / "data/line_film_errors.tsv")
+        self.assertGreater(len(rows), 3000)
+        corners = {(m, l): row for row in rows for m in (1, 200) for l in (1, 20)
+                   if math.isclose(float(row["load number M"]), m) and math.isclose(float(row["material number L"]), l)}
+        self.assertEqual(len(corners), 4)
+        for (m, l), row in corners.items():
+            for name in LAWS:
+                with self.subTest(name, place=(m, l)):
+                    self.assertAlmostEqual(float(row[name]), 100 * error(name, m, l, films[m, l]), 2)
+
+    def test_the_map_is_as_exact_as_the_page_tells(self):
+        between = self.told["interpolation"]
+        for quantity, most, most_light in (("central", 0.01, 0.03), ("minimum", 0.002, 0.003),
+                                           ("at_greatest_pressure", 0.002, 0.003)):
+            self.assertLess(between["greatest"][quantity], most)
+            self.assertLess(between["greatest_light"][quantity], most_light)
+        self.assertLess(self.told["solved"]["greatest"]["error"], 2e-4)
+
+    def test_contours_have_labels_with_their_sign(self):
+        blocks = (self.out / "data/line_film_labels.blocks.tsv").read_text().split("\n\n\n")
+        self.assertEqual(len(blocks), 6)
+        for block in blocks:
+            rows = [line.split("\t") for line in block.splitlines() if line.count("\t") == 3 and line[0] != "#"]
+            self.assertGreaterEqual(len(rows), 3)
+            for m, l, level, text in rows:
+                self.assertTrue(1 < float(m) < 200 and 1 < float(l) < 20)
+                sign = "+" if float(level) > 0 else "−" if float(level) < 0 else ""
+                self.assertEqual(text, f'"{sign}{abs(float(level)):g} %"')
+
+    def test_the_pictures_name_what_they_show(self):
+        texts = {name: (self.out / f"figures/{name}.svg").read_text() for name in LINE_FIGURES}
+        for words in ("load number M (–)", "material number L (–)", "Moes: at the greatest pressure", "−10 %", "gear_flank",
+                      "error of the formula"):
+            self.assertIn(words, texts["line_film_errors"])
+        for words in ("film h (µm)", "x/b (–)", "dry contact of Hertz"):
+            self.assertIn(words, texts["line_film_profile"])
+
+    def test_the_profile_carries_the_load_and_has_a_constriction(self):
+        rows = table(self.out / "data/line_film_profile.tsv")
+        x, p, hertz, film = ([float(row[name]) for row in rows] for name in ("x/b", "p/p0", "Hertz' p/p0", "film"))
+        load = sum((b - a) * (p[i] + p[i + 1]) / 2 for i, (a, b) in enumerate(zip(x, x[1:])))
+        self.assertAlmostEqual(load, math.pi / 2, delta=0.03)  # a part of it is carried before x = −3
+        self.assertLessEqual(max(hertz), 1)
+        profile = self.told["profile"]
+        self.assertAlmostEqual(1e-6 * min(film) / profile["minimum"]["value"], 1, 3)
+        self.assertLess(profile["minimum"]["value"], 0.9 * profile["central"]["value"])
+        self.assertLess(profile["central"]["error"] / profile["central"]["value"], 2e-4)
+
+    def test_the_papers_contacts_are_points(self):
+        self.assertEqual([one["name"] for one in self.told["scenes"]], ["gear_flank"])
+        self.assertIn("The paper's contacts are points", self.text)
+
+
+class OtherFiles(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.project = pathlib.Path(folder.name) / "project"
+        for part in ("reference/published", "reference/scenes", "reference/ehl", "reports/page/gnuplot", "reports/page/render",
+                     "reports/page/schema"):
+            shutil.copytree(ROOT / part, self.project / part)
+
+    def told(self, *arguments):
+        done = report("--section", "film-solved", *arguments, cwd=self.project)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((self.project / "reports/out/report.json").read_text())["line_films"]
+
+    def test_a_line_contact_of_the_user_is_on_the_map(self):
+        scenes = self.project / "mine"
+        shutil.copytree(ROOT / "reference/published", scenes)
+        text = (ROOT / "reference/scenes/gear_flank.toml").read_text()
+        (scenes / "roller.toml").write_text(re.sub(r"(?m)^load = \S+", "load = 2e3", text).replace("gear_flank", "roller"))
+        found = {one["name"]: one for one in self.told("--scenes", scenes)["scenes"]}
+        self.assertTrue(found["roller"]["is_of_paper"] and found["roller"]["is_on_map"])
+        tracks = (self.project / "reports/out/data/line_film_tracks.blocks.tsv").read_text()
+        self.assertEqual(re.findall(r'^"(\w+)"$', tracks, re.MULTILINE), ["gear_flank", "roller"])
+        self.assertIn("roller", (self.project / "reports/out/figures/line_film_errors.svg").read_text())
+        self.assertNotIn("The paper's contacts are points", (self.project / "reports/out/report.md").read_text())
+
+    def test_without_the_table_the_page_says_so(self):
+        (self.project / "reference/ehl/line_films.csv").unlink()
+        self.assertIn("line_films.csv", self.told()["missing"]["why"])
+
+
+if __name__ == "__main__":
+    unittest.main()
