@@ -24,11 +24,14 @@ struct HertzPoint {
 // reduced_radius R > 0 in m. Error: hertz_contract; overflow gives ∞ or NaN, underflow 0.
 template <class T>
 HertzPoint<T> hertz_point(const T& load, const T& effective_modulus, const T& reduced_radius) {
-  const T radius = cube_root(T(3 * load * reduced_radius / (4 * effective_modulus)));
-  const T nominal_area = pi<T>() * radius * radius;
-  const T mean_pressure = load / nominal_area;
-  return {radius, nominal_area, mean_pressure, 3 * mean_pressure / 2,
-          radius * radius / reduced_radius};
+  using Wide = WiderType<T>;  // whose roundings do not add up to one of T
+  const Wide wide_load = load;
+  const Wide radius =
+      cube_root(Wide(3 * wide_load * reduced_radius / (4 * Wide(effective_modulus))));
+  const Wide nominal_area = pi<Wide>() * radius * radius;
+  const Wide mean_pressure = wide_load / nominal_area;
+  return {T(radius), T(nominal_area), T(mean_pressure), T(3 * mean_pressure / 2),
+          T(radius * radius / reduced_radius)};
 }
 
 }  // namespace tribo

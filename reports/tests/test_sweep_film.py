@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""tribocheck sweep with solved_film = true: the film of lines over M and L, on threads."""
+
+import csv
+import io
+import math
+import unittest
+
+from program import run
+from sweeps import SweepTest, opened
+
+# At one speed M goes with the load alone, and L with the pressure-viscosity coefficient.
+LINES = """id = "lines"
+load = [500, 5000]
+speed = [0.5, 2]
+[bodies]
+effective_modulus = 1.1e11
+radius_x = 0.01
+length = 0.01
+[lubricant]
+viscosity = 0.05
+pressure_viscosity = [2e-9, 1.5e-8]
+"""
+SWEEP = LINES + "[sweep]\nsolved_film = true\n"
+COLUMNS = ("load_number", "material_number", "central", "central_error", "minimum", "minimum_error")
+
+
+class SolvedFilms(SweepTest):
+    def solved(self, text):
+        self.swept(text)
+        with opened(self.path("out.h5")) as file:
+            return {name: file["lines/outputs/solved_film"][name][:] for name in COLUMNS}
+
+    def test_films_are_those_of_the_command(self):
+        found = self.solved(SWEEP)
+        case = 0
+        for load in (500, 5000):
+            for coefficient in (2e-9, 1.5e-8):
+                scene = LINES.replace("[500, 5000]", str(load)).replace(
+                    "[2e-9, 1.5e-8]", str(coefficient))
+                done = run("film", self.folder.write("line.toml", scene), "--format", "csv")
+                self.assertEqual(done.code, 0, done.err)
+                for at, row in enumerate(csv.DictReader(io.StringIO(done.out))):
+                    for name in ("central", "minimum"):
+                        value, error = float(row[f"{name}_film"]), float(row[f"{name}_film_error"])
+                        got, own_error = found[name][case][at], found[f"{name}_error"][case][at]
+                        self.assertLessEqual(abs(got - value), error + own_error, (scene, row))
+                        self.assertLess(own_error, 1e-4 * got)
+                    self.assertTrue(math.isclose(found["load_number"][case][at],
+                                                 float(row["load_number"]), rel_tol=1e-12))
+                case += 1
+
+    def test_m_and_l_form_the_grid(self):
+        found = self.solved(SWEEP)
+        m, l = found["load_number"], found["material_number"]
+        for at in range(2):
+            self.assertEqual(m[0][at], m[1][at])
+            self.assertTrue(math.isclose(m[2][at], 10 * m[0][at], rel_tol=1e-12))
+            self.assertEqual(l[0][at], l[2][at])
+            self.assertTrue(math.isclose(l[1][at], 7.5 * l[0][at], rel_tol=1e-12))
+
+    def test_threads_change_no_byte(self):
+        self.swept(SWEEP, "--threads", "1", out="one.h5")
+        self.swept(SWEEP, "--threads", "2", out="two.h5")
+        self.assertEqual(self.bytes_of("one.h5"), self.bytes_of("two.h5"))
+
+    def test_a_circle_is_refused_in_one_line(self):
+        circle = SWEEP.replace("radius_x = 0.01\nlength = 0.01", "reduced_radius = 0.01")
+        self.assert_refused(self.sweep(circle), "the film is solved of line contacts alone")
+
+    def test_a_speed_is_needed(self):
+        self.assert_refused(self.sweep(SWEEP.replace("speed = [0.5, 2]\n", "")), "speed: missing")
+
+
+if __name__ == "__main__":
+    unittest.main()
