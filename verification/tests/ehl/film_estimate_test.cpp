@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "ehl/films.hpp"
@@ -138,6 +139,34 @@ TEST(SolvedFilm, AgreesWithTheSecondMethodWithinBothErrors) {
     compare(film.spike_pressure, other.spike_pressure, "height of the spike");
     compare(film.spike_place, other.spike_place, "place of the spike");
   }
+}
+
+TEST(CollocatedFilm, SaysThatThereIsNoStart) {
+  const reference::CollocatedFilm film =
+      reference::collocate_line_film(ehl::barus_contact(10, 5), {{}, {}, {}, 0, 0});
+  EXPECT_EQ(film.is_solved, false);
+  EXPECT_EQ(film.reason, "there is no pressure to start from");
+}
+
+// A pressure that is 10 % off, and another mesh.
+TEST(CollocatedFilm, DoesNotDependOnItsStart) {
+  const ehl::LineContact contact = ehl::barus_contact(2, 1);
+  const ehl::LineFilm solved_film = solved(contact).film;
+  const std::size_t count = solved_film.x.size();
+  const std::span<const double> h(solved_film.film.data(), count);
+  ehl::Numbers rough(solved_film.pressure.begin(), solved_film.pressure.end());
+  const reference::CollocatedFilm one = reference::collocate_line_film(
+      contact, {solved_film.x, rough, h, solved_film.separation, solved_film.mass_flow});
+  for (std::size_t i = 0; i < count; ++i) rough[i] *= 1 + 0.1 * std::sin(3 * solved_film.x[i]);
+  const reference::CollocatedFilm two = reference::collocate_line_film(
+      contact, {solved_film.x, rough, h, 1.1 * solved_film.separation, 0.9 * solved_film.mass_flow},
+      {.elements = 45});
+  EXPECT_TRUE(
+      is_within(one.central.value, two.central.value, one.central.error + two.central.error));
+  EXPECT_TRUE(
+      is_within(one.minimum.value, two.minimum.value, one.minimum.error + two.minimum.error));
+  EXPECT_TRUE(is_within(one.outlet.value, two.outlet.value, one.outlet.error + two.outlet.error));
+  EXPECT_LT(one.central.error, 1e-6 * one.central.value);
 }
 
 TEST(SolvedFilm, LongerInletMovesItByNoMoreThanStated) {
