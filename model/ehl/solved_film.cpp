@@ -133,7 +133,7 @@ Estimate estimate_of(const std::vector<double>& values) {
   };
   e.value = richardson(n - 1);
   e.error = std::fabs(richardson(n - 1) - richardson(n - 2));
-  if (n > 3) e.error = std::fmax(e.error, std::fabs(richardson(n - 2) - richardson(n - 3)) / 4);
+  if (n > 3) e.error = std::fmax(e.error, std::fabs(richardson(n - 2) - richardson(n - 3)) / 2);
   return e;
 }
 

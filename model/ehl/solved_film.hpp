@@ -23,8 +23,8 @@ struct Estimate {
 
 // From the values on grids that halve the cells: at least three. Where the observed order is the
 // second (1.5 to 2.6), the value is Richardson's and the error what Richardson's value changed by,
-// or a quarter of what it changed by before, if that is more; else the value is the last one and
-// the error what it changed by.
+// or half of what it changed by before, if that is more: where a spike is not resolved these
+// changes are irregular. Else the value is the last one and the error what it changed by.
 Estimate estimate_of(const std::vector<double>& values);
 
 // Contacts of a smaller M, and with smaller films H than the second, are refused. Up to the other

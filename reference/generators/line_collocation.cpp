@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 using Ends = std::vector<double>;  // of elements, rising
 
 constexpr int newton_steps = 25;
-// Of the films, relative, with the inlet at 100: falls with its fourth power.
+// Of the films and of X_e, relative, with the inlet at 100: falls with its fourth power.
 constexpr double inlet_error = 5e-8;
 constexpr double first_fluidity = 1e-2, last_fluidity = 3e-6;
 
@@ -437,6 +437,10 @@ CollocatedFilm collocate(const LineContact& contact, const FilmStart& start,
   std::size_t last = 0;
   for (std::size_t i = 0; i < start.x.size(); ++i)
     if (start.pressure[i] > 0) last = i;
+  if (last == 0) {
+    result.reason = "there is no pressure to start from";
+    return result;
+  }
   const double outlet = (start.x[last] + start.x[last + 1]) / 2;
   const double inlet =
       std::max(-options.inlet * std::fmax(1, std::sqrt(2 * start.mass_flow)), start.x.front());
@@ -489,15 +493,15 @@ CollocatedFilm collocate(const LineContact& contact, const FilmStart& start,
     n.error += std::fabs(finer.*member - coarse);
     return n;
   };
-  const auto film = [&](double Values::*member) {
+  const auto with_inlet = [&](double Values::*member) {
     CollocatedNumber n = number(member);
     n.error += inlet_error * std::pow(100 / options.inlet, 4) * n.value;
     return n;
   };
-  result.central = film(&Values::central);
-  result.minimum = film(&Values::minimum);
-  result.at_greatest_pressure = film(&Values::at_greatest_pressure);
-  result.outlet = number(&Values::outlet);
+  result.central = with_inlet(&Values::central);
+  result.minimum = with_inlet(&Values::minimum);
+  result.at_greatest_pressure = with_inlet(&Values::at_greatest_pressure);
+  result.outlet = with_inlet(&Values::outlet);
   if (levels.size() == 1) {
     result.spike_pressure = number(&Values::spike_pressure);
     result.spike_place = number(&Values::spike_place);

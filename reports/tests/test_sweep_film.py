@@ -34,8 +34,8 @@ class SolvedFilms(SweepTest):
     def test_films_are_those_of_the_command(self):
         found = self.solved(SWEEP)
         case = 0
-        for load in (500, 5000):
-            for coefficient in (2e-9, 1.5e-8):
+        for coefficient in (2e-9, 1.5e-8):
+            for load in (500, 5000):
                 scene = LINES.replace("[500, 5000]", str(load)).replace(
                     "[2e-9, 1.5e-8]", str(coefficient))
                 done = run("film", self.folder.write("line.toml", scene), "--format", "csv")
@@ -54,10 +54,10 @@ class SolvedFilms(SweepTest):
         found = self.solved(SWEEP)
         m, l = found["load_number"], found["material_number"]
         for at in range(2):
-            self.assertEqual(m[0][at], m[1][at])
-            self.assertTrue(math.isclose(m[2][at], 10 * m[0][at], rel_tol=1e-12))
-            self.assertEqual(l[0][at], l[2][at])
-            self.assertTrue(math.isclose(l[1][at], 7.5 * l[0][at], rel_tol=1e-12))
+            self.assertEqual(m[0][at], m[2][at])
+            self.assertTrue(math.isclose(m[1][at], 10 * m[0][at], rel_tol=1e-12))
+            self.assertEqual(l[0][at], l[1][at])
+            self.assertTrue(math.isclose(l[2][at], 7.5 * l[0][at], rel_tol=1e-12))
 
     def test_threads_change_no_byte(self):
         self.swept(SWEEP, "--threads", "1", out="one.h5")

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Do the stated errors hold? Of sequences that are known; of solved films against finer ones,
+// against those of the second method (generators/line_collocation.hpp), and as the inlet grows.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "ehl/films.hpp"
+#include "generators/line_collocation.hpp"
+#include "support/judge.hpp"
+
+namespace tribo::verification {
+namespace {
+
+using ehl::Estimate;
+using ehl::SolvedFilm;
+
+std::vector<double> sequence(int count, double limit, double second, double fourth) {
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k)
+    values.push_back(limit + second * std::pow(0.25, k) + fourth * std::pow(0.0625, k));
+  return values;
+}
+
+TEST(EstimateOf, TakesRichardsonsValueOfTheSecondOrder) {
+  const Estimate pure = ehl::estimate_of(sequence(4, 3, 1, 0));
+  EXPECT_TRUE(is_within(pure.value, 3, 1e-15));
+  EXPECT_TRUE(is_within(pure.error, 0, 1e-15));
+  EXPECT_TRUE(is_within(pure.order, 2, 1e-13));
+  // 3 + 1/16 + 0.5/256 and 3 + 1/64 + 0.5/4096 give 3 − 4 · 0.5/4096.
+  const Estimate mixed = ehl::estimate_of(sequence(4, 3, 1, 0.5));
+  EXPECT_TRUE(is_within(mixed.value, 3 - 4 * 0.5 / 4096, 1e-15));
+  // The values before changed by 15 · 4 · 0.5/256, of which half is more than the last change.
+  EXPECT_TRUE(is_within(mixed.error, 15 * 4 * 0.5 / 256 / 2, 1e-14));
+}
+
+TEST(EstimateOf, ErrorHoldsWhateverTheCoefficients) {
+  Sampler sampler(21);
+  for (int i = 0; i < 2000; ++i) {
+    const double limit = sampler.uniform(1, 10);
+    const int count = static_cast<int>(sampler.uniform(3, 8));
+    const double second = sampler.uniform(-1, 1), fourth = sampler.uniform(-3, 3);
+    const Estimate got = ehl::estimate_of(sequence(count, limit, second, fourth));
+    EXPECT_TRUE(is_estimated(got, limit, 1e-15))
+        << count << " grids: " << second << "/4^k + " << fourth << "/16^k";
+  }
+}
+
+TEST(EstimateOf, NoiseAddsNoMoreThanItsOwnSize) {
+  Sampler sampler(22);
+  for (int i = 0; i < 2000; ++i) {
+    const double noise = sampler.log_uniform(1e-8, 1e-2);
+    std::vector<double> values = sequence(4, 5, sampler.uniform(-1, 1), sampler.uniform(-1, 1));
+    for (double& value : values) value += noise * sampler.uniform(-1, 1);
+    EXPECT_TRUE(is_estimated(ehl::estimate_of(values), 5, 5. / 3 * noise)) << "noise " << noise;
+  }
+}
+
+TEST(EstimateOf, IrregularValuesKeepTheLastAndItsChange) {
+  for (const std::vector<double>& values :
+       {std::vector<double>{1, 2, 1.5}, {1, 2, 3}, {1, 1, 2}, {1, 1.5, 1.4999}}) {
+    const Estimate got = ehl::estimate_of(values);
+    EXPECT_EQ(got.value, values[2]);
+    EXPECT_EQ(got.error,
+              std::max(std::abs(values[2] - values[1]), std::abs(values[1] - values[0])));
+    EXPECT_EQ(std::isnan(got.order), true);
+  }
+  EXPECT_EQ(ehl::estimate_of({2, 2, 2}).value, 2);
+  EXPECT_EQ(ehl::estimate_of({2, 2, 2}).error, 0);
+}
+
+TEST(EstimateOf, TooFewValuesGiveNoNumber) {
+  for (const std::vector<double>& values : {std::vector<double>{}, {1}, {1, 2}}) {
+    EXPECT_EQ(std::isnan(ehl::estimate_of(values).value), true);
+    EXPECT_EQ(std::isnan(ehl::estimate_of(values).error), true);
+  }
+}
+
+using Member = Estimate SolvedFilm::*;
+constexpr std::array<Member, 3> films{&SolvedFilm::central, &SolvedFilm::minimum,
+                                      &SolvedFilm::at_greatest_pressure};
+
+TEST(SolvedFilm, ErrorsHoldAgainstFinerGrids) {
+  Sampler sampler(23);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const ehl::LineContact contact =
+        three_liquids(sampler.log_uniform(1, 200), sampler.uniform(0, 20))[i % 3];
+    const SolvedFilm fine = solved(contact, {.tolerance = 2e-5, .greatest_cells = 4096});
+    for (const double tolerance : {1e-2, 1e-3}) {
+      const SolvedFilm loose =
+          solved(contact, {.tolerance = tolerance, .first_cells = 96, .greatest_cells = 768});
+      for (const Member film : films)
+        EXPECT_TRUE(is_estimated(loose.*film, (fine.*film).value, (fine.*film).error))
+            << "M = " << contact.load_number << ", L = " << contact.material_number
+            << ", tolerance " << tolerance << ", " << loose.grids << " grids";
+    }
+  }
+}
+
+TEST(SolvedFilm, AgreesWithTheSecondMethodWithinBothErrors) {
+  Sampler sampler(24);
+  std::vector<ehl::LineContact> contacts;
+  for (const auto& [m, l] : {std::array<double, 2>{1, 0},
+                             {200, 0},
+                             {1, 7.5},
+                             {10, 5},
+                             {200, 2.5},
+                             {50, 5},
+                             {0.1, 0},
+                             {5, 7.5}})
+    contacts.push_back(ehl::barus_contact(m, l));
+  for (int i = 0; i < 6; ++i)
+    contacts.push_back(three_liquids(sampler.log_uniform(1, 100),
+                                     sampler.uniform(0, 5))[static_cast<std::size_t>(i % 3)]);
+  for (const ehl::LineContact& contact : contacts) {
+    const SolvedFilm film = solved(contact);
+    const std::size_t count = film.film.x.size();
+    const reference::CollocatedFilm other =
+        reference::collocate_line_film(contact, {film.film.x,
+                                                 {film.film.pressure.data(), count},
+                                                 {film.film.film.data(), count},
+                                                 film.film.separation,
+                                                 film.film.mass_flow});
+    EXPECT_EQ(other.is_solved, true) << other.reason;
+    const auto compare = [&](const Estimate& one, const reference::CollocatedNumber& two,
+                             const char* name) {
+      EXPECT_TRUE(is_estimated(one, two.value, two.error))
+          << name << ", M = " << contact.load_number << ", L = " << contact.material_number
+          << "; expected is the second method's";
+    };
+    compare(film.central, other.central, "central film");
+    compare(film.minimum, other.minimum, "least film");
+    compare(film.at_greatest_pressure, other.at_greatest_pressure, "film at the greatest pressure");
+    EXPECT_LT(other.central.error, 1e-5 * other.central.value);
+    if (std::isnan(film.spike_pressure.value) || std::isnan(other.spike_pressure.value)) continue;
+    compare(film.spike_pressure, other.spike_pressure, "height of the spike");
+    compare(film.spike_place, other.spike_place, "place of the spike");
+  }
+}
+
+TEST(CollocatedFilm, SaysThatThereIsNoStart) {
+  const reference::CollocatedFilm film =
+      reference::collocate_line_film(ehl::barus_contact(10, 5), {{}, {}, {}, 0, 0});
+  EXPECT_EQ(film.is_solved, false);
+  EXPECT_EQ(film.reason, "there is no pressure to start from");
+}
+
+// A pressure that is 10 % off, and another mesh.
+TEST(CollocatedFilm, DoesNotDependOnItsStart) {
+  const ehl::LineContact contact = ehl::barus_contact(2, 1);
+  const ehl::LineFilm solved_film = solved(contact).film;
+  const std::size_t count = solved_film.x.size();
+  const std::span<const double> h(solved_film.film.data(), count);
+  ehl::Numbers rough(solved_film.pressure.begin(), solved_film.pressure.end());
+  const reference::CollocatedFilm one = reference::collocate_line_film(
+      contact, {solved_film.x, rough, h, solved_film.separation, solved_film.mass_flow});
+  for (std::size_t i = 0; i < count; ++i) rough[i] *= 1 + 0.1 * std::sin(3 * solved_film.x[i]);
+  const reference::CollocatedFilm two = reference::collocate_line_film(
+      contact, {solved_film.x, rough, h, 1.1 * solved_film.separation, 0.9 * solved_film.mass_flow},
+      {.elements = 45});
+  EXPECT_TRUE(
+      is_within(one.central.value, two.central.value, one.central.error + two.central.error));
+  EXPECT_TRUE(
+      is_within(one.minimum.value, two.minimum.value, one.minimum.error + two.minimum.error));
+  EXPECT_TRUE(is_within(one.outlet.value, two.outlet.value, one.outlet.error + two.outlet.error));
+  EXPECT_LT(one.central.error, 1e-6 * one.central.value);
+}
+
+TEST(SolvedFilm, LongerInletMovesItByNoMoreThanStated) {
+  for (const auto& [m, l] : {std::array<double, 2>{0.1, 0}, {1, 0}, {1, 5}, {2, 2}}) {
+    const ehl::LineContact contact = ehl::barus_contact(m, l);
+    const SolvedFilm film = solved(contact);
+    ehl::Numbers x = film.film.x;
+    const double growth = x[0] / x[1];
+    ehl::Numbers upstream;
+    for (double at = 8 * x[0]; at < x[0] * std::sqrt(growth); at /= growth) upstream.push_back(at);
+    x.insert(x.begin(), upstream.begin(), upstream.end());
+    const ehl::LineFilm longer = ehl::solve_on(contact, x, film.film, {});
+    ASSERT_EQ(longer.outcome, ehl::Outcome::solved);
+    const ehl::FilmFeatures before = ehl::features_of(contact, film.film);
+    const ehl::FilmFeatures after = ehl::features_of(contact, longer);
+    // An inlet eight times as long is endless but for 1/512.
+    const double bound = 1.2 * film.domain_error;
+    EXPECT_TRUE(is_within(after.central / before.central, 1, bound)) << m << ", " << l;
+    EXPECT_TRUE(is_within(after.minimum / before.minimum, 1, bound)) << m << ", " << l;
+    EXPECT_TRUE(is_within(after.at_greatest_pressure / before.at_greatest_pressure, 1, bound))
+        << m << ", " << l;
+  }
+}
+
+TEST(SolvedFilm, ConvergesAtSecondOrderWhereTheContactIsResolved) {
+  for (const auto& [m, l] : {std::array<double, 2>{5, 3}, {10, 0}, {10, 5}, {20, 2}, {50, 1}}) {
+    const SolvedFilm film = solved(ehl::barus_contact(m, l), {.tolerance = 1e-5});
+    for (const Member member : films)
+      EXPECT_TRUE(is_within((film.*member).order, 2, 0.2)) << "M = " << m << ", L = " << l;
+  }
+}
+
+}  // namespace
+}  // namespace tribo::verification

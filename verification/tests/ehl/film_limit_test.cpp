@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// The solved film at the corners of (M, L), where its asymptotes are known: rigid bodies and a
+// liquid of constant viscosity (RI), elastic and piezoviscous (EP), rigid and piezoviscous (RP);
+// and dry contact.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "ehl/films.hpp"
+#include "support/judge.hpp"
+
+namespace tribo::verification {
+namespace {
+
+using ehl::SolvedFilm;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Between a plane and a rigid parabola, H = H₀(1 + tan²γ), the pressure falls to 0 with its slope
+// at γ_c, where ∫ [cos²γ − cos⁴γ/cos²γ_c] dγ from −π/2 is 0: 1 + tan²γ_c.
+double rigid_film_ratio() {
+  const auto pressure = [](double g) {
+    const double square = std::cos(g) * std::cos(g);
+    const double start = g + std::numbers::pi / 2;
+    return start / 2 + std::sin(2 * g) / 4 -
+           (3 * start / 8 + std::sin(2 * g) / 4 + std::sin(4 * g) / 32) / square;
+  };
+  double low = 0.1, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    ((pressure(low) > 0) == (pressure(middle) > 0) ? low : high) = middle;
+  }
+  return 1 + std::tan(low) * std::tan(low);
+}
+
+// Its load makes the film number at the greatest pressure 3/M, and so the least one 3/M over the
+// ratio. What elastic bodies change falls with M².
+TEST(FilmLimits, RigidBodiesAndConstantViscosity) {
+  const double ratio = rigid_film_ratio();
+  EXPECT_TRUE(is_within(3 / ratio, 2.44748, 0.000005));
+  const auto at = [](double m) {
+    const ehl::LineContact contact = ehl::barus_contact(m, 0);
+    SolvedFilm film = solved(contact);
+    for (ehl::Estimate* e : {&film.minimum, &film.at_greatest_pressure}) {
+      e->value = m * contact.film_number(e->value);
+      e->error = m * contact.film_number(e->error);
+    }
+    return film;
+  };
+  const SolvedFilm coarse = at(0.02), fine = at(0.01);
+  const auto tends_to = [&](ehl::Estimate SolvedFilm::*film, double limit) {
+    const ehl::Estimate &one = coarse.*film, &two = fine.*film;
+    return is_estimated(
+        {two.value + (two.value - one.value) / 3, two.error * 4 / 3 + one.error / 3}, limit, 0);
+  };
+  EXPECT_TRUE(tends_to(&SolvedFilm::minimum, 3 / ratio));
+  EXPECT_TRUE(tends_to(&SolvedFilm::at_greatest_pressure, 3));
+}
+
+// The constant of a least-squares fit of columns to values, and its error: what the values' own
+// errors can move it by, and the standard error of the fit.
+ehl::Estimate fitted_constant(const MatrixXd& columns, const VectorXd& values,
+                              const VectorXd& errors) {
+  const MatrixXd inverse = (columns.transpose() * columns).inverse();
+  const VectorXd fit = inverse * columns.transpose() * values;
+  const double freedom = static_cast<double>(columns.rows() - columns.cols());
+  const double variance = (values - columns * fit).squaredNorm() / freedom;
+  const VectorXd weights = (inverse * columns.transpose()).row(0).transpose();
+  return {fit[0], weights.cwiseAbs().dot(errors) + std::sqrt(variance * inverse(0, 0))};
+}
+
+struct Ratio {
+  double value, error, film;
+};
+
+// The film number at the greatest pressure over its asymptote's power.
+Ratio ratio_to(const ehl::LineContact& contact, double power, double tolerance) {
+  const SolvedFilm film = solved(contact, {.tolerance = tolerance, .greatest_cells = 2048});
+  const ehl::Estimate& h = film.at_greatest_pressure;
+  return {contact.film_number(h.value) / power, contact.film_number(h.error) / power, h.value};
+}
+
+// 1.31106 M^{−1/8} L^{3/4} is far: at M = 1e4 and L = 20 the film is 1.6 % off. It is met by what
+// the ratio tends to as 1/(ᾱ√δ) and δ = H^{2/3}, the width of the inlet, go to 0.
+TEST(FilmLimits, ElasticAndPiezoviscous) {
+  std::vector<std::array<double, 2>> contacts;
+  for (const double m : {300.0, 1000.0, 3000.0})
+    for (const double l : {10.0, 20.0, 40.0}) contacts.push_back({m, l});
+  contacts.push_back({10000, 10});
+  contacts.push_back({10000, 20});
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  MatrixXd columns(count, 6);
+  VectorXd values(count), errors(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto [m, l] = contacts[static_cast<std::size_t>(i)];
+    const ehl::LineContact contact = ehl::barus_contact(m, l);
+    const Ratio ratio = ratio_to(contact, std::pow(m, -0.125) * std::pow(l, 0.75), 1e-4);
+    const double d = std::pow(ratio.film, 2. / 3), e = 1 / (contact.fluid.exponent * std::sqrt(d));
+    columns.row(i) << 1, e, d, e * e, e * d, d * d;
+    values[i] = ratio.value;
+    errors[i] = ratio.error;
+  }
+  const ehl::Estimate limit = fitted_constant(columns, values, errors);
+  EXPECT_TRUE(is_estimated(limit, 1.31106, 0.000005));
+  EXPECT_LT(limit.error, 2e-3);
+}
+
+// 1.28667 L^{2/3}, as ML^{−2/3}, by which the bodies are elastic, and 1/(ML^{2/3}), by which the
+// liquid is not yet as viscous, go to 0.
+TEST(FilmLimits, RigidAndPiezoviscous) {
+  const std::array<std::array<double, 2>, 9> contacts{{{0.25, 200},
+                                                       {0.25, 400},
+                                                       {0.5, 100},
+                                                       {0.5, 200},
+                                                       {0.75, 100},
+                                                       {0.75, 200},
+                                                       {1, 100},
+                                                       {1, 200},
+                                                       {1.5, 200}}};
+  MatrixXd columns(contacts.size(), 4);
+  VectorXd values(contacts.size()), errors(contacts.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const auto [m, l] = contacts[static_cast<std::size_t>(i)];
+    const double power = std::pow(l, 2. / 3), a = m / power, b = 1 / (m * power);
+    const Ratio ratio = ratio_to(ehl::barus_contact(m, l), power, 1e-3);
+    columns.row(i) << 1, a, a * a, a * b;
+    values[i] = ratio.value;
+    errors[i] = ratio.error;
+  }
+  const ehl::Estimate limit = fitted_constant(columns, values, errors);
+  EXPECT_TRUE(is_estimated(limit, 1.28667, 0.000005));
+  EXPECT_LT(limit.error, 2e-3);
+}
+
+// Inlet and constriction are of the width δ = H^{2/3}, and the pressure there is about its root: so
+// the area between both pressures falls with δ^{3/2}.
+TEST(FilmLimits, PressureTendsToThatOfDryContact) {
+  double before = 0, width_before = 0;
+  for (const double m : {10.0, 100.0, 1000.0}) {
+    const SolvedFilm film = solved(ehl::barus_contact(m, 0), {.tolerance = 1e-3});
+    const ehl::Numbers& x = film.film.x;
+    double area = 0;
+    for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+      const double dry = std::sqrt(std::max(0.0, 1 - x[i] * x[i]));
+      area += std::abs(film.film.pressure[static_cast<Eigen::Index>(i)] - dry) *
+              (x[i + 1] - x[i - 1]) / 2;
+    }
+    const double width = std::pow(film.at_greatest_pressure.value, 2. / 3);
+    EXPECT_LT(area, 5 * std::pow(width, 1.5)) << "M = " << m;
+    if (before > 0) {
+      EXPECT_TRUE(is_within(std::log(before / area) / std::log(width_before / width), 1.5, 0.15))
+          << "M = " << m;
+    }
+    before = area;
+    width_before = width;
+  }
+}
+
+}  // namespace
+}  // namespace tribo::verification
