@@ -10,7 +10,7 @@ clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp'
 all: build
 
 ##@ Start here
-report: ## solve the paper's scenes, draw its figures: reports/out/index.html; some 2 minutes the first time
+report: ## solve the paper's scenes, draw its figures: reports/out/index.html; some 3 minutes the first time
 	@.ci/deps build report
 	@$(MAKE) --no-print-directory build
 	build/release/tribocheck report \

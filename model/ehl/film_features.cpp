@@ -61,21 +61,26 @@ FilmFeatures features_of(const LineContact& contact, const LineFilm& film) {
   if (least > 0 && least + 1 < film.film.size())
     found.minimum = smooth_extremum(x, h, static_cast<std::size_t>(least)).value;
 
-  Eigen::Index greatest;
-  film.pressure.maxCoeff(&greatest);
-  found.greatest_pressure = vertex(x, p, static_cast<std::size_t>(greatest)).value;
-  found.at_greatest_pressure = film.mass_flow / contact.fluid.density(found.greatest_pressure);
-
   bool is_past_minimum = false;
+  std::size_t before_spike = 0;
   for (std::size_t i = 1; i + 1 < x.size() && !found.has_spike; ++i) {
     if (x[i] <= 0 || p[i] == 0) continue;
-    if (p[i] < p[i - 1] && p[i] <= p[i + 1]) is_past_minimum = true;
+    if (p[i] < p[i - 1] && p[i] <= p[i + 1]) {
+      is_past_minimum = true;
+      before_spike = i;
+    }
     if (!is_past_minimum || p[i] <= p[i - 1] || p[i] < p[i + 1]) continue;
     const Extremum top = vertex(x, p, i);
     found.has_spike = true;
     found.spike_pressure = top.value;
     found.spike_place = top.place;
   }
+
+  const std::size_t upstream = found.has_spike ? before_spike : x.size();
+  Eigen::Index greatest;
+  film.pressure.head(static_cast<Eigen::Index>(upstream)).maxCoeff(&greatest);
+  found.greatest_pressure = vertex(x, p, static_cast<std::size_t>(greatest)).value;
+  found.at_greatest_pressure = film.mass_flow / contact.fluid.density(found.greatest_pressure);
   return found;
 }
 

@@ -8,7 +8,7 @@ namespace tribo::ehl {
 
 struct Fluid {
   double exponent = 0;           // ᾱ = αp₀: the slope of ln η̄ at P = 0
-  double roelands_pressure = 0;  // p₀/196.2 MPa; 0: Barus, ln η̄ = ᾱP
+  double roelands_pressure = 0;  // p₀/196 MPa; 0: Barus, ln η̄ = ᾱP
   double roelands_index = 1;     // z: ln η̄ = ᾱ/(zκ)[(1 + κP)^z − 1]
   double density_pressure = 0;   // p₀/590 MPa; 0: incompressible. ρ̄ = (1 + 1.34κP)/(1 + κP)
 

@@ -14,28 +14,25 @@ inline double twice_integrated_log(double z) {
   return z * z * (std::log(std::fabs(z)) / 2 - 0.75);
 }
 
-// ∫ φ(s) ln|r − s| ds of the hat φ that rises from 0 at −left to 1 at 0 and falls to 0 at right.
-// Error: 1e-13 of the hat's area and of the result. Near the hat its second differences are taken;
-// far from it they would cancel, and its moments converge: (left^{k+1}(−1)^k +
-// right^{k+1})/((k+1)(k+2)).
-inline double log_potential_of_hat(double r, double left, double right) {
-  const double half = (left + right) / 2;
-  const double reach = std::fmax(left, right);
-  if (std::fabs(r) < 8 * reach) {
-    return (twice_integrated_log(r + left) - twice_integrated_log(r)) / left -
-           (twice_integrated_log(r) - twice_integrated_log(r - right)) / right;
+// ∫ (1 − s/length) ln|r − s| ds from 0 to length. Near it by the integrals of the logarithm, which
+// would cancel far from it; there its moments converge: length^{k+1}/((k+1)(k+2)).
+inline double log_potential_of_half_hat(double r, double length) {
+  if (std::fabs(r) < 8 * length) {
+    const double once = r == 0 ? 0 : r * (std::log(std::fabs(r)) - 1);
+    return once - (twice_integrated_log(r) - twice_integrated_log(r - length)) / length;
   }
-  const double a = -left / r, b = right / r;
-  double sum = half * std::log(std::fabs(r));
-  double of_left = left, of_right = right;
-  const double least = 1e-17 * half;
-  for (int k = 1; k <= 16; ++k) {
-    of_left *= a;
-    of_right *= b;
-    sum -= (of_left + of_right) / (k * (k + 1) * (k + 2));
-    if (std::fabs(of_left) + std::fabs(of_right) < least) break;
+  double sum = length / 2 * std::log(std::fabs(r)), moment = length;
+  for (int k = 1; k <= 16 && std::fabs(moment) > 1e-17 * length; ++k) {
+    moment *= length / r;
+    sum -= moment / (k * (k + 1) * (k + 2));
   }
   return sum;
+}
+
+// ∫ φ(s) ln|r − s| ds of the hat φ that rises from 0 at −left to 1 at 0 and falls to 0 at right.
+// Error: 1e-13 of the hat's area and of the result.
+inline double log_potential_of_hat(double r, double left, double right) {
+  return log_potential_of_half_hat(-r, left) + log_potential_of_half_hat(r, right);
 }
 
 // The film at distance r from a hat's top, for 1 of pressure there.

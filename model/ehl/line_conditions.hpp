@@ -36,7 +36,7 @@ struct LineScale {
 LineConditions conditions_of(const Scene& scene, double speed);
 
 LineScale scale_of(const LineConditions& conditions);
-// M = W(2U)^{−1/2}, L = G(2U)^{1/4}; Roelands' z is that of α: z = α · 196.2 MPa/(ln η₀ + 9.67).
+// M = W(2U)^{−1/2}, L = G(2U)^{1/4}; Roelands' z is that of α: z = α · 196 MPa/(ln η₀ + 9.67).
 LineContact contact_of(const LineConditions& conditions);
 
 }  // namespace tribo::ehl

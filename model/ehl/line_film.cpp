@@ -200,6 +200,7 @@ LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales&
       if (trial.outcome == Outcome::stopped ||
           (trial.outcome != Outcome::solved && stride < least)) {
         film.outcome = trial.outcome;
+        film.last_change = trial.last_change;
         return false;
       }
       if (trial.outcome != Outcome::solved) {

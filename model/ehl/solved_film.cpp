@@ -2,8 +2,10 @@
 #include "ehl/solved_film.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace tribo::ehl {
 namespace {
@@ -25,10 +27,66 @@ Numbers with_longer_inlet(const Numbers& x) {
   return longer;
 }
 
-std::string text(const char* format, double a, double b) {
-  char line[200];
-  std::snprintf(line, sizeof line, format, a, b);
-  return line;
+template <class... Numbers>
+std::string text(const char* format, Numbers... numbers) {
+  std::array<char, 300> line{};
+  std::snprintf(line.data(), line.size(), format, numbers...);
+  return line.data();
+}
+
+// Why a contact is not tried; empty if it is.
+std::string refusal(const LineContact& contact) {
+  const double m = contact.load_number, l = contact.material_number;
+  if (!std::isfinite(m) || !std::isfinite(l) || !std::isfinite(contact.fluid.exponent))
+    return text("the numbers of this contact, M = %.3g and L = %.3g, are not finite", m, l);
+  if (m < least_load_number)
+    return text(
+        "M = %.3g is below %g: the load is too small to flatten the bodies, and the solver was not "
+        "made for that",
+        m, least_load_number);
+  const double film = expected_film(contact) / contact.film_number(1);
+  if (film < least_film)
+    return text(
+        "the film is about %.1g of b²/R, by which the bodies are flattened; grids of double "
+        "numbers resolve films down to %.0g of it",
+        film, least_film);
+  return {};
+}
+
+// Why Newton's method did not converge: what it had reached at its last step.
+std::string why_not(const LineContact& contact, const Step& last) {
+  const double m = contact.load_number, l = contact.material_number;
+  const LineContact& there = last.contact;
+  std::string why = text(
+      "Newton's method did not converge at M = %.3g and L = %.3g, on the grid of %d cells: its "
+      "step %d still changed the pressure by %.2g of Hertz' peak",
+      there.load_number, there.material_number, last.cells, last.step, last.change);
+  if (there.load_number != m || there.material_number != l)
+    why += text("; this was on the way to M = %.3g and L = %.3g", m, l);
+  if (m > greatest_tried_load_number || l > greatest_tried_material_number)
+    why += text("; the solver was tried up to M = %g and L = %g", greatest_tried_load_number,
+                greatest_tried_material_number);
+  return why;
+}
+
+// Where the nodes of all grids go, and the cells of the coarsest one that shows the film.
+struct Start {
+  NodeDensity density;
+  int cells;
+};
+// `film`: the last that was tried; that of the coarsest grid, if there is a start.
+std::optional<Start> start_of(const LineContact& contact, int cells, const Scales& scales,
+                              double at_edge, LineFilm& film, const Watch& watch) {
+  film = solve_from_nothing(contact, cells, scales, watch);
+  if (film.outcome != Outcome::solved) return std::nullopt;
+  film = solve_on(contact, first_density(scales).nodes(2 * cells), film, watch);
+  if (film.outcome != Outcome::solved) return std::nullopt;
+  const std::size_t count = film.x.size();
+  NodeDensity density =
+      density_of(film.x, {film.pressure.data(), count}, {film.film.data(), count}, at_edge);
+  film = solve_on(contact, density.nodes(cells), film, watch);
+  if (film.outcome != Outcome::solved) return std::nullopt;
+  return Start{std::move(density), cells};
 }
 
 void estimate_all(SolvedFilm& solved, const std::vector<FilmFeatures>& grids) {
@@ -82,44 +140,45 @@ Estimate estimate_of(const std::vector<double>& values) {
 SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& options,
                            const Watch& watch) {
   SolvedFilm solved;
+  solved.reason = refusal(contact);
+  if (!solved.reason.empty()) return solved;
+
+  Step last{contact, options.first_cells, 0, 0};
+  const Watch noting = [&](const Step& step) {
+    last = step;
+    return !watch || watch(step);
+  };
   const auto failed = [&](const LineFilm& film) {
     if (film.outcome == Outcome::solved) return false;
     solved.outcome = film.outcome;
-    if (film.outcome == Outcome::stopped)
-      solved.reason =
-          text("stopped on the grid of %.0f cells", static_cast<double>(film.x.size()) - 1, 0);
-    else
-      solved.reason = text(
-          "Newton's method did not converge on the grid of %.0f cells; its last step changed the "
-          "pressure by %.2g of Hertz' peak",
-          static_cast<double>(film.x.size()) - 1, film.last_change);
+    solved.reason = film.outcome == Outcome::stopped
+                        ? text("stopped on the grid of %d cells, before step %d of Newton's method",
+                               last.cells, last.step + 1)
+                        : why_not(contact, last);
     return true;
   };
-  if (expected_film(contact) / contact.film_number(1) < 1e-8) {
-    solved.reason = text(
-        "the film is some %.1g of what the bodies flatten (hR/b²), which is below what grids of "
-        "double numbers resolve: %.0g",
-        expected_film(contact) / contact.film_number(1), 1e-8);
-    return solved;
-  }
 
-  const Scales scales = scales_of(contact);
-  LineFilm film = solve_from_nothing(contact, options.first_cells, scales, watch);
+  // An inlet of the usual length costs up to 2e-5 of the film.
+  const Scales scales = scales_of(contact, std::fmax(1, std::cbrt(8e-5 / options.tolerance)));
+  // Thin films under great loads are not found on few cells.
+  std::optional<Start> start;
+  LineFilm film;
+  for (int cells = options.first_cells; !start && cells <= 8 * options.first_cells; cells *= 2) {
+    start = start_of(contact, cells, scales, options.at_edge, film, noting);
+    if (film.outcome == Outcome::stopped) break;
+  }
   if (failed(film)) return solved;
-  film = solve_on(contact, first_density(scales).nodes(2 * options.first_cells), film, watch);
-  if (failed(film)) return solved;
-  const NodeDensity density = density_of(film.x, {film.pressure.data(), film.x.size()},
-                                         {film.film.data(), film.x.size()}, options.at_edge);
 
   std::vector<FilmFeatures> grids;
-  for (int cells = options.first_cells; cells <= options.greatest_cells; cells *= 2) {
-    LineFilm finer = solve_on(contact, density.nodes(cells), film, watch);
+  double worst = 0;  // relative error of the three films
+  for (int cells = start->cells; cells <= options.greatest_cells; cells *= 2) {
+    LineFilm finer = solve_on(contact, start->density.nodes(cells), film, noting);
     solved.steps = finer.steps;
     if (failed(finer)) break;
     film = std::move(finer);
     grids.push_back(features_of(contact, film));
     if (grids.size() == 1) {
-      const LineFilm longer = solve_on(contact, with_longer_inlet(film.x), film, watch);
+      const LineFilm longer = solve_on(contact, with_longer_inlet(film.x), film, noting);
       if (failed(longer)) break;
       const FilmFeatures there = features_of(contact, longer);
       // What is left of the inlet falls with the third power of its length.
@@ -129,16 +188,24 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
     }
     if (grids.size() < 3) continue;
     estimate_all(solved, grids);
-    const double worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
-                                   solved.at_greatest_pressure.relative_error()});
+    worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
+                      solved.at_greatest_pressure.relative_error()});
+    const bool is_of_domain = worst < 1.25 * solved.domain_error;  // no grid makes that less
     // Without a spike there is nothing to wait for.
     const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);
-    if (grids.size() > 3 && worst <= options.tolerance && is_spike_met) break;
+    if (grids.size() > 3 && (worst <= options.tolerance || is_of_domain) && is_spike_met) break;
   }
   solved.grids = static_cast<int>(grids.size());
   solved.film = std::move(film);
   if (grids.size() < 3) return solved;
   solved.outcome = Outcome::solved;
+  if (worst <= options.tolerance) return solved;
+  std::string met =
+      text("the tolerance of %g was not met: the error is %.1g on the grid of %d cells",
+           options.tolerance, worst, static_cast<int>(solved.film.x.size()) - 1);
+  if (solved.domain_error > options.tolerance)
+    met += text(", of which %.1g comes from an inlet that is not endless", solved.domain_error);
+  solved.reason = met + (solved.reason.empty() ? "" : "; " + solved.reason);
   return solved;
 }
 

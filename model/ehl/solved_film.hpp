@@ -27,6 +27,13 @@ struct Estimate {
 // the error what it changed by.
 Estimate estimate_of(const std::vector<double>& values);
 
+// Contacts of a smaller M, and with smaller films H than the second, are refused. Up to the other
+// two the solver was tried; beyond them it may do, and says so where it does not converge.
+inline constexpr double least_load_number = 1e-3;
+inline constexpr double least_film = 1e-8;
+inline constexpr double greatest_tried_load_number = 1e4;
+inline constexpr double greatest_tried_material_number = 50;
+
 struct SolveOptions {
   double tolerance = 1e-4;  // relative, of the central and the least film
   double spike_tolerance = std::numeric_limits<double>::infinity();  // of the spike's pressure
@@ -37,7 +44,8 @@ struct SolveOptions {
 
 struct SolvedFilm {
   Outcome outcome = Outcome::not_converged;
-  // solved: empty. Else a sentence that says what failed, where, and what was reached.
+  // Empty where the film is solved to the tolerance. Else what failed, where, and what was reached:
+  // sentences that start small and end without a point.
   std::string reason;
   LineFilm film;  // on the finest grid that was solved
   int grids = 0;
@@ -48,9 +56,9 @@ struct SolvedFilm {
   int steps = 0;  // of Newton's method, in all
 };
 
-// Error of each number: its Estimate. `reason` is not empty where the tolerance was not met, too;
-// then outcome is solved and the numbers hold with their errors. Range: expected H above 1e-8, M
-// from 0.01.
+// Error of each number: its Estimate. Where the tolerance was not met, or a finer grid failed or
+// was stopped, the outcome is solved all the same, the numbers hold with their errors, and `reason`
+// says what was met.
 SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& options = {},
                            const Watch& watch = {});
 

@@ -3,19 +3,17 @@
 // of the schema takes its value, then come the rules that look at several fields.
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "scene/contact_rules.hpp"
 #include "scene/entries.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "scene/value_text.hpp"
-#include "tribo/film_thickness.hpp"
-#include "tribo/hertz_contact.hpp"
 
 namespace tribo::scene_detail {
 namespace {
@@ -26,7 +24,8 @@ bool is_whole(double number) { return std::trunc(number) == number; }
 struct NamedFields {
   std::size_t speed = field_at("speed"), speed_from = field_at("speed.from");
   std::size_t speed_to = field_at("speed.to"), outputs = field_at("outputs");
-  std::bitset<field_count> of_speed, of_supply;  // those of the tables of these names
+  std::size_t film = field_at("closures.film");
+  FieldPlaces of_speed, of_supply;  // those of the tables of these names
 
   NamedFields() {
     for (std::size_t field = 0; field < field_count; ++field) {
@@ -48,20 +47,18 @@ class SceneBinder {
 
   void bind(std::span<const Entry> entries) {
     for (const Entry& entry : entries) place(entry);
-    for (const FieldGroup group : scene_field_groups()) check_group(group);
+    for (const GroupPlaces& group : group_places())
+      if (!may_be_without(group)) check_group(group);
     for (std::size_t field = 0; field < field_count; ++field) take(field);
     check_supply();
-    check_outputs();
+    if (!is_of_line_film()) check_outputs();
     check_speed_range();
     check_roelands();
     if (problems_.any()) return;
-    check_faces();
-    check_film();
-    check_profile();
-    check_ellipse();
-    if (problems_.any()) return;
-    complete();
-    warn_of_odd_pairs();
+    const auto numbers = check_contact(scene_, use_, is_given_[named().film], problems_);
+    if (!numbers) return;
+    complete(*numbers);
+    warn_of_contact(scene_, use_, *numbers, problems_);
     reading_.scene = std::move(scene_);
   }
 
@@ -89,6 +86,7 @@ class SceneBinder {
   void place_field(const Entry& entry, std::size_t field) {
     if (given_[field] != nullptr) return problems_.error(entry.path, "given twice");
     given_[field] = &entry;
+    is_given_.set(field);
   }
 
   void refuse_section(const Entry& entry) {
@@ -153,7 +151,7 @@ class SceneBinder {
     const FieldInfo& info = scene_fields()[field];
     bool needed = info.required;
     if (named().of_speed[field]) needed = needed && speed_is_table();
-    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset;
+    if (info.type == FieldType::speeds) needed = use_ != SceneUse::onset && !is_of_line_film();
     if (needed) report_missing(field, "");
   }
 
@@ -334,121 +332,71 @@ class SceneBinder {
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
   // One set of the group is given, whole, and nothing of the others.
-  void check_group(FieldGroup group) {
-    for (std::size_t field = 0; field < field_count; ++field)
-      if (explained_[field] && is_of(group, scene_fields()[field].path)) return;
-    std::vector<std::string_view> given;
-    std::vector<const FieldSet*> fitting;  // those that have all fields that are given
-    for (const FieldSet& set : group) fitting.push_back(&set);
+  bool is_of_line_film() const { return use_ == SceneUse::line_film; }
+  // The film of a smooth line asks nothing of the surface.
+  bool may_be_without(const GroupPlaces& group) const {
+    return is_of_line_film() && !has_section("surface") &&
+           group.fields[field_at("surface.summit_density")];
+  }
+
+  void check_group(const GroupPlaces& group) {
+    const FieldPlaces given = is_given_ & group.fields, beside = is_given_ & group.optional;
+    for (const SetPlaces& set : group.sets)
+      if (given == set.fields && (beside & ~set.optional).none()) return;
+    if ((explained_ & group.fields).none()) refuse_group(group, given);
+  }
+
+  void refuse_group(const GroupPlaces& group, const FieldPlaces& given) {
+    FieldPlaces so_far;
+    std::string_view first;
     for (std::size_t field = 0; field < field_count; ++field) {
+      if (!given[field]) continue;
       const std::string_view path = scene_fields()[field].path;
-      if (given_[field] == nullptr || !is_of(group, path)) continue;
-      const auto lacks = [&](const FieldSet* set) { return !contains(set->fields, path); };
-      if (std::all_of(fitting.begin(), fitting.end(), lacks))
-        return refuse_beside(group, path, given);
-      std::erase_if(fitting, lacks);
-      given.push_back(path);
+      if (first.empty()) first = path;
+      if (fitting_set(group, so_far.set(field)) == nullptr)
+        return refuse_beside(path, first, sets_text(group.names));
     }
-    const auto is_whole = [&](const FieldSet* set) { return set->fields.size() == given.size(); };
-    const auto whole = std::find_if(fitting.begin(), fitting.end(), is_whole);
-    const FieldSet& chosen = whole == fitting.end() ? *fitting.front() : **whole;
+    const FieldSet& chosen = fitting_set(group, given)->names;
     for (const std::string_view path : chosen.fields)
-      if (!is_given(path)) report_missing_of(group, path, given);
-    for (const FieldSet& set : group)
-      for (const std::string_view path : set.optional)
-        if (is_given(path) && !given.empty() && !contains(chosen.optional, path))
-          problems_.error(path, "given beside " + std::string(given.front()) +
-                                    "; allowed: only beside " + std::string(set.fields.front()));
+      if (!is_given(path)) report_missing_of(group.names, path, first);
+    for (const SetPlaces& set : group.sets)
+      for (const std::string_view path : set.names.optional)
+        if (is_given(path) && !first.empty() && !contains(chosen.optional, path))
+          refuse_beside(path, first, "only beside " + std::string(set.names.fields.front()));
+  }
+
+  // The set that these are, else the first that has them all, else null.
+  static const SetPlaces* fitting_set(const GroupPlaces& group, const FieldPlaces& given) {
+    const SetPlaces* fitting = nullptr;
+    for (const SetPlaces& set : group.sets) {
+      if (set.fields == given) return &set;
+      if (fitting == nullptr && (given & ~set.fields).none()) fitting = &set;
+    }
+    return fitting;
   }
 
   static bool contains(std::span<const std::string_view> names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   }
-  static bool is_of(FieldGroup group, std::string_view path) {
-    return std::any_of(group.begin(), group.end(),
-                       [&](const FieldSet& set) { return contains(set.fields, path); });
+
+  void refuse_beside(std::string_view path, std::string_view first, const std::string& allowed) {
+    problems_.error(path, "given beside " + std::string(first) + "; allowed: " + allowed);
   }
 
-  void refuse_beside(FieldGroup group, std::string_view path,
-                     const std::vector<std::string_view>& given) {
-    problems_.error(
-        path, "given beside " + std::string(given.front()) + "; allowed: " + sets_text(group));
-  }
-
-  void report_missing_of(FieldGroup group, std::string_view path,
-                         const std::vector<std::string_view>& given) {
+  // `first`: the first given field of the group, empty if there is none.
+  void report_missing_of(FieldGroup group, std::string_view path, std::string_view first) {
     const std::size_t field = field_at(path);
-    if (given.empty() && group.front().fields.size() > 1) return report_missing(field, "");
-    if (given.empty())
+    if (first.empty() && group.front().fields.size() > 1) return report_missing(field, "");
+    if (first.empty())
       return problems_.error(path, "missing; allowed: " + allowed_text(scene_fields()[field]) +
                                        "; or, in its place, " + sets_text(group, 1));
-    problems_.error(
-        path, "missing beside " + std::string(given.front()) + "; allowed: " + sets_text(group));
-  }
-
-  // Two faces that meet at a point, or along a line.
-  void check_faces() {
-    const auto& [first, second] = scene_.bodies.bodies;
-    if (first.radius_x != 0) check_pair("x", first.radius_x, second.radius_x);
-    if (first.radius_y != 0) check_pair("y", first.radius_y, second.radius_y);
-  }
-  void check_pair(const std::string& direction, double first, double second) {
-    const double radius = relative_radius(first, second);
-    if (radius > 0 && radius < 1e20) return;  // two flat faces have 1e30 or ∞
-    const std::string one = "first_radius_" + direction, other = "second_radius_" + direction;
-    std::string text = number_text(first) + " is not allowed beside " + other + ", which is " +
-                       number_text(second) + ": the faces do not meet at a point; allowed: 1/" +
-                       one + " + 1/" + other + " above 0";
-    if (direction == "y") text += ", or length in place of both radii, for a line";
-    problems_.error("bodies." + one, text);
-  }
-
-  // Laws of points are for points, and those of lines for lines.
-  void check_film() {
-    const bool is_line = scene_.bodies.shape() == ContactShape::line;
-    if (film_law(scene_.closures.film).is_of_lines == is_line) return;
-    std::vector<std::string_view> fitting;
-    for (std::size_t i = 0; i < film_formula_words.size(); ++i)
-      if (film_law(static_cast<FilmFormula>(i)).is_of_lines == is_line)
-        fitting.push_back(film_formula_words[i]);
-    const std::string contact =
-        is_line ? "the contact is a line (bodies.length)" : "the contact is no line";
-    const Entry* const film = given_[field_at("closures.film")];
-    problems_.error("closures.film",
-                    (film == nullptr ? "missing" : value_text(film->value) + " is not allowed") +
-                        ": " + contact + "; allowed: " + joined(fitting, " or "));
-  }
-
-  // Radii so far apart that the axes are beyond double.
-  void check_ellipse() {
-    if (scene_.bodies.shape() != ContactShape::ellipse || problems_.any()) return;
-    const auto numbers = detail::numbers_of<double>(scene_);
-    const EllipseOfCircle<double>& ellipse = numbers.ellipse;
-    const double cube = ellipse.axis_cube, ratio = ellipse.axes_ratio;
-    if (cube > 0 && std::isfinite(cube) && ratio > 0 && std::isfinite(ratio)) return;
-    problems_.error("bodies.radius_y",
-                    rounded_text(numbers.across) +
-                        " is not allowed beside R_x = " + rounded_text(numbers.radius_x) +
-                        " m; allowed: a ratio of the two that double can hold, "
-                        "or length in place of R_y, for a line");
-  }
-
-  void check_profile() {
-    if (!scene_.surface.has_moments()) return;
-    const auto& [m0, m2, m4] = scene_.surface.moments;
-    const Summits<double> summits = summits_from_spectral_moments(m0, m2, m4);
-    if (!(summits.bandwidth > 0))
-      problems_.error("surface.m4", number_text(m4) + " is not allowed: m0 · m4/m2² = " +
-                                        rounded_text(m0 / m2 * (m4 / m2)) +
-                                        "; allowed: a number that makes it above 0.8968, and 1.5 "
-                                        "or more of an isotropic Gaussian face");
+    problems_.error(path,
+                    "missing beside " + std::string(first) + "; allowed: " + sets_text(group));
   }
 
   // What follows from two bodies, or from spectral moments, stands in the scene as if it had been
   // given.
-  void complete() {
-    if (!scene_.bodies.has_bodies() && !scene_.surface.has_moments()) return;
-    const auto numbers = detail::numbers_of<double>(scene_);
+  void complete(const detail::SceneNumbers<double>& numbers) {
     Surface& surface = scene_.surface;
     surface.summit_density = numbers.summit_density;
     surface.summit_radius = numbers.summit_radius;
@@ -466,12 +414,13 @@ class SceneBinder {
     for (std::size_t field = 0; field < field_count; ++field) {
       if (given_[field] == nullptr || !named().of_supply[field]) continue;
       const std::string_view path = scene_fields()[field].path;
-      if (!first.empty())
-        problems_.error(path, "given beside " + std::string(first) + "; allowed: exactly one of " +
-                                  names_in("supply"));
-      else
+      if (first.empty())
         first = path;
+      else
+        refuse_beside(path, first, "exactly one of " + names_in("supply"));
     }
+    if (is_of_line_film() && !first.empty())
+      problems_.warning(first, "not used: the solved film is that of a flooded inlet");
     if (first.empty() && has_section("supply") && !supply_explained_)
       problems_.error("supply", "empty; allowed: exactly one of " + names_in("supply") +
                                     " (no supply at all: fully flooded)");
@@ -493,77 +442,13 @@ class SceneBinder {
                         "above 6.315e-5, in Pa·s");
   }
 
-  // (D_d/σ_s) nβσ_s of every isotropic Gaussian face (spectral_moments.hpp).
-  void warn_of_summits() {
-    const Surface& surface = scene_.surface;
-    if (surface.has_moments()) {
-      const auto& [m0, m2, m4] = surface.moments;
-      if (const double bandwidth = m0 / m2 * (m4 / m2); bandwidth < 1.5 * (1 - 1e-9))
-        problems_.warning("surface", "m0 · m4/m2² = " + rounded_text(bandwidth) +
-                                         " is legal but implausible: 1.5 or more of every "
-                                         "isotropic Gaussian face");
-      return;
-    }
-    const double product = surface.summit_plane_offset * surface.summit_density *
-                           surface.summit_radius * surface.summit_height_sd;
-    if (product > 0 && !(std::abs(product / 0.0459441 - 1) < 0.1))
-      problems_.warning(
-          "surface", "summit_plane_offset · summit_density · summit_radius · summit_height_sd = " +
-                         rounded_text(product) +
-                         " is legal, but 0.0459 of every isotropic Gaussian face: give m0, m2 "
-                         "and m4 of a profile, and all four follow");
-  }
-
-  void warn_of_odd_pairs() {
-    const Surface& surface = scene_.surface;
-    const double roughness =
-        surface.summit_density * surface.summit_radius * surface.summit_height_sd;
-    if (!(roughness >= 1e-3 && roughness <= 1))
-      problems_.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
-                                       rounded_text(roughness) +
-                                       " is legal but implausible: usual are 0.03 to 0.05");
-    warn_of_summits();
-    const auto numbers = detail::numbers_of<double>(scene_);
-    const ContactShape shape = scene_.bodies.shape();
-    const HertzContact<double> hertz = hertz_contact(shape, numbers);
-    const auto warn_if_large = [&](std::string_view field, double radius, std::string_view axis,
-                                   double size) {
-      if (size > 0.5 * radius)
-        problems_.warning(field, rounded_text(radius) + " m is legal but implausible: Hertz's " +
-                                     std::string(axis) + " is " + rounded_text(size) +
-                                     " m, and his formulas hold where it is far smaller");
-    };
-    if (shape == ContactShape::circle) {
-      warn_if_large("bodies.reduced_radius", numbers.radius_x, "contact radius", hertz.semi_axis_x);
-      return;
-    }
-    const bool is_line = shape == ContactShape::line;
-    warn_if_large("bodies.radius_x", numbers.radius_x, is_line ? "half-width" : "semi-axis along x",
-                  hertz.semi_axis_x);
-    if (is_line && hertz.semi_axis_x > hertz.semi_axis_y)
-      problems_.warning("bodies.length", number_text(numbers.across) +
-                                             " m is legal but implausible: the contact is wider, " +
-                                             rounded_text(2 * hertz.semi_axis_x) + " m");
-    if (is_line) return;
-    warn_if_large("bodies.radius_y", numbers.across, "semi-axis along y", hertz.semi_axis_y);
-    const FilmLaw& law = film_law(scene_.closures.film);
-    if (!(numbers.ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
-          numbers.ellipticity <= law.greatest_ellipticity))
-      problems_.warning(
-          "bodies.radius_y",
-          number_text(numbers.across) +
-              " m makes an ellipse of k = " + rounded_text(numbers.ellipticity) + ", and " +
-              std::string(film_formula_words[static_cast<std::size_t>(scene_.closures.film)]) +
-              " was fitted to k from " + rounded_text(law.least_ellipticity) + " to " +
-              rounded_text(law.greatest_ellipticity));
-  }
-
   SceneUse use_;
   Problems& problems_;
   SceneReading& reading_;
   Scene scene_;
   std::array<const Entry*, field_count> given_{};
-  std::bitset<field_count> explained_;  // an error already says why the field is not there
+  FieldPlaces is_given_;   // whether there is one
+  FieldPlaces explained_;  // an error already says why the field is not there
   bool supply_explained_ = false;
   std::array<std::string_view, section_count> sections_;  // the tables that were given
   std::size_t section_count_ = 0;

@@ -414,6 +414,12 @@ std::string allowed_number(const FieldInfo& field) {
   return text;
 }
 
+FieldPlaces places_of(std::span<const std::string_view> paths) {
+  FieldPlaces places;
+  for (const std::string_view path : paths) places.set(field_at(path));
+  return places;
+}
+
 std::string output_names() {
   std::string text;
   for (const OutputInfo& output : output_infos) {
@@ -456,6 +462,22 @@ std::optional<std::size_t> find_field(std::string_view path) {
 }
 
 std::size_t field_at(std::string_view path) { return find_field(path).value_or(field_count); }
+
+const std::vector<GroupPlaces>& group_places() {
+  static const std::vector<GroupPlaces> all = [] {
+    std::vector<GroupPlaces> result;
+    for (const FieldGroup group : groups) {
+      GroupPlaces& places = result.emplace_back(GroupPlaces{group, {}, {}, {}});
+      for (const FieldSet& set : group) {
+        places.sets.push_back({set, places_of(set.fields), places_of(set.optional)});
+        places.fields |= places.sets.back().fields;
+        places.optional |= places.sets.back().optional;
+      }
+    }
+    return result;
+  }();
+  return all;
+}
 
 bool is_section(std::string_view name) {
   return std::find(sections.begin(), sections.end(), name) != sections.end();

@@ -3,10 +3,12 @@
 // goes.
 #pragma once
 
+#include <bitset>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tribo/scene_reader.hpp"
 
@@ -24,6 +26,20 @@ Store store_of(std::size_t field);
 std::optional<std::size_t> find_field(std::string_view path);
 // The same for a path known to be there.
 std::size_t field_at(std::string_view path);
+
+// Fields by their places in scene_fields(): a stream checks its scenes by these, not by names.
+using FieldPlaces = std::bitset<field_count>;
+struct SetPlaces {
+  FieldSet names;
+  FieldPlaces fields, optional;
+};
+struct GroupPlaces {
+  FieldGroup names;
+  std::vector<SetPlaces> sets;
+  FieldPlaces fields, optional;  // of all sets
+};
+// Of scene_field_groups().
+const std::vector<GroupPlaces>& group_places();
 
 // "surface", "bodies" …: the tables of a scene. `speed` is one of them, as it may be a table.
 bool is_section(std::string_view name);

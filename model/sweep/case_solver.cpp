@@ -81,8 +81,10 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
     }
     contacts_.clear();
     contact_of_.clear();
-    for (std::size_t i = 0; i < some; ++i) add(values.subspan(i * count, count));
-    contacts_.prepare();
+    if (point_width_ > 0 || !sweep_.criteria.empty()) {
+      for (std::size_t i = 0; i < some; ++i) add(values.subspan(i * count, count));
+      contacts_.prepare();
+    }
     const bool curves = speeds_.size() >= speeds_of_a_curve;
     if (point_width_ > 0 && !curves) solve_few_speeds(values, to);
     for (std::size_t i = 0; i < some; ++i) {

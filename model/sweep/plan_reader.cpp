@@ -238,7 +238,8 @@ class SweepBinder {
   SceneReading bound(const std::vector<Entry>& entries) const {
     SceneReading reading;
     Problems problems(reading, source_);
-    scene_detail::bind_scene(entries, asks_points_ ? SceneUse::speeds : SceneUse::onset, problems,
+    const SceneUse without_points = sweep_.criteria.empty() ? SceneUse::line_film : SceneUse::onset;
+    scene_detail::bind_scene(entries, asks_points_ ? SceneUse::speeds : without_points, problems,
                              reading);
     return reading;
   }
@@ -465,6 +466,8 @@ class SweepBinder {
     if (sweep_.solves_film && sweep_.scene.bodies.shape() != ContactShape::line)
       error("sweep.solved_film",
             "the film is solved of lines alone; allowed: true where bodies.length makes a line");
+    if (sweep_.solves_film && sweep_.scene.speeds.empty())
+      error("speed", "missing, and the solved film needs it; allowed: a number, a list or a range");
   }
 
   void check_sensitivity() {

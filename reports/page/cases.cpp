@@ -36,7 +36,7 @@ class CaseReader {
   void read(std::string_view surface, AsperityModel model) {
     const std::filesystem::path path = places_.scenes / (stem_of(surface, model) + ".toml");
     SceneReading reading = read_scene(path.string(), SceneUse::speeds);
-    for (const InputProblem& warning : reading.warnings) result.warnings.push_back(warning.line());
+    for (const InputProblem& warning : reading.warnings) note(warning);
     for (const InputProblem& error : reading.errors) problems.push_back(error.line());
     if (!reading.scene) return;
     const std::string missing = missing_for_report(*reading.scene, model);
@@ -44,10 +44,31 @@ class CaseReader {
     result.cases.push_back({surface, model, places_.shown(path), std::move(*reading.scene)});
   }
 
+  // One line for each warning, whichever scenes have it.
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> lines;
+    for (const auto& [first, more] : warnings_) {
+      lines.push_back(first.line());
+      if (more > 0)
+        lines.back() += fmt::format("; the same of {} more scene{}", more, more == 1 ? "" : "s");
+    }
+    return lines;
+  }
+
   ReadCases result;
   std::vector<std::string> problems;
 
  private:
+  void note(const InputProblem& warning) {
+    for (auto& [first, more] : warnings_)
+      if (first.field == warning.field && first.message == warning.message) {
+        ++more;
+        return;
+      }
+    warnings_.emplace_back(warning, 0);
+  }
+
+  std::vector<std::pair<InputProblem, int>> warnings_;  // of its first scene, and how many more
   const ReportPlaces& places_;
 };
 
@@ -60,6 +81,7 @@ ReadCases read_cases(const ReportPlaces& places) {
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
     for (const std::string_view surface : surfaces) reader.read(surface, model);
   if (!reader.problems.empty()) throw ReportError(std::move(reader.problems));
+  reader.result.warnings = reader.warnings();
   return std::move(reader.result);
 }
 

@@ -29,7 +29,7 @@ struct Case {
 
 struct ReadCases {
   std::vector<Case> cases;            // GT rough, medium, smooth, then GW likewise
-  std::vector<std::string> warnings;  // one line each
+  std::vector<std::string> warnings;  // one line each, for all scenes that have it
 };
 
 // Throws ReportError with every problem of every scene.

@@ -17,6 +17,7 @@ struct Command {
 Command add_solve(CLI::App& program);
 Command add_curve(CLI::App& program);
 Command add_onset(CLI::App& program);
+Command add_film(CLI::App& program);
 Command add_stream(CLI::App& program);
 Command add_functions(CLI::App& program);
 Command add_report(CLI::App& program);

@@ -11,27 +11,36 @@
 namespace tribo::cli {
 namespace {
 
-constexpr std::string_view usual = "reference/published";
-
-std::string scenes_folder() {
+// A folder that examples name, where it is.
+std::string found(std::string_view usual,
+                  std::filesystem::path (*place)(const report::ReportPlaces&)) {
   std::error_code ignored;
   if (std::filesystem::is_directory(usual, ignored)) return std::string(usual);
   try {
-    return report::find_places({}).scenes.string();
+    return place(report::find_places({})).string();
   } catch (const report::ReportError&) {
     return std::string(usual);  // there are no scenes to name
   }
+}
+
+void replace_all(std::string& text, std::string_view usual, const std::string& folder) {
+  for (std::size_t at = text.find(usual); at != std::string::npos;
+       at = text.find(usual, at + folder.size()))
+    text.replace(at, usual.size(), folder);
 }
 
 }  // namespace
 
 std::function<std::string()> footer_with_scenes(std::string text) {
   return [text = std::move(text)] {
-    const std::string folder = scenes_folder();
     std::string footer = text;
-    for (std::size_t at = footer.find(usual); at != std::string::npos;
-         at = footer.find(usual, at + folder.size()))
-      footer.replace(at, usual.size(), folder);
+    replace_all(footer, "reference/published",
+                found("reference/published",
+                      [](const report::ReportPlaces& places) { return places.scenes; }));
+    replace_all(footer, "reference/scenes",
+                found("reference/scenes", [](const report::ReportPlaces& places) {
+                  return places.reference / "scenes";
+                }));
     return footer;
   };
 }

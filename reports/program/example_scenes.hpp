@@ -7,8 +7,8 @@
 
 namespace tribo::cli {
 
-// The footer of a help text. Where the current folder has no reference/published, that is replaced
-// by the full path of the project's or the installed program's folder of scenes.
+// The footer of a help text. Where the current folder has no reference/published, or no
+// reference/scenes, that is replaced by the full path of the project's or the installed program's.
 std::function<std::string()> footer_with_scenes(std::string text);
 
 }  // namespace tribo::cli

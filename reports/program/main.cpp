@@ -28,8 +28,8 @@ namespace {
 
 // Every command, in the order of the help.
 constexpr std::array commands{
-    &add_solve,     &add_curve,  &add_onset, &add_stream, &add_functions, &add_sweep,
-    &add_reproduce, &add_verify, &add_bench, &add_report, &add_init,      &add_plugin_host,
+    &add_solve,     &add_curve,  &add_onset, &add_film,   &add_stream, &add_functions,   &add_sweep,
+    &add_reproduce, &add_verify, &add_bench, &add_report, &add_init,   &add_plugin_host,
 };
 
 constexpr const char* program_footer =

@@ -3,7 +3,6 @@
 #include "tribo/onset.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -11,6 +10,7 @@
 #include "command.hpp"
 #include "example_scenes.hpp"
 #include "exit_code.hpp"
+#include "number_option.hpp"
 #include "onset_writers.hpp"
 #include "protocol/output_values.hpp"
 #include "scene_arguments.hpp"
@@ -58,16 +58,6 @@ int find_onsets(const OnsetArguments& arguments, OutputStream& output) {
   return loaded.all_good ? exit_done : exit_bad;
 }
 
-// Not CLI11's own conversion, which rounds twice and lets "nan" through.
-void read_departure(const std::string& text, double& departure) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, departure);
-  if (error == std::errc() && stop == end && departure > 0 && departure < 1) return;
-  throw CLI::ValidationError("--departure", text +
-                                                " is not allowed; allowed: a number above 0 and "
-                                                "below 1");
-}
-
 std::vector<std::string> criterion_names() {
   std::vector<std::string> names;
   names.reserve(onset_criteria.size());
@@ -98,10 +88,10 @@ Command add_onset(CLI::App& program) {
                   "only this one; may be repeated (default: all)")
       ->allow_extra_args(false)
       ->check(CLI::IsMember(criterion_names()));
-  app->add_option_function<std::string>(
-      "--departure",
-      [arguments](const std::string& text) { read_departure(text, arguments->departure); },
-      "the ε of film_departure (default: 0.05)");
+  add_number_option(
+      *app, "--departure", [arguments](double departure) { arguments->departure = departure; },
+      [](double departure) { return departure > 0 && departure < 1; },
+      "a number above 0 and below 1", "the ε of film_departure (default: 0.05)");
   return {app, [arguments](OutputStream& output) { return find_onsets(*arguments, output); }};
 }
 

@@ -3,9 +3,7 @@
 #include "page/report.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -13,29 +11,13 @@
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "page/report_error.hpp"
+#include "step_line.hpp"
 
 namespace tribo::cli {
 namespace {
 
-// One line on stderr that each step overwrites, where a person watches.
-class StepLine {
- public:
-  StepLine() : watched_(::isatty(STDERR_FILENO) != 0) {}
-  StepLine(const StepLine&) = delete;
-  StepLine& operator=(const StepLine&) = delete;
-  ~StepLine() { show(""); }
-  void show(std::string_view step) const {
-    if (!watched_) return;
-    const std::string line = fmt::format("\r{}\033[K", step);
-    std::fwrite(line.data(), 1, line.size(), stderr);
-  }
-
- private:
-  bool watched_;
-};
-
 report::Report written_report(const report::ReportOptions& options) {
-  const StepLine steps;
+  StepLine steps;
   return report::write_report(options, [&](std::string_view step) { steps.show(step); });
 }
 

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <atomic>
 #include <charconv>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -20,6 +18,7 @@
 #include "page/sweep_pictures.hpp"
 #include "page/sweep_tables.hpp"
 #include "scene/schema.hpp"
+#include "stop_signal.hpp"
 #include "sweep/compute.hpp"
 #include "sweep/journal.hpp"
 #include "sweep/plan_reader.hpp"
@@ -40,22 +39,6 @@ struct SweepArguments {
   bool resume = false, force = false, without_fma = false, mixed_fma = false, estimate = false;
   bool cases = false;
 };
-
-// --- Being stopped.
-
-std::atomic<int> stop_signal = 0;
-static_assert(std::atomic<int>::is_always_lock_free);
-
-// The second of them ends the process at once; what was computed is in the journal all the same.
-extern "C" void on_stop_signal(int signal) {
-  stop_signal = signal;
-  std::signal(signal, SIG_DFL);
-}
-
-void watch_for_stop() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, on_stop_signal);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file at its limit shows as a failed write
-}
 
 // --- Reading.
 
@@ -167,7 +150,7 @@ sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& p
     progress.wipe();
     if (first_rank) complain(line);
   };
-  settings.stopped = [] { return stop_signal != 0; };
+  settings.stopped = [] { return stop_signal() != 0; };
   return settings;
 }
 
@@ -203,7 +186,7 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   watch_for_stop();
   const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
   progress.wipe();
-  if (stop_signal != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal;
+  if (stop_signal() != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal();
   return end == sweep::RunEnd::done ? shown : exit_failed;
 }
 

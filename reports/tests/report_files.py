@@ -58,7 +58,9 @@ def report(*arguments, environment=None, cwd=ROOT):
     done = subprocess.run([PROGRAM, "report", *map(str, arguments)], cwd=cwd,
                           env={**ENVIRONMENT, **(environment or {})}, stdin=subprocess.DEVNULL,
                           capture_output=True, encoding="utf-8", timeout=TIMEOUT)
-    done.stderr = "".join(line for line in done.stderr.splitlines(keepends=True) if OF_SUMMITS not in line)
+    lines = done.stderr.splitlines(keepends=True)
+    done.of_summits = [line for line in lines if OF_SUMMITS in line]
+    done.stderr = "".join(line for line in lines if OF_SUMMITS not in line)
     return done
 
 

@@ -74,6 +74,11 @@ class Examples(unittest.TestCase):
         with open(self.folder.path("rough.csv"), encoding="utf-8") as file:
             self.assertEqual(len(file.readlines()), 201)
 
+    def test_of_film(self):
+        self.run_examples("film")
+        for file in ["films.csv", "profiles.csv", "roller.png"]:
+            self.assertTrue(os.path.exists(self.folder.path(file)), file)
+
     def test_of_sweep(self):
         self.run_examples("sweep")
         for picture in ["smooth.h5", "film_map.h5", "pictures"]:

@@ -51,6 +51,10 @@ class EveryPromisedFile(WrittenReport):
     def test_exit_code_and_silence(self):
         self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
 
+    def test_what_all_scenes_are_warned_of_is_one_line(self):
+        self.assertEqual(len(self.done.of_summits), 1)
+        self.assertRegex(self.done.of_summits[0], r"^tribocheck: warning: .*/rough\.toml: surface: .*; the same of 5 more scenes\n$")
+
     def test_files_are_those_promised(self):
         self.assertEqual(files_below(self.out), sorted(DATA + RESULTS + PICTURES + PAGES))
 

@@ -64,12 +64,13 @@ std::string known_factor(double ratio) {
 std::vector<std::string> rests_on(const std::string& function) {
   if (function == "load_sharing") return {"gaussian_moment"};
   if (is_operating_point(function)) {
+    // A point of the usual kind rests on the first law and on the circle alone.
+    if (function == operating_point_functions[0])
+      return {"hertz_point", std::string(film_formula_words[0]), "gaussian_moment", "load_sharing",
+              "starvation_ratio"};
     std::vector<std::string> below{"hertz_point",     "hertz_ellipse", "hertz_line",
                                    "gaussian_moment", "load_sharing",  "starvation_ratio"};
     below.insert(below.end(), film_formula_words.begin(), film_formula_words.end());
-    // A point of the usual kind rests on the first law and on the circle alone.
-    if (function == operating_point_functions[0])
-      return {"hertz_point", below.at(6), "gaussian_moment", "load_sharing", "starvation_ratio"};
     return below;
   }
   return {};

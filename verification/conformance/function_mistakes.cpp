@@ -102,18 +102,11 @@ void add_law(const LawChange& change, Mistake& mistake) {
     FilmLaw law = question.law.value_or(*question.function->film_law);
     for (const auto& [member, number] : change.numbers) law.*member = number;
     for (const auto& [member, multiple] : change.moduli) law.*member = multiple;
-    // a new row, so that its last members follow from these
-    question.law = FilmLaw{law.constant,
-                           law.speed_exponent,
-                           law.material_exponent,
-                           law.load_exponent,
-                           law.side_leakage,
-                           law.side_decay,
-                           law.speed_modulus,
-                           law.material_modulus,
-                           law.load_modulus,
-                           law.speed_multiple,
-                           law.is_of_lines && !change.is_as_of_points};
+    law.is_of_lines = law.is_of_lines && !change.is_as_of_points;
+    law.sharing_exponent = law.speed_exponent - law.material_exponent;
+    law.speed_power = law.speed_exponent;
+    law.sharing_power = law.sharing_exponent;
+    question.law = law;
   };
 }
 

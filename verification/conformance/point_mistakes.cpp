@@ -252,12 +252,14 @@ Mistake with_inlet(const Mistake& wrong) {
       });
 }
 
-// Of a starved point, the films alone.
+// Of a starved point, the films alone. load_sharing has the exponent of the first law.
 Mistake with_sharing(const Mistake& wrong) {
   return with_formula(
       wrong.name, wrong.text, [wrong](const Question& question) -> std::optional<Numbers> {
         const Scene& scene = *question.scene;
         const MixedContact<double> contact(scene);
+        const double exponent = contact.film().sharing_power.value;
+        if (exponent != hamrock_dowson_central_law.sharing_power.value) return std::nullopt;
         const double speed = scene.speeds[0];
         const auto lambda =
             value_with(wrong, {static_cast<double>(scene.closures.asperity),
@@ -265,8 +267,8 @@ Mistake with_sharing(const Mistake& wrong) {
                                contact.sharing().offset()});
         if (!lambda) return std::nullopt;
         // The film is h₀ (1 − A)^−e, whatever gave A.
-        const double fluid = std::pow(contact.flooded_film_parameter(speed) / *lambda,
-                                      1 / contact.film().sharing_power.value);
+        const double fluid =
+            std::pow(contact.flooded_film_parameter(speed) / *lambda, 1 / exponent);
         const FloodedFilm<double> flooded{speed, {*lambda, 1 - fluid, fluid, 0}};
         const InletState<double> inlet = contact.inlet(flooded);
         Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);

@@ -68,8 +68,7 @@ double friction_of(const OperatingPoint<double>& point, const Scene& scene,
                    const FrictionReading& reading) {
   const Lubricant& oil = scene.lubricant;
   const double mean_pressure =
-      hertz_point(scene.load, scene.bodies.effective_modulus, scene.bodies.reduced_radius)
-          .mean_pressure;
+      hertz_contact(scene.bodies.shape(), detail::numbers_of<double>(scene)).mean_pressure;
   // Another p_R in Roelands' law is the right one with αp_R′/p_R and p·p_R/p_R′; Barus' αp stays.
   const double times = reading.roelands_pressure / roelands_pressure<double>();
   const double thickening = log_viscosity_ratio(

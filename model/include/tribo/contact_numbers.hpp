@@ -80,29 +80,27 @@ ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
 SceneNumbers<double> given_numbers(const Scene& scene);
 
-// The same numbers in another type, and what follows from R_x and R_y in that type.
+// The same numbers in another type, without the ellipse.
 template <class T>
-SceneNumbers<T> numbers_in(ContactShape shape, const SceneNumbers<double>& n) {
-  SceneNumbers<T> numbers{T(n.load),
-                          T(n.summit_density),
-                          T(n.summit_radius),
-                          T(n.summit_height_sd),
-                          T(n.summit_plane_offset),
-                          T(n.offset_planes),
-                          T(n.effective_modulus),
-                          T(n.radius_x),
-                          T(n.ellipticity),
-                          T(n.viscosity),
-                          T(n.pressure_viscosity),
-                          T(n.eyring_stress),
-                          T(n.supply),
-                          T(n.boundary_coefficient),
-                          T(n.slide_roll_ratio),
-                          T(n.damiens_exponent),
-                          T(n.across),
-                          {}};
-  if (shape == ContactShape::ellipse) numbers.set_ellipse();
-  return numbers;
+SceneNumbers<T> numbers_in(const SceneNumbers<double>& n) {
+  return {T(n.load),
+          T(n.summit_density),
+          T(n.summit_radius),
+          T(n.summit_height_sd),
+          T(n.summit_plane_offset),
+          T(n.offset_planes),
+          T(n.effective_modulus),
+          T(n.radius_x),
+          T(n.ellipticity),
+          T(n.viscosity),
+          T(n.pressure_viscosity),
+          T(n.eyring_stress),
+          T(n.supply),
+          T(n.boundary_coefficient),
+          T(n.slide_roll_ratio),
+          T(n.damiens_exponent),
+          T(n.across),
+          {}};
 }
 
 // The numbers that a contact is prepared from. An ellipse's axes are computed here, once for all
@@ -111,10 +109,7 @@ template <class T>
 SceneNumbers<T> numbers_of(const Scene& scene) {
   using Wide = WiderType<T>;
   const auto& [first, second] = scene.bodies.bodies;
-  const ContactShape shape = scene.bodies.shape();
-  if (!scene.bodies.has_bodies() && !scene.surface.has_moments())
-    return numbers_in<T>(shape, given_numbers(scene));
-  SceneNumbers<T> numbers = numbers_in<T>(ContactShape::circle, given_numbers(scene));
+  SceneNumbers<T> numbers = numbers_in<T>(given_numbers(scene));
   if (scene.surface.has_moments()) {
     const SpectralMoments& m = scene.surface.moments;
     const auto summits = summits_from_spectral_moments(Wide(m.m0), Wide(m.m2), Wide(m.m4));
@@ -135,7 +130,7 @@ SceneNumbers<T> numbers_of(const Scene& scene) {
     numbers.radius_x = T(relative_radius(Wide(first.radius_x), Wide(second.radius_x)));
   if (first.radius_y != 0)
     numbers.across = T(relative_radius(Wide(first.radius_y), Wide(second.radius_y)));
-  if (shape == ContactShape::ellipse) numbers.set_ellipse();
+  if (scene.bodies.shape() == ContactShape::ellipse) numbers.set_ellipse();
   return numbers;
 }
 

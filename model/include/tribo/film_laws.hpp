@@ -3,6 +3,8 @@
 // rows of numbers.
 #pragma once
 
+#include <limits>
+
 #include "tribo/real.hpp"
 
 namespace tribo {
@@ -22,8 +24,8 @@ struct FilmLaw {
   int load_modulus = 2;
   int speed_multiple = 1;
   bool is_of_lines = false;  // or of points
-  // The ellipticities that it was fitted to; of lines not used.
-  double least_ellipticity = 1, greatest_ellipticity = 8;
+  // The ellipticities that it was fitted to, where its source tells them.
+  double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
   // divided by it, and W stays: h = h₀ γ^{a−b}.
@@ -34,23 +36,28 @@ struct FilmLaw {
 };
 
 // Central film (0.67 − 0.53 = 0.14 after load sharing) and minimum film (0.19) of Hamrock and
-// Dowson (1977).
+// Dowson (1977): J. Lubr. Technol. 99 (1977) 264, whose abstract has k from 1 to 8.
 inline constexpr FilmLaw hamrock_dowson_central_law{.constant = {269, 100},
                                                     .speed_exponent = {67, 100},
                                                     .material_exponent = {53, 100},
                                                     .load_exponent = {-67, 1000},
                                                     .side_leakage = {61, 100},
-                                                    .side_decay = {73, 100}};
+                                                    .side_decay = {73, 100},
+                                                    .least_ellipticity = 1,
+                                                    .greatest_ellipticity = 8};
 inline constexpr FilmLaw hamrock_dowson_minimum_law{.constant = {363, 100},
                                                     .speed_exponent = {68, 100},
                                                     .material_exponent = {49, 100},
                                                     .load_exponent = {-73, 1000},
                                                     .side_leakage = {1, 1},
-                                                    .side_decay = {68, 100}};
+                                                    .side_decay = {68, 100},
+                                                    .least_ellipticity = 1,
+                                                    .greatest_ellipticity = 8};
 
 // Films of soft bodies in liquids whose viscosity does not rise with pressure: B. J. Hamrock, D.
 // Dowson: Elastohydrodynamic lubrication of elliptical contacts for materials of low elastic
-// modulus, part I. J. Lubr. Technol. 100 (1978) 236.
+// modulus, part I. J. Lubr. Technol. 100 (1978) 236. The range of k that they were fitted to is not
+// known here.
 inline constexpr FilmLaw hamrock_dowson_soft_central_law{.constant = {732, 100},
                                                          .speed_exponent = {64, 100},
                                                          .material_exponent = {0, 1},

@@ -292,7 +292,9 @@ class MixedContact<double> {
   // The same contact in another number type, from the same scene.
   template <class T>
   MixedContact<T> in() const {
-    return MixedContact<T>(words_, detail::numbers_in<T>(words_.shape, scene_));
+    auto numbers = detail::numbers_in<T>(scene_);
+    if (words_.shape == ContactShape::ellipse) numbers.set_ellipse();
+    return MixedContact<T>(words_, numbers);
   }
 
  private:

@@ -5,6 +5,8 @@
 // performance of rough surfaces. J. Tribol. 109 (1987) 264.
 #pragma once
 
+#include <numbers>
+
 #include "tribo/contract.hpp"
 #include "tribo/real.hpp"
 
@@ -13,9 +15,17 @@ namespace tribo {
 // α − 0.8968 is a difference: the condition is that of m₀, m₂ and m₄.
 inline constexpr Contract spectral_moments_contract{6, 3};
 
+// Of α = m₀m₄/m₂²: what every isotropic Gaussian face has at least (Nayak), and where σ_s is 0
+// (McCool).
+inline constexpr double least_isotropic_bandwidth = 1.5;
+inline constexpr Fraction bandwidth_without_summits{8968, 10000};
+
+// Offset over σ_s times nβσ_s, from McCool's n, β and offset: 4/√π · (3/8)√π/(6π√3) = 1/(4π√3).
+inline constexpr double offset_times_roughness = 1 / (4 * std::numbers::pi * std::numbers::sqrt3);
+
 template <class T>
 struct Summits {
-  T bandwidth;         // α = m₀m₄/m₂²; of an isotropic Gaussian face 3/2 or more
+  T bandwidth;         // α
   T summit_density;    // n = m₄/(6π√3 m₂), 1/m²
   T summit_radius;     // β = ⅜√(π/m₄), m
   T summit_height_sd;  // σ_s = √((1 − 0.8968/α) m₀), m
@@ -26,12 +36,12 @@ struct Summits {
 // their mean squares; all > 0. Five NaN where the bandwidth is not above 0.8968, as σ_s² would not
 // be above 0. Error: spectral_moments_contract.
 //
-// Whatever the moments, summit_plane_offset · nβσ_s = 1/(4π√3) = 0.04594.
+// Whatever the moments, summit_plane_offset · nβσ_s = offset_times_roughness.
 template <class T>
 Summits<T> summits_from_spectral_moments(const T& m0, const T& m2, const T& m4) {
   using std::sqrt;
   const T bandwidth = m0 / m2 * (m4 / m2);
-  const T excess = bandwidth - ratio<T>(8968, 10000);
+  const T excess = bandwidth - ratio<T>(bandwidth_without_summits);
   if (!(excess > 0)) {
     const T nan = quiet_nan<T>();
     return {nan, nan, nan, nan, nan};

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -41,6 +43,57 @@ TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
     EXPECT_GE(changed, 3U) << mistake.function << ' ' << mistake.name;
   }
   EXPECT_GE(names.size(), 120U);
+}
+
+// What a mistake says of an operating point, for each case of those.
+void for_each_answer(
+    const std::function<bool(const Mistake&)>& is_asked,
+    const std::function<void(const Case&, const Question&, const std::optional<Numbers>&)>& look) {
+  const std::vector<Case> cases = read_cases({reference + "/exact", reference + "/published"});
+  const std::vector<Mistake> mistakes = read_mistakes(reference + "/mistakes.toml");
+  for (const Mistake& mistake : mistakes) {
+    if (mistake.function != "operating_point" || !is_asked(mistake)) continue;
+    const Mistake* const one = &mistake;
+    for (const Case& asked : cases) {
+      if (!is_operating_point(asked.function) || asked.is_extreme) continue;
+      const Question question = question_of(asked);
+      look(asked, question, numbers_with({&one, 1}, question));
+    }
+  }
+}
+
+TEST(Mistakes, InFrictionAreSaidOfEveryShape) {
+  std::set<ContactShape> shapes;
+  for_each_answer(
+      [](const Mistake& one) { return one.name.starts_with("friction-"); },
+      [&](const Case& asked, const Question& question, const std::optional<Numbers>& given) {
+        for (const Expected& expected : asked.expected) {
+          if (expected.field != "friction" || expected.is_undefined) continue;
+          ASSERT_TRUE(given);
+          EXPECT_EQ(std::isfinite(given->at(static_cast<std::size_t>(Output::friction))), true)
+              << asked.id;
+          shapes.insert(question.scene->bodies.shape());
+        }
+      });
+  EXPECT_EQ(shapes.size(), 3U);
+}
+
+// The function load_sharing has the exponent of the first law.
+TEST(Mistakes, InLoadSharingAreSaidOfFilmsOfItsExponentAlone) {
+  std::set<std::string> names;
+  for (const Mistake& mistake : read_mistakes(reference + "/mistakes.toml"))
+    if (mistake.function == "load_sharing") names.insert(mistake.name);
+  std::size_t said = 0, unsaid_of = 0;
+  for_each_answer(
+      [&](const Mistake& one) { return names.contains(one.name); },
+      [&](const Case& asked, const Question& question, const std::optional<Numbers>& given) {
+        const bool is_other = film_law(question.scene->closures.film).sharing_power.value !=
+                              hamrock_dowson_central_law.sharing_power.value;
+        EXPECT_EQ(is_other && given.has_value(), false) << asked.id;
+        ++(given ? said : unsaid_of);
+      });
+  EXPECT_GT(said, 0U);
+  EXPECT_GT(unsaid_of, 0U);
 }
 
 // What is said of a file with this text.

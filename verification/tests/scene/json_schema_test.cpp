@@ -215,7 +215,8 @@ Json schema_of_table() {
       {"$comment",
        "Built from scene_fields() by verification/tests/scene/json_schema_test.cpp. What a schema "
        "cannot say: speed is required but for onset; speed.to is above speed.from; numbers are "
-       "finite in double and do not vanish; two faces meet at a point."},
+       "finite in double and do not vanish; two faces meet at a point; m0 m4/m2² of a profile is "
+       "above 0.8968."},
       {"type", "object"},
       {"additionalProperties", false},
       {"required", required},

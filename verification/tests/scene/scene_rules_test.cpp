@@ -287,6 +287,23 @@ TEST(SceneSpeeds, EmptyTableLacksItsEnds) {
   }
 }
 
+TEST(SceneUses, TheFilmOfALineAsksNothingOfTheSurface) {
+  const auto use = SceneUse::line_film;
+  for (const Format format : formats) {
+    SceneText line = good().remove("bodies.reduced_radius").set("bodies.radius_x", "0.01");
+    line.set("bodies.length", "0.01");
+    EXPECT_TRUE(refused(format, line, "closures.film", "the contact is a line"));
+    EXPECT_TRUE(accepted(format, line, use));
+    EXPECT_TRUE(
+        has_problem(read(format, line, use).warnings, "supply.inlet_film_ratio", "flooded"));
+    for (const char* section : {"surface", "supply", "friction"}) line.remove_section(section);
+    EXPECT_TRUE(accepted(format, line.remove("speed"), use));
+    EXPECT_EQ(read(format, line, use).warnings.size(), 0u);
+    EXPECT_TRUE(refused(format, line.remove("load"), "load", "missing", use));
+    EXPECT_TRUE(refused(format, good(), "bodies.reduced_radius", "line contacts alone", use));
+  }
+}
+
 TEST(SceneSpeeds, AreRequiredByUse) {
   for (const Format format : formats) {
     const SceneText none = good().remove("speed");
@@ -491,6 +508,10 @@ TEST(SceneShapes, OddOnesAreWarnedOf) {
                        "was fitted to k from 1 to 8"));
     EXPECT_TRUE(warned(format, ellipse().set("bodies.radius_y", "5"), "bodies.radius_y",
                        "was fitted to k from 1 to 8"));
+    const SceneText soft = ellipse()
+                               .set("bodies.radius_y", "5")
+                               .set("closures.film", "\"hamrock_dowson_soft_central\"");
+    EXPECT_EQ(has_problem(read(format, soft).warnings, "bodies.radius_y", "was fitted to"), false);
     EXPECT_TRUE(warned(format, line().set("bodies.length", "1e-5"), "bodies.length",
                        "the contact is wider"));
     EXPECT_TRUE(warned(format,

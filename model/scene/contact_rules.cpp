@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/contact_rules.hpp"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/schema.hpp"
+#include "scene/text.hpp"
+#include "tribo/film_thickness.hpp"
+#include "tribo/hertz_contact.hpp"
+
+namespace tribo::scene_detail {
+namespace {
+
+using Numbers = detail::SceneNumbers<double>;
+
+std::string_view film_word(const Scene& scene) {
+  return film_formula_words[static_cast<std::size_t>(scene.closures.film)];
+}
+
+void check_pair(const std::string& direction, double first, double second, Problems& problems) {
+  const double radius = relative_radius(first, second);
+  if (radius > 0 && radius < 1e20) return;  // two flat faces have 1e30 or ∞
+  const std::string one = "first_radius_" + direction, other = "second_radius_" + direction;
+  std::string text = number_text(first) + " is not allowed beside " + other + ", which is " +
+                     number_text(second) + ": the faces do not meet at a point; allowed: 1/" + one +
+                     " + 1/" + other + " above 0";
+  if (direction == "y") text += ", or length in place of both radii, for a line";
+  problems.error("bodies." + one, text);
+}
+
+// Two faces that meet at a point, or along a line.
+void check_faces(const Scene& scene, Problems& problems) {
+  const auto& [first, second] = scene.bodies.bodies;
+  if (first.radius_x != 0) check_pair("x", first.radius_x, second.radius_x, problems);
+  if (first.radius_y != 0) check_pair("y", first.radius_y, second.radius_y, problems);
+}
+
+void check_line(const Bodies& bodies, Problems& problems) {
+  const ContactShape shape = bodies.shape();
+  if (shape == ContactShape::line) return;
+  const bool is_circle = shape == ContactShape::circle;
+  const std::string_view radius = is_circle                        ? "reduced_radius"
+                                  : bodies.bodies[0].radius_y != 0 ? "first_radius_y"
+                                                                   : "radius_y";
+  problems.error("bodies." + std::string(radius),
+                 std::string("this is the contact of ") + (is_circle ? "a circle" : "an ellipse") +
+                     ", and the film is solved of line contacts alone; allowed: radius_x and "
+                     "length, or first_radius_x, second_radius_x and length");
+}
+
+// Laws of points are for points, and those of lines for lines.
+void check_film(const Scene& scene, bool is_given, Problems& problems) {
+  const bool is_line = scene.bodies.shape() == ContactShape::line;
+  if (film_law(scene.closures.film).is_of_lines == is_line) return;
+  std::vector<std::string_view> fitting;
+  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
+    if (film_law(static_cast<FilmFormula>(i)).is_of_lines == is_line)
+      fitting.push_back(film_formula_words[i]);
+  const std::string contact =
+      is_line ? "the contact is a line (bodies.length)" : "the contact is no line";
+  problems.error("closures.film",
+                 (is_given ? '"' + std::string(film_word(scene)) + "\" is not allowed"
+                           : std::string("missing")) +
+                     ": " + contact + "; allowed: " + joined(fitting, " or "));
+}
+
+void check_profile(const Scene& scene, Problems& problems) {
+  if (!scene.surface.has_moments()) return;
+  const auto& [m0, m2, m4] = scene.surface.moments;
+  const Summits<double> summits = summits_from_spectral_moments(m0, m2, m4);
+  if (!(summits.bandwidth > 0))
+    problems.error(
+        "surface.m4",
+        number_text(m4) + " is not allowed: m0 · m4/m2² = " + rounded_text(m0 / m2 * (m4 / m2)) +
+            "; allowed: a number that makes it above " +
+            number_text(ratio<double>(bandwidth_without_summits)) + ", and " +
+            number_text(least_isotropic_bandwidth) + " or more of an isotropic Gaussian face");
+}
+
+// Radii so far apart that the axes are beyond double.
+void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problems) {
+  if (scene.bodies.shape() != ContactShape::ellipse) return;
+  const double cube = numbers.ellipse.axis_cube, ratio = numbers.ellipse.axes_ratio;
+  if (cube > 0 && std::isfinite(cube) && ratio > 0 && std::isfinite(ratio)) return;
+  problems.error("bodies.radius_y", rounded_text(numbers.across) + " is not allowed beside R_x = " +
+                                        rounded_text(numbers.radius_x) +
+                                        " m; allowed: a ratio of the two that double can hold, "
+                                        "or length in place of R_y, for a line");
+}
+
+void warn_of_summits(const Surface& surface, Problems& problems) {
+  const double roughness =
+      surface.summit_density * surface.summit_radius * surface.summit_height_sd;
+  if (!(roughness >= 1e-3 && roughness <= 1))
+    problems.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
+                                    rounded_text(roughness) +
+                                    " is legal but implausible: usual are 0.03 to 0.05");
+  if (surface.has_moments()) {
+    const auto& [m0, m2, m4] = surface.moments;
+    if (const double bandwidth = m0 / m2 * (m4 / m2);
+        bandwidth < least_isotropic_bandwidth * (1 - 1e-9))
+      problems.warning("surface",
+                       "m0 · m4/m2² = " + rounded_text(bandwidth) +
+                           " is legal but implausible: " + number_text(least_isotropic_bandwidth) +
+                           " or more of every isotropic Gaussian face");
+    return;
+  }
+  const double product = surface.summit_plane_offset * surface.summit_density *
+                         surface.summit_radius * surface.summit_height_sd;
+  if (product > 0 && !(std::abs(product / offset_times_roughness - 1) < 0.1))
+    problems.warning("surface",
+                     "summit_plane_offset · summit_density · summit_radius · summit_height_sd = " +
+                         rounded_text(product) + " is legal, but " +
+                         rounded_text(offset_times_roughness) +
+                         " of every isotropic Gaussian face: give m0, m2 and m4 of a profile, and "
+                         "all four follow");
+}
+
+void warn_if_large(std::string_view field, double radius, std::string_view axis, double size,
+                   Problems& problems) {
+  if (size > 0.5 * radius)
+    problems.warning(field, rounded_text(radius) + " m is legal but implausible: Hertz's " +
+                                std::string(axis) + " is " + rounded_text(size) +
+                                " m, and his formulas hold where it is far smaller");
+}
+
+void warn_of_ellipticity(const Scene& scene, const Numbers& numbers, Problems& problems) {
+  const FilmLaw& law = film_law(scene.closures.film);
+  if (!(numbers.ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
+        numbers.ellipticity <= law.greatest_ellipticity))
+    problems.warning("bodies.radius_y",
+                     number_text(numbers.across) +
+                         " m makes an ellipse of k = " + rounded_text(numbers.ellipticity) +
+                         ", and " + std::string(film_word(scene)) + " was fitted to k from " +
+                         rounded_text(law.least_ellipticity) + " to " +
+                         rounded_text(law.greatest_ellipticity));
+}
+
+}  // namespace
+
+std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film_is_given,
+                                     Problems& problems) {
+  check_faces(scene, problems);
+  if (use == SceneUse::line_film)
+    check_line(scene.bodies, problems);
+  else
+    check_film(scene, film_is_given, problems);
+  check_profile(scene, problems);
+  if (problems.any()) return std::nullopt;
+  const auto numbers = detail::numbers_of<double>(scene);
+  check_ellipse(scene, numbers, problems);
+  if (problems.any()) return std::nullopt;
+  return numbers;
+}
+
+void warn_of_contact(const Scene& scene, SceneUse use, const Numbers& numbers, Problems& problems) {
+  if (use != SceneUse::line_film) warn_of_summits(scene.surface, problems);
+  const ContactShape shape = scene.bodies.shape();
+  const HertzContact<double> hertz = hertz_contact(shape, numbers);
+  if (shape == ContactShape::circle)
+    return warn_if_large("bodies.reduced_radius", numbers.radius_x, "contact radius",
+                         hertz.semi_axis_x, problems);
+  const bool is_line = shape == ContactShape::line;
+  warn_if_large("bodies.radius_x", numbers.radius_x, is_line ? "half-width" : "semi-axis along x",
+                hertz.semi_axis_x, problems);
+  if (!is_line) {
+    warn_if_large("bodies.radius_y", numbers.across, "semi-axis along y", hertz.semi_axis_y,
+                  problems);
+    warn_of_ellipticity(scene, numbers, problems);
+  } else if (hertz.semi_axis_x > hertz.semi_axis_y) {
+    problems.warning("bodies.length", number_text(numbers.across) +
+                                          " m is legal but implausible: the contact is wider, " +
+                                          rounded_text(2 * hertz.semi_axis_x) + " m");
+  }
+}
+
+}  // namespace tribo::scene_detail

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the fields of a contact are to each other: rules on the faces, the film law, the profile and
+// the ellipse, and warnings of what is legal but implausible.
+#pragma once
+
+#include <optional>
+
+#include "scene/entries.hpp"
+#include "tribo/contact_numbers.hpp"
+
+namespace tribo::scene_detail {
+
+// The numbers of the contact; nothing, and errors, where there is none.
+std::optional<detail::SceneNumbers<double>> check_contact(const Scene& scene, SceneUse use,
+                                                          bool film_is_given, Problems& problems);
+
+// Of a scene that has the summits and the E* of these numbers.
+void warn_of_contact(const Scene& scene, SceneUse use, const detail::SceneNumbers<double>& numbers,
+                     Problems& problems);
+
+}  // namespace tribo::scene_detail

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The equations of a line contact on a film (ehl/line_contact.hpp) solved a second way, which
+// shares nothing with model/ehl but these equations: a check of that solver, and the second method
+// of its table.
+//
+// Reynolds' equation is integrated once, ρ̄H³/(θη̄) dP/dX = ρ̄H − c with the unknown flow c, up to the
+// unknown place X_e where the film breaks, where P = 0 and ρ̄H = c. P is a polynomial on each
+// element, continuous, and the equation holds at the left Radau points of each; these have the
+// element's upstream end among them, without which pressures waver where the liquid is so viscous
+// that the equation is ρ̄H = c. The film is integrated exactly. Upstream of the first node P falls
+// with the third power of the distance, as it does far from the contact.
+//
+// Where αp₀ is great, the pressure's spike is too sharp for any elements. Then a liquid of the
+// fluidity 1/η̄ + φ is solved for, for smaller and smaller φ, and what the films tend to linearly
+// as φ falls is the result.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+
+#include "ehl/line_contact.hpp"
+
+namespace tribo::reference {
+
+// Where the search begins. The result does not depend on it.
+struct FilmStart {
+  std::span<const double> x, pressure, film;  // P is 0 at the last
+  double separation;                          // H₀
+  double mass_flow;                           // c
+};
+
+struct CollocationOptions {
+  int degree = 4;
+  int elements = 60;         // at first; then those are halved where P is not resolved
+  double resolution = 3e-4;  // of P: what the last polynomials of an element may add
+  int most_elements = 160;
+  // How far upstream the elements begin, in X or in √(2c) if that is more; the start has to reach
+  // as far.
+  double inlet = 100;
+};
+
+// NaN: there is no such number.
+struct CollocatedNumber {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double error = std::numeric_limits<double>::quiet_NaN();  // estimated, absolute
+};
+
+struct CollocatedFilm {
+  bool is_solved = false;
+  std::string reason;                                       // why not, in a sentence
+  CollocatedNumber central, minimum, at_greatest_pressure;  // H as of ehl/film_features.hpp
+  CollocatedNumber spike_pressure, spike_place;             // P and X; only if φ is 0
+  CollocatedNumber outlet;                                  // X_e
+  double least_fluidity = 0;                                // φ, the smallest that was solved for
+  int elements = 0;                                         // of the finest mesh
+  int steps = 0;                                            // of Newton's method, in all
+};
+
+// The errors: what halving all elements changes, what is left of the changes with φ, and
+// the inlet's. If it fails, it is tried again with more elements.
+CollocatedFilm collocate_line_film(const ehl::LineContact& contact, const FilmStart& start,
+                                   const CollocationOptions& options = {});
+
+}  // namespace tribo::reference

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+# Pressure and film across a line contact, in two panels over one axis. Loaded by sweep.gp.
+# Blocks: 0 the ends of the axes, a note on the spike or a blank, and the unit of pressure; 1 the profile; 2 Hertz' pressure; 3 the formulas' films.
+stats data index 0 using (left = column(1), right = column(2), pressure_top = column(3), \
+  film_top = column(4), spike_x = column(5), spike_pressure = column(6), note = strcol(7), unit = strcol(8), 0) nooutput
+solved = 0x0072B2
+formula(is_minimum) = int(is_minimum) ? 0xD55E00 : 0x009E73
+set multiplot
+set lmargin at screen 0.10
+set rmargin at screen 0.76
+set xrange [left:right]
+set grid xtics ytics linetype 1 linecolor rgb "#e4e4e4" linewidth 0.6
+set border 3 linewidth 0.8
+
+set bmargin at screen 0.535
+set format x ""
+set yrange [0:pressure_top]
+set ylabel "pressure p (".unit.")" offset y_words
+set key at screen 0.775, first 0.98*pressure_top left top Left reverse samplen 2 font small
+set label note at first spike_x, first spike_pressure left offset 0.6, 0 font tiny textcolor rgb grey
+plot \
+  data index 1 using 1:2 with lines linewidth 2.2 linecolor rgb solved title "solved", \
+  data index 2 using 1:2 with lines linewidth 1.2 linecolor rgb grey title "Hertz"
+
+unset title
+unset label
+set tmargin at screen 0.505
+set bmargin at screen 80.0/tall
+set format x "%g"
+set xlabel "x, along the direction of entrainment (µm)" offset 0, x_words
+set yrange [0:film_top]
+set ylabel "film thickness h (µm)" offset y_words
+# Formulas' names stand outside the plot, each joined to its level.
+array levels[32]
+array places[32]
+array minima[32]
+array texts[32]
+stats data index 3 using (i = int($0) + 1, levels[i] = column(1), places[i] = column(2), \
+  minima[i] = column(3), texts[i] = strcol(4), 0) nooutput name "formulas"
+do for [i = 1:formulas_records] {
+  set arrow from first right, first levels[i] to screen 0.782, first places[i] nohead linewidth 0.8 \
+    linecolor rgb formula(minima[i])
+  set label texts[i] at screen 0.787, first places[i] left font small noenhanced \
+    textcolor rgb formula(minima[i])
+}
+set label "formulas, and deviations, of the" at screen 0.787, first 0.195*film_top left font tiny textcolor rgb grey
+set key at screen 0.775, first 0.175*film_top left top Left reverse samplen 2 font small
+plot \
+  data index 3 using (0):1:(right):(0):(formula(column(3))) with vectors nohead linewidth 1 \
+    dashtype (8,5) linecolor rgb variable notitle, \
+  data index 1 using 1:3 with lines linewidth 2.2 linecolor rgb solved notitle, \
+  keyentry with lines linewidth 1 dashtype (8,5) linecolor rgb formula(0) title "film in the middle", \
+  keyentry with lines linewidth 1 dashtype (8,5) linecolor rgb formula(1) title "least film"
+unset multiplot

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck film: line contacts solved, and each formula's film beside the solved one.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "example_scenes.hpp"
+#include "exit_code.hpp"
+#include "film_case.hpp"
+#include "film_writers.hpp"
+#include "messages.hpp"
+#include "number_option.hpp"
+#include "page/pending_file.hpp"
+#include "page/rendering.hpp"
+#include "scene_arguments.hpp"
+#include "step_line.hpp"
+#include "stop_signal.hpp"
+#include "table.hpp"
+
+namespace tribo::cli {
+namespace {
+
+struct FilmArguments {
+  SceneArguments scenes;
+  FilmSettings settings;
+  double speed = 0;  // 0: the scene's
+  bool with_profile = false;
+  std::string picture;
+};
+
+// Roelands' law has ln η₀ + 9.67 below a fraction line.
+constexpr double least_roelands_viscosity = 6.315e-5;  // Pa·s
+
+// What is wrong with a scene for these arguments; empty if nothing is.
+std::string fault_of(const Scene& scene, const FilmArguments& arguments) {
+  if (scene.speeds.empty())
+    return "speed: missing; allowed: a number above 0, in m/s, a list or a range of such numbers, "
+           "or the option --speed in their place";
+  if (arguments.settings.viscosity == "roelands" &&
+      !(scene.lubricant.viscosity > least_roelands_viscosity))
+    return fmt::format(
+        "lubricant.viscosity: {} is not allowed with --viscosity roelands; allowed: a number above "
+        "{}, in Pa·s",
+        scene.lubricant.viscosity, least_roelands_viscosity);
+  return {};
+}
+
+// The good scenes, at the speeds that are asked for.
+LoadedScenes scenes_of(const FilmArguments& arguments) {
+  LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::line_film);
+  std::erase_if(loaded.scenes, [&](Scene& scene) {
+    if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
+    const std::string fault = fault_of(scene, arguments);
+    if (fault.empty()) return false;
+    complain(scene.id + ": " + fault);
+    loaded.all_good = false;
+    return true;
+  });
+  return loaded;
+}
+
+// Returns whether it was drawn.
+bool draw(const FilmCase& film, const FilmArguments& arguments) {
+  try {
+    const report::PendingFile data(arguments.picture + ".json");  // goes again
+    report::write_file(data.temporary(), film_json(film, arguments.settings, true).dump());
+    const report::Rendering drawn = report::run_script(
+        report::usual_places(), "film_picture.py", {data.temporary().string(), arguments.picture});
+    for (const std::string& why : drawn.undrawn) complain(why);
+    for (const std::string& picture : drawn.written) complain("drew " + picture);
+    return drawn.undrawn.empty();
+  } catch (const std::runtime_error& error) {
+    complain(error.what());
+    return false;
+  }
+}
+
+class FilmRun {
+ public:
+  FilmRun(const FilmArguments& arguments, std::size_t total, OutputStream& output)
+      : arguments_(arguments),
+        total_(total),
+        output_(output),
+        writer_(make_film_writer(arguments.scenes.format, arguments.settings,
+                                 arguments.with_profile, output)) {}
+
+  // Returns false where it was stopped.
+  bool solve(const Scene& scene, double speed) {
+    const std::string name = fmt::format("{} at {} m/s", scene.id, readable(speed));
+    const FilmCase film = solve_film(scene, speed, arguments_.settings, [&](int cells, int step) {
+      if (line_.is_due())
+        line_.show(fmt::format("{} ({} of {}): grid of {} cells, step {} of Newton's method",
+                               printable(name), done_ + 1, total_, cells, step + 1));
+      return stop_signal() == 0;
+    });
+    line_.wipe();
+    const bool is_stopped = stop_signal() != 0;
+    if (!is_stopped || film.is_solved) add(film);
+    if (film.reason.empty()) ++done_;
+    if (is_stopped) {
+      complain(
+          fmt::format("stopped: {} of {} contacts are solved to the tolerance", done_, total_) +
+          (film.reason.empty() ? "" : fmt::format("; {}: {}", name, film.reason)));
+      return false;
+    }
+    if (!film.reason.empty()) {
+      complain(name + ": " + film.reason);
+      all_solved_ = false;
+    }
+    return true;
+  }
+
+  int finish(bool all_good) {
+    writer_->finish();
+    output_.flush();
+    if (stop_signal() != 0) return 128 + stop_signal();
+    if (!all_good) return exit_bad;
+    return all_solved_ ? exit_done : exit_failed;
+  }
+
+ private:
+  // A film is shown as soon as it is solved: the next one may take a second.
+  void add(const FilmCase& film) {
+    writer_->add(film);
+    output_.flush();
+    if (!arguments_.picture.empty() && film.is_solved) all_solved_ = draw(film, arguments_);
+  }
+
+  const FilmArguments& arguments_;
+  std::size_t total_, done_ = 0;
+  bool all_solved_ = true;
+  OutputStream& output_;
+  std::unique_ptr<FilmWriter> writer_;
+  StepLine line_{std::chrono::milliseconds(500), std::chrono::milliseconds(100)};
+};
+
+int solve_films(const FilmArguments& arguments, OutputStream& output) {
+  const LoadedScenes loaded = scenes_of(arguments);
+  if (loaded.scenes.empty()) return exit_bad;
+  std::size_t total = 0;
+  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
+  if (!arguments.picture.empty() && total > 1) {
+    complain(
+        fmt::format("--picture draws one contact, and this would be {}; allowed: one scene, and "
+                    "one speed, as by --speed",
+                    total));
+    return exit_bad;
+  }
+  watch_for_stop();
+  FilmRun run(arguments, total, output);
+  bool goes_on = true;
+  for (const Scene& scene : loaded.scenes)
+    for (std::size_t i = 0; i < scene.speeds.size() && goes_on; ++i)
+      goes_on = run.solve(scene, scene.speeds[i]);
+  return run.finish(loaded.all_good);
+}
+
+constexpr const char* film_footer =
+    R"(The contact is smooth and its inlet flooded, the liquid steady, isothermal and Newtonian. Of a scene
+the load, the bodies, the speed, lubricant.viscosity and lubricant.pressure_viscosity are needed; the
+other fields may be absent and are not used.
+
+Each number is followed by what it may be off by (±, in CSV and JSON `error`), as grids that halve
+their cells show it. `deviation` is how far a formula's film is from the solved film that it stands
+for; formulas that were fitted to the films of a compressible liquid are to be compared with
+--density dowson_higginson. Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
+material; x is along the direction of entrainment, from the middle of Hertz' contact. A profile is
+that of the finest grid; the films are extrapolated from all grids, and so are nearer to the truth.
+
+A contact takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
+200 contacts. Ctrl-C stops at the next step, and what was solved is written.
+
+Exit code 0: done; 1: a contact was not solved, or not to the tolerance, or the picture is missing;
+2: bad usage or input; 130: stopped by Ctrl-C.
+
+Example:
+  tribocheck film reference/scenes/roller.toml
+  tribocheck film reference/scenes/roller.toml --format csv > films.csv
+  tribocheck film reference/scenes/gear_flank.toml --speed 2 --density dowson_higginson
+  tribocheck film reference/scenes/roller.toml --speed 0.5 --picture roller.png
+  tribocheck film reference/scenes/roller.toml --profile --format csv > profiles.csv)";
+
+void add_settings(CLI::App& app, FilmSettings& settings) {
+  app.add_option("--viscosity", settings.viscosity,
+                 "law of viscosity against pressure: barus or roelands (default: barus)")
+      ->check(CLI::IsMember({"barus", "roelands"}));
+  app.add_option("--density", settings.density,
+                 "incompressible or dowson_higginson (default: incompressible)")
+      ->check(CLI::IsMember({"incompressible", "dowson_higginson"}));
+  add_number_option(
+      app, "--tolerance", [&settings](double tolerance) { settings.tolerance = tolerance; },
+      [](double tolerance) { return tolerance >= 1e-6 && tolerance <= 1e-2; },
+      "a number from 1e-6 to 1e-2", "relative error of the films, 1e-6 to 1e-2 (default: 1e-4)");
+}
+
+}  // namespace
+
+Command add_film(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "film", "line contacts solved: film and pressure, and each formula's error");
+  app->footer(footer_with_scenes(film_footer));
+  const auto arguments = std::make_shared<FilmArguments>();
+  add_scene_arguments(*app, arguments->scenes);
+  add_settings(*app, arguments->settings);
+  add_number_option(
+      *app, "--speed", [arguments](double speed) { arguments->speed = speed; },
+      [](double speed) { return speed > 0 && std::isfinite(speed); }, "a number above 0, in m/s",
+      "this one speed in m/s in place of the scenes' own");
+  app->add_flag("--profile", arguments->with_profile,
+                "pressure and film across the contact too; in CSV in place of the films");
+  app->add_option("--picture", arguments->picture,
+                  "draw pressure and film of one contact: a file .png or .svg (needs gnuplot)")
+      ->check([](const std::string& name) {
+        const std::string ending = std::filesystem::path(name).extension().string();
+        return ending == ".png" || ending == ".svg"
+                   ? std::string()
+                   : name + " is not allowed; allowed: a name that ends in .png or .svg";
+      });
+  return {app, [arguments](OutputStream& output) { return solve_films(*arguments, output); }};
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "film_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "ehl/line_conditions.hpp"
+#include "ehl/line_formulas.hpp"
+#include "ehl/solved_film.hpp"
+#include "tribo/contact_numbers.hpp"
+
+namespace tribo::cli {
+namespace {
+
+// Spikes are resolved as far as that costs the films nothing.
+constexpr double at_edge = 0.3;
+// A spike's height that may be off by more than this share of it is none that can be told.
+constexpr double greatest_spike_error = 0.02;
+
+constexpr Measured unknown{std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::quiet_NaN()};
+
+ehl::LineConditions conditions_of(const Scene& scene, double speed, const FilmSettings& settings) {
+  const auto numbers = detail::numbers_of<double>(scene);
+  return {.speed = speed,
+          .viscosity = numbers.viscosity,
+          .pressure_viscosity = numbers.pressure_viscosity,
+          .load_per_length = numbers.load / numbers.across,
+          .effective_modulus = numbers.effective_modulus,
+          .radius = numbers.radius_x,
+          .viscosity_law =
+              settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus,
+          .density_law = settings.density == "incompressible" ? ehl::LineDensity::incompressible
+                                                              : ehl::LineDensity::dowson_higginson};
+}
+
+Measured times(const ehl::Estimate& estimate, double scale) {
+  return {estimate.value * scale, estimate.error * scale};
+}
+
+std::string_view stands_for(ehl::FilmQuantity quantity) {
+  if (quantity == ehl::FilmQuantity::central) return "central_film";
+  return quantity == ehl::FilmQuantity::minimum ? "minimum_film" : "film_at_greatest_pressure";
+}
+
+void set_spike(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineContact& contact,
+               const ehl::LineScale& scale) {
+  film.spike_pressure = film.spike_place = unknown;
+  if (!ehl::features_of(contact, solved.film).has_spike) {
+    film.no_spike = fmt::format(
+        "there is no spike at M = {:.3g} and L = {:.3g}: behind its greatest value "
+        "the pressure only falls",
+        contact.load_number, contact.material_number);
+    return;
+  }
+  const ehl::Estimate& height = solved.spike_pressure;
+  if (std::isnan(height.value)) {
+    film.no_spike = "not resolved: fewer than three grids show it";
+    return;
+  }
+  film.spike_place = times(solved.spike_place, scale.half_width);
+  if (height.relative_error() <= greatest_spike_error)
+    film.spike_pressure = times(height, scale.peak_pressure);
+  else
+    film.no_spike = fmt::format(
+        "not resolved: it still changed by {:.0f} % from grid to grid, to {:.3g} Pa on the grid of "
+        "{} "
+        "cells",
+        100 * height.relative_error(), height.value * scale.peak_pressure, film.cells);
+}
+
+void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineContact& contact,
+                  const ehl::LineScale& scale) {
+  const double unit = scale.film / contact.film_number(1);
+  for (const ehl::LineFormula& formula : ehl::line_formulas) {
+    const double length = unit * ehl::film_number(formula, contact.load_number,
+                                                  contact.material_number, scale.speed_number);
+    const double beside = scale.film * ehl::compared_film(formula, solved).value;
+    film.formulas.push_back({formula.name, stands_for(formula.quantity),
+                             formula.is_compressible ? "compressible" : "incompressible", length,
+                             length / beside - 1});
+  }
+}
+
+void set_profile(FilmCase& film, const ehl::LineFilm& line, const ehl::LineScale& scale) {
+  film.profile.reserve(line.x.size());
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    const auto node = static_cast<Eigen::Index>(i);
+    film.profile.push_back({line.x[i] * scale.half_width, line.pressure[node] * scale.peak_pressure,
+                            line.film[node] * scale.film});
+  }
+}
+
+}  // namespace
+
+std::vector<std::string_view> film_formula_names() {
+  std::vector<std::string_view> names;
+  names.reserve(ehl::line_formulas.size());
+  for (const ehl::LineFormula& formula : ehl::line_formulas) names.push_back(formula.name);
+  return names;
+}
+
+FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
+                    const FilmWatch& watch) {
+  const ehl::LineConditions conditions = conditions_of(scene, speed, settings);
+  const ehl::LineScale scale = ehl::scale_of(conditions);
+  const ehl::LineContact contact = ehl::contact_of(conditions);
+  const ehl::SolvedFilm solved =
+      ehl::solve_line_film(contact, {.tolerance = settings.tolerance, .at_edge = at_edge},
+                           [&](const ehl::Step& step) { return watch(step.cells, step.step); });
+
+  FilmCase film{};
+  film.id = scene.id;
+  film.speed = speed;
+  film.load_number = contact.load_number;
+  film.material_number = contact.material_number;
+  film.half_width = scale.half_width;
+  film.peak_pressure = scale.peak_pressure;
+  film.is_solved = solved.outcome == ehl::Outcome::solved;
+  film.reason = solved.reason;
+  film.grids = solved.grids;
+  film.steps = solved.steps;
+  film.central = times(solved.central, scale.film);
+  film.minimum = times(solved.minimum, scale.film);
+  film.at_greatest_pressure = times(solved.at_greatest_pressure, scale.film);
+  set_formulas(film, solved, contact, scale);
+  film.spike_pressure = film.spike_place = unknown;
+  if (!film.is_solved) return film;
+  film.cells = static_cast<int>(solved.film.x.size()) - 1;
+  set_spike(film, solved, contact, scale);
+  set_profile(film, solved.film, scale);
+  return film;
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// One line contact of a scene at one speed, solved, in SI units, and beside each formula's film.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tribo/scene.hpp"
+
+namespace tribo::cli {
+
+struct FilmSettings {
+  std::string viscosity = "barus";         // or roelands
+  std::string density = "incompressible";  // or dowson_higginson
+  double tolerance = 1e-4;                 // relative, of the three films
+};
+
+// A number and what it may be off by, absolute; both NaN where there is none.
+struct Measured {
+  double value, error;
+};
+
+struct FormulaFilm {
+  std::string_view name;        // as in the catalogue of functions
+  std::string_view stands_for;  // central_film, minimum_film or film_at_greatest_pressure
+  std::string_view fitted_to;   // incompressible or compressible: the liquid
+  double film;                  // m
+  double deviation;             // from the solved film that it stands for, over this
+};
+
+struct ProfilePoint {
+  double x;         // m, along the direction of entrainment from the middle of the contact
+  double pressure;  // Pa
+  double film;      // m
+};
+
+struct FilmCase {
+  std::string id;
+  double speed;                                     // m/s
+  double load_number, material_number;              // M and L
+  double half_width, peak_pressure;                 // Hertz': m, Pa
+  Measured central, minimum, at_greatest_pressure;  // m
+  Measured spike_pressure, spike_place;             // Pa, m
+  std::string no_spike;  // why there is no number of its pressure, or of both
+  bool is_solved = false;
+  // Why it is not solved, or what was met where that is less than the tolerance; else empty.
+  std::string reason;
+  int grids = 0, cells = 0, steps = 0;  // cells of the finest grid; steps of Newton's method in all
+  std::vector<FormulaFilm> formulas;
+  std::vector<ProfilePoint> profile;  // nodes of the finest grid
+};
+
+// Of the formulas, in the order of FilmCase::formulas.
+std::vector<std::string_view> film_formula_names();
+
+// Told before every step of Newton's method; false: stop.
+using FilmWatch = std::function<bool(int cells, int step)>;
+
+// Of a scene that was read as a line (SceneUse::line_film).
+FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
+                    const FilmWatch& watch);
+
+}  // namespace tribo::cli

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "film_writers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "page/number_text.hpp"
+#include "page/text_table.hpp"
+#include "protocol/answer_object.hpp"
+#include "table.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Quantity {
+  std::string_view name, words, unit;
+  Measured FilmCase::*value;
+  bool is_of_spike;
+};
+constexpr std::array<Quantity, 5> quantities{{
+    {"central_film", "central film", "m", &FilmCase::central, false},
+    {"minimum_film", "minimum film", "m", &FilmCase::minimum, false},
+    {"film_at_greatest_pressure", "film at the greatest pressure", "m",
+     &FilmCase::at_greatest_pressure, false},
+    {"spike_pressure", "pressure of the spike", "Pa", &FilmCase::spike_pressure, true},
+    {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, true},
+}};
+
+// Of M, L and Hertz' numbers.
+struct Given {
+  std::string_view name, words, unit;
+  double FilmCase::*value;
+};
+constexpr std::array<Given, 4> given{{
+    {"load_number", "load number M", "-", &FilmCase::load_number},
+    {"material_number", "material number L", "-", &FilmCase::material_number},
+    {"half_width", "half-width by Hertz, b", "m", &FilmCase::half_width},
+    {"peak_pressure", "peak pressure by Hertz", "Pa", &FilmCase::peak_pressure},
+}};
+
+constexpr std::size_t signed_width = number_width + 1;
+
+// NaN and ∞ become null.
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+class FilmCsv : public FilmWriter {
+ public:
+  FilmCsv(const FilmSettings& settings, bool with_profile, OutputStream& output)
+      : settings_(settings), with_profile_(with_profile), text_(output.text()) {
+    if (with_profile_)
+      append(text_, "id,speed,x,x_over_half_width,pressure,film\n");
+    else
+      add_heads();
+  }
+
+  void add(const FilmCase& film) override {
+    if (with_profile_) return add_profile(film);
+    append(text_, report::csv_text(film.id));
+    add_number(film.speed);
+    for (const Given& one : given) add_number(film.*one.value);
+    for (const Quantity& one : quantities) {
+      add_number((film.*one.value).value);
+      add_number((film.*one.value).error);
+    }
+    for (const FormulaFilm& formula : film.formulas) {
+      add_number(formula.film);
+      add_number(100 * formula.deviation);
+    }
+    append(text_, fmt::format(",{},{}", settings_.viscosity, settings_.density));
+    add_number(settings_.tolerance);
+    append(text_, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
+                              report::csv_text(film.no_spike), report::csv_text(film.reason)));
+  }
+
+ private:
+  void add_heads() {
+    append(text_, "id,speed");
+    for (const Given& one : given) append(text_, fmt::format(",{}", one.name));
+    for (const Quantity& one : quantities) append(text_, fmt::format(",{0},{0}_error", one.name));
+    for (const std::string_view name : film_formula_names())
+      append(text_, fmt::format(",{0},{0}_deviation_percent", name));
+    append(text_, ",viscosity,density,tolerance,grids,cells,newton_steps,no_spike,reason\n");
+  }
+
+  void add_profile(const FilmCase& film) {
+    const std::string id = report::csv_text(film.id);
+    for (const ProfilePoint& point : film.profile) {
+      append(text_, id);
+      for (const double value :
+           {film.speed, point.x, point.x / film.half_width, point.pressure, point.film})
+        add_number(value);
+      text_.push_back('\n');
+    }
+  }
+
+  void add_number(double value) {
+    text_.push_back(',');
+    if (std::isfinite(value)) protocol::append_number(text_, value);
+  }
+
+  const FilmSettings& settings_;
+  bool with_profile_;
+  Text& text_;
+};
+
+class FilmJson : public FilmWriter {
+ public:
+  FilmJson(const FilmSettings& settings, bool with_profile, OutputStream& output)
+      : settings_(settings), with_profile_(with_profile), text_(output.text()) {}
+
+  void add(const FilmCase& film) override {
+    append(text_, std::exchange(before_, ",\n"));
+    append(text_, film_json(film, settings_, with_profile_)
+                      .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  }
+
+  void finish() override { append(text_, before_[0] == '[' ? "[\n]\n" : "\n]\n"); }
+
+ private:
+  const FilmSettings& settings_;
+  bool with_profile_;
+  Text& text_;
+  const char* before_ = "[\n";
+};
+
+// As many digits as the error leaves, and one more.
+std::string with_digits(const Measured& measured) {
+  const double digits = std::ceil(std::log10(std::fabs(measured.value) / measured.error)) + 1;
+  return fmt::format("{:#.{}g}", measured.value,
+                     std::isfinite(digits) ? std::clamp(static_cast<int>(digits), 3, 12) : 12);
+}
+
+class FilmTable : public FilmWriter {
+ public:
+  FilmTable(const FilmSettings& settings, bool with_profile, OutputStream& output)
+      : settings_(settings), with_profile_(with_profile), text_(output.text()) {}
+
+  void add(const FilmCase& film) override {
+    if (!std::exchange(first_, false)) text_.push_back('\n');
+    append_title(text_, fmt::format("{}: line contact at {} m/s", film.id, readable(film.speed)));
+    for (const Given& one : given) add_line(one.words, readable(film.*one.value), "", one.unit);
+    for (const Quantity& one : quantities) {
+      const Measured& measured = film.*one.value;
+      if (std::isfinite(measured.value))
+        add_line(one.words, with_digits(measured), fmt::format("{:.1e}", measured.error), one.unit);
+    }
+    add_formulas(film);
+    add_notes(film);
+    if (with_profile_ && film.is_solved) add_profile(film);
+  }
+
+ private:
+  void add_line(std::string_view words, const std::string& value, const std::string& error,
+                std::string_view unit) {
+    append(text_, fmt::format("  {:<30} {:>14} {:>9}  [{}]\n", words, value,
+                              error.empty() ? "" : "± " + error, unit));
+  }
+
+  void add_formulas(const FilmCase& film) {
+    text_.push_back('\n');
+    append_heads(text_, {{"formula", "", 24},
+                         {"film", "[m]", number_width},
+                         {"deviation", "[%]", number_width},
+                         {"stands_for", "", 25},
+                         {"liquid of the fit", "", 17}});
+    for (const FormulaFilm& formula : film.formulas) {
+      append_cell(text_, formula.name, 24);
+      append_cell(text_, readable(formula.film), number_width);
+      append_cell(
+          text_,
+          std::isfinite(formula.deviation) ? fmt::format("{:+.2f}", 100 * formula.deviation) : "-",
+          number_width);
+      append_cell(text_, formula.stands_for, 25);
+      append_cell(text_, formula.fitted_to, 17);
+      text_.push_back('\n');
+    }
+  }
+
+  void add_notes(const FilmCase& film) {
+    const auto note = [&](const std::string& words) {
+      const char* before = "  - ";
+      for (const std::string& line : report::wrapped(words, 92))
+        append(text_, std::exchange(before, "    ") + line + "\n");
+    };
+    if (!film.is_solved) return note("not solved: " + film.reason);
+    if (!film.no_spike.empty()) note("pressure of the spike: " + film.no_spike);
+    if (!film.reason.empty()) note(film.reason);
+    note(fmt::format(
+        "solved for smooth bodies, a flooded inlet and a steady, isothermal, Newtonian, "
+        "{} liquid whose viscosity follows {}",
+        settings_.density == "incompressible" ? "incompressible"
+                                              : "compressible (Dowson and Higginson)",
+        settings_.viscosity == "barus" ? "Barus" : "Roelands"));
+    note(fmt::format("± is what a number may be off by; {} grids, the finest of {} cells",
+                     film.grids, film.cells));
+  }
+
+  void add_profile(const FilmCase& film) {
+    text_.push_back('\n');
+    append_heads(text_, {{"x", "[m]", signed_width},
+                         {"x/b", "[-]", signed_width},
+                         {"pressure", "[Pa]", signed_width},
+                         {"film", "[m]", signed_width}});
+    for (const ProfilePoint& point : film.profile) {
+      for (const double value : {point.x, point.x / film.half_width, point.pressure, point.film})
+        append_cell(text_, readable(value), signed_width);
+      text_.push_back('\n');
+    }
+  }
+
+  const FilmSettings& settings_;
+  bool with_profile_;
+  Text& text_;
+  bool first_ = true;
+};
+
+ordered_json profile_json(const FilmCase& film) {
+  ordered_json x = ordered_json::array(), pressure = x, thickness = x;
+  for (const ProfilePoint& point : film.profile) {
+    x.push_back(point.x);
+    pressure.push_back(point.pressure);
+    thickness.push_back(point.film);
+  }
+  return {{"x", std::move(x)}, {"pressure", std::move(pressure)}, {"film", std::move(thickness)}};
+}
+
+}  // namespace
+
+ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool with_profile) {
+  ordered_json json{{"id", film.id}, {"speed", film.speed}};
+  for (const Given& one : given) json[std::string(one.name)] = number(film.*one.value);
+  ordered_json undefined = ordered_json::object();
+  for (const Quantity& one : quantities) {
+    const std::string name(one.name);
+    const Measured& measured = film.*one.value;
+    if (std::isfinite(measured.value)) {
+      json[name] = {{"value", measured.value}, {"error", number(measured.error)}};
+      continue;
+    }
+    json[name] = nullptr;
+    undefined[name] = one.is_of_spike && film.is_solved ? film.no_spike : film.reason;
+  }
+  json["formulas"] = ordered_json::array();
+  for (const FormulaFilm& one : film.formulas)
+    json["formulas"].push_back({{"name", one.name},
+                                {"film", number(one.film)},
+                                {"stands_for", one.stands_for},
+                                {"deviation_percent", number(100 * one.deviation)},
+                                {"fitted_to", one.fitted_to}});
+  json["assumptions"] = {{"viscosity", settings.viscosity},
+                         {"density", settings.density},
+                         {"bodies", "smooth"},
+                         {"inlet", "flooded"},
+                         {"temperature", "isothermal"},
+                         {"liquid", "newtonian"},
+                         {"motion", "steady"}};
+  json["tolerance"] = settings.tolerance;
+  json["grids"] = film.grids;
+  json["cells"] = film.cells;
+  json["newton_steps"] = film.steps;
+  if (!film.reason.empty()) json["reason"] = film.reason;
+  if (!undefined.empty()) json["undefined"] = std::move(undefined);
+  if (with_profile && film.is_solved) json["profile"] = profile_json(film);
+  return json;
+}
+
+std::unique_ptr<FilmWriter> make_film_writer(std::string_view format, const FilmSettings& settings,
+                                             bool with_profile, OutputStream& output) {
+  if (format == "csv") return std::make_unique<FilmCsv>(settings, with_profile, output);
+  if (format == "json") return std::make_unique<FilmJson>(settings, with_profile, output);
+  return std::make_unique<FilmTable>(settings, with_profile, output);
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,336 @@
+# SPDX-License-Identifier: Apache-2.0
+"""film: solved line contacts, their errors, each formula beside them, and what goes wrong."""
+
+import csv
+import io
+import math
+import os
+import pty
+import re
+import shutil
+import signal
+import struct
+import subprocess
+import unittest
+import xml.etree.ElementTree as xml
+
+from program import ENVIRONMENT, PROGRAM, Folder, read_terminal, run, scene, start, strict_json, toml
+from report_files import ROOT
+
+ROLLER = ROOT / "reference/scenes/roller.toml"
+QUANTITIES = ["central_film", "minimum_film", "film_at_greatest_pressure"]
+SPIKE = ["spike_pressure", "spike_place"]
+FORMULAS = ["moes_line", "ertel_grubin", "dowson_higginson_minimum", "dowson_toyoda_central",
+            "pan_hamrock_minimum", "pan_hamrock_central"]
+# What is not the film's: E* and R_x, and a liquid of 0.01 Pa·s.
+MODULUS, RADIUS, VISCOSITY, LENGTH = 1.1e11, 0.01, 0.01, 0.02
+
+
+def line(load_number, material_number, **changes):
+    """A scene with these numbers of Moes and nothing but what is needed, at 1 m/s."""
+    twice_u = VISCOSITY/(MODULUS*RADIUS)
+    tree = {"id": "line", "speed": 1,
+            "load": load_number*2*MODULUS*RADIUS*LENGTH*math.sqrt(twice_u),
+            "bodies": {"effective_modulus": MODULUS, "radius_x": RADIUS, "length": LENGTH},
+            "lubricant": {"viscosity": VISCOSITY, "pressure_viscosity": material_number/(2*MODULUS*twice_u**0.25)}}
+    tree.update(changes)
+    return {key: value for key, value in tree.items() if value is not None}
+
+
+def film_number(film):
+    return film/RADIUS*math.sqrt(MODULUS*RADIUS/VISCOSITY)
+
+
+class FilmTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def write(self, tree, name="scene.toml"):
+        return self.folder.write(name, tree)
+
+    def films(self, tree, *arguments, code=0):
+        result = run("film", self.write(tree), *arguments, "--format", "json")
+        self.assertEqual(result.code, code, result.err)
+        return result.json()
+
+    def film(self, tree, *arguments):
+        found, = self.films(tree, *arguments)
+        return found
+
+    def assert_refused(self, part, *arguments, **options):
+        result = run("film", *arguments, **options)
+        self.assertEqual((result.code, result.out), (2, ""))
+        self.assertEqual(len(result.error_lines), 1, result.err)
+        self.assertIn(part, result.err)
+
+
+class Numbers(FilmTest):
+    def test_known_films(self):
+        found = self.film(line(10, 5))
+        for quantity, known in [("central_film", 3.830257), ("minimum_film", 2.891867)]:
+            solved = found[quantity]
+            self.assertAlmostEqual(film_number(solved["value"]), known, delta=film_number(solved["error"]) + 1e-6)
+            self.assertLess(solved["error"], 1e-4*solved["value"])
+        self.assertAlmostEqual(found["load_number"], 10, delta=1e-12)
+        self.assertAlmostEqual(found["material_number"], 5, delta=1e-12)
+        # 0.931 of Hertz' peak, at 0.75 of his half-width.
+        self.assertAlmostEqual(found["spike_pressure"]["value"]/found["peak_pressure"], 0.931, delta=0.001)
+        self.assertAlmostEqual(found["spike_place"]["value"]/found["half_width"], 0.75, delta=0.001)
+
+    def test_errors_hold_between_tolerances(self):
+        loose, fine = (self.film(line(10, 5), "--tolerance", text) for text in ("1e-2", "1e-6"))
+        for quantity in QUANTITIES:
+            self.assertLess(fine[quantity]["error"], 1e-6*fine[quantity]["value"])
+            self.assertLess(abs(loose[quantity]["value"] - fine[quantity]["value"]),
+                            loose[quantity]["error"] + fine[quantity]["error"])
+        self.assertLess(loose["cells"], fine["cells"])
+
+    def test_deviations_are_those_of_the_films(self):
+        for arguments in ([], ["--density", "dowson_higginson"], ["--viscosity", "roelands"]):
+            found = self.film(line(10, 5), *arguments)
+            self.assertEqual([one["name"] for one in found["formulas"]], FORMULAS)
+            for one in found["formulas"]:
+                solved = found[one["stands_for"]]["value"]
+                self.assertAlmostEqual(one["deviation_percent"], 100*(one["film"]/solved - 1), delta=1e-10)
+                self.assertEqual(one["fitted_to"] == "compressible", one["name"] in FORMULAS[3:])
+
+    def test_formulas_are_those_of_the_catalogue(self):
+        tree = line(10, 5)
+        asked = {"id": "f", "speed": 1, "load_per_length": tree["load"]/LENGTH, "effective_modulus": MODULUS,
+                 "reduced_radius": RADIUS, **tree["lubricant"]}
+        for one in self.film(tree)["formulas"]:
+            listed = run("functions", one["name"]).out
+            words = {name: value for name, value in asked.items() if name == "id" or name in listed}
+            answer, = run("stream", stdin=str({**words, "function": one["name"]}).replace("'", '"')).json_lines()
+            self.assertAlmostEqual(answer.get("value", math.nan)/one["film"], 1, delta=1e-12, msg=answer)
+
+    def test_other_liquids_have_other_films(self):
+        barus, roelands, compressible = (self.film(line(20, 8), *more)["central_film"]["value"] for more in (
+            [], ["--viscosity", "roelands"], ["--density", "dowson_higginson"]))
+        self.assertLess(roelands, barus)
+        self.assertLess(compressible, 0.95*barus)
+
+    def test_a_contact_without_a_spike_says_so(self):
+        found = self.film(line(1, 0.5))
+        self.assertEqual([found[name] for name in SPIKE], [None, None])
+        self.assertIn("there is no spike at M = 1 and L = 0.5", found["undefined"]["spike_pressure"])
+
+    def test_a_spike_that_is_too_sharp_says_so(self):
+        found = self.film(line(50, 15))
+        self.assertIsNone(found["spike_pressure"])
+        self.assertRegex(found["undefined"]["spike_pressure"],
+                         r"^not resolved: it still changed by \d+ % from grid to grid, to \S+ Pa on the grid of \d+ cells$")
+        self.assertGreater(found["spike_place"]["value"], 0.8*found["half_width"])
+
+    def test_two_bodies_that_make_a_line(self):
+        tree = line(10, 5)
+        given = self.film(tree)
+        tree["bodies"] = {"first_modulus": 2*MODULUS, "first_poisson_ratio": 0, "second_modulus": 2*MODULUS,
+                          "second_poisson_ratio": 0, "first_radius_x": RADIUS/2, "second_radius_x": -RADIUS,
+                          "length": LENGTH}
+        found = self.film(tree)
+        self.assertAlmostEqual(found["central_film"]["value"]/given["central_film"]["value"], 1, delta=1e-9)
+
+
+class Formats(FilmTest):
+    def test_they_agree(self):
+        path = self.write(line(10, 5, speed=[0.5, 1]))
+        found = run("film", path, "--format", "json").json()
+        rows = list(csv.DictReader(io.StringIO(run("film", path, "--format", "csv").out)))
+        tables = re.split(r"(?m)^(?=line: line contact at )", run("film", path).out)[1:]
+        self.assertEqual(len(found), 2)
+        for film, row, table in zip(found, rows, tables, strict=True):
+            self.assert_agree(film, row, table)
+
+    def assert_agree(self, film, row, table):
+        self.assertTrue(table.startswith(f"line: line contact at {film['speed']:g} m/s\n"))
+        for name in ("speed", "load_number", "material_number", "half_width", "peak_pressure", "tolerance"):
+            self.assertEqual(float(row[name]), film[name])
+        told = [[float(one) for one in pair] for pair in re.findall(r"(\S+) ± (\S+)  \[", table)]
+        for (value, error), name in zip(told, QUANTITIES + SPIKE, strict=True):
+            self.assertEqual([float(row[name]), float(row[name + "_error"])], list(film[name].values()))
+            self.assertAlmostEqual(value, film[name]["value"], delta=error)
+            self.assertAlmostEqual(error/film[name]["error"], 1, delta=0.06)
+        for one in film["formulas"]:
+            self.assertEqual(float(row[one["name"]]), one["film"])
+            self.assertEqual(float(row[one["name"] + "_deviation_percent"]), one["deviation_percent"])
+            self.assertIn([one["name"], f"{one['film']:.5g}", f"{one['deviation_percent']:+.2f}", one["stands_for"],
+                           one["fitted_to"]], [text.split() for text in table.splitlines()])
+        words = " ".join(table.split())
+        for word in ("smooth", "flooded", "isothermal", "Newtonian", "incompressible", "Barus"):
+            self.assertIn(word, words)
+
+    def test_profile(self):
+        tree = line(10, 5)
+        found = self.film(tree, "--profile")
+        x, pressure, film = (found["profile"][name] for name in ("x", "pressure", "film"))
+        carried = sum((b - a)*(p + q)/2 for a, b, p, q in zip(x, x[1:], pressure, pressure[1:]))
+        self.assertAlmostEqual(carried/(tree["load"]/LENGTH), 1, delta=1e-9)
+        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # of its one grid
+        self.assertEqual([round(pressure[end], 9) for end in (0, -1)], [0, 0])
+        self.assertGreaterEqual(min(pressure), 0)
+        self.assertEqual(len(x), found["cells"] + 1)
+        self.assertNotIn("profile", self.film(tree))
+
+    def test_profiles_of_several_speeds_as_rows(self):
+        path = self.write(line(10, 5, speed=[0.5, 1]))
+        rows = list(csv.DictReader(io.StringIO(run("film", path, "--profile", "--format", "csv").out)))
+        self.assertEqual(list(rows[0]), ["id", "speed", "x", "x_over_half_width", "pressure", "film"])
+        for found in run("film", path, "--profile", "--format", "json").json():
+            mine = [row for row in rows if float(row["speed"]) == found["speed"]]
+            for name in ("x", "pressure", "film"):
+                self.assertEqual([float(row[name]) for row in mine], found["profile"][name])
+            self.assertEqual(len(run("film", path, "--profile", "--speed", found["speed"]).out.splitlines()),
+                             len(run("film", path, "--speed", found["speed"]).out.splitlines()) + 3 + len(mine))
+
+    def test_the_shipped_roller_has_a_spike(self):
+        found = run("film", ROLLER, "--format", "json").json()
+        self.assertEqual(len(found), 3)
+        self.assertLess(found[0]["spike_pressure"]["error"], 0.001*found[0]["spike_pressure"]["value"])
+
+
+class Scenes(FilmTest):
+    def test_from_stdin(self):
+        result = run("film", "-", stdin=toml(line(10, 5, id=None)))
+        self.assertEqual((result.code, result.err), (0, ""))
+        self.assertTrue(result.out.startswith("stdin: line contact"))
+
+    def test_circles_and_ellipses_are_refused(self):
+        self.assert_refused("scene.toml: bodies.reduced_radius: this is the contact of a circle, and the film is solved "
+                            "of line contacts alone; allowed: radius_x and length", self.write(scene(supply=None)))
+        self.assert_refused("bodies.first_radius_y", ROOT / "reference/scenes/bearing_outer_ring.toml")
+
+    def test_what_is_needed_and_missing(self):
+        for section, field in [("", "load"), ("", "speed"), ("lubricant", "viscosity"),
+                               ("lubricant", "pressure_viscosity")]:
+            tree = line(10, 5)
+            del (tree[section] if section else tree)[field]
+            self.assert_refused(f"{section}.{field}: missing".lstrip("."), self.write(tree))
+        tree = line(10, 5)
+        del tree["bodies"]["length"]
+        self.assert_refused("radius_x and length", self.write(tree))
+        self.assertEqual(self.film(line(10, 5, speed=None), "--speed", "1"), self.film(line(10, 5)))
+
+    def test_a_supply_is_warned_of(self):
+        result = run("film", self.write(line(10, 5, supply={"inlet_flow": 1e-8})))
+        self.assertEqual((result.code, len(result.error_lines)), (0, 1))
+        self.assertIn("warning", result.err)
+        self.assertIn("supply.inlet_flow: not used: the solved film is that of a flooded inlet", result.err)
+
+    def test_a_bad_scene_leaves_the_others(self):
+        bad = self.write(line(10, 5, load=-1), "bad.toml")
+        result = run("film", bad, self.write(line(10, 5)), "--format", "json")
+        self.assertEqual((result.code, len(result.json()), len(result.error_lines)), (2, 1, 1))
+
+    def test_roelands_law_needs_a_viscosity(self):
+        tree = line(10, 5)
+        tree["lubricant"]["viscosity"] = 6e-5
+        self.assert_refused("lubricant.viscosity: 6e-05 is not allowed with --viscosity roelands", self.write(tree),
+                            "--viscosity", "roelands")
+
+
+class Failures(FilmTest):
+    def test_bad_options(self):
+        path = self.write(line(10, 5))
+        for option, values in {"--tolerance": ["5", "0", "nan", "1e-7", "x", ""], "--speed": ["0", "-1", "nan", "inf"],
+                               "--format": ["xml"], "--viscosity": ["eyring"], "--density": ["1000"],
+                               "--picture": ["film.jpg", "png", ""]}.items():
+            for value in values:
+                self.assert_refused(option, path, option, value)
+        self.assert_refused("--picture draws one contact, and this would be 2", self.write(line(10, 5, speed=[1, 2])),
+                            "--picture", self.folder.path("film.png"))
+
+    def test_contacts_that_are_not_solved_leave_the_others(self):
+        # M ∝ u^(−1/2), L ∝ u^(1/4): a film below the grids' resolution, a contact as good as rigid.
+        tree = line(10, 5, speed=[1e-20, 1, 1e10])
+        path = self.write(tree)
+        result = run("film", path, "--format", "json")
+        self.assertEqual(result.code, 1)
+        said_low, said_high = [line for line in result.error_lines if "warning: " not in line]
+        self.assertRegex(said_low, r"^tribocheck: line at 1e-20 m/s: the film is about \S+ of b²/R")
+        self.assertRegex(said_high, r"^tribocheck: line at 1e\+10 m/s: M = 0.0001 is below 0.001")
+        low, good, high = result.json()
+        self.assertEqual(good, {**self.film(tree, "--speed", "1")})
+        for film, said in [(low, said_low), (high, said_high)]:
+            self.assertEqual([film[name] for name in QUANTITIES + SPIKE], [None]*5)
+            self.assertIn(film["reason"], said)
+            self.assertEqual(set(film["undefined"].values()), {film["reason"]})
+        self.assertEqual(run("film", path).out.count("- not solved: "), 2)
+        rows = list(csv.DictReader(io.StringIO(run("film", path, "--format", "csv").out)))
+        self.assertEqual([row["central_film"] == "" for row in rows], [True, False, True])
+
+    def test_a_tolerance_that_is_not_met_is_told_with_what_was(self):
+        result = run("film", self.write(line(0.02, 1)), "--tolerance", "1e-6", "--format", "json")
+        found, = result.json()
+        worst = max(found[name]["error"]/found[name]["value"] for name in QUANTITIES)
+        self.assertEqual((result.code, len(result.error_lines)), (1, 1))
+        self.assertIn(f"line at 1 m/s: the tolerance of 1e-06 was not met: the error is {worst:.1g} on the grid of "
+                      f"{found['cells']} cells, of which", result.err)
+
+    def test_ctrl_c_keeps_what_is_solved(self):
+        path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 1000}))
+        process = start("film", path, "--format", "json", stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0)
+        self.addCleanup(process.kill)
+        first = process.stdout.readline() + process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        rest, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        found = strict_json((first + rest).decode())
+        met = sum("reason" not in film for film in found)
+        self.assertGreater(met, 0)
+        self.assertRegex(said.decode(), rf"^tribocheck: stopped: {met} of 1000 contacts are solved to the tolerance"
+                                        r"(; line at \S+ m/s: .*stopped on the grid of \d+ cells, before step \d+.*)?\n$")
+
+    def test_progress_is_for_terminals_alone(self):
+        path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 4}))
+        self.assertEqual(run("film", path).err, "")
+        reader, writer = pty.openpty()
+        process = start("film", path, "--tolerance", "1e-6", stdout=subprocess.DEVNULL, stderr=writer)
+        os.close(writer)
+        said = read_terminal(reader).decode()
+        self.assertEqual(process.wait(), 0)
+        self.assertRegex(said, r"line at \S+ m/s \(\d+ of 4\): grid of \d+ cells, step \d+ of Newton's method")
+
+
+class Pictures(FilmTest):
+    def test_png_and_svg(self):
+        path = self.write(line(10, 5))
+        for name in ("film.png", "film.svg"):
+            target = self.folder.path(name)
+            result = run("film", path, "--picture", target)
+            self.assertEqual((result.code, result.err), (0, f"tribocheck: drew {target}\n"))
+        with open(self.folder.path("film.png"), "rb") as file:
+            image = file.read()
+        self.assertEqual(struct.unpack(">8x4x4s2I", image[:24]), (b"IHDR", 1920, 1680))
+        self.assertGreater(len(image), 20_000)
+        text = "".join(xml.parse(self.folder.path("film.svg")).getroot().itertext())
+        for word in ("pressure p (GPa)", "film thickness h (µm)", "(µm)", "Moes", "Hertz"):
+            self.assertIn(word, text)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["film.png", "film.svg", "scene.toml"])
+
+    def test_of_a_contact_without_a_spike_and_of_one_that_is_nearly_rigid(self):
+        for numbers in [(1, 0.5), (0.02, 5), (50, 15)]:
+            target = self.folder.path("film.png")
+            result = run("film", self.write(line(*numbers)), "--picture", target)
+            self.assertEqual((result.code, result.err), (0, f"tribocheck: drew {target}\n"))
+
+    def test_without_gnuplot_the_films_come_out(self):
+        bin = self.folder.path("bin")
+        os.mkdir(bin)
+        os.symlink(shutil.which("python3"), os.path.join(bin, "python3"))
+        done = subprocess.run([PROGRAM, "film", self.write(line(10, 5)), "--picture", self.folder.path("film.png")],
+                              capture_output=True, text=True, env={**ENVIRONMENT, "PATH": bin})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("central film", done.stdout)
+        self.assertEqual(done.stderr, "tribocheck: gnuplot was not found in PATH: no picture (Debian: apt-get install "
+                                      "gnuplot-nox)\n")
+
+    def test_a_picture_that_cannot_be_written(self):
+        result = run("film", self.write(line(10, 5)), "--picture", "/proc/film.png")
+        self.assertEqual((result.code, len(result.error_lines)), (1, 1))
+        self.assertIn("cannot write /proc/film.png", result.err.replace(".film.png.json", "film.png"))
+
+
+if __name__ == "__main__":
+    unittest.main()
