@@ -123,7 +123,7 @@ class LineFilms(WrittenReport):
         self.assertLess(profile["central"]["error"] / profile["central"]["value"], 2e-4)
 
     def test_the_papers_contacts_are_points(self):
-        self.assertEqual([one["name"] for one in self.told["scenes"]], ["gear_flank"])
+        self.assertEqual([one["name"] for one in self.told["scenes"]], ["gear_flank", "roller"])
         self.assertIn("The paper's contacts are points", self.text)
 
 
@@ -145,12 +145,12 @@ class OtherFiles(unittest.TestCase):
         scenes = self.project / "mine"
         shutil.copytree(ROOT / "reference/published", scenes)
         text = (ROOT / "reference/scenes/gear_flank.toml").read_text()
-        (scenes / "roller.toml").write_text(re.sub(r"(?m)^load = \S+", "load = 2e3", text).replace("gear_flank", "roller"))
+        (scenes / "own.toml").write_text(re.sub(r"(?m)^load = \S+", "load = 2e3", text).replace("gear_flank", "own"))
         found = {one["name"]: one for one in self.told("--scenes", scenes)["scenes"]}
-        self.assertTrue(found["roller"]["is_of_paper"] and found["roller"]["is_on_map"])
+        self.assertTrue(found["own"]["is_of_paper"] and found["own"]["is_on_map"])
         tracks = (self.project / "reports/out/data/line_film_tracks.blocks.tsv").read_text()
-        self.assertEqual(re.findall(r'^"(\w+)"$', tracks, re.MULTILINE), ["gear_flank", "roller"])
-        self.assertIn("roller", (self.project / "reports/out/figures/line_film_errors.svg").read_text())
+        self.assertEqual(re.findall(r'^"(\w+)"$', tracks, re.MULTILINE), ["gear_flank", "roller", "own"])
+        self.assertIn(">own<", (self.project / "reports/out/figures/line_film_errors.svg").read_text())
         self.assertNotIn("The paper's contacts are points", (self.project / "reports/out/report.md").read_text())
 
     def test_without_the_table_the_page_says_so(self):
