@@ -27,7 +27,7 @@ namespace {
 using Formulas = std::array<double, ehl::line_formulas.size()>;
 
 constexpr double map_speed_number = 1e-11;  // U: for the exponents that leave some of it
-constexpr int load_steps = 80, material_steps = 60;
+constexpr int load_steps = 60, material_steps = 45;
 // Contours, per cent; the ones that should have a label first come first.
 constexpr std::array contour_levels{0.,  -10., 10., -20., 20., -5.,  5., -30.,
                                     30., -50., 50., -2.,  2.,  -70., 70.};
@@ -46,6 +46,7 @@ constexpr std::array<std::array<double, 2>, 12> check_points{{{1.1, 3.2},
                                                               {141, 17}}};
 constexpr std::string_view profile_scene = "gear_flank";
 constexpr double profile_speed = 1;  // m/s
+constexpr double profile_from = -3;  // x/b
 
 constexpr std::array<std::string_view, 3> quantity_words{"central", "minimum",
                                                          "at_greatest_pressure"};
@@ -310,11 +311,17 @@ void add_profile(Group& group, const std::vector<Track>& tracks) {
       "# pressure and film across the line contact of {} at {} m/s\n"
       "# x/b\tp/p0\tHertz' p/p0\tfilm [µm]\n",
       found->scene.file, profile_speed);
+  // No two nodes that a picture does not tell apart.
+  double last_x = 0, last_pressure = -1;
   for (std::size_t i = 0; i < solved.film.x.size(); ++i) {
     const double x = solved.film.x[i];
     const auto at = static_cast<Eigen::Index>(i);
-    if (x < -3) continue;
-    text += fmt::format("{}\t{}\t{}\t{}\n", exact(x), exact(solved.film.pressure[at]),
+    const double pressure = solved.film.pressure[at];
+    if (x < profile_from) continue;
+    if (std::fabs(x - last_x) < 0.005 && std::fabs(pressure - last_pressure) < 0.01) continue;
+    last_x = x;
+    last_pressure = pressure;
+    text += fmt::format("{}\t{}\t{}\t{}\n", exact(x), exact(pressure),
                         exact(std::sqrt(std::fmax(0, 1 - x * x))),
                         exact(1e6 * scale.film * solved.film.film[at]));
   }

@@ -43,13 +43,20 @@ set datafile separator whitespace  # as gnuplot writes its tables; texts are quo
 shade(error) = sgn(error)*log(1 + abs(error)/2)
 set palette defined (-1 "#4f86c6", -0.55 "#8db5e0", -0.2 "#cfe0f2", 0 "#ffffff", 0.2 "#fdeacb", 0.55 "#f9cf8a", 1 "#f0a030")
 set cbrange [shade(-70):shade(70)]
-set style textbox opaque noborder margins 0.5, 0.5 fillcolor rgb "#ffffff"
 set style line 1 linewidth 1.2 linecolor rgb 0x000000 dashtype (8,5)
 set style line 2 linewidth 1.2 linecolor rgb 0x000000
 set style line 3 linewidth 2.6 linecolor rgb 0x000000
 set style line 4 linewidth 4.5 linecolor rgb 0xffffff
 set style line 5 linewidth 2 linecolor rgb 0x6a1b7a
 set style line 6 pointtype 7 pointsize 0.9*point linecolor rgb 0x6a1b7a
+# The grounds of labels, in parts of a panel: gnuplot's own would print each text twice.
+set style line 7 linewidth 0 linecolor rgb 0xffffff
+set style fill solid noborder
+wide = log(load_max/load_min); high = log(material_max/material_min)
+left(x) = x*exp(-0.058*wide); right(x) = x*exp(0.058*wide)
+below(y) = y*exp(-0.026*high); above(y) = y*exp(0.026*high)
+beside(x) = x*exp(0.09*wide)
+named(y) = strlen(strcol(5)) > 0 ? y : NaN
 words = kind eq "svg" ? ",13" : ",9.5"
 contour(i, side) = sprintf("$%s%d", side, i)
 
@@ -108,9 +115,12 @@ do for [i=1:6] {
     for [t=0:track_count-1] tracks index t using 1:2 with lines linestyle 5 dashtype t + 1 \
       title i == 6 ? columnheader(1) : "", \
     for [t=0:track_count-1] tracks index t using 1:($4 > 0 ? $2 : NaN) with points linestyle 6 notitle, \
-    for [t=0:track_count-1] tracks index t using 1:(strlen(strcol(5)) > 0 ? $2 : NaN):5 with labels boxed left \
-      offset 0.9, 0.2 font words textcolor rgb 0x6a1b7a notitle, \
-    labels index i - 1 using 1:2:4 with labels boxed font words notitle
+    for [t=0:track_count-1] tracks index t using (beside($1)):(named($2)):(left(beside($1))):(right(beside($1))): \
+      (below($2)):(above($2)) with boxxyerror linestyle 7 notitle, \
+    for [t=0:track_count-1] tracks index t using (beside($1)):(named($2)):5 with labels font words \
+      textcolor rgb 0x6a1b7a notitle, \
+    labels index i - 1 using 1:2:(left($1)):(right($1)):(below($2)):(above($2)) with boxxyerror linestyle 7 notitle, \
+    labels index i - 1 using 1:2:4 with labels font words notitle
   unset key
 }
 unset multiplot

@@ -37,6 +37,8 @@ def run_gnuplot(frame, *arguments):
 MOUSING = re.compile(r"""\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
+UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # its commands, as the name of a line that has none
+EMPTY_GROUP = re.compile(r"<g\b[^>]*>\s*</g>\s*")
 AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|axis_ymin|axis_ymax|logaxis_x|logaxis_y)"
                   r" = ([-+.0-9e]+);")
 
@@ -45,7 +47,11 @@ def without_scripts(svg):
     """The picture alone. Its element says in data-axes which values the edges of the (last) plot have, so that the
     page can show those under the pointer."""
     axes = " ".join(f"{name}={value}" for name, value in AXES.findall(svg))
-    return MOUSING.sub("", svg).replace("<svg", f'<svg data-axes="{axes}"', 1)
+    svg = UNNAMED.sub("", MOUSING.sub("", svg)).replace("<svg", f'<svg data-axes="{axes}"', 1)
+    more = 1
+    while more:  # a tenth of each file is groups with nothing in them
+        svg, more = EMPTY_GROUP.subn("", svg)
+    return re.sub(r"\n\s+", "\n", svg)
 
 
 def draw(drawing, data, target):

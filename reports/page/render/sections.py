@@ -30,7 +30,7 @@ SECTIONS = {
     "misprints": Section("The paper's misprints", True),
     "model": Section("The model, its equations and inputs", True),
     "contacts": Section("Contacts as machines have them: circle, ellipse and line"),
-    "film-solved": Section("The film solved, and what formulas are worth"),
+    "film-solved": Section("The film solved, and what formulas are worth", True),
     "verification": Section("Accuracy, quantity by quantity", True),
     "worst-inputs": Section("Accuracy at random inputs", True),
     "planted-faults": Section("Planted faults: do the checks find errors?", True),
