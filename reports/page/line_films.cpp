@@ -195,12 +195,12 @@ DataFile tracks_file(const MapFrame& frame, std::vector<Track>& tracks,
   for (Track& track : tracks) {
     const auto [low, high] = track.scene.range;
     std::string block = fmt::format("\"{}\"\n", track.scene.name);
-    constexpr int steps = 240;
+    // A straight line in the logarithms; the picture cuts it at the edge of the map.
+    constexpr int steps = 40;
     for (int i = 0; i <= steps; ++i) {
       const TrackPoint point =
           track_point(track.scene, low * std::pow(high / low, static_cast<double>(i) / steps));
-      if (!MapFrame::contains(frame.place(point))) continue;
-      track.is_on_map = true;
+      if (MapFrame::contains(frame.place(point))) track.is_on_map = true;
       block += fmt::format("{}\t{}\t{}\tNaN\t\"\"\n", number_cell(point.load_number),
                            number_cell(point.material_number), number_cell(point.speed));
     }
