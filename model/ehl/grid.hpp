@@ -34,7 +34,7 @@ struct Scales {
 };
 // A film number of the right size: the greatest of the four limits that Moes' formula joins.
 double expected_film(const LineContact& contact);
-// `inlet_factor` makes the inlet longer; its effect on the film falls with the third power of it.
+// `inlet_factor` makes the inlet longer; its effect on the film falls with the second power of it.
 Scales scales_of(const LineContact& contact, double inlet_factor = 1);
 // A density for a contact that has not been solved.
 NodeDensity first_density(const Scales& scales);
