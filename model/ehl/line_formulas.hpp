@@ -18,22 +18,24 @@ struct LineFormula {
   std::string_view name;  // as in scenes and in the catalogue of functions
   std::string_view authors;
   FilmQuantity quantity;
-  const FilmLaw* law;    // none: Moes' formula
-  bool is_compressible;  // whether the films that it was fitted to were of a compressible liquid
+  const FilmLaw* law;  // none: Moes' formula
+  // The liquid of the films that it was fitted to, or derived for: "incompressible",
+  // "compressible", or "not known" where no text that could be seen tells.
+  std::string_view liquid;
 };
 
 inline constexpr std::array<LineFormula, 6> line_formulas{{
-    {"moes_line", "Moes", FilmQuantity::at_greatest_pressure, nullptr, false},
+    {"moes_line", "Moes", FilmQuantity::at_greatest_pressure, nullptr, "incompressible"},
     {"ertel_grubin", "Ertel and Grubin", FilmQuantity::at_greatest_pressure, &ertel_grubin_law,
-     false},
+     "incompressible"},
     {"dowson_higginson_minimum", "Dowson and Higginson", FilmQuantity::minimum,
-     &dowson_higginson_minimum_law, false},
+     &dowson_higginson_minimum_law, "not known"},
     {"dowson_toyoda_central", "Dowson and Toyoda", FilmQuantity::central,
-     &dowson_toyoda_central_law, true},
+     &dowson_toyoda_central_law, "not known"},
     {"pan_hamrock_minimum", "Pan and Hamrock", FilmQuantity::minimum, &pan_hamrock_minimum_law,
-     true},
+     "compressible"},
     {"pan_hamrock_central", "Pan and Hamrock", FilmQuantity::central, &pan_hamrock_central_law,
-     true},
+     "compressible"},
 }};
 
 // (h/R)(2U)^{−1/2} by a formula, at M > 0, L > 0 and the speed number U = η₀u/(2E*R): Pan and

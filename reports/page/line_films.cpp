@@ -90,7 +90,7 @@ Json formula_json(const ehl::LineFormula& formula, const std::vector<SolvedNumbe
   return {{"name", formula.name},
           {"authors", formula.authors},
           {"quantity", quantity_words[static_cast<std::size_t>(formula.quantity)]},
-          {"is_compressible", formula.is_compressible},
+          {"liquid", formula.liquid},
           {"points", errors.size()},
           {"least", least->json()},
           {"median", median_of(signed_errors)},

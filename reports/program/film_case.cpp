@@ -78,9 +78,8 @@ void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::Line
     const double length = unit * ehl::film_number(formula, contact.load_number,
                                                   contact.material_number, scale.speed_number);
     const double beside = scale.film * ehl::compared_film(formula, solved).value;
-    film.formulas.push_back({formula.name, stands_for(formula.quantity),
-                             formula.is_compressible ? "compressible" : "incompressible", length,
-                             length / beside - 1});
+    film.formulas.push_back(
+        {formula.name, stands_for(formula.quantity), formula.liquid, length, length / beside - 1});
   }
 }
 

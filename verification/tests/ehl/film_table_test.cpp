@@ -5,14 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <map>
 #include <random>
-#include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "accuracy/reference_table.hpp"
 #include "ehl/films.hpp"
 #include "ehl/line_conditions.hpp"
 #include "ehl/line_formulas.hpp"
@@ -23,75 +20,50 @@
 namespace tribo::verification {
 namespace {
 
-// By the names of its columns.
-using Row = std::map<std::string, std::string>;
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line) {
-    if (c == ',')
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  }
-  return fields;
+std::vector<ReferenceRow> table() {
+  return read_reference_table(TRIBOCHECK_SOURCE_DIR "/reference/ehl/line_films.csv");
 }
-
-std::vector<Row> table() {
-  std::ifstream in(TRIBOCHECK_SOURCE_DIR "/reference/ehl/line_films.csv");
-  std::vector<std::string> names;
-  std::vector<Row> rows;
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with('#')) continue;
-    const std::vector<std::string> fields = fields_of(line);
-    if (names.empty()) {
-      names = fields;
-      continue;
-    }
-    Row row;
-    for (std::size_t i = 0; i < names.size() && i < fields.size(); ++i) row[names[i]] = fields[i];
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-double number(const Row& row, const std::string& name) { return std::stod(row.at(name)); }
 
 TEST(LineFilmTable, HasEveryContactToOneInTenThousandOrSaysWhyNot) {
-  std::size_t i = 0;
-  const std::vector<Row> rows = table();
+  std::size_t i = 0, confirmed = 0;
+  const std::vector<ReferenceRow> rows = table();
   for (const double m : {1., 2., 5., 10., 20., 50., 100., 200.})
     for (const double l : {0., 1., 2.5, 5., 10., 15., 20.}) {
       ASSERT_LT(i, rows.size());
-      const Row& row = rows[i++];
-      ASSERT_EQ(number(row, "load_number"), m);
-      ASSERT_EQ(number(row, "material_number"), l);
+      const ReferenceRow& row = rows[i++];
+      ASSERT_EQ(row.number("load_number"), m);
+      ASSERT_EQ(row.number("material_number"), l);
       for (const std::string film : {"central", "minimum", "at_greatest_pressure"})
-        EXPECT_LE(number(row, film + "_error"), 1e-4 * number(row, film))
+        EXPECT_LE(row.number(film + "_error"), 1e-4 * row.number(film))
             << film << " at M = " << m << ", L = " << l;
-      const bool has_spike = !row.at("spike_pressure").empty();
-      EXPECT_NE(has_spike, !row.at("note").empty()) << "M = " << m << ", L = " << l;
+      const bool has_spike = !row.text("spike_pressure").empty();
+      EXPECT_NE(has_spike, !row.text("note").empty()) << "M = " << m << ", L = " << l;
+      if (!row.text("second_method").empty()) {
+        ++confirmed;
+        EXPECT_LE(row.number("second_method"), 1) << "M = " << m << ", L = " << l;
+      }
     }
   EXPECT_EQ(i, rows.size());
+  EXPECT_EQ(confirmed, 55U);  // M = 2, L = 20 is not solved by the second method
 }
 
 TEST(LineFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
   std::mt19937_64 random(20261123);
-  const std::vector<Row> rows = table();
+  const std::vector<ReferenceRow> rows = table();
   ASSERT_FALSE(rows.empty());
   for (int i = 0; i < 10; ++i) {
-    const Row& row = rows[random() % rows.size()];
+    const ReferenceRow& row = rows[random() % rows.size()];
     const ehl::LineContact contact =
-        ehl::barus_contact(number(row, "load_number"), number(row, "material_number"));
+        ehl::barus_contact(row.number("load_number"), row.number("material_number"));
     const ehl::SolvedFilm film = solved(contact);
     const auto is_same = [&](const ehl::Estimate& e, const std::string& name) {
       return is_estimated({contact.film_number(e.value), contact.film_number(e.error)},
-                          number(row, name), number(row, name + "_error"));
+                          row.number(name), row.number(name + "_error"));
     };
-    EXPECT_TRUE(is_same(film.central, "central")) << row.at("load_number");
-    EXPECT_TRUE(is_same(film.minimum, "minimum")) << row.at("load_number");
+    EXPECT_TRUE(is_same(film.central, "central")) << row.text("load_number");
+    EXPECT_TRUE(is_same(film.minimum, "minimum")) << row.text("load_number");
     EXPECT_TRUE(is_same(film.at_greatest_pressure, "at_greatest_pressure"))
-        << row.at("load_number");
+        << row.text("load_number");
   }
 }
 
