@@ -20,7 +20,7 @@ struct LineFormula {
   FilmQuantity quantity;
   const FilmLaw* law;  // none: Moes' formula
   // The liquid of the films that it was fitted to, or derived for: "incompressible",
-  // "compressible", or "not known" where no text that could be seen tells.
+  // "compressible", or "unknown" where no text that could be seen tells.
   std::string_view liquid;
 };
 
@@ -29,9 +29,9 @@ inline constexpr std::array<LineFormula, 6> line_formulas{{
     {"ertel_grubin", "Ertel and Grubin", FilmQuantity::at_greatest_pressure, &ertel_grubin_law,
      "incompressible"},
     {"dowson_higginson_minimum", "Dowson and Higginson", FilmQuantity::minimum,
-     &dowson_higginson_minimum_law, "not known"},
+     &dowson_higginson_minimum_law, "unknown"},
     {"dowson_toyoda_central", "Dowson and Toyoda", FilmQuantity::central,
-     &dowson_toyoda_central_law, "not known"},
+     &dowson_toyoda_central_law, "unknown"},
     {"pan_hamrock_minimum", "Pan and Hamrock", FilmQuantity::minimum, &pan_hamrock_minimum_law,
      "compressible"},
     {"pan_hamrock_central", "Pan and Hamrock", FilmQuantity::central, &pan_hamrock_central_law,

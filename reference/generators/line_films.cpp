@@ -128,33 +128,89 @@ std::vector<std::string> rows_of(const std::vector<Contact>& which, bool with_se
   return rows;
 }
 
-int make_table(const std::filesystem::path& file) {
-  std::string rows;
-  for (const std::string& line : rows_of(contacts(), true)) rows += line + "\n";
-  const std::string header = fmt::format(
-      "# quantity: films of smooth line contacts, solved\n"
+// What stands in the first lines of both files.
+std::string header(const std::string& quantity, const std::string& more, const std::string& rows) {
+  return fmt::format(
+      "# quantity: {}\n"
       "# definition: central, minimum and at_greatest_pressure are (h/R)(2U)^(-1/2) at x = 0, "
-      "where h is "
-      "least, and where p is greatest; spike_pressure is p/p0 at the second maximum of the "
-      "pressure, "
-      "spike_place its x/b; load_number M = W(2U)^(-1/2), material_number L = G(2U)^(1/4)\n"
+      "where "
+      "h is least, and where p is greatest upstream of the spike; load_number M = W(2U)^(-1/2), "
+      "material_number L = G(2U)^(1/4)\n"
       "# equations: steady Reynolds equation, elastic half-planes, load balance, p >= 0 where the "
       "film breaks\n"
       "# assumptions: isothermal, Newtonian, Barus, incompressible, smooth, fully flooded\n"
       "# units: none; each ..._error is absolute, in the unit of its number\n"
-      "# domain: M 1 to 200, L 0 to 20\n"
       "# generator: reference/generators/line_films.cpp, model/ehl\n"
       "# method: second order in space; Richardson's value of four or more grids of 128, 256, ... "
       "cells\n"
-      "# second method: collocation up to a free boundary (line_collocation.hpp), which shares no "
-      "stencil with the first; second_method is by how much of the sum of both errors the films "
-      "differ at most, empty where it did not solve the contact\n"
       "# error: what Richardson's value changed by, and what a longer inlet would change\n"
-      "# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
-      fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
+      "{}# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
+      quantity, more, fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path temporary = file.string() + ".part";
-  std::ofstream(temporary) << header << columns << rows;
+  std::ofstream(temporary) << text;
   std::filesystem::rename(temporary, file);
+}
+
+int make_table(const std::filesystem::path& file) {
+  std::string rows;
+  for (const std::string& line : rows_of(contacts(), true)) rows += line + "\n";
+  write(file,
+        header("films of smooth line contacts, solved",
+               "# spike: spike_pressure is p/p0 at the second maximum of the pressure, spike_place "
+               "its x/b\n"
+               "# second method: collocation up to a free boundary (line_collocation.hpp), which "
+               "shares no stencil with the first; second_method is by how much of the sum of both "
+               "errors the films differ at most, empty where it did not solve the contact\n"
+               "# domain: M 1 to 200, L 0 to 20\n",
+               rows) +
+            columns + rows);
+  return 0;
+}
+
+// Films between those of the table, for the map on the page: its other nodes, and some contacts
+// between the nodes that the map is held to.
+int make_between(const std::filesystem::path& file) {
+  constexpr double close_load_numbers[] = {1.2, 1.5, 1.75, 2.25, 2.5, 3.5};
+  constexpr double close_material_numbers[] = {1.5, 7};
+  constexpr Contact checks[] = {{1.1, 3.2}, {1.35, 8.4},  {1.62, 17}, {1.75, 17},
+                                {2.2, 12},  {2.25, 17.5}, {4.2, 3.5}, {7, 12},
+                                {14, 3.5},  {32, 8.4},    {71, 2},    {141, 17}};
+  std::vector<Contact> all;
+  const auto add = [&](double m, double l) {
+    if (l > 0) all.push_back({m, l});
+  };
+  for (const double m : close_load_numbers) {
+    for (const double l : material_numbers) add(m, l);
+    for (const double l : close_material_numbers) add(m, l);
+  }
+  for (const double m : load_numbers)
+    for (const double l : close_material_numbers) add(m, l);
+  const std::size_t nodes = all.size();
+  all.insert(all.end(), std::begin(checks), std::end(checks));
+  std::string rows;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Contact& c = all[i];
+    const tribo::ehl::LineContact contact =
+        tribo::ehl::barus_contact(c.load_number, c.material_number);
+    // Where the front of the pressure passes the middle, the order is irregular, and the error
+    // larger.
+    const SolvedFilm films = tribo::ehl::solve_line_film(contact, {.greatest_cells = 4096});
+    if (films.outcome != tribo::ehl::Outcome::solved)
+      throw std::runtime_error(
+          fmt::format("M = {}, L = {}: {}", c.load_number, c.material_number, films.reason));
+    const double unit = contact.film_number(1);
+    rows += fmt::format("{},{}", c.load_number, c.material_number) + fields(films.central, unit) +
+            fields(films.minimum, unit) + fields(films.at_greatest_pressure, unit) +
+            (i < nodes ? ",node\n" : ",check\n");
+  }
+  write(file, header("films of smooth line contacts, solved, between those of line_films.csv",
+                     "# role: node of the map on the page, or check of what it joins\n", rows) +
+                  "load_number,material_number,central,central_error,minimum,minimum_error,"
+                  "at_greatest_pressure,at_greatest_pressure_error,role\n" +
+                  rows);
   return 0;
 }
 
@@ -224,13 +280,16 @@ int main(int argc, char** argv) {
   std::string file;
   int sample = 0;
   std::uint64_t seed = 1;
+  bool is_between = false;
   app.add_option("file", file, "where the table is, or goes")->required();
   app.add_option("--sample", sample, "make this many rows again and compare them");
   app.add_option("--seed", seed, "of the sample");
+  app.add_flag("--between", is_between, "make the films between those of the table, for the map");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (is_between) return make_between(file);
   return sample > 0 ? check_sample(file, seed, sample) : make_table(file);
 }

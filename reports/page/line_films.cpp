@@ -31,19 +31,6 @@ constexpr int load_steps = 60, material_steps = 45;
 // Contours, per cent; the ones that should have a label first come first.
 constexpr std::array contour_levels{0.,  -10., 10., -20., 20., -5.,  5., -30.,
                                     30., -50., 50., -2.,  2.,  -70., 70.};
-// Between the nodes of the map's films.
-constexpr std::array<std::array<double, 2>, 12> check_points{{{1.1, 3.2},
-                                                              {1.35, 8.4},
-                                                              {1.62, 17},
-                                                              {1.75, 17},
-                                                              {2.2, 12},
-                                                              {2.25, 17.5},
-                                                              {4.2, 3.5},
-                                                              {7, 12},
-                                                              {14, 3.5},
-                                                              {32, 8.4},
-                                                              {71, 2},
-                                                              {141, 17}}};
 constexpr std::string_view profile_scene = "gear_flank";
 constexpr double profile_speed = 1;  // m/s
 constexpr double profile_from = -3;  // x/b
@@ -119,27 +106,22 @@ Json solved_errors_json(const std::vector<SolvedNumbers>& table) {
 // Of the map against films that are solved between its nodes: the greatest error of each quantity.
 // Below `heavy_from` the central film has a kink, where the front of the stiffened liquid passes
 // the middle of the contact; it is told apart.
-Json interpolation_json(const FilmMap& map) {
+Json interpolation_json(const FilmMap& map, const std::vector<SolvedNumbers>& checks) {
   constexpr double heavy_from = 2;
   std::array<double, 3> greatest{}, greatest_light{};
-  std::size_t points = 0;
-  for (const auto& [load_number, material_number] : check_points) {
-    if (load_number < map.load_numbers.front() || load_number > map.load_numbers.back()) continue;
-    ++points;
-    const SolvedNumbers solved = solved_numbers(load_number, material_number);
+  for (const SolvedNumbers& solved : checks)
     for (std::size_t i = 0; i < solved.film.size(); ++i) {
-      const double film = map.surfaces[i].films(load_number, {material_number}).front();
-      double& worst = (load_number < heavy_from ? greatest_light : greatest)[i];
+      const double film =
+          map.surfaces[i].films(solved.load_number, {solved.material_number}).front();
+      double& worst = (solved.load_number < heavy_from ? greatest_light : greatest)[i];
       worst = std::fmax(worst, std::fabs(film / solved.film[i] - 1));
     }
-  }
   const auto json = [](const std::array<double, 3>& errors) {
     Json all = Json::object();
     for (std::size_t i = 0; i < errors.size(); ++i) all[std::string(quantity_words[i])] = errors[i];
     return all;
   };
-  return {{"points", points},
-          {"solved_here", map.solved_here},
+  return {{"points", checks.size()},
           {"heavy_from", heavy_from},
           {"greatest", json(greatest)},
           {"greatest_light", json(greatest_light)}};
@@ -345,7 +327,10 @@ Group line_films_group(const ReportPlaces& places) {
   const std::vector<SolvedNumbers> table =
       read_solved_films((places.reference / "ehl/line_films.csv").string());
   if (table.empty()) throw std::runtime_error("reference/ehl/line_films.csv has no films");
-  const FilmMap map(table);
+  const std::string between = (places.reference / "ehl/line_films_between.csv").string();
+  std::vector<SolvedNumbers> nodes = read_solved_films(between, "node");
+  nodes.insert(nodes.end(), table.begin(), table.end());
+  const FilmMap map(nodes);
   const MapFrame frame(map);
   std::vector<Track> tracks;
   for (LineScene& one : line_scenes(places, places.reference / "scenes"))
@@ -363,7 +348,7 @@ Group line_films_group(const ReportPlaces& places) {
                 {"least_material_number", map.material_numbers.front()},
                 {"greatest_material_number", map.material_numbers.back()},
                 {"solved", solved_errors_json(table)},
-                {"interpolation", interpolation_json(map)},
+                {"interpolation", interpolation_json(map, read_solved_films(between, "check"))},
                 {"formulas", Json::array()},
                 {"scenes", tracks_json(tracks)}};
   for (const ehl::LineFormula& formula : ehl::line_formulas)

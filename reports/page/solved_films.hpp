@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films of line contacts solved over the numbers of load and of material: those of
-// reference/ehl/line_films.csv, and those between that a smooth map needs besides.
+// reference/ehl/line_films.csv, and those between, of line_films_between.csv, that a smooth map
+// needs besides.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ehl/line_formulas.hpp"
@@ -24,19 +26,16 @@ struct SolvedNumbers {
   }
 };
 
-// The rows that have all three films. Throws std::runtime_error where the file cannot be read.
-std::vector<SolvedNumbers> read_solved_films(const std::string& path);
-
-// Solved here. Throws std::runtime_error where it cannot be.
-SolvedNumbers solved_numbers(double load_number, double material_number);
+// The rows that have all three films, and this word in the column `role`, if one is given. Throws
+// std::runtime_error where the file cannot be read.
+std::vector<SolvedNumbers> read_solved_films(const std::string& path, std::string_view role = {});
 
 // A surface for each quantity, over the table's range with L > 0.
 struct FilmMap {
   std::vector<double> load_numbers, material_numbers;  // of the films that it goes through
   std::vector<FilmSurface> surfaces;
-  std::size_t solved_here = 0;  // films that the table lacks
 
-  // The films that stand between those of the table are solved; several at a time.
+  // Throws std::runtime_error where the table lacks a load number with a material number.
   explicit FilmMap(const std::vector<SolvedNumbers>& table);
 };
 

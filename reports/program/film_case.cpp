@@ -107,7 +107,10 @@ FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settin
   const ehl::LineScale scale = ehl::scale_of(conditions);
   const ehl::LineContact contact = ehl::contact_of(conditions);
   const ehl::SolvedFilm solved =
-      ehl::solve_line_film(contact, {.tolerance = settings.tolerance, .at_edge = at_edge},
+      ehl::solve_line_film(contact,
+                           {.tolerance = settings.tolerance,
+                            .greatest_cells = settings.tolerance < 1e-5 ? 32768 : 8192,
+                            .at_edge = at_edge},
                            [&](const ehl::Step& step) { return watch(step.cells, step.step); });
 
   FilmCase film{};

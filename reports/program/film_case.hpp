@@ -25,7 +25,7 @@ struct Measured {
 struct FormulaFilm {
   std::string_view name;        // as in the catalogue of functions
   std::string_view stands_for;  // central_film, minimum_film or film_at_greatest_pressure
-  std::string_view fitted_to;   // incompressible, compressible or not known: the liquid
+  std::string_view fitted_to;   // incompressible, compressible or unknown: the liquid
   double film;                  // m
   double deviation;             // from the solved film that it stands for, over this
 };
