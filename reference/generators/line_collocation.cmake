@@ -9,3 +9,6 @@ target_include_directories(tribocheck_line_collocation PUBLIC
   ${PROJECT_SOURCE_DIR}/reference ${PROJECT_SOURCE_DIR}/model)
 # Of the model it has the liquid and the contact's numbers, which are headers alone.
 target_link_libraries(tribocheck_line_collocation PUBLIC Eigen3::Eigen)
+if(TRIBOCHECK_SANITIZE)
+  target_compile_options(tribocheck_line_collocation PRIVATE -O2)
+endif()

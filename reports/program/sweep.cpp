@@ -2,6 +2,7 @@
 // tribocheck sweep: many cases of a scene, on many threads and machines.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -173,7 +174,13 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
     if (first) append_estimate(output.text(), *plan, arguments.threads);
     return exit_done;
   }
-  const std::string refusal = first ? own_input(arguments) : "";
+  std::string refusal = first ? own_input(arguments) : "";
+  if (first && arguments.without_fma &&
+      std::any_of(plan->scenes.begin(), plan->scenes.end(),
+                  [](const sweep::SceneSweep& scene) { return scene.solves_film; }))
+    refusal =
+        "--without-fma: solved films use the C library's functions, which choose fused "
+        "multiply-add by themselves; allowed: without solved_film";
   if (!refusal.empty()) complain(refusal);
   if (!ranks.everywhere(refusal.empty())) return exit_bad;
   SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));

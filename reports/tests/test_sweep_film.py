@@ -68,6 +68,9 @@ class SolvedFilms(SweepTest):
         circle = SWEEP.replace("radius_x = 0.01\nlength = 0.01", "reduced_radius = 0.01")
         self.assert_refused(self.sweep(circle), "the film is solved of line contacts alone")
 
+    def test_the_c_library_cannot_leave_fused_multiply_add_out(self):
+        self.assert_refused(self.sweep(SWEEP, "--without-fma"), "--without-fma", "without solved_film")
+
     def test_a_speed_is_needed(self):
         self.assert_refused(self.sweep(SWEEP.replace("speed = [0.5, 2]\n", "")), "speed: missing")
 
