@@ -182,6 +182,8 @@ TEST(SolvedFilm, LongerInletMovesItByNoMoreThanStated) {
     ASSERT_EQ(longer.outcome, ehl::Outcome::solved);
     const ehl::FilmFeatures before = ehl::features_of(contact, film.film);
     const ehl::FilmFeatures after = ehl::features_of(contact, longer);
+    EXPECT_GE(film.central.error, film.domain_error * film.central.value);
+    EXPECT_GE(film.minimum.error, film.domain_error * film.minimum.value);
     // An inlet eight times as long is endless but for a 64th.
     const double bound = film.domain_error;
     EXPECT_TRUE(is_within(after.central / before.central, 1, bound)) << m << ", " << l;
