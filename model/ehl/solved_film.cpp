@@ -14,6 +14,7 @@ namespace {
 template <class Feature>
 std::vector<double> over_grids(const std::vector<FilmFeatures>& grids, const Feature& feature) {
   std::vector<double> values;
+  values.reserve(grids.size());
   for (const FilmFeatures& f : grids) values.push_back(feature(f));
   return values;
 }
