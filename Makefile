@@ -158,7 +158,7 @@ profile: gate-program ## run callgrind on the inner loop: build/profile/callgrin
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile
 
 ##@ Numbers made anew
-references: ## make the tables of reference/exact and reference/ehl anew; three or four minutes
+references: ## make the tables of reference/exact and reference/ehl anew; four or five minutes
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references generate_line_films

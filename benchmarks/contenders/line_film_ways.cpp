@@ -30,7 +30,7 @@ LineFilmAnswer answer_of(const ehl::LineContact& contact, const ehl::LineFilm& f
 
 // Each grid has twice the cells of the one before, and starts from its film.
 LineFilmAnswer on_one_grid(const ehl::LineContact& contact, int cells) {
-  const CoarseFilm coarse = coarse_film(contact);
+  const ehl::CoarseFilm coarse = coarse_film(contact);
   ehl::LineFilm film = coarse.film;
   for (int n = coarse_cells; n <= cells && film.outcome == ehl::Outcome::solved; n *= 2)
     film = ehl::solve_on(contact, coarse.density.nodes(n), film, {});
@@ -38,7 +38,7 @@ LineFilmAnswer on_one_grid(const ehl::LineContact& contact, int cells) {
 }
 
 LineFilmAnswer dense(const ehl::LineContact& contact, int cells) {
-  const CoarseFilm coarse = coarse_film(contact);
+  const ehl::CoarseFilm coarse = coarse_film(contact);
   ehl::LineFilm film = coarse.film;
   for (int n = coarse_cells; n <= cells && film.outcome == ehl::Outcome::solved; n *= 2) {
     DenseNewton newton(contact, coarse.density.nodes(n));
@@ -51,7 +51,7 @@ LineFilmAnswer dense(const ehl::LineContact& contact, int cells) {
 // From four half-widths before the contact, as textbooks have it, to one half behind it; both more
 // where the film reaches further.
 LineFilmAnswer uniform(const ehl::LineContact& contact, int cells) {
-  const CoarseFilm coarse = coarse_film(contact);
+  const ehl::CoarseFilm coarse = coarse_film(contact);
   const double reach = (ehl::scales_of(contact).outlet_end - 1) / 2;
   const double from = -4 * reach, to = 1 + reach / 2;
   ehl::Numbers x;
@@ -81,17 +81,9 @@ double LineFilmAnswer::*place_of(ehl::FilmQuantity quantity) {
 
 }  // namespace
 
-CoarseFilm coarse_film(const ehl::LineContact& contact) {
-  const ehl::Scales scales = ehl::scales_of(contact);
-  ehl::LineFilm film = ehl::solve_from_nothing(contact, coarse_cells, scales, {});
-  const ehl::NodeDensity first = ehl::first_density(scales);
-  if (film.outcome != ehl::Outcome::solved) return {std::move(film), first};
-  film = ehl::solve_on(contact, first.nodes(2 * coarse_cells), film, {});
-  if (film.outcome != ehl::Outcome::solved) return {std::move(film), first};
-  const std::size_t size = film.x.size();
-  ehl::NodeDensity density =
-      ehl::density_of(film.x, {film.pressure.data(), size}, {film.film.data(), size}, 0.05);
-  return {std::move(film), std::move(density)};
+ehl::CoarseFilm coarse_film(const ehl::LineContact& contact) {
+  return ehl::solve_coarse_film(contact, coarse_cells, ehl::scales_of(contact),
+                                ehl::SolveOptions{}.at_edge, {});
 }
 
 std::vector<LineFilmWay> line_film_ways() {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ehl/line_film.hpp"
+#include "ehl/solved_film.hpp"
 
 namespace tribo::benchmarks {
 
@@ -31,11 +31,7 @@ struct LineFilmWay {
 // Every one, from coarse to fine; ours last.
 std::vector<LineFilmWay> line_film_ways();
 
-// A film on a coarse grid, and where finer grids have their nodes: where ours begins, too.
-struct CoarseFilm {
-  ehl::LineFilm film;
-  ehl::NodeDensity density;
-};
-CoarseFilm coarse_film(const ehl::LineContact& contact);
+// Where ours begins, too.
+ehl::CoarseFilm coarse_film(const ehl::LineContact& contact);
 
 }  // namespace tribo::benchmarks

@@ -28,7 +28,7 @@ struct StepState {
   double separation;
 };
 
-StepState state_on(const CoarseFilm& coarse, int cells) {
+StepState state_on(const ehl::CoarseFilm& coarse, int cells) {
   StepState state{coarse.density.nodes(cells), {}, coarse.film.separation};
   const ehl::Numbers pressure = ehl::interpolated(
       coarse.film.x, {coarse.film.pressure.data(), coarse.film.x.size()}, state.x);
@@ -68,7 +68,7 @@ nlohmann::ordered_json growth_row(const char* solver, int cells, double kernel, 
 
 Rows line_film_growth(const Effort& effort) {
   const ehl::LineContact contact = ehl::barus_contact(10, 5);
-  const CoarseFilm coarse = coarse_film(contact);
+  const ehl::CoarseFilm coarse = coarse_film(contact);
   const int rounds = std::min(effort.rounds, 3);
   const auto seconds = [&](auto&& work) {
     return median_seconds({{work, {}}}, rounds, effort.least_seconds).front();

@@ -24,8 +24,8 @@ struct KernelPart {
   // A leaf's block, with the rows of the two nodes before it and of one after it, which its flows
   // need.
   Eigen::MatrixXd dense;
-  ThinProduct upper,
-      lower;  // rows of the first half, columns of the second; and the other way round
+  // Rows of the first half and columns of the second; and the other way round.
+  ThinProduct upper, lower;
   // Of the nodes begin − 2, begin − 1 and middle: the columns of the second half; of middle − 2,
   // middle − 1 and end: the columns of the first. Zeros for nodes that are not there.
   Eigen::MatrixXd upper_rows, lower_rows;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The linear equations of a Newton step, factored part by part of the tree of FilmKernel: a direct
-// solution in N log² N operations.
+// solution in N log² N operations. Source: S. Ambikasaran, E. Darve: An O(N log N) fast direct
+// solver for partial hierarchically semi-separable matrices. J. Sci. Comput. 57 (2013) 477.
 #pragma once
 
 #include <Eigen/Dense>

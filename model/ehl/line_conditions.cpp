@@ -6,13 +6,9 @@
 #include "tribo/contact_numbers.hpp"
 #include "tribo/friction.hpp"
 #include "tribo/hertz_line.hpp"
+#include "tribo/liquids.hpp"
 
 namespace tribo::ehl {
-namespace {
-
-constexpr double density_pressure = 5.9e8;  // Pa
-
-}  // namespace
 
 LineConditions conditions_of(const Scene& scene, double speed) {
   const detail::SceneNumbers<double> numbers = detail::numbers_of<double>(scene);
@@ -46,7 +42,7 @@ LineContact contact_of(const LineConditions& c) {
                                    (std::log(c.viscosity) + roelands_log_viscosity<double>());
   }
   if (c.density_law == LineDensity::dowson_higginson)
-    contact.fluid.density_pressure = scale.peak_pressure / density_pressure;
+    contact.fluid.density_pressure = scale.peak_pressure / dowson_higginson_pressure;
   return contact;
 }
 

@@ -8,6 +8,10 @@
 //
 // steady, isothermal, Newtonian, fully flooded. θ = 3π²/(8M²), and ᾱ = αp₀ = L√M/√(2π), with the
 // numbers of load M and of material L of moes_line.hpp. Moes' film number is 8M/π · H.
+//
+// Sources: O. Reynolds: On the theory of lubrication. Phil. Trans. R. Soc. 177 (1886) 157; where
+// the film breaks, M. M. Kostreva: Elasto-hydrodynamic lubrication: a non-linear complementarity
+// problem. Int. J. Numer. Methods Fluids 4 (1984) 377.
 #pragma once
 
 #include <cmath>

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 namespace tribo::ehl {
 namespace {
@@ -30,10 +29,10 @@ Numbers with_longer_inlet(const Numbers& x) {
   return longer;
 }
 
-template <class... Numbers>
-std::string text(const char* format, Numbers... numbers) {
+template <class... Values>
+std::string text(const char* format, Values... values) {
   std::array<char, 300> line{};
-  std::snprintf(line.data(), line.size(), format, numbers...);
+  std::snprintf(line.data(), line.size(), format, values...);
   return line.data();
 }
 
@@ -70,26 +69,6 @@ std::string why_not(const LineContact& contact, const Step& last) {
     why += text("; the solver was tried up to M = %g and L = %g", greatest_tried_load_number,
                 greatest_tried_material_number);
   return why;
-}
-
-// Where the nodes of all grids go, and the cells of the coarsest one that shows the film.
-struct Start {
-  NodeDensity density;
-  int cells;
-};
-// `film`: the last that was tried; that of the coarsest grid, if there is a start.
-std::optional<Start> start_of(const LineContact& contact, int cells, const Scales& scales,
-                              double at_edge, LineFilm& film, const Watch& watch) {
-  film = solve_from_nothing(contact, cells, scales, watch);
-  if (film.outcome != Outcome::solved) return std::nullopt;
-  film = solve_on(contact, first_density(scales).nodes(2 * cells), film, watch);
-  if (film.outcome != Outcome::solved) return std::nullopt;
-  const std::size_t count = film.x.size();
-  NodeDensity density =
-      density_of(film.x, {film.pressure.data(), count}, {film.film.data(), count}, at_edge);
-  film = solve_on(contact, density.nodes(cells), film, watch);
-  if (film.outcome != Outcome::solved) return std::nullopt;
-  return Start{std::move(density), cells};
 }
 
 void estimate_all(SolvedFilm& solved, const std::vector<FilmFeatures>& grids) {
@@ -140,6 +119,20 @@ Estimate estimate_of(const std::vector<double>& values) {
   return e;
 }
 
+CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales& scales,
+                             double at_edge, const Watch& watch) {
+  CoarseFilm coarse{solve_from_nothing(contact, cells, scales, watch), first_density(scales)};
+  LineFilm& film = coarse.film;
+  if (film.outcome != Outcome::solved) return coarse;
+  film = solve_on(contact, coarse.density.nodes(2 * cells), film, watch);
+  if (film.outcome != Outcome::solved) return coarse;
+  const std::size_t count = film.x.size();
+  coarse.density =
+      density_of(film.x, {film.pressure.data(), count}, {film.film.data(), count}, at_edge);
+  film = solve_on(contact, coarse.density.nodes(cells), film, watch);
+  return coarse;
+}
+
 SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& options,
                            const Watch& watch) {
   SolvedFilm solved;
@@ -164,20 +157,22 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
   // An inlet of the usual length costs up to 2e-5 of the film.
   const Scales scales = scales_of(contact, std::fmax(1, std::sqrt(8e-5 / options.tolerance)));
   // Thin films under great loads are not found on few cells.
-  std::optional<Start> start;
-  LineFilm film;
-  for (int cells = options.first_cells; !start && cells <= 8 * options.first_cells; cells *= 2) {
-    start = start_of(contact, cells, scales, options.at_edge, film, noting);
-    if (film.outcome == Outcome::stopped) break;
+  int cells = options.first_cells;
+  CoarseFilm coarse = solve_coarse_film(contact, cells, scales, options.at_edge, noting);
+  while (coarse.film.outcome == Outcome::not_converged && cells < 8 * options.first_cells) {
+    cells *= 2;
+    coarse = solve_coarse_film(contact, cells, scales, options.at_edge, noting);
   }
-  if (failed(film)) return solved;
+  if (failed(coarse.film)) return solved;
 
+  LineFilm film;
   std::vector<FilmFeatures> grids;
   double worst = 0;  // relative error of the three films
-  for (int cells = start->cells; cells <= options.greatest_cells; cells *= 2) {
-    LineFilm finer = solve_on(contact, start->density.nodes(cells), film, noting);
-    solved.steps = finer.steps;
+  for (; cells <= options.greatest_cells; cells *= 2) {
+    LineFilm finer = grids.empty() ? std::move(coarse.film)
+                                   : solve_on(contact, coarse.density.nodes(cells), film, noting);
     if (failed(finer)) break;
+    solved.steps = finer.steps;
     film = std::move(finer);
     grids.push_back(features_of(contact, film));
     if (grids.size() == 1) {
@@ -203,7 +198,10 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
   solved.film = std::move(film);
   if (grids.size() < 3) return solved;
   solved.outcome = Outcome::solved;
-  if (worst <= options.tolerance) return solved;
+  if (worst <= options.tolerance) {
+    solved.reason.clear();  // of a grid that was not needed
+    return solved;
+  }
   std::string met =
       text("the tolerance of %g was not met: the error is %.1g on the grid of %d cells",
            options.tolerance, worst, static_cast<int>(solved.film.x.size()) - 1);

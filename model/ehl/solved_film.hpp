@@ -35,26 +35,35 @@ inline constexpr double greatest_tried_load_number = 1e4;
 inline constexpr double greatest_tried_material_number = 50;
 
 struct SolveOptions {
-  double tolerance = 1e-4;  // relative, of the central and the least film
-  double spike_tolerance = std::numeric_limits<double>::infinity();  // of the spike's pressure
-  int first_cells = 128;                                             // of the coarsest grid
-  int greatest_cells = 8192;                                         // of the finest
-  double at_edge = 0.05;  // share of the nodes in the constriction: more resolve sharper spikes
+  double tolerance = 1e-4;  // relative, of the three films
+  // Relative, of the spike's pressure.
+  double spike_tolerance = std::numeric_limits<double>::infinity();
+  int first_cells = 128;      // of the coarsest grid
+  int greatest_cells = 8192;  // of the finest
+  double at_edge = 0.05;      // share of the nodes in the constriction: more resolve sharper spikes
 };
 
 struct SolvedFilm {
   Outcome outcome = Outcome::not_converged;
-  // Empty where the film is solved to the tolerance. Else what failed, where, and what was reached:
-  // sentences that start small and end without a point.
+  // Empty where the film is solved to the tolerance. Else what failed, where, and what was reached,
+  // without a capital and a full stop.
   std::string reason;
   LineFilm film;  // on the finest grid that was solved
   int grids = 0;
   // H and P of film_features.hpp.
   Estimate central, minimum, at_greatest_pressure, spike_pressure, spike_place;
-  double domain_error =
-      0;          // of films, relative: that of an inlet that is not endless; in the errors
-  int steps = 0;  // of Newton's method, in all
+  // Of films, relative: that of an inlet that is not endless. It is in the errors.
+  double domain_error = 0;
+  int steps = 0;  // of Newton's method, on the way to the finest grid
 };
+
+// Where the nodes of all grids of a contact go, and the film on the coarsest of them.
+struct CoarseFilm {
+  LineFilm film;
+  NodeDensity density;  // if the film is solved: after it
+};
+CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales& scales,
+                             double at_edge, const Watch& watch);
 
 // Error of each number: its Estimate. Where the tolerance was not met, or a finer grid failed or
 // was stopped, the outcome is solved all the same, the numbers hold with their errors, and `reason`

@@ -14,6 +14,7 @@
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "scene/value_text.hpp"
+#include "tribo/friction.hpp"
 
 namespace tribo::scene_detail {
 namespace {
@@ -431,15 +432,15 @@ class SceneBinder {
     return std::find(sections_.begin(), end, name) != end;
   }
 
-  // Roelands' law has ln η₀ + 9.67 below a fraction line; that is 0 at η₀ = 6.31499e-5 Pa·s.
   void check_roelands() {
     const double viscosity = scene_.lubricant.viscosity;
     if (scene_.friction.viscosity != ViscosityLaw::roelands || viscosity <= 0) return;
-    if (viscosity > 6.315e-5) return;
+    if (viscosity > least_roelands_viscosity) return;
     problems_.error("lubricant.viscosity",
                     number_text(viscosity) +
                         " is not allowed with friction.viscosity = \"roelands\"; allowed: a number "
-                        "above 6.315e-5, in Pa·s");
+                        "above " +
+                        number_text(least_roelands_viscosity) + ", in Pa·s");
   }
 
   SceneUse use_;

@@ -130,7 +130,7 @@ Json interpolation_json(const FilmMap& map, const std::vector<SolvedNumbers>& ch
 // A scene's way over the map with its speed.
 struct Track {
   LineScene scene;
-  bool is_of_paper;
+  bool is_of_report;
   bool is_on_map = false;
 };
 
@@ -265,7 +265,7 @@ Json tracks_json(const std::vector<Track>& tracks) {
                    {"file", track.scene.file},
                    {"slowest", track.scene.range.low},
                    {"fastest", track.scene.range.high},
-                   {"is_of_paper", track.is_of_paper},
+                   {"is_of_report", track.is_of_report},
                    {"is_on_map", track.is_on_map}});
   return all;
 }
@@ -280,7 +280,7 @@ Json estimate_json(const ehl::Estimate& estimate, double unit) {
 // Pressure and film across a contact, and what is read off them.
 void add_profile(Group& group, const std::vector<Track>& tracks) {
   const auto found = std::find_if(tracks.begin(), tracks.end(), [](const Track& one) {
-    return one.scene.name == profile_scene && !one.is_of_paper;
+    return one.scene.name == profile_scene && !one.is_of_report;
   });
   if (found == tracks.end())
     throw std::runtime_error(fmt::format("reference/scenes has no line contact {}", profile_scene));

@@ -22,6 +22,7 @@
 #include "step_line.hpp"
 #include "stop_signal.hpp"
 #include "table.hpp"
+#include "tribo/friction.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -33,9 +34,6 @@ struct FilmArguments {
   bool with_profile = false;
   std::string picture;
 };
-
-// Roelands' law has ln η₀ + 9.67 below a fraction line.
-constexpr double least_roelands_viscosity = 6.315e-5;  // Pa·s
 
 // What is wrong with a scene for these arguments; empty if nothing is.
 std::string fault_of(const Scene& scene, const FilmArguments& arguments) {

@@ -9,7 +9,6 @@
 #include "ehl/line_conditions.hpp"
 #include "ehl/line_formulas.hpp"
 #include "ehl/solved_film.hpp"
-#include "tribo/contact_numbers.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -23,17 +22,11 @@ constexpr Measured unknown{std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::quiet_NaN()};
 
 ehl::LineConditions conditions_of(const Scene& scene, double speed, const FilmSettings& settings) {
-  const auto numbers = detail::numbers_of<double>(scene);
-  return {.speed = speed,
-          .viscosity = numbers.viscosity,
-          .pressure_viscosity = numbers.pressure_viscosity,
-          .load_per_length = numbers.load / numbers.across,
-          .effective_modulus = numbers.effective_modulus,
-          .radius = numbers.radius_x,
-          .viscosity_law =
-              settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus,
-          .density_law = settings.density == "incompressible" ? ehl::LineDensity::incompressible
-                                                              : ehl::LineDensity::dowson_higginson};
+  ehl::LineConditions conditions = ehl::conditions_of(scene, speed);
+  if (settings.viscosity == "roelands") conditions.viscosity_law = ViscosityLaw::roelands;
+  if (settings.density == "dowson_higginson")
+    conditions.density_law = ehl::LineDensity::dowson_higginson;
+  return conditions;
 }
 
 Measured times(const ehl::Estimate& estimate, double scale) {
@@ -66,8 +59,7 @@ void set_spike(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineCon
   else
     film.no_spike = fmt::format(
         "not resolved: it still changed by {:.0f} % from grid to grid, to {:.3g} Pa on the grid of "
-        "{} "
-        "cells",
+        "{} cells",
         100 * height.relative_error(), height.value * scale.peak_pressure, film.cells);
 }
 

@@ -86,6 +86,12 @@ class Numbers(FilmTest):
                             loose[quantity]["error"] + fine[quantity]["error"])
         self.assertLess(loose["cells"], fine["cells"])
 
+    def test_the_readme_shows_what_is_printed(self):
+        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        shown, = re.findall(r"(?s)```\n(roller: line contact at 0\.586 m/s\n.*?)```", readme)
+        done = run("film", str(ROOT / "reference/scenes/roller.toml"), "--speed", "0.586")
+        self.assertEqual(done.out, shown)
+
     def test_deviations_are_those_of_the_films(self):
         for arguments in ([], ["--density", "dowson_higginson"], ["--viscosity", "roelands"]):
             found = self.film(line(10, 5), *arguments)

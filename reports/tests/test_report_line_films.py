@@ -124,7 +124,7 @@ class LineFilms(WrittenReport):
 
     def test_the_papers_contacts_are_points(self):
         self.assertEqual([one["name"] for one in self.told["scenes"]], ["gear_flank", "roller"])
-        self.assertIn("The paper's contacts are points", self.text)
+        self.assertIn("The scenes of this report are contacts at points", self.text)
 
 
 class OtherFiles(unittest.TestCase):
@@ -147,11 +147,11 @@ class OtherFiles(unittest.TestCase):
         text = (ROOT / "reference/scenes/gear_flank.toml").read_text()
         (scenes / "own.toml").write_text(re.sub(r"(?m)^load = \S+", "load = 2e3", text).replace("gear_flank", "own"))
         found = {one["name"]: one for one in self.told("--scenes", scenes)["scenes"]}
-        self.assertTrue(found["own"]["is_of_paper"] and found["own"]["is_on_map"])
+        self.assertTrue(found["own"]["is_of_report"] and found["own"]["is_on_map"])
         tracks = (self.project / "reports/out/data/line_film_tracks.blocks.tsv").read_text()
         self.assertEqual(re.findall(r'^"(\w+)"$', tracks, re.MULTILINE), ["gear_flank", "roller", "own"])
         self.assertIn(">own<", (self.project / "reports/out/figures/line_film_errors.svg").read_text())
-        self.assertNotIn("The paper's contacts are points", (self.project / "reports/out/report.md").read_text())
+        self.assertNotIn("The scenes of this report are contacts at points", (self.project / "reports/out/report.md").read_text())
 
     def test_without_the_table_the_page_says_so(self):
         (self.project / "reference/ehl/line_films.csv").unlink()

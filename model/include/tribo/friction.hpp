@@ -26,8 +26,11 @@ T roelands_pressure() {
 }
 template <class T>
 T roelands_log_viscosity() {
-  return ratio<T>(967, 100);  // 9.67; ln η₀ + 9.67 > 0 bounds η₀ from below by 6.315e-5 Pa·s
+  return ratio<T>(967, 100);  // 9.67
 }
+// ln η₀ + 9.67 > 0, which stands below a fraction line, bounds η₀ from below: e^−9.67 = 6.31499e-5
+// Pa·s.
+inline constexpr double least_roelands_viscosity = 6.315e-5;
 
 // ln(η/η₀) at pressure p ≥ 0 in Pa:
 //   barus αp;  ambient 0;  roelands (ln η₀ + 9.67)[(1 + p/p_R)^z − 1], z = αp_R/(ln η₀ + 9.67).

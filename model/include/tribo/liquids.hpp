@@ -19,11 +19,15 @@ inline constexpr Contract barus_contract{4, 1};
 inline constexpr Contract roelands_contract{8, 4};
 inline constexpr Contract astm_d341_contract{8, 4};
 
+// Of Dowson and Higginson's law: the pressure in Pa at which the density has risen by half of what
+// it can.
+inline constexpr double dowson_higginson_pressure = 5.9e8;
+
 // ρ/ρ₀ = (5.9·10⁸ + 1.34p)/(5.9·10⁸ + p), pressure p ≥ 0 in Pa: at most 1.34. Error:
 // density_contract.
 template <class T>
 T dowson_higginson_density(const T& pressure) {
-  return 1 + ratio<T>(34, 100) * (pressure / (T(590000000) + pressure));
+  return 1 + ratio<T>(34, 100) * (pressure / (T(dowson_higginson_pressure) + pressure));
 }
 
 // η in Pa·s at pressure p ≥ 0 in Pa, by `law` (friction.hpp): viscosity η₀ > 0 in Pa·s at ambient

@@ -74,38 +74,41 @@ ehl::Estimate fitted_constant(const MatrixXd& columns, const VectorXd& values,
   return {fit[0], weights.cwiseAbs().dot(errors) + std::sqrt(variance * inverse(0, 0))};
 }
 
-struct Ratio {
-  double value, error, film;
-};
-
-// The film number at the greatest pressure over its asymptote's power.
-Ratio ratio_to(const ehl::LineContact& contact, double power, double tolerance) {
-  const SolvedFilm film = solved(contact, {.tolerance = tolerance, .greatest_cells = 2048});
-  const ehl::Estimate& h = film.at_greatest_pressure;
-  return {contact.film_number(h.value) / power, contact.film_number(h.error) / power, h.value};
+// What the film number at the greatest pressure over its asymptote's power, M^{of_load}
+// L^{of_material}, tends to where all columns but the first, which is 1, go to 0.
+// columns_of(contact, H): they.
+template <class Columns>
+ehl::Estimate fitted_limit(const std::vector<std::array<double, 2>>& contacts, double of_load,
+                           double of_material, double tolerance, const Columns& columns_of) {
+  const auto count = static_cast<Eigen::Index>(contacts.size());
+  MatrixXd columns;
+  VectorXd values(count), errors(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& [m, l] = contacts[static_cast<std::size_t>(i)];
+    const ehl::LineContact contact = ehl::barus_contact(m, l);
+    const ehl::Estimate film =
+        solved(contact, {.tolerance = tolerance, .greatest_cells = 2048}).at_greatest_pressure;
+    const double unit = contact.film_number(1) / (std::pow(m, of_load) * std::pow(l, of_material));
+    values[i] = unit * film.value;
+    errors[i] = unit * film.error;
+    const Eigen::RowVectorXd row = columns_of(contact, film.value);
+    columns.conservativeResize(count, row.size());
+    columns.row(i) = row;
+  }
+  return fitted_constant(columns, values, errors);
 }
 
 // 1.31106 M^{−1/8} L^{3/4} is far: at M = 1e4 and L = 20 the film is 1.6 % off. It is met by what
 // the ratio tends to as 1/(ᾱ√δ) and δ = H^{2/3}, the width of the inlet, go to 0.
 TEST(FilmLimits, ElasticAndPiezoviscous) {
-  std::vector<std::array<double, 2>> contacts;
+  std::vector<std::array<double, 2>> contacts{{10000, 10}, {10000, 20}};
   for (const double m : {300.0, 1000.0, 3000.0})
     for (const double l : {10.0, 20.0, 40.0}) contacts.push_back({m, l});
-  contacts.push_back({10000, 10});
-  contacts.push_back({10000, 20});
-  const auto count = static_cast<Eigen::Index>(contacts.size());
-  MatrixXd columns(count, 6);
-  VectorXd values(count), errors(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto [m, l] = contacts[static_cast<std::size_t>(i)];
-    const ehl::LineContact contact = ehl::barus_contact(m, l);
-    const Ratio ratio = ratio_to(contact, std::pow(m, -0.125) * std::pow(l, 0.75), 1e-4);
-    const double d = std::pow(ratio.film, 2. / 3), e = 1 / (contact.fluid.exponent * std::sqrt(d));
-    columns.row(i) << 1, e, d, e * e, e * d, d * d;
-    values[i] = ratio.value;
-    errors[i] = ratio.error;
-  }
-  const ehl::Estimate limit = fitted_constant(columns, values, errors);
+  const ehl::Estimate limit =
+      fitted_limit(contacts, -0.125, 0.75, 1e-4, [](const ehl::LineContact& contact, double film) {
+        const double d = std::pow(film, 2. / 3), e = 1 / (contact.fluid.exponent * std::sqrt(d));
+        return Eigen::RowVectorXd{{1, e, d, e * e, e * d, d * d}};
+      });
   EXPECT_TRUE(is_estimated(limit, 1.31106, 0.000005));
   EXPECT_LT(limit.error, 2e-3);
 }
@@ -113,26 +116,21 @@ TEST(FilmLimits, ElasticAndPiezoviscous) {
 // 1.28667 L^{2/3}, as ML^{−2/3}, by which the bodies are elastic, and 1/(ML^{2/3}), by which the
 // liquid is not yet as viscous, go to 0.
 TEST(FilmLimits, RigidAndPiezoviscous) {
-  const std::array<std::array<double, 2>, 9> contacts{{{0.25, 200},
-                                                       {0.25, 400},
-                                                       {0.5, 100},
-                                                       {0.5, 200},
-                                                       {0.75, 100},
-                                                       {0.75, 200},
-                                                       {1, 100},
-                                                       {1, 200},
-                                                       {1.5, 200}}};
-  MatrixXd columns(contacts.size(), 4);
-  VectorXd values(contacts.size()), errors(contacts.size());
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const auto [m, l] = contacts[static_cast<std::size_t>(i)];
-    const double power = std::pow(l, 2. / 3), a = m / power, b = 1 / (m * power);
-    const Ratio ratio = ratio_to(ehl::barus_contact(m, l), power, 1e-3);
-    columns.row(i) << 1, a, a * a, a * b;
-    values[i] = ratio.value;
-    errors[i] = ratio.error;
-  }
-  const ehl::Estimate limit = fitted_constant(columns, values, errors);
+  const ehl::Estimate limit = fitted_limit(
+      {{0.25, 200},
+       {0.25, 400},
+       {0.5, 100},
+       {0.5, 200},
+       {0.75, 100},
+       {0.75, 200},
+       {1, 100},
+       {1, 200},
+       {1.5, 200}},
+      0, 2. / 3, 1e-3, [](const ehl::LineContact& contact, double) {
+        const double power = std::pow(contact.material_number, 2. / 3);
+        const double a = contact.load_number / power, b = 1 / (contact.load_number * power);
+        return Eigen::RowVectorXd{{1, a, a * a, a * b}};
+      });
   EXPECT_TRUE(is_estimated(limit, 1.28667, 0.000005));
   EXPECT_LT(limit.error, 2e-3);
 }
