@@ -165,6 +165,7 @@ references: ## make the tables of reference/exact and reference/ehl anew; four o
 	build/release/reference/generators/generate_references reference/exact
 	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv
 	build/release/reference/generators/generate_line_films reference/ehl/line_films_between.csv --between
+	build/release/reference/generators/generate_line_films reference/ehl/line_films_compressible.csv --compressible
 
 references-check: ## make SAMPLE rows of each table again (default 8), and compare them
 	@.ci/deps build references

@@ -17,7 +17,10 @@ LineConditions conditions_of(const Scene& scene, double speed) {
           .pressure_viscosity = numbers.pressure_viscosity,
           .load_per_length = numbers.load / numbers.across,
           .effective_modulus = numbers.effective_modulus,
-          .radius = numbers.radius_x};
+          .radius = numbers.radius_x,
+          .viscosity_law = scene.friction.viscosity == ViscosityLaw::roelands
+                               ? ViscosityLaw::roelands
+                               : ViscosityLaw::barus};
 }
 
 LineScale scale_of(const LineConditions& c) {

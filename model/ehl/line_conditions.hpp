@@ -31,8 +31,9 @@ struct LineScale {
   double speed_number;   // U = η₀u/(2E*R)
 };
 
-// Of a scene whose bodies make a line, at a speed. What else it says of its lubricant's viscosity
-// is said of friction: viscosity_law and density_law are the defaults.
+// The conditions of a scene whose bodies make a line, at a speed. The law of viscosity is Roelands'
+// where friction.viscosity is; else it is Barus', for `ambient` is said of friction alone. Scenes
+// have no law of density: it is the default.
 LineConditions conditions_of(const Scene& scene, double speed);
 
 LineScale scale_of(const LineConditions& conditions);

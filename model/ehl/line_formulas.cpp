@@ -8,6 +8,12 @@
 
 namespace tribo::ehl {
 
+std::string_view name(FitLiquid liquid) {
+  constexpr std::array<std::string_view, 3> names{"unknown", "barus, incompressible",
+                                                  "roelands, compressible"};
+  return names[static_cast<std::size_t>(liquid)];
+}
+
 double film_number(const LineFormula& formula, double load_number, double material_number,
                    double speed_number) {
   if (formula.law == nullptr) return moes_line_number(load_number, material_number);

@@ -14,29 +14,37 @@ namespace tribo::ehl {
 
 enum class FilmQuantity : std::uint8_t { central, minimum, at_greatest_pressure };
 
+// The liquid of the films that a formula was fitted to, or derived for; unknown where no text that
+// could be seen tells. Of Pan and Hamrock's, two books of Hamrock's tell that it was compressible;
+// that its viscosity followed Roelands is told by the solved films, to which their formulas are
+// nearer with Roelands' law than with Barus' at every contact that was tried.
+enum class FitLiquid : std::uint8_t { unknown, barus_incompressible, roelands_compressible };
+
 struct LineFormula {
   std::string_view name;  // as in scenes and in the catalogue of functions
   std::string_view authors;
   FilmQuantity quantity;
   const FilmLaw* law;  // none: Moes' formula
-  // The liquid of the films that it was fitted to, or derived for: "incompressible",
-  // "compressible", or "unknown" where no text that could be seen tells.
-  std::string_view liquid;
+  FitLiquid liquid;
 };
 
 inline constexpr std::array<LineFormula, 6> line_formulas{{
-    {"moes_line", "Moes", FilmQuantity::at_greatest_pressure, nullptr, "incompressible"},
+    {"moes_line", "Moes", FilmQuantity::at_greatest_pressure, nullptr,
+     FitLiquid::barus_incompressible},
     {"ertel_grubin", "Ertel and Grubin", FilmQuantity::at_greatest_pressure, &ertel_grubin_law,
-     "incompressible"},
+     FitLiquid::barus_incompressible},
     {"dowson_higginson_minimum", "Dowson and Higginson", FilmQuantity::minimum,
-     &dowson_higginson_minimum_law, "unknown"},
+     &dowson_higginson_minimum_law, FitLiquid::unknown},
     {"dowson_toyoda_central", "Dowson and Toyoda", FilmQuantity::central,
-     &dowson_toyoda_central_law, "unknown"},
+     &dowson_toyoda_central_law, FitLiquid::unknown},
     {"pan_hamrock_minimum", "Pan and Hamrock", FilmQuantity::minimum, &pan_hamrock_minimum_law,
-     "compressible"},
+     FitLiquid::roelands_compressible},
     {"pan_hamrock_central", "Pan and Hamrock", FilmQuantity::central, &pan_hamrock_central_law,
-     "compressible"},
+     FitLiquid::roelands_compressible},
 }};
+
+// "unknown", "barus, incompressible" or "roelands, compressible".
+std::string_view name(FitLiquid liquid);
 
 // (h/R)(2U)^{−1/2} by a formula, at M > 0, L > 0 and the speed number U = η₀u/(2E*R): Pan and
 // Hamrock's exponents leave −0.012 and −0.0085 of it; of the others it is of no matter.

@@ -112,9 +112,13 @@ void CaseSolver::solve_films(std::span<const double> values, std::span<double> r
     const ehl::SolvedFilm solved = ehl::solve_line_film(contact);
     const bool is_solved = solved.outcome == ehl::Outcome::solved;
     const double unit = is_solved ? ehl::scale_of(conditions).film : undefined;
+    const SolvedOutcome outcome = !is_solved              ? SolvedOutcome::not_solved
+                                  : solved.reason.empty() ? SolvedOutcome::solved
+                                                          : SolvedOutcome::tolerance_missed;
     const std::array<double, solved_columns.size()> numbers{
         contact.load_number,         contact.material_number,     unit * solved.central.value,
-        unit * solved.central.error, unit * solved.minimum.value, unit * solved.minimum.error};
+        unit * solved.central.error, unit * solved.minimum.value, unit * solved.minimum.error,
+        static_cast<double>(outcome)};
     for (std::size_t c = 0; c < numbers.size(); ++c) results[c * speeds + j] = numbers[c];
   }
 }

@@ -36,11 +36,11 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
   }
   if (sweep.solves_film)
     for (const SolvedColumn& column : solved_columns)
-      columns.push_back({"solved_film." + std::string(column.name),
-                         std::string(column.unit),
-                         {},
-                         sweep.scene.speeds.size(),
-                         std::string(column.meaning)});
+      columns.push_back({"solved_film." + std::string(column.name), std::string(column.unit),
+                         column.is_of_words ? std::vector<std::string>(solved_outcome_words.begin(),
+                                                                       solved_outcome_words.end())
+                                            : std::vector<std::string>(),
+                         sweep.scene.speeds.size(), std::string(column.meaning)});
   return columns;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes reference/ehl/line_films.csv, or makes a seeded sample of its rows again and compares them
-// within the errors that both state.
+// Makes the tables of reference/ehl, or makes a seeded sample of its rows again and compares them
+// within the errors that both state. The sample is of line_films.csv alone.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -15,10 +15,12 @@
 #include <thread>
 #include <vector>
 
+#include "ehl/line_conditions.hpp"
 #include "ehl/solved_film.hpp"
 #include "generators/checksum.hpp"
 #include "generators/line_collocation.hpp"
 #include "generators/sampler.hpp"
+#include "tribo/friction.hpp"
 
 namespace {
 
@@ -128,8 +130,9 @@ std::vector<std::string> rows_of(const std::vector<Contact>& which, bool with_se
   return rows;
 }
 
-// What stands in the first lines of both files.
-std::string header(const std::string& quantity, const std::string& more, const std::string& rows) {
+// The first lines of each file.
+std::string header(const std::string& quantity, const std::string& liquid, const std::string& more,
+                   const std::string& rows) {
   return fmt::format(
       "# quantity: {}\n"
       "# definition: central, minimum and at_greatest_pressure are (h/R)(2U)^(-1/2) at x = 0, "
@@ -138,15 +141,16 @@ std::string header(const std::string& quantity, const std::string& more, const s
       "material_number L = G(2U)^(1/4)\n"
       "# equations: steady Reynolds equation, elastic half-planes, load balance, p >= 0 where the "
       "film breaks\n"
-      "# assumptions: isothermal, Newtonian, Barus, incompressible, smooth, fully flooded\n"
+      "# assumptions: isothermal, Newtonian, {}, smooth, fully flooded\n"
       "# units: none; each ..._error is absolute, in the unit of its number\n"
       "# generator: reference/generators/line_films.cpp, model/ehl\n"
       "# method: second order in space; Richardson's value of four or more grids of 128, 256, ... "
       "cells\n"
       "# error: what Richardson's value changed by, and what a longer inlet would change\n"
       "{}# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
-      quantity, more, fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
+      quantity, liquid, more, fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
 }
+constexpr const char* barus_liquid = "Barus, incompressible";
 
 void write(const std::filesystem::path& file, const std::string& text) {
   const std::filesystem::path temporary = file.string() + ".part";
@@ -158,7 +162,7 @@ int make_table(const std::filesystem::path& file) {
   std::string rows;
   for (const std::string& line : rows_of(contacts(), true)) rows += line + "\n";
   write(file,
-        header("films of smooth line contacts, solved",
+        header("films of smooth line contacts, solved", barus_liquid,
                "# spike: spike_pressure is p/p0 at the second maximum of the pressure, spike_place "
                "its x/b\n"
                "# second method: collocation up to a free boundary (line_collocation.hpp), which "
@@ -170,17 +174,29 @@ int make_table(const std::filesystem::path& file) {
   return 0;
 }
 
-// Films between those of the table, for the map on the page: its other nodes, and some contacts
-// between the nodes that the map is held to.
-int make_between(const std::filesystem::path& file) {
+// Contacts for the maps on the page, beside those of the table: nodes, and contacts between the
+// nodes that a map is held to.
+struct MapContacts {
+  std::vector<Contact> nodes, checks;
+};
+MapContacts between_contacts() {
   constexpr double close_load_numbers[] = {1.2, 1.5, 1.75, 2.25, 2.5, 3.5};
   constexpr double close_material_numbers[] = {1.5, 7};
-  constexpr Contact checks[] = {{1.1, 3.2}, {1.35, 8.4},  {1.62, 17}, {1.75, 17},
-                                {2.2, 12},  {2.25, 17.5}, {4.2, 3.5}, {7, 12},
-                                {14, 3.5},  {32, 8.4},    {71, 2},    {141, 17}};
-  std::vector<Contact> all;
+  MapContacts found{{},
+                    {{1.1, 3.2},
+                     {1.35, 8.4},
+                     {1.62, 17},
+                     {1.75, 17},
+                     {2.2, 12},
+                     {2.25, 17.5},
+                     {4.2, 3.5},
+                     {7, 12},
+                     {14, 3.5},
+                     {32, 8.4},
+                     {71, 2},
+                     {141, 17}}};
   const auto add = [&](double m, double l) {
-    if (l > 0) all.push_back({m, l});
+    if (l > 0) found.nodes.push_back({m, l});
   };
   for (const double m : close_load_numbers) {
     for (const double l : material_numbers) add(m, l);
@@ -188,29 +204,83 @@ int make_between(const std::filesystem::path& file) {
   }
   for (const double m : load_numbers)
     for (const double l : close_material_numbers) add(m, l);
-  const std::size_t nodes = all.size();
-  all.insert(all.end(), std::begin(checks), std::end(checks));
+  return found;
+}
+
+// The three films of a contact, after its numbers, and its role.
+std::string map_row(const Contact& c, const tribo::ehl::LineContact& contact,
+                    const std::string& more, const char* role) {
+  // Where the front of the pressure passes the middle, the order is irregular, and the error
+  // larger.
+  const SolvedFilm films = tribo::ehl::solve_line_film(contact, {.greatest_cells = 4096});
+  if (films.outcome != tribo::ehl::Outcome::solved)
+    throw std::runtime_error(
+        fmt::format("M = {}, L = {}: {}", c.load_number, c.material_number, films.reason));
+  const double unit = contact.film_number(1);
+  return fmt::format("{},{}{}", c.load_number, c.material_number, more) +
+         fields(films.central, unit) + fields(films.minimum, unit) +
+         fields(films.at_greatest_pressure, unit) + "," + role + "\n";
+}
+
+int make_between(const std::filesystem::path& file) {
+  const MapContacts all = between_contacts();
   std::string rows;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Contact& c = all[i];
-    const tribo::ehl::LineContact contact =
-        tribo::ehl::barus_contact(c.load_number, c.material_number);
-    // Where the front of the pressure passes the middle, the order is irregular, and the error
-    // larger.
-    const SolvedFilm films = tribo::ehl::solve_line_film(contact, {.greatest_cells = 4096});
-    if (films.outcome != tribo::ehl::Outcome::solved)
-      throw std::runtime_error(
-          fmt::format("M = {}, L = {}: {}", c.load_number, c.material_number, films.reason));
-    const double unit = contact.film_number(1);
-    rows += fmt::format("{},{}", c.load_number, c.material_number) + fields(films.central, unit) +
-            fields(films.minimum, unit) + fields(films.at_greatest_pressure, unit) +
-            (i < nodes ? ",node\n" : ",check\n");
-  }
+  const auto add = [&](const std::vector<Contact>& some, const char* role) {
+    for (const Contact& c : some)
+      rows += map_row(c, tribo::ehl::barus_contact(c.load_number, c.material_number), "", role);
+  };
+  add(all.nodes, "node");
+  add(all.checks, "check");
   write(file, header("films of smooth line contacts, solved, between those of line_films.csv",
+                     barus_liquid,
                      "# role: node of the map on the page, or check of what it joins\n", rows) +
                   "load_number,material_number,central,central_error,minimum,minimum_error,"
                   "at_greatest_pressure,at_greatest_pressure_error,role\n" +
                   rows);
+  return 0;
+}
+
+// With Roelands' viscosity and a compressible liquid M and L do not fix the film. So the liquid is
+// one: α = 20/GPa and Roelands' z = 0.6, between bodies of steel; the speed then makes L, and the
+// load M.
+int make_compressible(const std::filesystem::path& file) {
+  using namespace tribo::ehl;
+  constexpr double modulus = 115.4e9, radius = 0.01, coefficient = 20e-9, index = 0.6;
+  const double viscosity = std::exp(coefficient * tribo::roelands_pressure<double>() / index -
+                                    tribo::roelands_log_viscosity<double>());
+  std::string rows;
+  const auto add = [&](const Contact& c, const char* role) {
+    const double root = std::pow(c.material_number / (2 * coefficient * modulus), 2);  // √(2U)
+    const LineConditions conditions{.speed = root * root * modulus * radius / viscosity,
+                                    .viscosity = viscosity,
+                                    .pressure_viscosity = coefficient,
+                                    .load_per_length = c.load_number * root * 2 * modulus * radius,
+                                    .effective_modulus = modulus,
+                                    .radius = radius,
+                                    .viscosity_law = tribo::ViscosityLaw::roelands,
+                                    .density_law = LineDensity::dowson_higginson};
+    const LineScale scale = scale_of(conditions);
+    rows += map_row(c, contact_of(conditions),
+                    fmt::format(",{:.6g},{:.6g}", scale.speed_number, scale.peak_pressure), role);
+  };
+  for (const Contact& c : contacts())
+    if (c.material_number > 0) add(c, "table");
+  const MapContacts more = between_contacts();
+  for (const Contact& c : more.nodes) add(c, "node");
+  for (const Contact& c : more.checks) add(c, "check");
+  write(
+      file,
+      header("films of smooth line contacts with a compressible liquid, solved",
+             "Roelands with z = 0.6 and alpha = 20/GPa, density by Dowson and Higginson, E* = "
+             "115.4 GPa",
+             "# speed_number: U = eta0 u/(2 E* R), which follows from L; peak_pressure: Hertz', "
+             "Pa\n"
+             "# role: of the table of the formulas' errors, node of the map on the page, or check "
+             "of what it joins\n",
+             rows) +
+          "load_number,material_number,speed_number,peak_pressure,central,central_error,minimum,"
+          "minimum_error,at_greatest_pressure,at_greatest_pressure_error,role\n" +
+          rows);
   return 0;
 }
 
@@ -280,16 +350,19 @@ int main(int argc, char** argv) {
   std::string file;
   int sample = 0;
   std::uint64_t seed = 1;
-  bool is_between = false;
+  bool is_between = false, is_compressible = false;
   app.add_option("file", file, "where the table is, or goes")->required();
   app.add_option("--sample", sample, "make this many rows again and compare them");
   app.add_option("--seed", seed, "of the sample");
   app.add_flag("--between", is_between, "make the films between those of the table, for the map");
+  app.add_flag("--compressible", is_compressible,
+               "make the films of a compressible liquid, for the formulas that were fitted to one");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   if (is_between) return make_between(file);
+  if (is_compressible) return make_compressible(file);
   return sample > 0 ? check_sample(file, seed, sample) : make_table(file);
 }

@@ -7,11 +7,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "accuracy/reference_table.hpp"
 #include "ehl/line_conditions.hpp"
 #include "ehl/line_formulas.hpp"
 #include "ehl/solved_film.hpp"
@@ -44,10 +47,58 @@ double median_of(std::vector<double> values) {
   return *middle;
 }
 
-double error_of(const ehl::LineFormula& formula, double load_number, double material_number,
-                double film) {
-  return ehl::film_number(formula, load_number, material_number, map_speed_number) / film - 1;
+// Solved films of one liquid: those of the table of errors, the map through them and its other
+// nodes, and films that the map is held to.
+struct FilmsOfLiquid {
+  std::vector<SolvedNumbers> table, checks;
+  FilmMap map;
+  double speed_number;     // U, at L of 1 where it grows
+  double power_of_number;  // of L, with which U grows
+
+  double error_of(const ehl::LineFormula& formula, double load_number, double material_number,
+                  double film) const {
+    const double u = speed_number * std::pow(material_number, power_of_number);
+    return ehl::film_number(formula, load_number, material_number, u) / film - 1;
+  }
+};
+
+std::vector<SolvedNumbers> joined(std::vector<SolvedNumbers> some,
+                                  const std::vector<SolvedNumbers>& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  return some;
 }
+
+// Where the liquid is Barus' and incompressible, M and L fix the film, and U is chosen.
+FilmsOfLiquid barus_films(const std::filesystem::path& folder) {
+  const std::string file = (folder / "line_films.csv").string();
+  const std::string between = (folder / "line_films_between.csv").string();
+  std::vector<SolvedNumbers> table = read_solved_films(file);
+  if (table.empty()) throw std::runtime_error("reference/ehl/line_films.csv has no films");
+  const FilmMap map(joined(read_solved_films(between, "node"), table));
+  return {std::move(table), read_solved_films(between, "check"), map, map_speed_number, 0};
+}
+
+// The compressible liquid is one liquid between bodies of one material: U grows with L⁴.
+FilmsOfLiquid compressible_films(const std::filesystem::path& folder) {
+  const std::string file = (folder / "line_films_compressible.csv").string();
+  std::vector<SolvedNumbers> table = read_solved_films(file, "table");
+  if (table.empty())
+    throw std::runtime_error("reference/ehl/line_films_compressible.csv has no films");
+  const verification::ReferenceRow first = verification::read_reference_table(file).front();
+  const FilmMap map(joined(read_solved_films(file, "node"), table));
+  return {std::move(table), read_solved_films(file, "check"), map,
+          first.number("speed_number") / std::pow(first.number("material_number"), 4), 4};
+}
+
+// The films that each formula is held to: those of the liquid that it was fitted to; those of
+// Barus' where no text tells which one that was.
+struct SolvedFilms {
+  FilmsOfLiquid barus, compressible;
+
+  const FilmsOfLiquid& of(const ehl::LineFormula& formula) const {
+    return formula.liquid == ehl::FitLiquid::roelands_compressible ? compressible : barus;
+  }
+};
 
 struct ErrorAt {
   double error;
@@ -60,13 +111,14 @@ struct ErrorAt {
 };
 
 // A formula over the rows of the table with L > 0.
-Json formula_json(const ehl::LineFormula& formula, const std::vector<SolvedNumbers>& table) {
+Json formula_json(const ehl::LineFormula& formula, const FilmsOfLiquid& films) {
   std::vector<ErrorAt> errors;
   std::vector<double> sizes;
-  for (const SolvedNumbers& one : table) {
+  for (const SolvedNumbers& one : films.table) {
     if (one.material_number == 0) continue;
     errors.push_back(
-        {error_of(formula, one.load_number, one.material_number, one.film_of(formula)), &one});
+        {films.error_of(formula, one.load_number, one.material_number, one.film_of(formula)),
+         &one});
     sizes.push_back(std::fabs(errors.back().error));
   }
   if (errors.empty()) throw std::runtime_error("line_films.csv has no films with L > 0");
@@ -77,7 +129,7 @@ Json formula_json(const ehl::LineFormula& formula, const std::vector<SolvedNumbe
   return {{"name", formula.name},
           {"authors", formula.authors},
           {"quantity", quantity_words[static_cast<std::size_t>(formula.quantity)]},
-          {"liquid", formula.liquid},
+          {"liquid", ehl::name(formula.liquid)},
           {"points", errors.size()},
           {"least", least->json()},
           {"median", median_of(signed_errors)},
@@ -103,25 +155,34 @@ Json solved_errors_json(const std::vector<SolvedNumbers>& table) {
           {"greatest", worst.json()}};
 }
 
-// Of the map against films that are solved between its nodes: the greatest error of each quantity.
+// The maps that formulas are held to, against films that are solved between their nodes: the
+// greatest error of each quantity.
 // Below `heavy_from` the central film has a kink, where the front of the stiffened liquid passes
 // the middle of the contact; it is told apart.
-Json interpolation_json(const FilmMap& map, const std::vector<SolvedNumbers>& checks) {
+Json interpolation_json(const SolvedFilms& films) {
   constexpr double heavy_from = 2;
   std::array<double, 3> greatest{}, greatest_light{};
-  for (const SolvedNumbers& solved : checks)
-    for (std::size_t i = 0; i < solved.film.size(); ++i) {
-      const double film =
-          map.surfaces[i].films(solved.load_number, {solved.material_number}).front();
-      double& worst = (solved.load_number < heavy_from ? greatest_light : greatest)[i];
-      worst = std::fmax(worst, std::fabs(film / solved.film[i] - 1));
-    }
+  std::size_t points = 0;
+  for (const FilmsOfLiquid* const one : {&films.barus, &films.compressible}) {
+    points += one->checks.size();
+    std::array<bool, 3> is_used{};
+    for (const ehl::LineFormula& formula : ehl::line_formulas)
+      if (&films.of(formula) == one) is_used[static_cast<std::size_t>(formula.quantity)] = true;
+    for (const SolvedNumbers& solved : one->checks)
+      for (std::size_t i = 0; i < solved.film.size(); ++i) {
+        if (!is_used[i]) continue;
+        const double film =
+            one->map.surfaces[i].films(solved.load_number, {solved.material_number}).front();
+        double& worst = (solved.load_number < heavy_from ? greatest_light : greatest)[i];
+        worst = std::fmax(worst, std::fabs(film / solved.film[i] - 1));
+      }
+  }
   const auto json = [](const std::array<double, 3>& errors) {
     Json all = Json::object();
     for (std::size_t i = 0; i < errors.size(); ++i) all[std::string(quantity_words[i])] = errors[i];
     return all;
   };
-  return {{"points", checks.size()},
+  return {{"points", points},
           {"heavy_from", heavy_from},
           {"greatest", json(greatest)},
           {"greatest_light", json(greatest_light)}};
@@ -208,10 +269,11 @@ DataFile tracks_file(const MapFrame& frame, std::vector<Track>& tracks,
 }
 
 // The errors over the map, and the labels of their contours.
-std::vector<DataFile> map_files(const FilmMap& map, const MapFrame& frame,
+std::vector<DataFile> map_files(const SolvedFilms& solved, const MapFrame& frame,
                                 const std::vector<MapPlace>& taken) {
   std::string text =
-      "# errors of formulas for the film of a line contact against the solved film [%]\n"
+      "# errors of formulas for the film of a line contact against the solved film, of the liquid "
+      "that each was fitted to [%]\n"
       "# load number M\tmaterial number L";
   for (const ehl::LineFormula& formula : ehl::line_formulas)
     text += fmt::format("\t{}", formula.name);
@@ -223,16 +285,18 @@ std::vector<DataFile> map_files(const FilmMap& map, const MapFrame& frame,
     materials.push_back(frame.material_at(static_cast<double>(l) / material_steps));
   for (int m = 0; m <= load_steps; ++m) {
     const double load = frame.load_at(static_cast<double>(m) / load_steps);
-    std::array<std::vector<double>, 3> films;
-    for (std::size_t i = 0; i < films.size(); ++i)
-      films[i] = map.surfaces[i].films(load, materials);
+    std::vector<std::vector<double>> films;  // of each formula
+    for (const ehl::LineFormula& formula : ehl::line_formulas)
+      films.push_back(
+          solved.of(formula).map.surfaces[static_cast<std::size_t>(formula.quantity)].films(
+              load, materials));
     for (int l = 0; l <= material_steps; ++l) {
       const auto at = static_cast<std::size_t>(l);
       text += number_cell(load) + '\t' + number_cell(materials[at]);
       for (std::size_t f = 0; f < errors.size(); ++f) {
         const ehl::LineFormula& formula = ehl::line_formulas[f];
-        const double film = films[static_cast<std::size_t>(formula.quantity)][at];
-        errors[f](m, l) = 100 * error_of(formula, load, materials[at], film);
+        errors[f](m, l) =
+            100 * solved.of(formula).error_of(formula, load, materials[at], films[f][at]);
         text += fmt::format("\t{:.4g}", errors[f](m, l));
       }
       text += '\n';
@@ -308,29 +372,27 @@ void add_profile(Group& group, const std::vector<Track>& tracks) {
                         exact(1e6 * scale.film * solved.film.film[at]));
   }
   group.files.push_back({"data/line_film_profile.tsv", std::move(text)});
-  group.data["profile"] = {{"file", found->scene.file},
-                           {"speed", profile_speed},
-                           {"load_number", contact.load_number},
-                           {"material_number", contact.material_number},
-                           {"half_width", scale.half_width},
-                           {"peak_pressure", scale.peak_pressure},
-                           {"cells", solved.film.x.size() - 1},
-                           {"central", estimate_json(solved.central, scale.film)},
-                           {"minimum", estimate_json(solved.minimum, scale.film)},
-                           {"spike_pressure", estimate_json(solved.spike_pressure, 1)},
-                           {"spike_place", estimate_json(solved.spike_place, 1)}};
+  group.data["profile"] = {
+      {"file", found->scene.file},
+      {"speed", profile_speed},
+      {"viscosity", conditions.viscosity_law == ViscosityLaw::roelands ? "roelands" : "barus"},
+      {"load_number", contact.load_number},
+      {"material_number", contact.material_number},
+      {"half_width", scale.half_width},
+      {"peak_pressure", scale.peak_pressure},
+      {"cells", solved.film.x.size() - 1},
+      {"central", estimate_json(solved.central, scale.film)},
+      {"minimum", estimate_json(solved.minimum, scale.film)},
+      {"spike_pressure", estimate_json(solved.spike_pressure, 1)},
+      {"spike_place", estimate_json(solved.spike_place, 1)}};
 }
 
 }  // namespace
 
 Group line_films_group(const ReportPlaces& places) {
-  const std::vector<SolvedNumbers> table =
-      read_solved_films((places.reference / "ehl/line_films.csv").string());
-  if (table.empty()) throw std::runtime_error("reference/ehl/line_films.csv has no films");
-  const std::string between = (places.reference / "ehl/line_films_between.csv").string();
-  std::vector<SolvedNumbers> nodes = read_solved_films(between, "node");
-  nodes.insert(nodes.end(), table.begin(), table.end());
-  const FilmMap map(nodes);
+  const SolvedFilms films{barus_films(places.reference / "ehl"),
+                          compressible_films(places.reference / "ehl")};
+  const FilmMap& map = films.barus.map;
   const MapFrame frame(map);
   std::vector<Track> tracks;
   for (LineScene& one : line_scenes(places, places.reference / "scenes"))
@@ -341,18 +403,19 @@ Group line_films_group(const ReportPlaces& places) {
   Group group;
   std::vector<MapPlace> taken;
   group.files.push_back(tracks_file(frame, tracks, taken));
-  for (DataFile& file : map_files(map, frame, taken)) group.files.push_back(std::move(file));
+  for (DataFile& file : map_files(films, frame, taken)) group.files.push_back(std::move(file));
   group.data = {{"speed_number", map_speed_number},
                 {"least_load_number", map.load_numbers.front()},
                 {"greatest_load_number", map.load_numbers.back()},
                 {"least_material_number", map.material_numbers.front()},
                 {"greatest_material_number", map.material_numbers.back()},
-                {"solved", solved_errors_json(table)},
-                {"interpolation", interpolation_json(map, read_solved_films(between, "check"))},
+                {"solved", solved_errors_json(films.barus.table)},
+                {"solved_compressible", solved_errors_json(films.compressible.table)},
+                {"interpolation", interpolation_json(films)},
                 {"formulas", Json::array()},
                 {"scenes", tracks_json(tracks)}};
   for (const ehl::LineFormula& formula : ehl::line_formulas)
-    group.data["formulas"].push_back(formula_json(formula, table));
+    group.data["formulas"].push_back(formula_json(formula, films.of(formula)));
   add_profile(group, tracks);
   group.findings = {{"line_films", "film-solved", About::software, Standing::measured}};
   return group;

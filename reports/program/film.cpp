@@ -40,8 +40,10 @@ std::string fault_of(const Scene& scene, const FilmArguments& arguments) {
   if (scene.speeds.empty())
     return "speed: missing; allowed: a number above 0, in m/s, a list or a range of such numbers, "
            "or the option --speed in their place";
-  if (arguments.settings.viscosity == "roelands" &&
-      !(scene.lubricant.viscosity > least_roelands_viscosity))
+  const bool is_roelands = arguments.settings.viscosity.empty()
+                               ? scene.friction.viscosity == ViscosityLaw::roelands
+                               : arguments.settings.viscosity == "roelands";
+  if (is_roelands && !(scene.lubricant.viscosity > least_roelands_viscosity))
     return fmt::format(
         "lubricant.viscosity: {} is not allowed with --viscosity roelands; allowed: a number above "
         "{}, in Pa·s",
@@ -166,8 +168,9 @@ other fields may be absent and are not used.
 
 Each number is followed by what it may be off by (±, in CSV and JSON `error`), as grids that halve
 their cells show it. `deviation` is how far a formula's film is from the solved film that it stands
-for; formulas that were fitted to the films of a compressible liquid are to be compared with
---density dowson_higginson. Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
+for, of the liquid that the formula was fitted to, which is solved as well; beside it stands how far
+it is from this contact's own film. Where no text tells which liquid that was, there is no deviation.
+Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
 material; x is along the direction of entrainment, from the middle of Hertz' contact. A profile is
 that of the finest grid; the films are extrapolated from all grids, and so are nearer to the truth.
 
@@ -185,8 +188,10 @@ Example:
   tribocheck film reference/scenes/roller.toml --profile --format csv > profiles.csv)";
 
 void add_settings(CLI::App& app, FilmSettings& settings) {
-  app.add_option("--viscosity", settings.viscosity,
-                 "law of viscosity against pressure: barus or roelands (default: barus)")
+  app.add_option(
+         "--viscosity", settings.viscosity,
+         "law of viscosity against pressure: barus or roelands (default: friction.viscosity of "
+         "the scene where it is one of these, else barus)")
       ->check(CLI::IsMember({"barus", "roelands"}));
   app.add_option("--density", settings.density,
                  "incompressible or dowson_higginson (default: incompressible)")

@@ -5,10 +5,13 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include "ehl/line_conditions.hpp"
 #include "ehl/line_formulas.hpp"
 #include "ehl/solved_film.hpp"
+#include "tribo/friction.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -23,7 +26,9 @@ constexpr Measured unknown{std::numeric_limits<double>::quiet_NaN(),
 
 ehl::LineConditions conditions_of(const Scene& scene, double speed, const FilmSettings& settings) {
   ehl::LineConditions conditions = ehl::conditions_of(scene, speed);
-  if (settings.viscosity == "roelands") conditions.viscosity_law = ViscosityLaw::roelands;
+  if (!settings.viscosity.empty())
+    conditions.viscosity_law =
+        settings.viscosity == "roelands" ? ViscosityLaw::roelands : ViscosityLaw::barus;
   if (settings.density == "dowson_higginson")
     conditions.density_law = ehl::LineDensity::dowson_higginson;
   return conditions;
@@ -63,15 +68,55 @@ void set_spike(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineCon
         100 * height.relative_error(), height.value * scale.peak_pressure, film.cells);
 }
 
-void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineContact& contact,
-                  const ehl::LineScale& scale) {
+bool is_of(const ehl::LineConditions& conditions, ehl::FitLiquid liquid) {
+  const bool is_roelands = liquid == ehl::FitLiquid::roelands_compressible;
+  return conditions.viscosity_law == (is_roelands ? ViscosityLaw::roelands : ViscosityLaw::barus) &&
+         conditions.density_law ==
+             (is_roelands ? ehl::LineDensity::dowson_higginson : ehl::LineDensity::incompressible);
+}
+
+// The solved film of the liquid that a formula was fitted to; none where that is not known, or is
+// a liquid that has no such viscosity, or where the film is not solved.
+std::optional<ehl::SolvedFilm> film_of_fit(ehl::LineConditions conditions, ehl::FitLiquid liquid,
+                                           const ehl::SolveOptions& options,
+                                           const ehl::Watch& watch) {
+  if (liquid == ehl::FitLiquid::unknown) return std::nullopt;
+  const bool is_roelands = liquid == ehl::FitLiquid::roelands_compressible;
+  if (is_roelands && !(conditions.viscosity > least_roelands_viscosity)) return std::nullopt;
+  conditions.viscosity_law = is_roelands ? ViscosityLaw::roelands : ViscosityLaw::barus;
+  conditions.density_law =
+      is_roelands ? ehl::LineDensity::dowson_higginson : ehl::LineDensity::incompressible;
+  ehl::SolvedFilm solved = ehl::solve_line_film(ehl::contact_of(conditions), options, watch);
+  if (solved.outcome != ehl::Outcome::solved) return std::nullopt;
+  return solved;
+}
+
+// `solved`: the film of the contact's own liquid. The films of other liquids that formulas were
+// fitted to are solved here, each once.
+void set_formulas(FilmCase& film, const ehl::SolvedFilm& solved,
+                  const ehl::LineConditions& conditions, const ehl::SolveOptions& options,
+                  const ehl::Watch& watch) {
+  const ehl::LineContact contact = ehl::contact_of(conditions);
+  const ehl::LineScale scale = ehl::scale_of(conditions);
   const double unit = scale.film / contact.film_number(1);
+  std::map<ehl::FitLiquid, std::optional<ehl::SolvedFilm>> of_fits;
   for (const ehl::LineFormula& formula : ehl::line_formulas) {
     const double length = unit * ehl::film_number(formula, contact.load_number,
                                                   contact.material_number, scale.speed_number);
-    const double beside = scale.film * ehl::compared_film(formula, solved).value;
-    film.formulas.push_back(
-        {formula.name, stands_for(formula.quantity), formula.liquid, length, length / beside - 1});
+    const auto off = [&](const ehl::SolvedFilm& one) {
+      return length / (scale.film * ehl::compared_film(formula, one).value) - 1;
+    };
+    double deviation = unknown.value;
+    if (film.is_solved && is_of(conditions, formula.liquid) &&
+        formula.liquid != ehl::FitLiquid::unknown) {
+      deviation = off(solved);
+    } else if (film.is_solved) {
+      const auto [found, is_new] = of_fits.try_emplace(formula.liquid);
+      if (is_new) found->second = film_of_fit(conditions, formula.liquid, options, watch);
+      if (found->second) deviation = off(*found->second);
+    }
+    film.formulas.push_back({formula.name, stands_for(formula.quantity), ehl::name(formula.liquid),
+                             length, deviation, off(solved)});
   }
 }
 
@@ -98,15 +143,17 @@ FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settin
   const ehl::LineConditions conditions = conditions_of(scene, speed, settings);
   const ehl::LineScale scale = ehl::scale_of(conditions);
   const ehl::LineContact contact = ehl::contact_of(conditions);
-  const ehl::SolvedFilm solved =
-      ehl::solve_line_film(contact,
-                           {.tolerance = settings.tolerance,
-                            .greatest_cells = settings.tolerance < 1e-5 ? 32768 : 8192,
-                            .at_edge = at_edge},
-                           [&](const ehl::Step& step) { return watch(step.cells, step.step); });
+  const ehl::SolveOptions options{.tolerance = settings.tolerance,
+                                  .greatest_cells = settings.tolerance < 1e-5 ? 32768 : 8192,
+                                  .at_edge = at_edge};
+  const ehl::Watch step_watch = [&](const ehl::Step& step) { return watch(step.cells, step.step); };
+  const ehl::SolvedFilm solved = ehl::solve_line_film(contact, options, step_watch);
 
   FilmCase film{};
   film.id = scene.id;
+  film.viscosity = conditions.viscosity_law == ViscosityLaw::roelands ? "roelands" : "barus";
+  film.density = conditions.density_law == ehl::LineDensity::dowson_higginson ? "dowson_higginson"
+                                                                              : "incompressible";
   film.speed = speed;
   film.load_number = contact.load_number;
   film.material_number = contact.material_number;
@@ -119,7 +166,9 @@ FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settin
   film.central = times(solved.central, scale.film);
   film.minimum = times(solved.minimum, scale.film);
   film.at_greatest_pressure = times(solved.at_greatest_pressure, scale.film);
-  set_formulas(film, solved, contact, scale);
+  ehl::SolveOptions of_fits = options;
+  of_fits.tolerance = std::fmax(options.tolerance, 1e-4);
+  set_formulas(film, solved, conditions, of_fits, step_watch);
   film.spike_pressure = film.spike_place = unknown;
   if (!film.is_solved) return film;
   film.cells = static_cast<int>(solved.film.x.size()) - 1;

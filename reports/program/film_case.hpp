@@ -12,7 +12,7 @@
 namespace tribo::cli {
 
 struct FilmSettings {
-  std::string viscosity = "barus";         // or roelands
+  std::string viscosity;                   // barus or roelands; empty: the scene's own
   std::string density = "incompressible";  // or dowson_higginson
   double tolerance = 1e-4;                 // relative, of the three films
 };
@@ -25,9 +25,12 @@ struct Measured {
 struct FormulaFilm {
   std::string_view name;        // as in the catalogue of functions
   std::string_view stands_for;  // central_film, minimum_film or film_at_greatest_pressure
-  std::string_view fitted_to;   // incompressible, compressible or unknown: the liquid
+  std::string_view fitted_to;   // the liquid, as ehl::name(FitLiquid) has it
   double film;                  // m
-  double deviation;             // from the solved film that it stands for, over this
+  // From the solved film that it stands for, over this: `deviation` where the liquid is the one
+  // that the formula was fitted to (NaN where that is not known), `this_liquid_deviation` where it
+  // is this contact's.
+  double deviation, this_liquid_deviation;
 };
 
 struct ProfilePoint {
@@ -38,6 +41,7 @@ struct ProfilePoint {
 
 struct FilmCase {
   std::string id;
+  std::string_view viscosity, density;              // laws of this contact's liquid
   double speed;                                     // m/s
   double load_number, material_number;              // M and L
   double half_width, peak_pressure;                 // Hertz': m, Pa

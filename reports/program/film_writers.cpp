@@ -46,7 +46,7 @@ constexpr std::array<Given, 4> given{{
     {"peak_pressure", "peak pressure by Hertz", "Pa", &FilmCase::peak_pressure},
 }};
 
-constexpr std::size_t signed_width = number_width + 1;
+constexpr std::size_t signed_width = number_width + 1, deviation_width = 11;
 
 // NaN and ∞ become null.
 ordered_json number(double value) {
@@ -75,8 +75,9 @@ class FilmCsv : public FilmWriter {
     for (const FormulaFilm& formula : film.formulas) {
       add_number(formula.film);
       add_number(100 * formula.deviation);
+      add_number(100 * formula.this_liquid_deviation);
     }
-    append(text_, fmt::format(",{},{}", settings_.viscosity, settings_.density));
+    append(text_, fmt::format(",{},{}", film.viscosity, film.density));
     add_number(settings_.tolerance);
     append(text_, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
                               report::csv_text(film.no_spike), report::csv_text(film.reason)));
@@ -88,7 +89,8 @@ class FilmCsv : public FilmWriter {
     for (const Given& one : given) append(text_, fmt::format(",{}", one.name));
     for (const Quantity& one : quantities) append(text_, fmt::format(",{0},{0}_error", one.name));
     for (const std::string_view name : film_formula_names())
-      append(text_, fmt::format(",{0},{0}_deviation_percent", name));
+      append(text_,
+             fmt::format(",{0},{0}_deviation_percent,{0}_this_liquid_deviation_percent", name));
     append(text_, ",viscosity,density,tolerance,grids,cells,newton_steps,no_spike,reason\n");
   }
 
@@ -170,18 +172,18 @@ class FilmTable : public FilmWriter {
     text_.push_back('\n');
     append_heads(text_, {{"formula", "", 24},
                          {"film", "[m]", number_width},
-                         {"deviation", "[%]", number_width},
+                         {"deviation", "[%]", deviation_width},
+                         {"this liquid", "[%]", deviation_width},
                          {"stands_for", "", 25},
-                         {"liquid of the fit", "", 17}});
+                         {"liquid of the fit", "", 22}});
     for (const FormulaFilm& formula : film.formulas) {
       append_cell(text_, formula.name, 24);
       append_cell(text_, readable(formula.film), number_width);
-      append_cell(
-          text_,
-          std::isfinite(formula.deviation) ? fmt::format("{:+.2f}", 100 * formula.deviation) : "-",
-          number_width);
+      for (const double off : {formula.deviation, formula.this_liquid_deviation})
+        append_cell(text_, std::isfinite(off) ? fmt::format("{:+.2f}", 100 * off) : "-",
+                    deviation_width);
       append_cell(text_, formula.stands_for, 25);
-      append_cell(text_, formula.fitted_to, 17);
+      append_cell(text_, formula.fitted_to, 22);
       text_.push_back('\n');
     }
   }
@@ -198,9 +200,11 @@ class FilmTable : public FilmWriter {
     note(fmt::format(
         "solved for smooth bodies, a flooded inlet and a steady, isothermal, Newtonian, "
         "{} liquid whose viscosity follows {}",
-        settings_.density == "incompressible" ? "incompressible"
-                                              : "compressible (Dowson and Higginson)",
-        settings_.viscosity == "barus" ? "Barus" : "Roelands"));
+        film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
+        film.viscosity == "barus" ? "Barus" : "Roelands"));
+    note(
+        "deviation: from the solved film of the liquid that the formula was fitted to, where that "
+        "is known; this liquid: from the film above, of this contact's liquid");
     note(fmt::format("± is what a number may be off by; {} grids, the finest of {} cells",
                      film.grids, film.cells));
   }
@@ -252,17 +256,16 @@ ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool 
   }
   json["formulas"] = ordered_json::array();
   for (const FormulaFilm& one : film.formulas)
-    json["formulas"].push_back({{"name", one.name},
-                                {"film", number(one.film)},
-                                {"stands_for", one.stands_for},
-                                {"deviation_percent", number(100 * one.deviation)},
-                                {"fitted_to", one.fitted_to}});
-  json["assumptions"] = {{"viscosity", settings.viscosity},
-                         {"density", settings.density},
-                         {"bodies", "smooth"},
-                         {"inlet", "flooded"},
-                         {"temperature", "isothermal"},
-                         {"liquid", "newtonian"},
+    json["formulas"].push_back(
+        {{"name", one.name},
+         {"film", number(one.film)},
+         {"stands_for", one.stands_for},
+         {"deviation_percent", number(100 * one.deviation)},
+         {"this_liquid_deviation_percent", number(100 * one.this_liquid_deviation)},
+         {"fitted_to", one.fitted_to}});
+  json["assumptions"] = {{"viscosity", film.viscosity}, {"density", film.density},
+                         {"bodies", "smooth"},          {"inlet", "flooded"},
+                         {"temperature", "isothermal"}, {"liquid", "newtonian"},
                          {"motion", "steady"}};
   json["tolerance"] = settings.tolerance;
   json["grids"] = film.grids;

@@ -106,21 +106,40 @@ bool is_shard_or_journal(const std::string& path) {
   }
 }
 
-// Returns exit_failed where pictures are missing.
-int show_result(const SweepArguments& arguments, const std::string& path, OutputStream& output) {
+// Says how many of the films that were to be solved were not. Returns whether all were.
+bool tell_of_films(const sweep::SweepResult& result) {
+  std::uint64_t missing = 0, all = 0;
+  for (const sweep::SceneResult& scene : result.scenes)
+    if (const sweep::ColumnResult* const film = scene.column("solved_film.central"))
+      for (const sweep::ColumnResult::Value& value : film->values) {
+        missing += value.undefined;
+        all += value.count + value.undefined;
+      }
+  if (missing > 0)
+    complain(fmt::format(
+        "{} of {} films were not solved: `sweep show --cases` marks them in solved_film.outcome, "
+        "and `tribocheck film` says why it does not solve such a contact",
+        missing, all));
+  return missing == 0;
+}
+
+// Returns exit_failed where pictures are missing, or, of a result that was made just now, films.
+int show_result(const SweepArguments& arguments, const std::string& path, bool is_new,
+                OutputStream& output) {
   const sweep::SweepResult result = sweep::read_result(path);
   if (arguments.cases)
     write_cases(result, path, arguments.format, output);
   else
     write_result(result, arguments.format, output.text());
   output.flush();
-  if (arguments.pictures.empty()) return exit_done;
+  const int code = tell_of_films(result) || !is_new ? exit_done : exit_failed;
+  if (arguments.pictures.empty()) return code;
   const report::Rendering drawn = report::draw_sweep_pictures(result, path, arguments.pictures);
   for (const std::string& picture : drawn.written) complain("drew " + picture);
   for (const std::string& why : drawn.undrawn) complain(why);
   if (drawn.written.empty() && drawn.undrawn.empty())
     complain("nothing in this result can be drawn");
-  return drawn.undrawn.empty() ? exit_done : exit_failed;
+  return drawn.undrawn.empty() ? code : exit_failed;
 }
 
 // --- The three commands.
@@ -188,7 +207,7 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   int shown = exit_done;
   settings.finished = [&] {
     progress.wipe();
-    if (!settings.shard) shown = show_result(arguments, arguments.out, output);
+    if (!settings.shard) shown = show_result(arguments, arguments.out, true, output);
   };
   watch_for_stop();
   const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
@@ -256,7 +275,7 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
     int shown = exit_done;
     settings.finished = [&] {
       progress.wipe();
-      shown = show_result(arguments, arguments.out, output);
+      shown = show_result(arguments, arguments.out, true, output);
     };
     sweep::merge(arguments.files, settings);
     return shown;
@@ -267,7 +286,7 @@ int show_results(const SweepArguments& arguments, OutputStream& output) {
   return told([&] {
     const std::string& path = arguments.files.front();
     try {
-      return show_result(arguments, path, output);
+      return show_result(arguments, path, false, output);
     } catch (const OutputFailed&) {
       throw;
     } catch (const std::runtime_error& unreadable) {
@@ -297,7 +316,8 @@ constexpr const char* footer_end =
 goes on there, and ends in the same file to the bit. The same for any number of threads and ranks:
   mpirun -n 4 tribocheck sweep SWEEP.toml -o SWEEP.h5
 and, without MPI, for shards, which any machine may compute, and which are then merged.
-Exit code 0: done; 1: failed, what is computed is kept; 2: bad usage or input; 130: stopped by Ctrl-C.
+Exit code 0: done; 1: failed, or a film was not solved, and what is computed is kept; 2: bad usage or
+input; 130: stopped by Ctrl-C.
 
 Example:
   tribocheck sweep reference/published/sweeps/onset_smooth.toml -o smooth.h5 --pictures pictures

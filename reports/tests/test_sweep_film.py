@@ -59,6 +59,29 @@ class SolvedFilms(SweepTest):
             self.assertEqual(l[0][at], l[1][at])
             self.assertTrue(math.isclose(l[2][at], 7.5 * l[0][at], rel_tol=1e-12))
 
+    def test_a_film_that_is_not_solved_is_told_with_its_place(self):
+        # At the lowest speed the film is below what grids resolve.
+        text = SWEEP.replace("speed = [0.5, 2]", "speed = [1e-20, 0.5]")
+        result = self.sweep(text)
+        self.assertEqual(result.code, 1)
+        _, told = result.error_lines  # the first warns of the speed
+        self.assertIn("4 of 8 films were not solved", told)
+        with opened(self.path("out.h5")) as file:
+            films = file["lines/outputs/solved_film"]
+            words = [str(word, "utf-8") if isinstance(word, bytes) else word
+                     for word in films["outcome"].attrs["words"]]
+            outcome = [[words[place] for place in row] for row in films["outcome"][:]]
+            self.assertEqual(outcome, 4 * [["not_solved", "solved"]])
+            self.assertTrue(all(math.isnan(slow) and fast > 0 for slow, fast in films["central"][:]))
+        rows = list(csv.DictReader(io.StringIO(
+            run("sweep", "show", self.path("out.h5"), "--cases", "--format", "csv").out)))
+        for row in rows:
+            self.assertEqual(row["solved_film.outcome"] == "not_solved", row["solved_film.central [m]"] == "", row)
+        shown = run("sweep", "show", self.path("out.h5"))
+        self.assertEqual((shown.code, shown.error_lines), (0, [told]))
+        whole = self.sweep(SWEEP, "--force")
+        self.assertEqual((whole.code, whole.error_lines), (0, []))
+
     def test_threads_change_no_byte(self):
         self.swept(SWEEP, "--threads", "1", out="one.h5")
         self.swept(SWEEP, "--threads", "2", out="two.h5")

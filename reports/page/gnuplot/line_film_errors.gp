@@ -12,7 +12,8 @@ table = data."line_film_errors.tsv"
 labels = data."line_film_labels.blocks.tsv"
 tracks = data."line_film_tracks.blocks.tsv"
 array title_of[6] = ["Moes: at the greatest pressure", "Ertel and Grubin: at the greatest pressure", \
-  "Dowson and Higginson: minimum", "Dowson and Toyoda: central", "Pan and Hamrock: minimum", "Pan and Hamrock: central"]
+  "Dowson and Higginson: minimum (liquid not known)", "Dowson and Toyoda: central (liquid not known)", \
+  "Pan and Hamrock: minimum (compressible)", "Pan and Hamrock: central (compressible)"]
 stats table using 1 nooutput name "load"
 stats table using 2 nooutput name "material"
 track_count = 0

@@ -75,6 +75,15 @@ def row(*cells):
     return "\t".join(one if isinstance(one, str) else repr(one) for one in cells) + "\n"
 
 
+def formula_text(contact, formula):
+    """Its name and how far it is from the film that is drawn; a star where that liquid is not its own."""
+    liquid = contact["assumptions"]
+    own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
+    star = "" if formula["fitted_to"] == own else "*"
+    name = NAMES.get(formula["name"], formula["name"])
+    return f"{name}{star} {signed(formula['this_liquid_deviation_percent'])} %"
+
+
 def blocks(contact):
     """Tab-separated blocks: the axes; the profile; Hertz' pressure; the formulas' films."""
     width, profile, peak = contact["half_width"], contact["profile"], contact["peak_pressure"]
@@ -87,7 +96,7 @@ def blocks(contact):
     hertz = [row(1e6*width*i/200, peak/unit*max(0, 1 - (i/200)**2)**0.5) for i in range(-200, 201)]
     shown = [(one["film"], one) for one in contact["formulas"] if one["film"] is not None and one["film"] < film_top]
     formulas = [row(1e6*one["film"], 1e6*place, "1" if one["stands_for"] == "minimum_film" else "0",
-                    f"{NAMES.get(one['name'], one['name'])} {signed(one['deviation_percent'])} %")
+                    formula_text(contact, one))
                 for place, one in spread(shown, 0.26*film_top, 0.97*film_top, LABEL_GAP*film_top)]
     return "\n\n".join([head, "".join(solved), "".join(hertz), "".join(formulas) or row(-1.0, -1.0, "0", " ")])
 

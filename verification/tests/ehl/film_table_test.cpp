@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// reference/ehl/line_films.csv: it has every contact, keeps its errors, and comes out again; and
-// the formulas that are held to it.
+// The tables of reference/ehl: line_films.csv has every contact, both keep their errors and come
+// out again; and the formulas that are held to them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@
 #include "ehl/line_formulas.hpp"
 #include "support/judge.hpp"
 #include "tribo/film_thickness.hpp"
+#include "tribo/friction.hpp"
 #include "tribo/moes_line.hpp"
 
 namespace tribo::verification {
@@ -59,6 +60,45 @@ TEST(LineFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
     const auto is_same = [&](const ehl::Estimate& e, const std::string& name) {
       return is_estimated({contact.film_number(e.value), contact.film_number(e.error)},
                           row.number(name), row.number(name + "_error"));
+    };
+    EXPECT_TRUE(is_same(film.central, "central")) << row.text("load_number");
+    EXPECT_TRUE(is_same(film.minimum, "minimum")) << row.text("load_number");
+    EXPECT_TRUE(is_same(film.at_greatest_pressure, "at_greatest_pressure"))
+        << row.text("load_number");
+  }
+}
+
+// Its liquid stands in its header and, for the generator, in line_films.cpp: here it is made of the
+// speed number and the peak pressure that each row has.
+TEST(CompressibleFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
+  std::mt19937_64 random(20261124);
+  const std::vector<ReferenceRow> rows =
+      read_reference_table(TRIBOCHECK_SOURCE_DIR "/reference/ehl/line_films_compressible.csv");
+  ASSERT_FALSE(rows.empty());
+  constexpr double modulus = 115.4e9, radius = 0.02, coefficient = 2e-8, index = 0.6;
+  const double viscosity = std::exp(coefficient * roelands_pressure<double>() / index -
+                                    roelands_log_viscosity<double>());
+  for (int i = 0; i < 6; ++i) {
+    const ReferenceRow& row = rows[random() % rows.size()];
+    const double speed_number = row.number("speed_number"), peak = row.number("peak_pressure");
+    const ehl::LineContact contact =
+        ehl::contact_of({.speed = speed_number * 2 * modulus * radius / viscosity,
+                         .viscosity = viscosity,
+                         .pressure_viscosity = coefficient,
+                         .load_per_length = pi<double>() * peak * peak * radius / modulus,
+                         .effective_modulus = modulus,
+                         .radius = radius,
+                         .viscosity_law = ViscosityLaw::roelands,
+                         .density_law = ehl::LineDensity::dowson_higginson});
+    EXPECT_TRUE(is_within(contact.load_number, row.number("load_number"),
+                          1e-5 * row.number("load_number")));
+    EXPECT_TRUE(is_within(contact.material_number, row.number("material_number"),
+                          1e-5 * row.number("material_number")));
+    const ehl::SolvedFilm film = solved(contact);
+    const auto is_same = [&](const ehl::Estimate& e, const std::string& name) {
+      const double value = row.number(name);  // M and L have six digits
+      return is_estimated({contact.film_number(e.value), contact.film_number(e.error)}, value,
+                          row.number(name + "_error") + 1e-5 * value);
     };
     EXPECT_TRUE(is_same(film.central, "central")) << row.text("load_number");
     EXPECT_TRUE(is_same(film.minimum, "minimum")) << row.text("load_number");
