@@ -86,17 +86,16 @@ int fail(int code, const std::string& line) {
 }
 
 std::string failure_text(const report::ChildEnd& end, const BenchArguments& arguments) {
-  std::string text = end.signal() != 0 ? fmt::format("tribocheck_bench ended by signal {} ({})",
-                                                     end.signal(), ::strsignal(end.signal()))
-                                       : "tribocheck_bench failed";
+  std::string text = end.signal != 0 ? fmt::format("tribocheck_bench ended by signal {} ({})",
+                                                   end.signal, ::strsignal(end.signal))
+                                     : "tribocheck_bench failed";
   if (arguments.plugin.empty()) return text;
   return fmt::format("{} with the plug-in {} loaded", text, arguments.plugin);
 }
 
 // "; the jobs are moment_5_2, …; the families are GSL, …", as the contenders' names have them.
 std::string contenders_text(const fs::path& program) {
-  const report::ChildEnd end =
-      report::run_child({program.string(), "--benchmark_list_tests=true"}, report::Heard::output);
+  const report::ChildEnd end = report::run_child({program.string(), "--benchmark_list_tests=true"});
   std::vector<std::string> jobs, families;
   const auto add = [](std::vector<std::string>& names, std::string name) {
     if (std::find(names.begin(), names.end(), name) == names.end())
@@ -119,8 +118,7 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   const fs::path program = bench_program();
   if (program.empty())
     return fail(exit_bad, "tribocheck_bench is not built; `make bench` builds it");
-  const report::ChildEnd end =
-      report::run_child(command_line(program, arguments), report::Heard::output);
+  const report::ChildEnd end = report::run_child(command_line(program, arguments));
   if (end.start_error != 0)
     return fail(exit_failed, program.string() + " cannot be started: " +
                                  std::generic_category().message(end.start_error));
