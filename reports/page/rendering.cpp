@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "page/child_process.hpp"
+#include "protocol/bounded_json.hpp"
 
 namespace tribo::report {
 namespace {
@@ -41,7 +41,7 @@ Rendering run_script(const ReportPlaces& places, const std::string& script,
   if (end.exited_with(missing_packages))
     return failed(end.text.substr(0, end.text.find('\n')) +
                   ": neither page nor pictures can be made");
-  const nlohmann::json said = nlohmann::json::parse(end.text, nullptr, false);
+  const nlohmann::json said = protocol::parse_bounded_json(end.text);
   if (!end.succeeded() || said.is_discarded())
     return failed(fmt::format("{} failed: see above", script));
   rendering.has_page = true;

@@ -51,6 +51,9 @@ fs::path bench_program() {
   return {};
 }
 
+// The readers of expressions recurse with each bracket.
+constexpr std::size_t longest_filter = 1000;
+
 bool is_expression(std::string filter) {
   if (filter.starts_with('-')) filter.erase(0, 1);  // "not", to Google Benchmark
   try {
@@ -166,6 +169,8 @@ int hold_to_baseline(const BenchArguments& arguments, const BenchResults& result
 }
 
 int bench(const BenchArguments& arguments, OutputStream& output) {
+  if (arguments.filter.size() > longest_filter)
+    return fail(exit_bad, fmt::format("--filter: longer than {} signs", longest_filter));
   if (!is_expression(arguments.filter))
     return fail(exit_bad,
                 "--filter: \"" + arguments.filter + "\" is no extended regular expression");
