@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "contenders/line_process.hpp"
+#include "protocol/bounded_json.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -27,7 +28,7 @@ class Scipy {
     for (const std::span<const double> list : arguments)
       lists.push_back(std::vector<double>(list.begin(), list.end()));
     process_->write_line(nlohmann::json{{"function", function}, {"arguments", lists}}.dump());
-    return nlohmann::json::parse(process_->read_line());
+    return protocol::parse_bounded_json(process_->read_line());
   }
 
  private:

@@ -15,6 +15,7 @@
 
 #include "cases/measured.hpp"
 #include "contenders/plugin_way.hpp"
+#include "protocol/bounded_json.hpp"
 #include "tribo/batch.hpp"
 #include "work_precision/error_against_work.hpp"
 #include "work_precision/line_film.hpp"
@@ -93,7 +94,7 @@ void write_line_film(const Arguments& arguments, const Effort& effort) {
   const Json parts = line_film_parts(arguments, effort);
   if (arguments.baseline.empty()) return;
   std::ifstream file(arguments.baseline);
-  Json baseline = Json::parse(file);
+  Json baseline = protocol::read_bounded_json<Json>(file);
   baseline.update(parts);
   write_baseline(arguments.baseline, baseline);
 }

@@ -68,5 +68,21 @@ std::string too_large_text(std::size_t bytes) {
 const std::string_view too_many_fields_text = "more than 1000 fields; a scene has far fewer";
 const std::string_view too_deep_text = "lists and tables are nested more than 16 deep";
 
+bool nests_too_deep(std::string_view json) {
+  std::size_t depth = 0;
+  for (std::size_t at = 0; at < json.size(); ++at) {
+    const char c = json[at];
+    if (c == '"') {
+      while (++at < json.size() && json[at] != '"')
+        if (json[at] == '\\') ++at;
+    } else if (c == '[' || c == '{') {
+      if (++depth > max_depth) return true;
+    } else if ((c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
 }  // namespace scene_detail
 }  // namespace tribo

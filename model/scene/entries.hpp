@@ -65,6 +65,10 @@ std::string too_large_text(std::size_t bytes);
 extern const std::string_view too_many_fields_text;
 extern const std::string_view too_deep_text;
 
+// Are lists and tables of a JSON text nested more than max_depth deep? To be asked before a parser
+// makes a tree of the text: trees are copied, printed and destroyed by recursion.
+bool nests_too_deep(std::string_view json);
+
 // The entries of a TOML text; where it is none, nothing and an error. Text over 1 MiB is refused,
 // and text with more fields.
 std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems,

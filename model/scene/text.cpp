@@ -60,6 +60,27 @@ void append_escape(std::string& text, std::uint32_t code) {
   }
 }
 
+// Appends the sign of text[at], escaped where it must be. Returns its bytes.
+std::size_t append_sign(std::string& result, std::string_view text, std::size_t at) {
+  const std::size_t length = utf8_length(text, at);
+  if (length == 0) {
+    result += "\\x";
+    append_hex(result, static_cast<unsigned char>(text[at]), 2);
+    return 1;
+  }
+  const std::string_view sequence = text.substr(at, length);
+  const std::uint32_t code = code_point(sequence);
+  if (must_be_escaped(code))
+    append_escape(result, code);
+  else
+    result += sequence;
+  return length;
+}
+
+bool is_plain(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
+}
+
 }  // namespace
 
 std::size_t utf8_length(std::string_view text, std::size_t at) {
@@ -71,6 +92,17 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   for (std::size_t i = 2; i < form.length; ++i)
     if ((static_cast<unsigned char>(text[at + i]) & 0xC0) != 0x80) return 0;
   return form.length;
+}
+
+std::string without_controls(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();)
+    if (text[at] == '\n' || text[at] == '\t')
+      result += text[at++];
+    else
+      at += append_sign(result, text, at);
+  return result;
 }
 
 std::string number_text(double number) {
@@ -114,26 +146,12 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
 
 std::string printable(std::string_view text, std::size_t most) {
   using namespace scene_detail;
+  if (text.size() <= most && is_plain(text)) return std::string(text);
   std::string result;
-  std::size_t shown = 0;
-  for (std::size_t at = 0; at < text.size(); ++shown) {
-    if (shown == most) return result + "…";
-    const std::size_t length = utf8_length(text, at);
-    if (length == 0) {
-      result += "\\x";
-      append_hex(result, static_cast<unsigned char>(text[at]), 2);
-      ++at;
-      continue;
-    }
-    const std::string_view sequence = text.substr(at, length);
-    const std::uint32_t code = code_point(sequence);
-    if (must_be_escaped(code))
-      append_escape(result, code);
-    else
-      result += sequence;
-    at += length;
-  }
-  return result;
+  std::size_t at = 0;
+  for (std::size_t shown = 0; at < text.size() && shown < most; ++shown)
+    at += append_sign(result, text, at);
+  return at < text.size() ? result + "…" : result;
 }
 
 }  // namespace tribo

@@ -7,13 +7,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "protocol/bounded_json.hpp"
+
 namespace tribo::report {
 
 Json read_baseline(const ReportPlaces& places, std::string_view file) {
   const auto path = places.reference / "baselines" / file;
   std::ifstream stream(path);
   if (!stream) throw std::runtime_error(fmt::format("`{}` is not there", places.shown(path)));
-  Json content = Json::parse(stream, nullptr, false);
+  Json content;
+  try {
+    content = protocol::read_bounded_json<Json>(stream);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("`{}`: {}", places.shown(path), error.what()));
+  }
   if (content.is_discarded())
     throw std::runtime_error(fmt::format("`{}` is not JSON", places.shown(path)));
   return content;

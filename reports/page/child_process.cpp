@@ -2,112 +2,54 @@
 #include "page/child_process.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "conformance/guarded_child.hpp"
 
 namespace tribo::report {
 namespace {
 
-// The ends of a pipe that a child does not inherit by accident.
-class Pipe {
- public:
-  Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) ends_ = {-1, -1};
+// What comes until the other side closes.
+std::string read_to_end(int from) {
+  std::string text;
+  std::array<char, 4096> block{};
+  while (true) {
+    const ssize_t count = ::read(from, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return text;
+    text.append(block.data(), static_cast<std::size_t>(count));
   }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  ~Pipe() {
-    close(0);
-    close(1);
-  }
-  bool is_open() const { return ends_[0] >= 0; }
-  int writing_end() const { return ends_[1]; }
-  void close_writing_end() { close(1); }
-
-  // What comes until the other side closes: all of it, or the last few kilobytes.
-  std::string read_to_end(bool only_last) const {
-    std::string text;
-    std::array<char, 4096> block{};
-    while (true) {
-      const ssize_t count = ::read(ends_[0], block.data(), block.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return text;
-      text.append(block.data(), static_cast<std::size_t>(count));
-      if (only_last && text.size() > block.size()) text.erase(0, text.size() - block.size());
-    }
-  }
-
- private:
-  void close(std::size_t end) {
-    if (ends_[end] >= 0) ::close(ends_[end]);
-    ends_[end] = -1;
-  }
-  std::array<int, 2> ends_{-1, -1};
-};
-
-// The child gets no input, and the stream that is heard is led into the pipe.
-class Redirections {
- public:
-  Redirections(Heard heard, int pipe) {
-    ::posix_spawn_file_actions_init(&actions_);
-    ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    if (heard == Heard::output) {
-      ::posix_spawn_file_actions_adddup2(&actions_, pipe, STDOUT_FILENO);
-      return;
-    }
-    ::posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ::posix_spawn_file_actions_adddup2(&actions_, pipe, STDERR_FILENO);
-  }
-  Redirections(const Redirections&) = delete;
-  Redirections& operator=(const Redirections&) = delete;
-  ~Redirections() { ::posix_spawn_file_actions_destroy(&actions_); }
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-int wait_for(pid_t child) {
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return -1;
-  return status;
 }
 
 }  // namespace
 
-bool ChildEnd::succeeded() const { return exited_with(0); }
-bool ChildEnd::exited_with(int code) const {
-  return start_error == 0 && status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == code;
-}
-int ChildEnd::signal() const {
-  return start_error == 0 && status != -1 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-}
-
-ChildEnd run_child(std::vector<std::string> command, Heard heard) {
-  std::vector<char*> argv;
-  argv.reserve(command.size() + 1);
-  for (std::string& word : command) argv.push_back(word.data());
-  argv.push_back(nullptr);
-
+ChildEnd run_child(std::vector<std::string> command) {
   ChildEnd end;
-  Pipe pipe;
-  if (!pipe.is_open()) {
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
     end.start_error = errno;
     return end;
   }
-  const Redirections redirections(heard, pipe.writing_end());
-  pid_t child = 0;
-  end.start_error =
-      ::posix_spawnp(&child, argv[0], redirections.get(), nullptr, argv.data(), environ);
-  pipe.close_writing_end();
-  if (end.start_error != 0) return end;
-  end.text = pipe.read_to_end(heard == Heard::last_errors);
-  end.status = wait_for(child);
+  std::optional<conformance::GuardedChild> child;
+  try {
+    child.emplace(std::move(command), conformance::ChildStreams{-1, pipe[1], STDERR_FILENO});
+  } catch (const std::system_error& error) {
+    end.start_error = error.code().value();
+  }
+  ::close(pipe[1]);
+  if (child) {
+    end.text = read_to_end(pipe[0]);
+    child->wait();
+    end.exit_code = child->exit_code();
+    end.signal = child->signal();
+  }
+  ::close(pipe[0]);
   return end;
 }
 

@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Running another program to its end.
+// Running another program to its end, with all that it starts.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace tribo::report {
 
-enum class Heard : std::uint8_t {
-  last_errors,  // no output; of its errors the last few kilobytes
-  output,       // its output; its errors go where ours go
-};
-
 struct ChildEnd {
   int start_error = 0;  // an errno: it could not be started
-  int status = -1;      // as waitpid gives it; -1: not known
-  std::string text;     // what was heard
+  int exit_code = -1;   // −1: a signal ended it
+  int signal = 0;       // that ended it, or 0
+  std::string text;     // its output
 
-  bool succeeded() const;
-  bool exited_with(int code) const;
-  int signal() const;  // that ended it, or 0
+  bool succeeded() const { return exited_with(0); }
+  bool exited_with(int code) const { return start_error == 0 && exit_code == code; }
 };
 
-// The program is looked for in PATH unless its name has a slash; it gets no input.
-ChildEnd run_child(std::vector<std::string> command, Heard heard);
+// The program is looked for in PATH unless its name has a slash; it gets no input, and its errors
+// go where ours go.
+ChildEnd run_child(std::vector<std::string> command);
 
 }  // namespace tribo::report

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "page/markup.hpp"
 
+#include "scene/text.hpp"
+#include "tribo/scene_reader.hpp"
+
 namespace tribo::report {
 namespace {
 
@@ -24,7 +27,7 @@ std::string html_sign(char sign) {
 std::string escape_markdown(std::string_view text) {
   constexpr std::string_view special = "\\*_[]|#`~^";
   std::string escaped;
-  for (const char sign : text) {
+  for (const char sign : printable(text, std::string::npos)) {
     if (special.find(sign) != std::string_view::npos) escaped += '\\';
     escaped += sign == '"' ? "\"" : html_sign(sign);
   }
@@ -33,7 +36,7 @@ std::string escape_markdown(std::string_view text) {
 
 std::string escape_html(std::string_view text) {
   std::string escaped;
-  for (const char sign : text) escaped += html_sign(sign);
+  for (const char sign : scene_detail::without_controls(text)) escaped += html_sign(sign);
   return escaped;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plain text where signs of Markdown, or of HTML and XML, would have a meaning.
+// Plain text where signs of Markdown, or of HTML and XML, would have a meaning. Control signs are
+// escaped as by printable(); HTML and XML keep line ends and tabs.
 #pragma once
 
 #include <string>

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string_view>
 
 namespace tribo::report {
@@ -55,7 +56,12 @@ std::string grouped(std::uint64_t count) {
 }
 
 std::string csv_text(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  // A spreadsheet takes a text that starts with one of the last for a formula; -1e-5 is none.
+  char* end = nullptr;
+  const std::string whole(text);
+  const bool is_formula = text.find_first_of("=+-@\t") == 0 &&
+                          (std::strtod(whole.c_str(), &end), end != whole.c_str() + whole.size());
+  if (!is_formula && text.find_first_of(",\"\r\n\t") == std::string_view::npos) return whole;
   std::string quoted = "\"";
   for (const char sign : text) {
     if (sign == '"') quoted += '"';

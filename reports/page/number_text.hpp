@@ -20,7 +20,8 @@ std::string unrounded(double value);
 // 12345678 as 12 345 678, with narrow blanks that do not break.
 std::string grouped(std::uint64_t count);
 
-// A cell of comma-separated values (RFC 4180, with "\n" as line end): quoted where it has to be.
+// A cell of comma-separated values (RFC 4180, with "\n" as line end): quoted where it has to be,
+// and where a spreadsheet would take it for a formula, which it may do all the same.
 std::string csv_text(std::string_view text);
 
 }  // namespace tribo::report

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "page/child_process.hpp"
+#include "protocol/bounded_json.hpp"
 
 namespace tribo::report {
 namespace {
@@ -28,7 +28,7 @@ Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments) {
   std::vector<std::string> command{python(), "-B", (places.render / script).string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  const ChildEnd end = run_child(std::move(command), Heard::output);
+  const ChildEnd end = run_child(std::move(command));
   Rendering rendering;
   const auto failed = [&](const std::string& why) {
     rendering.undrawn.push_back(why);
@@ -41,7 +41,7 @@ Rendering run_script(const ReportPlaces& places, const std::string& script,
   if (end.exited_with(missing_packages))
     return failed(end.text.substr(0, end.text.find('\n')) +
                   ": neither page nor pictures can be made");
-  const nlohmann::json said = nlohmann::json::parse(end.text, nullptr, false);
+  const nlohmann::json said = protocol::parse_bounded_json(end.text);
   if (!end.succeeded() || said.is_discarded())
     return failed(fmt::format("{} failed: see above", script));
   rendering.has_page = true;

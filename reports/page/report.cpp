@@ -17,6 +17,7 @@
 #include "page/rendering.hpp"
 #include "page/report_error.hpp"
 #include "reproduction/ledger.hpp"
+#include "tribo/scene_reader.hpp"
 #include "tribo/version.hpp"
 
 namespace tribo::report {
@@ -120,6 +121,11 @@ class Sources {
   std::optional<reproduction::Ledger> ledger_;
 };
 
+template <class... Words>
+std::string in_line(fmt::format_string<Words...> form, Words&&... words) {
+  return printable(fmt::format(form, std::forward<Words>(words)...), std::string::npos) + '\n';
+}
+
 struct GroupMaker {
   std::string_view id;
   std::string_view step;    // for the progress line; empty: it takes no time
@@ -192,7 +198,9 @@ class ReportData {
     }
   }
 
-  void finish() { write("report.json", json_.dump(1) + "\n"); }
+  void finish() {
+    write("report.json", json_.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  }
 
   bool has_ledger() const {
     return json_.contains("ledger") && json_["ledger"].contains("summary");
@@ -201,18 +209,18 @@ class ReportData {
   std::string verdict_in_short() const {
     std::string text;
     if (has_ledger())
-      text += fmt::format("The paper: {}.\n", json_["ledger"]["summary"].get<std::string>());
+      text += in_line("The paper: {}.", json_["ledger"]["summary"].get<std::string>());
     std::map<std::string, int> count;
     std::string lines;
     for (const Json& one : json_["findings"]) {
       const auto standing = one["standing"].get<std::string>();
       if (one["about"] == "software") ++count[standing];
       if (standing == "fails" || standing == "missed" || standing == "absent")
-        lines += fmt::format("  {}: {}: {}\n",
-                             standing == "fails"    ? "FAILS"
-                             : standing == "absent" ? "not run"
-                                                    : "missed",
-                             one["id"].get<std::string>(), one.value("why", ""));
+        lines += in_line("  {}: {}: {}",
+                         standing == "fails"    ? "FAILS"
+                         : standing == "absent" ? "not run"
+                                                : "missed",
+                         one["id"].get<std::string>(), one.value("why", ""));
     }
     return text +
            fmt::format(

@@ -131,7 +131,7 @@ void write_json(const CaseTable& table, const Told& told) {
       nlohmann::ordered_json object{{"scene", table.scene}, {"case", i}};
       for (const CaseColumn& column : table.columns)
         object[column.name] = json_cell(column, column.at(i, s));
-      told(object.dump() + '\n');
+      told(object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
     }
 }
 

@@ -43,7 +43,7 @@ Rendering draw_sweep_pictures(const sweep::SweepResult& result, const std::strin
     for (std::size_t i = 0; i < result.scenes.size(); ++i)
       if (is_map(result.scenes[i])) json["scenes"][i]["map"] = map_json(result.scenes[i], path);
     const PendingFile file(std::filesystem::path(folder) / "result.json");  // goes again
-    write_file(file.temporary(), json.dump());
+    write_file(file.temporary(), json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
     return run_script(usual_places(), "sweep_pictures.py", {file.temporary().string(), folder});
   } catch (const std::runtime_error& error) {
     return {false, {}, {error.what()}};

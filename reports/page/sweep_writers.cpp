@@ -37,7 +37,7 @@ struct CsvColumns {
     std::string text = "scene,column,unit,speed_index,speed,count,undefined,mean,sd,least,greatest";
     for (const double level : sweep::quantile_levels)
       text += fmt::format(",quantile_{0},quantile_{0}_low,quantile_{0}_high", level);
-    for (const std::string& word : words) text += ",count_" + word;
+    for (const std::string& word : words) text += csv_cells({"count_" + word});
     for (const std::string& variable : variables)
       for (const char* const kind : {"first_order", "total"})
         text += csv_cells({fmt::format("{}:{}", kind, variable),

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "page/markup.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::report {
 namespace {
@@ -109,6 +110,15 @@ std::string stacked_row(const std::vector<std::string>& headings,
   return text;
 }
 
+// Each text as one line, whatever it holds.
+TextTable in_lines(TextTable table) {
+  const auto make = [](std::string& text) { text = printable(text, std::string::npos); };
+  make(table.caption);
+  std::for_each(table.headings.begin(), table.headings.end(), make);
+  for (auto& row : table.rows) std::for_each(row.begin(), row.end(), make);
+  return table;
+}
+
 std::string markdown_row(const std::vector<std::string>& cells) {
   std::string line = "|";
   for (const std::string& cell : cells) line += ' ' + escape_markdown(cell) + " |";
@@ -128,7 +138,8 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
   return lines;
 }
 
-std::string plain_table(const TextTable& table, std::size_t most) {
+std::string plain_table(const TextTable& raw, std::size_t most) {
+  const TextTable table = in_lines(raw);
   std::string text;
   for (const std::string& line : wrapped(table.caption, most)) text += line + '\n';
   if (table.rows.empty()) return text;

@@ -51,6 +51,9 @@ fs::path bench_program() {
   return {};
 }
 
+// The readers of expressions recurse with each bracket.
+constexpr std::size_t longest_filter = 1000;
+
 bool is_expression(std::string filter) {
   if (filter.starts_with('-')) filter.erase(0, 1);  // "not", to Google Benchmark
   try {
@@ -86,17 +89,16 @@ int fail(int code, const std::string& line) {
 }
 
 std::string failure_text(const report::ChildEnd& end, const BenchArguments& arguments) {
-  std::string text = end.signal() != 0 ? fmt::format("tribocheck_bench ended by signal {} ({})",
-                                                     end.signal(), ::strsignal(end.signal()))
-                                       : "tribocheck_bench failed";
+  std::string text = end.signal != 0 ? fmt::format("tribocheck_bench ended by signal {} ({})",
+                                                   end.signal, ::strsignal(end.signal))
+                                     : "tribocheck_bench failed";
   if (arguments.plugin.empty()) return text;
   return fmt::format("{} with the plug-in {} loaded", text, arguments.plugin);
 }
 
 // "; the jobs are moment_5_2, …; the families are GSL, …", as the contenders' names have them.
 std::string contenders_text(const fs::path& program) {
-  const report::ChildEnd end =
-      report::run_child({program.string(), "--benchmark_list_tests=true"}, report::Heard::output);
+  const report::ChildEnd end = report::run_child({program.string(), "--benchmark_list_tests=true"});
   std::vector<std::string> jobs, families;
   const auto add = [](std::vector<std::string>& names, std::string name) {
     if (std::find(names.begin(), names.end(), name) == names.end())
@@ -119,8 +121,7 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   const fs::path program = bench_program();
   if (program.empty())
     return fail(exit_bad, "tribocheck_bench is not built; `make bench` builds it");
-  const report::ChildEnd end =
-      report::run_child(command_line(program, arguments), report::Heard::output);
+  const report::ChildEnd end = report::run_child(command_line(program, arguments));
   if (end.start_error != 0)
     return fail(exit_failed, program.string() + " cannot be started: " +
                                  std::generic_category().message(end.start_error));
@@ -168,6 +169,8 @@ int hold_to_baseline(const BenchArguments& arguments, const BenchResults& result
 }
 
 int bench(const BenchArguments& arguments, OutputStream& output) {
+  if (arguments.filter.size() > longest_filter)
+    return fail(exit_bad, fmt::format("--filter: longer than {} signs", longest_filter));
   if (!is_expression(arguments.filter))
     return fail(exit_bad,
                 "--filter: \"" + arguments.filter + "\" is no extended regular expression");

@@ -7,6 +7,7 @@
 #include <regex>
 #include <stdexcept>
 
+#include "protocol/bounded_json.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {
@@ -89,8 +90,9 @@ constexpr Field fields[] = {
 BenchResults read_bench_results(const std::string& json) {
   // A spread of nothing but zeros has no coefficient of variation: Google Benchmark writes it as
   // NaN.
-  const Json all =
-      Json::parse(std::regex_replace(json, std::regex(R"(: -?(NaN|Infinity))"), ": null"));
+  const Json all = protocol::parse_bounded_json<Json>(
+      std::regex_replace(json, std::regex(R"(: -?(NaN|Infinity))"), ": null"));
+  if (all.is_discarded()) throw std::runtime_error("tribocheck_bench printed no JSON");
   BenchResults results;
   std::vector<Json> runs = all.at("benchmarks");
   // As registered; they come in the order of the interleaving.

@@ -111,11 +111,6 @@ std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
   return found;
 }
 
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
 std::vector<std::string> texts(const std::vector<Finding>& changes) {
   std::vector<std::string> all;
   all.reserve(changes.size());
@@ -171,8 +166,9 @@ std::string summary(const SubjectVerdict& verdict) {
 void append_examples(Text& to, const SubjectVerdict& verdict) {
   std::string last;
   for (const Example& one : verdict.examples) {
-    append(to, fmt::format("\nWorst of {}, in case {}: {}\n", one.quantity, one.id,
-                           one_line(comparison(one))));
+    append(to, "\n");
+    append_line(to,
+                fmt::format("Worst of {}, in case {}: {}", one.quantity, one.id, comparison(one)));
     if (one.id != last) append(to, "  " + one.request.dump() + "\n");
     last = one.id;
   }
@@ -220,21 +216,24 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   }
   if (const std::string rest = not_offered(verdict.result); !rest.empty()) {
     append(to, "\n");
-    for (const std::string& line : report::wrapped(rest, 100)) append(to, line + "\n");
+    for (const std::string& line : report::wrapped(rest, 100)) append_line(to, line);
   }
   append_examples(to, verdict);
-  for (const Diagnosis& one : verdict.diagnoses)
-    append(to, fmt::format("\nDiagnosis: {}\n", one.text));
+  for (const Diagnosis& one : verdict.diagnoses) {
+    append(to, "\n");
+    append_line(to, "Diagnosis: " + one.text);
+  }
   const std::vector<std::string> lines = remarks(verdict);
   if (!lines.empty() || shows_errors(verdict)) append(to, "\n");
-  for (const std::string& line : lines) append(to, line + "\n");
+  for (const std::string& line : lines) append_line(to, line);
   if (shows_errors(verdict)) append(to, "The last it wrote to stderr:\n");
   if (shows_errors(verdict))
-    for (const std::string& line : verdict.last_errors) append(to, "  " + line + "\n");
+    for (const std::string& line : verdict.last_errors) append_line(to, "  " + line);
   if (verdict.changes)
     for (const Finding& one : verdict.changes->worse)
-      append(to, "Worse than the baseline: " + one_line(one.text) + "\n");
-  append(to, "\n" + summary(verdict) + "\n");
+      append_line(to, "Worse than the baseline: " + one.text);
+  append(to, "\n");
+  append_line(to, summary(verdict));
 }
 
 nlohmann::ordered_json expected_json(const Example& one) {
@@ -298,10 +297,7 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
 }
 
 void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
-  const auto cell = [](const std::string& text) {
-    std::string safe = report::escape_markdown(one_line(text));
-    return safe;
-  };
+  const auto cell = [](const std::string& text) { return report::escape_markdown(text); };
   append(to, fmt::format("### tribocheck: {}\n\n", cell(summary(verdict))));
   append(to,
          "| quantity | verdict | held | failed | skipped | worst error | of its bound |\n"
@@ -326,9 +322,12 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
                            one.quantity, cell(one.id), cell(comparison(one)), one.request.dump()));
   for (const std::string& line : remarks(verdict)) append(to, "- " + cell(line) + "\n");
   if (shows_errors(verdict)) {
-    append(to, "- The last it wrote to stderr:\n\n  ````text\n");
-    for (const std::string& line : verdict.last_errors) append(to, "  " + line + "\n");
-    append(to, "  ````\n");
+    std::string fence = "````";  // longer than any in the text
+    for (const std::string& line : verdict.last_errors)
+      while (line.find(fence) != std::string::npos) fence += '`';
+    append(to, "- The last it wrote to stderr:\n\n  " + fence + "text\n");
+    for (const std::string& line : verdict.last_errors) append_line(to, "  " + line);
+    append(to, "  " + fence + "\n");
   }
   if (!verdict.changes) return;
   for (const Finding& one : verdict.changes->worse)
@@ -349,12 +348,7 @@ std::string junit_details(const SubjectVerdict& verdict, const std::string& quan
 }
 
 std::string subject_junit(const SubjectVerdict& verdict) {
-  const auto text = [](const std::string& plain) {
-    std::string safe;
-    for (const char c : report::escape_html(plain))  // XML knows no other control signs
-      safe += static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n' ? c : '?';
-    return safe;
-  };
+  const auto text = [](const std::string& plain) { return report::escape_html(plain); };
   const ConformanceResult& result = verdict.result;
   const std::vector<Finding> failed = failures(verdict);
   std::string xml;
@@ -410,20 +404,19 @@ void append_request(Text& to, const Case& asked, const Tolerance& tolerance) {
   append(to, asked.line() + "\n");
   for (const Expected& expected : asked.expected) {
     const Example one = example_of(asked, expected, {}, tolerance);
-    append(to, fmt::format("  {}: expected {}\n", one.quantity, expected_text(one)));
+    append_line(to, fmt::format("  {}: expected {}", one.quantity, expected_text(one)));
   }
 }
 
 void append_shown_case(Text& to, const Case& asked, const Answer& answer,
                        const std::vector<Example>& examples) {
   append(to, "asked:    " + asked.line() + "\n");
-  append(to, "answered: " +
-                 one_line(answer.outcome == Outcome::answered
+  append_line(
+      to, "answered: " + (answer.outcome == Outcome::answered
                               ? answer.fields.dump(-1, ' ', true, json::error_handler_t::replace)
-                              : answer.reason) +
-                 "\n");
+                              : answer.reason));
   for (const Example& one : examples)
-    append(to, fmt::format("  {}: {}\n", one.quantity, one_line(comparison(one))));
+    append_line(to, fmt::format("  {}: {}", one.quantity, comparison(one)));
 }
 
 }  // namespace tribo::cli

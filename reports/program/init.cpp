@@ -24,6 +24,8 @@
 #include "page/report_error.hpp"
 #include "shell.hpp"
 #include "subject_template.hpp"
+#include "table.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -149,7 +151,7 @@ int init(const InitArguments& arguments, OutputStream& output) {
     return exit_failed;
   }
   const std::string out = arguments.out.empty() ? language->file : arguments.out;
-  const std::string next = next_line(*language, places.include, out);
+  const std::string next = printable(next_line(*language, places.include, out), std::string::npos);
   const int why_not =
       write_new_file(out, filled_template(*text, path.string(), next), arguments.force);
   if (why_not == EEXIST) {
@@ -160,7 +162,9 @@ int init(const InitArguments& arguments, OutputStream& output) {
     complain(fmt::format("{}: {}", out, std::strerror(why_not)));
     return exit_failed;
   }
-  append(output.text(), fmt::format("{}: written\nnext:\n  {}\n", out, next));
+  append_line(output.text(), out + ": written");
+  append(output.text(), "next:\n");
+  append_line(output.text(), "  " + next);
   output.flush();
   if (found_by_shell(language->program).empty())
     complain(fmt::format(

@@ -4,17 +4,23 @@
 #include <cstdio>
 #include <string>
 
+#include "tribo/scene_reader.hpp"
+
 namespace tribo::cli {
 
-void complain(std::string_view text) {
-  std::string line = "tribocheck: ";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    line += code < 0x20 || code == 0x7F ? ' ' : c;
-  }
+namespace {
+
+// Not fmt::print, which throws where the write fails.
+void write_line(std::string_view before, std::string_view text) {
+  std::string line(before);
+  line += printable(text, std::string::npos);
   line += '\n';
-  // Not fmt::print, which throws where the write fails.
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
+
+}  // namespace
+
+void complain(std::string_view text) { write_line("tribocheck: ", text); }
+void complain_more(std::string_view text) { write_line("  ", text); }
 
 }  // namespace tribo::cli

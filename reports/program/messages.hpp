@@ -6,8 +6,11 @@
 
 namespace tribo::cli {
 
-// Writes "tribocheck: <text>" as one line. Signs that could steer a terminal are replaced, and a
+// Writes "tribocheck: <text>" as one line. Signs that could steer a terminal are escaped, and a
 // stderr that is closed or full is no reason to fail.
 void complain(std::string_view text);
+
+// Likewise, a line that belongs to the last: "  <text>".
+void complain_more(std::string_view text);
 
 }  // namespace tribo::cli

@@ -12,6 +12,7 @@
 #include "messages.hpp"
 #include "page/report_error.hpp"
 #include "step_line.hpp"
+#include "table.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -26,10 +27,10 @@ int tell(const report::Report& done, OutputStream& output) {
   for (const std::string& line : done.undrawn) complain(line);
   if (!done.table.empty()) append(output.text(), done.table + "\n");
   append(output.text(), done.verdict);
-  append(output.text(),
-         fmt::format("{}: {}/{} ({} files in all, data and pictures among them)\n",
-                     done.has_page ? "The page" : "The data", done.folder,
-                     done.has_page ? "index.html" : "report.json", done.written.size()));
+  append_line(output.text(),
+              fmt::format("{}: {}/{} ({} files in all, data and pictures among them)",
+                          done.has_page ? "The page" : "The data", done.folder,
+                          done.has_page ? "index.html" : "report.json", done.written.size()));
   output.flush();
   return done.undrawn.empty() ? exit_done : exit_failed;
 }

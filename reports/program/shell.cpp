@@ -5,10 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+
+#include "page/child_process.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -65,14 +66,10 @@ std::string shell_word(const std::string& text) {
 }
 
 std::string found_by_shell(const std::string& program) {
-  const std::string line = "command -v -- " + shell_word(program) + " 2>/dev/null";
-  std::FILE* const answer = ::popen(line.c_str(), "re");
-  if (answer == nullptr) return program;  // the shell itself will say why
-  std::string path;
-  for (int c = std::fgetc(answer); c != EOF && c != '\n'; c = std::fgetc(answer))
-    path += static_cast<char>(c);
-  ::pclose(answer);
-  return path;
+  const report::ChildEnd found =
+      report::run_child({"/bin/sh", "-c", "command -v -- \"$1\"", "sh", program});
+  if (found.start_error != 0) return program;  // to start the program will say why
+  return found.text.substr(0, found.text.find('\n'));
 }
 
 std::optional<std::string> why_not_startable(const std::string& command) {

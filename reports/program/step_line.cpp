@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "tribo/scene_reader.hpp"
+
 namespace tribo::cli {
 
 StepLine::StepLine(std::chrono::milliseconds first, std::chrono::milliseconds between)
@@ -16,7 +18,7 @@ void StepLine::show(std::string_view step) {
   if (!is_due()) return;
   next_ = Clock::now() + between_;
   shown_ = true;
-  const std::string line = fmt::format("\r{}\033[K", step);
+  const std::string line = fmt::format("\r{}\033[K", printable(step, std::string::npos));
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

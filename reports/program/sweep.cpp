@@ -87,7 +87,10 @@ void write_cases(const sweep::SweepResult& result, const std::string& path,
 }
 
 void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
-  if (format == "json") return append(to, report::sweep_json(result).dump(1) + '\n');
+  if (format == "json")
+    return append(to, report::sweep_json(result).dump(1, ' ', false,
+                                                      nlohmann::json::error_handler_t::replace) +
+                          '\n');
   if (format == "csv") return append(to, report::sweep_csv(result));
   bool first = true;
   for (const report::TextTable& table : report::sweep_tables(result)) {

@@ -7,6 +7,7 @@
 
 #include "sweep/compute.hpp"
 #include "sweep/needs.hpp"
+#include "table.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -24,9 +25,10 @@ void append_estimate(Text& to, const sweep::SweepPlan& plan, int threads) {
   const sweep::Needs needs = sweep::needs_of(plan, threads);
   for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
     const sweep::SceneSweep& scene = plan.scenes[i];
-    append(to, fmt::format("{}: {} cases in the result, {:.4g} points to compute, {:.3g} µs each\n",
-                           scene.scene.id, scene.cases(), static_cast<double>(scene.points()),
-                           1e6 * needs.point_seconds[i]));
+    append_line(to,
+                fmt::format("{}: {} cases in the result, {:.4g} points to compute, {:.3g} µs each",
+                            scene.scene.id, scene.cases(), static_cast<double>(scene.points()),
+                            1e6 * needs.point_seconds[i]));
   }
   const int count = sweep::thread_count(threads);
   append(to, fmt::format("points {:.4g}, chunks {}\n", static_cast<double>(plan.points()),

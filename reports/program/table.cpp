@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "tribo/scene_reader.hpp"
+
 namespace tribo::cli {
 namespace {
 
@@ -31,7 +33,13 @@ std::size_t width_of(std::string_view text) {
   }));
 }
 
-void append_cell(Text& to, std::string_view text, std::size_t width) {
+void append_line(Text& to, std::string_view text) {
+  append(to, printable(text, std::string::npos));
+  to.push_back('\n');
+}
+
+void append_cell(Text& to, std::string_view cell, std::size_t width) {
+  const std::string text = printable(cell, std::string::npos);
   const std::size_t taken = width_of(text);
   for (std::size_t blanks = 2 + (taken < width ? width - taken : 0); blanks > 0; --blanks)
     to.push_back(' ');
@@ -62,9 +70,9 @@ void append_heads(Text& to, const std::vector<ColumnHead>& heads) {
 }
 
 void append_title(Text& to, std::string_view title) {
-  append(to, title);
-  to.push_back('\n');
-  for (std::size_t i = width_of(title); i > 0; --i) to.push_back('-');
+  const std::string text = printable(title, std::string::npos);
+  append_line(to, text);
+  for (std::size_t i = width_of(text); i > 0; --i) to.push_back('-');
   to.push_back('\n');
 }
 

@@ -15,8 +15,12 @@ namespace tribo::cli {
 // How many characters a text takes on the screen: of UTF-8, as the units need it.
 std::size_t width_of(std::string_view text);
 
+// Whatever the text holds, it becomes one line, with its line end. Cells and titles are made so,
+// too.
+void append_line(Text& to, std::string_view text);
+
 // Spaces and the text, `width` wide; two spaces before it keep the columns apart.
-void append_cell(Text& to, std::string_view text, std::size_t width);
+void append_cell(Text& to, std::string_view cell, std::size_t width);
 
 // Five significant digits: "0.76541", "3.8884e-10". Only exponents of three digits take more width.
 inline constexpr std::size_t number_width = 10;

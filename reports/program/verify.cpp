@@ -14,8 +14,10 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
+#include "page/markup.hpp"
 #include "page/pending_file.hpp"
 #include "page/project_files.hpp"
+#include "protocol/answer_object.hpp"
 #include "table.hpp"
 #include "verify_subject.hpp"
 
@@ -74,7 +76,8 @@ void append_table(Text& to, const std::vector<QuantityResult>& results) {
     for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
     append(to, "\n");
   }
-  append(to, "\n" + summary(results) + "\n");
+  append(to, "\n");
+  append_line(to, summary(results));
 }
 
 void append_json(Text& to, const std::vector<QuantityResult>& results) {
@@ -83,13 +86,15 @@ void append_json(Text& to, const std::vector<QuantityResult>& results) {
     const QuantityResult& r = results[i];
     // JSON has no infinity: the error of a result that is no number is written as null.
     const auto number = [](double x) { return x <= 1e300 ? fmt::format("{}", x) : "null"; };
-    append(to, fmt::format("{}\n{{\"quantity\": \"{}\", \"cases\": {}, \"worst_ulp\": {}, "
-                           "\"worst_ulp_per_condition\": {}, "
-                           "\"allowed_ulp\": {}, \"allowed_ulp_per_condition\": {}, "
-                           "\"worst_row\": \"{}\", \"passed\": {}}}",
-                           i == 0 ? "" : ",", r.quantity, r.cases, number(r.worst_ulp),
-                           number(r.worst_ulp_per_condition), r.allowed_ulp,
-                           r.allowed_ulp_per_condition, r.worst_row, r.passed()));
+    append(to, i == 0 ? "\n{\"quantity\": " : ",\n{\"quantity\": ");
+    protocol::append_json_text(to, r.quantity);
+    append(to,
+           fmt::format(", \"cases\": {}, \"worst_ulp\": {}, \"worst_ulp_per_condition\": {}, "
+                       "\"allowed_ulp\": {}, \"allowed_ulp_per_condition\": {}, \"worst_row\": ",
+                       r.cases, number(r.worst_ulp), number(r.worst_ulp_per_condition),
+                       r.allowed_ulp, r.allowed_ulp_per_condition));
+    protocol::append_json_text(to, r.worst_row);
+    append(to, fmt::format(", \"passed\": {}}}", r.passed()));
   }
   append(to, "\n]\n");
 }
@@ -102,12 +107,13 @@ std::string junit_text(const std::vector<QuantityResult>& results) {
       "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\">\n",
       results.size(), failures);
   for (const QuantityResult& r : results) {
-    text += fmt::format("  <testcase classname=\"accuracy\" name=\"{}\"", r.quantity);
+    text += fmt::format("  <testcase classname=\"accuracy\" name=\"{}\"",
+                        report::escape_html(r.quantity));
     text += r.passed() ? "/>\n"
                        : fmt::format(
                              "><failure message=\"row {}: {:.3g} times the bound\"/>"
                              "</testcase>\n",
-                             r.worst_row, r.worst_part_of_bound);
+                             report::escape_html(r.worst_row), r.worst_part_of_bound);
   }
   return text + "</testsuite>\n";
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
@@ -65,7 +64,7 @@ void check_started(const SubjectArguments& arguments, const Conversation& conver
 void complain_of_errors(const Conversation& conversation) {
   const std::vector<std::string> lines = last_error_lines(conversation);
   if (!lines.empty()) complain("the last it wrote to stderr:");
-  for (const std::string& line : lines) std::fprintf(stderr, "  %s\n", line.c_str());
+  for (const std::string& line : lines) complain_more(line);
 }
 
 // A subject of which no case has an answer is not judged: what is wrong is one thing.
@@ -159,7 +158,8 @@ void use_baseline(const SubjectArguments& arguments, SubjectVerdict& verdict) {
   if (!arguments.update_baseline) return;
   const nlohmann::json after =
       baseline_of(verdict.result, arguments.force ? nlohmann::json(nullptr) : before);
-  report::write_file(arguments.baseline, after.dump(1) + "\n");
+  report::write_file(arguments.baseline,
+                     after.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (before.is_null()) complain("baseline written: " + arguments.baseline);
   if (!verdict.changes) return;
   for (const Finding& one : verdict.changes->better) complain("baseline improved: " + one.text);

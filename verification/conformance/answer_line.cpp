@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "scene/entries.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::conformance {
@@ -47,12 +48,15 @@ std::string with_quoted_non_numbers(const std::string& line) {
 }  // namespace
 
 json read_answer_line(const std::string& line) {
+  if (scene_detail::nests_too_deep(line)) return json(json::value_t::discarded);
   const json answer = json::parse(line, nullptr, false);
   return answer.is_discarded() ? json::parse(with_quoted_non_numbers(line), nullptr, false)
                                : answer;
 }
 
 std::string why_no_json(const std::string& line) {
+  if (scene_detail::nests_too_deep(line))
+    return fmt::format("{}: {}", scene_detail::too_deep_text, start_of(line));
   try {
     const json whole = json::parse(line);
     return fmt::format("a JSON {}, no object: {}", whole.type_name(), start_of(line));

@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "protocol/bounded_json.hpp"
+
 namespace tribo::conformance {
 namespace {
 
@@ -128,7 +130,12 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
 json read_conformance_baseline(const std::string& path) {
   if (!std::filesystem::exists(path)) return nullptr;
   std::ifstream file(path);
-  json content = json::parse(file, nullptr, false);
+  json content;
+  try {
+    content = protocol::read_bounded_json(file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
+  }
   if (content.is_discarded()) throw std::runtime_error(fmt::format("{}: no JSON", path));
   return content;
 }

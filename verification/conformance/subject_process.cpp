@@ -4,18 +4,16 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/ioctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
+#include <vector>
 
 namespace tribo::conformance {
 namespace {
@@ -41,56 +39,22 @@ void never_wait(int descriptor) {
   ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK);
 }
 
-// A group of its own, and the signals as a program expects them: this one ignores SIGPIPE.
-class SpawnAttributes {
- public:
-  SpawnAttributes() {
-    ::posix_spawnattr_init(&attributes_);
-    sigset_t usual;
-    ::sigemptyset(&usual);
-    ::sigaddset(&usual, SIGPIPE);
-    ::posix_spawnattr_setsigdefault(&attributes_, &usual);
-    ::posix_spawnattr_setpgroup(&attributes_, 0);
-    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-  }
-  SpawnAttributes(const SpawnAttributes&) = delete;
-  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
-  ~SpawnAttributes() { ::posix_spawnattr_destroy(&attributes_); }
-  const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
-
 }  // namespace
 
 SubjectProcess::SubjectProcess(const std::string& command) {
   Ends in = make_pipe(), out = make_pipe(), err = make_pipe();
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, in.reading, STDIN_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, out.writing, STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, err.writing, STDERR_FILENO);
-  std::string shell = "/bin/sh", option = "-c", text = command;
-  const std::array<char*, 4> argv{shell.data(), option.data(), text.data(), nullptr};
-  const SpawnAttributes attributes;
-  const int error =
-      ::posix_spawn(&child_, shell.c_str(), &actions, attributes.get(), argv.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  close_end(in.reading);
-  close_end(out.writing);
-  close_end(err.writing);
   input_ = in.writing;
   output_ = out.reading;
   error_ = err.reading;
-  if (error != 0) {
-    child_ = -1;
-    close_end(input_);
-    close_end(output_);
-    close_end(error_);
-    throw std::runtime_error("/bin/sh cannot be started: " +
-                             std::generic_category().message(error));
+  try {
+    child_.emplace(std::vector<std::string>{"/bin/sh", "-c", command},
+                   ChildStreams{in.reading, out.writing, err.writing});
+  } catch (const std::system_error&) {
+    for (int* const one : {&in.reading, &out.writing, &err.writing, &input_, &output_, &error_})
+      close_end(*one);
+    throw;
   }
+  for (int* const one : {&in.reading, &out.writing, &err.writing}) close_end(*one);
   for (const int descriptor : {input_, output_, error_}) never_wait(descriptor);
 }
 
@@ -190,8 +154,7 @@ SubjectProcess::Event SubjectProcess::next_line(std::string& line,
     if (take_line(line)) return line.size() > longest_line ? Event::too_long_line : Event::line;
     if (received_.size() > longest_line) return Event::too_long_line;
     if (output_ < 0) return Event::end_of_output;
-    // A grandchild may keep the stdout of the ended child open: the output that is there is read,
-    // but no more is waited for.
+    // Once it has ended, the output that is there is read, but no more is waited for.
     const bool was_gone = has_ended();
     const auto left =
         std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
@@ -202,36 +165,16 @@ SubjectProcess::Event SubjectProcess::next_line(std::string& line,
   }
 }
 
-// The zombie stays until kill(): as long as it is there, no other group gets its number.
-bool SubjectProcess::has_ended() {
-  if (has_ended_ || child_ < 0) return true;
-  siginfo_t info{};
-  if (::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
-      info.si_pid != child_)
-    return false;
-  has_ended_ = true;
-  exited_ = info.si_code == CLD_EXITED;
-  status_ = info.si_status;
-  return true;
-}
-
 void SubjectProcess::kill() {
-  if (child_ < 0 || is_reaped_) return;
-  has_ended();
-  ::kill(-child_, SIGKILL);  // what is left of the group, also where the child itself has ended
-  int ignored = 0;
-  while (::waitpid(child_, &ignored, 0) < 0 && errno == EINTR) {
-  }
-  is_reaped_ = true;
+  child_->end();
   if (error_ >= 0) read_errors();
 }
 
-int SubjectProcess::exit_code() { return has_ended() && exited_ ? status_ : -1; }
-
 std::string SubjectProcess::end_text() {
   if (!has_ended()) return "is still running";
-  if (exited_) return fmt::format("exits with code {}", status_);
-  return fmt::format("is killed by signal {} ({})", status_, ::strsignal(status_));
+  const int signal = child_->signal();
+  if (signal == 0) return fmt::format("exits with code {}", exit_code());
+  return fmt::format("is killed by signal {} ({})", signal, ::strsignal(signal));
 }
 
 }  // namespace tribo::conformance

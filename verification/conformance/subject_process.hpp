@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Somebody else's program as a child process: lines go to its stdin and come from its stdout, and
-// the end of its stderr is kept. Uses POSIX spawn and poll. The child has its own process group,
-// which is killed as a whole. Whatever the child does, no call here waits longer than its limit.
+// the end of its stderr is kept. What it has started ends with it. Whatever the child does, no call
+// here waits longer than its limit.
 #pragma once
-
-#include <sys/types.h>
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "conformance/guarded_child.hpp"
 
 namespace tribo::conformance {
 
@@ -22,7 +22,7 @@ class SubjectProcess {
   explicit SubjectProcess(const std::string& command);
   SubjectProcess(const SubjectProcess&) = delete;
   SubjectProcess& operator=(const SubjectProcess&) = delete;
-  ~SubjectProcess();  // kills the group
+  ~SubjectProcess();  // kills it
 
   // Queues a line for the child; pump() writes it as fast as the child reads.
   void send(std::string_view line);
@@ -40,8 +40,8 @@ class SubjectProcess {
   void kill();
   // "exits with code 3", "is killed by signal 11 (Segmentation fault)", "is still running".
   std::string end_text();
-  bool has_ended();
-  int exit_code();                                            // of a normal end, else −1
+  bool has_ended() { return child_->has_ended(); }
+  int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
   const std::string& last_errors() const { return errors_; }  // the last 16 kB of its stderr
 
  private:
@@ -52,12 +52,9 @@ class SubjectProcess {
   void write_input();
   void refuse_input();
 
-  pid_t child_ = -1;
+  std::optional<GuardedChild> child_;
   int input_ = -1, output_ = -1, error_ = -1;
   bool refuses_input_ = false, close_when_written_ = false;
-  bool has_ended_ = false, is_reaped_ = false;
-  bool exited_ = false;  // with code status_; else killed by signal status_
-  int status_ = 0;
   std::string to_write_;
   std::string received_;
   std::size_t searched_ = 0;

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "scene/entries.hpp"
+
 namespace tribo::protocol {
 namespace {
 
@@ -64,8 +66,7 @@ class Collector {
  private:
   bool start() {
     if (depth_ == 1) take({}, FlatMember::Kind::other);
-    ++depth_;
-    return true;
+    return ++depth_ <= scene_detail::max_depth;
   }
   bool end() {
     --depth_;

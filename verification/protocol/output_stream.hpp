@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results on their way to stdout: gathered into large blocks, every failed write noticed.
+// Results on their way to stdout: gathered into large blocks, every failed write noticed, and signs
+// that would steer a terminal written as \u001b, which JSON reads as the sign itself.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws the figures with gnuplot, each as SVG and as PNG, and puts an SVG into the page."""
 import html
+import json
 import os
 import pathlib
 import re
@@ -9,6 +10,23 @@ import subprocess
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "gnuplot"
 NO_GNUPLOT = "gnuplot was not found in PATH"
+
+
+# Signs that no page and no SVG may hold, or that turn the text around them: controls, and Unicode's for the direction.
+CONTROLS = re.compile("[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufffe\uffff\ud800-\udfff]+")
+
+
+def read_data(path):
+    """JSON whose texts, names of members too, have blanks in place of control signs."""
+    def cleaned(value):
+        if isinstance(value, str):
+            return CONTROLS.sub(" ", value)
+        if isinstance(value, list):
+            return [cleaned(one) for one in value]
+        if isinstance(value, dict):
+            return {cleaned(name): cleaned(one) for name, one in value.items()}
+        return value
+    return cleaned(json.loads(pathlib.Path(path).read_text(encoding="utf-8")))
 
 
 def enhanced(text):

@@ -121,7 +121,7 @@ def main():
     parser.add_argument("contact", metavar="CONTACT", type=pathlib.Path)
     parser.add_argument("picture", metavar="PICTURE", type=pathlib.Path)
     arguments = parser.parse_args()
-    contact = json.loads(arguments.contact.read_text(encoding="utf-8"))
+    contact = drawing.read_data(arguments.contact)
     try:
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "film.blocks.tsv").write_text(blocks(contact), encoding="utf-8")

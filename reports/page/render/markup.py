@@ -10,7 +10,7 @@ from cmarkgfm.cmark import Options
 # Text that is Markdown already. Jinja escapes all other text, by escaped().
 Markdown = markupsafe.Markup
 
-SPECIAL = re.compile(r"([\\`*_\[\]|#<>~^])")
+SPECIAL = re.compile(r"([\\`*_\[\]|#<>~^&])")
 CODE = re.compile(r"(?<!\\)(?P<ticks>`+)(?!`)[^\n]*?(?<!`)(?P=ticks)(?!`)")
 CODE_OR_TEXT = re.compile(r"`[^`]+`|[^`]+|`")
 
@@ -22,7 +22,7 @@ def escaped(text):
 def marked(text):
     """A text of the data that has the marks of the templates: h~ff~, m^2^ and `code`."""
     return Markdown("".join(part.replace("|", "\\|") if CODE.fullmatch(part) else
-                            re.sub(r"([\\`*_\[\]|#<>])", r"\\\1", part) for part in CODE_OR_TEXT.findall(str(text))))
+                            re.sub(r"([\\`*_\[\]|#<>&])", r"\\\1", part) for part in CODE_OR_TEXT.findall(str(text))))
 
 
 def code(text):

@@ -148,7 +148,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", type=pathlib.Path, help="the report's folder, with report.json in it")
     out = parser.parse_args().out
-    report = json.loads((out / "report.json").read_text(encoding="utf-8"))
+    report = drawing.read_data(out / "report.json")
     figures = Figures(out, Steps(), report["files"])
     text = environment(report, figures)
     made = sections.Page(report, text, figures)

@@ -52,13 +52,13 @@ def short_commit(commit):
 
 
 def measured(baseline):
-    return markup.Markdown(f"Measured on {baseline['date']} at commit {short_commit(baseline['commit'])}.")
+    return markup.Markdown(f"Measured on {markup.escaped(baseline['date'])} at commit {short_commit(baseline['commit'])}.")
 
 
 def provenance(baseline):
     took = f", in {baseline['seconds']:.0f} s" if "seconds" in baseline else ""
     machine = baseline["environment"]
-    return markup.Markdown(f"Measured on {baseline['date']} at commit {short_commit(baseline['commit'])}{took}; "
+    return markup.Markdown(f"Measured on {markup.escaped(baseline['date'])} at commit {short_commit(baseline['commit'])}{took}; "
                            f"{markup.escaped(machine['cpu'])}; {markup.escaped(machine['compiler'])}.")
 
 

@@ -475,7 +475,7 @@ def main():
     parser.add_argument("result", type=pathlib.Path, metavar="RESULT")
     parser.add_argument("folder", type=pathlib.Path, help="for the pictures and their data")
     arguments = parser.parse_args()
-    result = json.loads(arguments.result.read_text(encoding="utf-8"))
+    result = drawing.read_data(arguments.result)
     try:
         written, undrawn = draw_all(result, arguments.folder)
     except OSError as error:
