@@ -2,6 +2,7 @@
 #include "reproduction/observation.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <initializer_list>
 
@@ -21,7 +22,8 @@ const ReadContact& contact(const Stages& stages, ContactName name) {
 }
 
 constexpr std::string_view no_zone = "the onset lies below the speeds that are compared";
-constexpr std::string_view no_film = "a film has collapsed at every speed";
+constexpr std::string_view no_film = "a film has collapsed at all speeds that are compared";
+constexpr std::string_view no_ratio = "a film vanishes within the speeds that are compared";
 
 // ln of the speeds at which contacts are compared: from the lowest speed (for mixed lubrication
 // from ten times that speed) to the onset by film_maximum on the smooth surface, but not beyond the
@@ -100,6 +102,8 @@ class OverZone {
 template <class LogRatio>
 Observed over(const Zone& where, const Item& item, std::vector<double> at_speeds,
               LogRatio log_ratio, double noise, Effort effort) {
+  if (!std::all_of(at_speeds.begin(), at_speeds.end(), [](double x) { return std::isfinite(x); }))
+    return {{}, 0, 0, no_ratio};
   const double tolerance = std::log1p(item.tolerance);
   // Above 0 where the comparison holds; what is 1 but for rounding is not greater than 1.
   const auto held = [&](double of_ratio) {

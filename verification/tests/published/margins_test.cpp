@@ -181,6 +181,10 @@ TEST(Zones, EndAtTheCollapseOfAFilmThatIsCompared) {
   // The greatest is that of the faces that touch, at the collapse itself.
   EXPECT_TRUE(is_close(std::max(*got.value, got.other_end), ratio(high), 1e-7, {}));
   EXPECT_EQ(got.beyond_collapse, 0);
+  // One film is 0 there: they have no ratio.
+  const Observed films = evaluate(changed, corrected_reading(), item("C13"));
+  EXPECT_FALSE(films.value.has_value());
+  EXPECT_EQ(films.none, "a film vanishes within the speeds that are compared");
 }
 
 TEST(Parts, WhereAComparisonHoldsAreThoseOfADenseSweep) {
@@ -363,7 +367,7 @@ TEST(SampledCurves, AreWithinTheirErrors) {
         is_within(fall->value, 6.0 * static_cast<double>(at - dense.begin()) / (count - 1), 1e-4));
     EXPECT_TRUE(is_within(f(fall->value), 0, 1e-12));
   }
-  EXPECT_GT(told_by_the_grid, 50U);
+  EXPECT_GT(told_by_the_grid, 10U);
 }
 
 // The nearest number at which the verdict is another one, by trying.
