@@ -39,7 +39,7 @@ std::string asked(const Item& item) {
     case Rule::order:
       return "above 1";
     case Rule::equal:
-      return fmt::format("1 ± {} %", unrounded(100 * item.tolerance));
+      return fmt::format("1 ± {:.4g} %", 100 * item.tolerance);
     case Rule::at_least:
       return fmt::format("from {}", unrounded(item.tolerance));
   }
@@ -70,7 +70,14 @@ std::string verdict(const ItemResult& result) {
   std::string text(name(result.verdict));
   if (!result.observed.value && !result.observed.none.empty())
     text += fmt::format(": {}", result.observed.none);
+  if (!result.is_decided()) text += fmt::format("; {}", undecided_words);
   return text;
+}
+
+std::string margin(const ItemResult& result) {
+  if (!result.margin) return no_entry;
+  return fmt::format("{}{} ± {:.0e}", number(result.margin->distance, 3),
+                     result.margin->of == MarginOf::part ? " of speeds" : "", result.margin->error);
 }
 
 std::string list(const std::vector<std::string>& names) {

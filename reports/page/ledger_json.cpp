@@ -23,13 +23,23 @@ Json switches(const Reading& reading) {
 constexpr std::string_view rule_words[] = {"number", "order", "equal", "at_least"};
 
 Json result_json(const Item& item, const ItemResult& result) {
-  Json object{{"computed", number(result.observed.value)}, {"verdict", name(result.verdict)}};
-  if (item.rule == Rule::number && result.observed.value)
-    object["factor"] = *result.observed.value / item.reported;
-  if (result.observed.value && result.observed.other_end != *result.observed.value)
-    object["other_end"] = number(result.observed.other_end);
-  if (result.observed.value && item.rule != Rule::number) object["holds_at"] = result.observed.part;
-  if (!result.observed.value) object["none"] = result.observed.none;
+  const Observed& observed = result.observed;
+  Json object{{"computed", number(observed.value)}, {"verdict", name(result.verdict)}};
+  object["decided"] = result.is_decided();
+  if (!observed.value) {
+    object["none"] = observed.none;
+    return object;
+  }
+  object["numerical_error"] = number(observed.error);
+  if (item.rule == Rule::number) object["factor"] = *observed.value / item.reported;
+  if (observed.other_end != *observed.value) object["other_end"] = number(observed.other_end);
+  if (item.rule != Rule::number) object["holds_at"] = observed.part;
+  if (observed.part_error) object["holds_at_error"] = *observed.part_error;
+  if (result.margin)
+    object["margin"] = {{"of", name(result.margin->of)},
+                        {"distance", result.margin->distance},
+                        {"error", number(result.margin->error)}};
+  if (observed.beyond_collapse != 0) object["beyond_collapse"] = beyond_collapse(observed);
   return object;
 }
 
@@ -53,6 +63,7 @@ Json item_json(const Ledger& ledger, const std::vector<NamedReading>& readings, 
               {"unit", item.unit},
               {"met_by", met_by},
               {"met_by_readings", ledger.item_statistics[i].readings},
+              {"undecided_readings", ledger.item_statistics[i].undecided},
               {"bits", met_by > 0 ? Json(std::abs(std::log2(met_by))) : Json(nullptr)},
               {"readings", Json::object()}};
   for (const NamedReading& reading : readings)
@@ -173,6 +184,10 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
                {"met_by", ledger.claim_parts[k]}};
     for (const NamedReading& reading : readings)
       claim["verdicts"][reading.name] = name(reading.verdicts[k]);
+    claim["undecided"] = Json::array();
+    for (const NamedReading& reading : readings)
+      if (!is_decided(ledger.claims[k], ledger.items, reading.results))
+        claim["undecided"].push_back(reading.name);
     object["claims"].push_back(claim);
   }
   for (std::size_t i = 0; i < ledger.items.size(); ++i)

@@ -2,9 +2,11 @@
 #include "page/ledger_tables.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "page/ledger_cells.hpp"
 #include "page/number_text.hpp"
@@ -31,20 +33,28 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
                         const std::vector<std::string>& claims) {
   TextTable table{
       fmt::format("The numbers and comparisons that decide, under the reading “{}”", reading.name),
-      {"part of claim", "what is computed", "the paper", "computed", "against the paper",
-       "verdict"},
-      {false, false, true, true, false, false},
+      {"part of claim", "what is computed", "the paper", "computed", "against the paper", "verdict",
+       "margin"},
+      {false, false, true, true, false, false, false},
       {},
       "The verdict on a claim is the worst of its parts'. A number is reproduced within "
       "half a unit of its last printed digit, else within 10 %, else to the order of "
       "magnitude (a factor √10: “order only”); a comparison, where it holds at all speeds "
-      "compared; in part, where at half of them (logarithmically) or more."};
+      "compared; in part, where at half of them (logarithmically) or more. “1 ± 2 %”: the greater "
+      "is "
+      "at most 2 % above the other. Margin: by how much ln of the computed number, or the part of "
+      "the "
+      "speeds, differs from what would change the verdict, ± its numerical error."};
   for (std::size_t i = 0; i < ledger.items.size(); ++i) {
     const Item& item = ledger.items[i];
     if (!is_wanted(claims, item.claim)) continue;
     const ItemResult& result = reading.results[i];
     table.rows.push_back({item.id, item.label, asked(item), computed(item, result),
-                          against_the_paper(item, result), verdict(result)});
+                          against_the_paper(item, result), verdict(result), margin(result)});
+    if (result.observed.beyond_collapse != 0)
+      table.note +=
+          fmt::format(" {} {} ({}): there the numbers are limits, as printed.", item.id,
+                      beyond_collapse_words, fmt::join(beyond_collapse(result.observed), ", "));
   }
   return table;
 }
@@ -89,6 +99,19 @@ std::string verdict_sentence(const Ledger& ledger, const NamedReading& reading) 
                      with(Verdict::not_reproduced, Verdict::not_reproduced));
 }
 
+namespace {
+
+std::set<std::string> claims_beyond_collapse(const Ledger& ledger,
+                                             const std::vector<NamedReading>& readings) {
+  std::set<std::string> claims;
+  for (const NamedReading& reading : readings)
+    for (std::size_t i = 0; i < ledger.items.size(); ++i)
+      if (reading.results[i].observed.beyond_collapse != 0) claims.insert(ledger.items[i].claim);
+  return claims;
+}
+
+}  // namespace
+
 TextTable verdict_table(const Ledger& ledger, const std::vector<NamedReading>& readings,
                         const std::vector<std::string>& claims) {
   TextTable table{"What the paper claims, and whether it is reproduced under each reading",
@@ -102,13 +125,19 @@ TextTable verdict_table(const Ledger& ledger, const std::vector<NamedReading>& r
   }
   table.headings.emplace_back("of all readings");
   table.is_number.push_back(true);
+  bool has_open = false;
   for (std::size_t k = 0; k < ledger.claims.size(); ++k) {
     if (!is_wanted(claims, ledger.claims[k])) continue;
     std::vector<std::string> cells{ledger.claims[k], ledger.statements[k]};
-    for (const NamedReading& reading : readings)
-      cells.emplace_back(reading.verdicts[k] == Verdict::reproduced       ? "yes"
-                         : reading.verdicts[k] == Verdict::not_reproduced ? "no"
-                                                                          : "partly");
+    for (const NamedReading& reading : readings) {
+      const bool decided = is_decided(ledger.claims[k], ledger.items, reading.results);
+      has_open = has_open || !decided;
+      cells.push_back(fmt::format("{}{}",
+                                  reading.verdicts[k] == Verdict::reproduced       ? "yes"
+                                  : reading.verdicts[k] == Verdict::not_reproduced ? "no"
+                                                                                   : "partly",
+                                  decided ? "" : " (?)"));
+    }
     cells.push_back(percent(ledger.claim_parts[k]));
     table.rows.push_back(std::move(cells));
   }
@@ -118,6 +147,10 @@ TextTable verdict_table(const Ledger& ledger, const std::vector<NamedReading>& r
       grouped(reading_count()));
   if (is_wanted(claims, ledger.claims.front()) && ledger.claim_parts.front() == 0)
     table.note += fmt::format(" {}: {}", ledger.claims.front(), no_reading_sentence);
+  if (has_open) table.note += fmt::format(" (?): {}.", undecided_words);
+  for (const std::string& claim : claims_beyond_collapse(ledger, readings))
+    if (is_wanted(claims, claim))
+      table.note += fmt::format(" {} {}.", claim, beyond_collapse_words);
   return table;
 }
 

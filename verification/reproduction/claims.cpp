@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <stdexcept>
 
 #include "accuracy/reference_table.hpp"
@@ -38,6 +40,14 @@ constexpr std::array<std::string_view, 19> quantity_names{"onset_speed",
 constexpr std::array<std::string_view, 4> rule_names{"number", "order", "equal", "at_least"};
 constexpr std::array<std::string_view, 3> surface_names{"rough", "medium", "smooth"};
 constexpr std::string_view nothing = "–";
+constexpr double near_by = 0.1;                       // “within 10 %”
+constexpr double order_factor = 3.16227766016837933;  // “order only”: √10
+
+// The least (side −1) or greatest number that prints as reported; the slack is the rounding of the
+// decimals.
+double printed_limit(double reported, double last_digit, int side) {
+  return reported + side * (last_digit / 2 * (1 + 1e-9));
+}
 
 template <class Enum, std::size_t n>
 Enum by_name(const ReferenceRow& row, std::string_view column,
@@ -51,6 +61,21 @@ Enum by_name(const ReferenceRow& row, std::string_view column,
 
 double number_if(bool wanted, const ReferenceRow& row, std::string_view column) {
   return wanted ? row.number(column) : 0;
+}
+
+// A tolerance; of a comparison of two speeds it may be a part of the length of a logarithmic axis,
+// "0.01 of 0.0001 to 3": that factor between them, less 1.
+double tolerance(const ReferenceRow& row) {
+  const std::string& text = row.text("tolerance");
+  double part = 0, from = 0, to = 0;
+  int end = 0;
+  const int read = std::sscanf(text.c_str(), "%lf of %lf to %lf%n", &part, &from, &to, &end);
+  if (read < 2) return row.number("tolerance");
+  if (read < 3 || static_cast<std::size_t>(end) != text.size() || !(part > 0) || !(0 < from) ||
+      !(from < to))
+    throw std::runtime_error(fmt::format(
+        "row {}: {} is no part of an axis, such as 0.01 of 0.0001 to 3", row.text("item"), text));
+  return std::expm1(part * std::log(to / from));
 }
 
 Item item_of(const ReferenceRow& row) {
@@ -68,7 +93,7 @@ Item item_of(const ReferenceRow& row) {
           row.text("printed"),
           number_if(rule == Rule::number, row, "value"),
           number_if(rule == Rule::number, row, "last_digit"),
-          number_if(has_tolerance, row, "tolerance"),
+          has_tolerance ? tolerance(row) : 0,
           row.text("unit"),
           row.text("place"),
           row.text("statement"),
@@ -80,8 +105,9 @@ Verdict judge_number(const Item& item, double value) {
   if (is_as_printed(value, item.reported, item.last_digit)) return Verdict::reproduced;
   const double factor = value / item.reported;
   if (!(factor > 0)) return Verdict::not_reproduced;
-  if (std::abs(factor - 1) <= 0.1) return Verdict::within_ten_percent;
-  return std::abs(std::log10(factor)) <= 0.5 ? Verdict::order_only : Verdict::not_reproduced;
+  if (std::abs(factor - 1) <= near_by) return Verdict::within_ten_percent;
+  return std::abs(std::log(factor)) <= std::log(order_factor) ? Verdict::order_only
+                                                              : Verdict::not_reproduced;
 }
 
 }  // namespace
@@ -100,10 +126,13 @@ std::string_view name(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
+std::string_view name(MarginOf of) { return of == MarginOf::number ? "number" : "part"; }
+
 Verdict worst(Verdict a, Verdict b) { return std::max(a, b); }
 
 bool is_as_printed(double value, double reported, double last_digit) {
-  return std::abs(value - reported) <= last_digit / 2 * (1 + 1e-9);
+  return value >= printed_limit(reported, last_digit, -1) &&
+         value <= printed_limit(reported, last_digit, 1);
 }
 
 Verdict judge(const Item& item, const Observed& observed) {
@@ -114,10 +143,11 @@ Verdict judge(const Item& item, const Observed& observed) {
     case Rule::number:
       return judge_number(item, value);
     case Rule::order:
-      return value > 1 && observed.part == 1 ? Verdict::reproduced : in_part;
+      // What is 1 but for its numerical error is not greater than 1.
+      return value > 1 + observed.error && observed.part == 1 ? Verdict::reproduced : in_part;
     case Rule::equal:
       if (std::abs(std::log(value)) <= std::log1p(item.tolerance)) return Verdict::reproduced;
-      if (std::abs(value - 1) <= 0.1) return Verdict::within_ten_percent;
+      if (std::abs(value - 1) <= near_by) return Verdict::within_ten_percent;
       return in_part;
     case Rule::at_least:
       return value >= item.tolerance ? Verdict::reproduced : in_part;
@@ -140,6 +170,73 @@ std::optional<double> margin(const Item& item, const Observed& observed) {
       return std::log(value / item.tolerance);
   }
   return std::nullopt;
+}
+
+namespace {
+
+// |ln(number/threshold)|; a number that is 0 but for its error is as small as that error.
+Margin distance(double number, double error, double threshold) {
+  const double known = std::max({number, error, std::numeric_limits<double>::min()});
+  const double towards =
+      threshold < known ? -std::log1p(-error / known) : std::log1p(error / known);
+  return {std::abs(std::log(known / threshold)), towards, MarginOf::number};
+}
+
+// The margin to being reproduced, or not.
+Margin first_margin(const Item& item, const Observed& observed) {
+  const double value = *observed.value;
+  const auto to = [&](double threshold) { return distance(value, observed.error, threshold); };
+  const auto nearer = [](Margin a, Margin b) { return a.distance < b.distance ? a : b; };
+  switch (item.rule) {
+    case Rule::number:
+      return nearer(to(printed_limit(item.reported, item.last_digit, -1)),
+                    to(printed_limit(item.reported, item.last_digit, 1)));
+    case Rule::order:
+      return to(1);
+    case Rule::equal:
+      return nearer(to(1 / (1 + item.tolerance)), to(1 + item.tolerance));
+    case Rule::at_least:
+      break;
+  }
+  return to(item.tolerance);
+}
+
+}  // namespace
+
+bool is_sure(const Item& item, const Observed& observed) {
+  return !observed.value || !std::isfinite(*observed.value) ||
+         first_margin(item, observed).is_decided();
+}
+
+std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observed) {
+  if (!observed.value || !std::isfinite(*observed.value)) return std::nullopt;
+  Margin nearest = first_margin(item, observed);
+  const auto consider = [&](Margin other) {
+    const bool is_open = nearest.is_decided() && !other.is_decided();
+    if (is_open ||
+        (nearest.is_decided() == other.is_decided() && other.distance < nearest.distance))
+      nearest = other;
+  };
+  const auto consider_ends = [&](double low, double high) {
+    for (const double end : {low, high}) consider(distance(*observed.value, observed.error, end));
+  };
+  const Verdict verdict = judge(item, observed);
+  if (verdict == Verdict::reproduced) return nearest;
+  if (item.rule == Rule::number || item.rule == Rule::equal) {
+    const double one = item.rule == Rule::number ? item.reported : 1;
+    consider_ends((1 - near_by) * one, (1 + near_by) * one);
+    if (item.rule == Rule::number && verdict != Verdict::within_ten_percent)
+      consider_ends(item.reported / order_factor, item.reported * order_factor);
+  }
+  if (item.rule == Rule::number || verdict == Verdict::within_ten_percent) return nearest;
+  if (observed.middle) {
+    Observed half = observed;
+    half.value = observed.middle;
+    consider(first_margin(item, half));
+  }
+  if (observed.part_error)
+    consider({std::abs(observed.part - 0.5), *observed.part_error, MarginOf::part});
+  return nearest;
 }
 
 std::vector<Item> read_claims(const std::string& path) {

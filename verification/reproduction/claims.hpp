@@ -53,7 +53,7 @@ struct Item {
   std::string printed;  // as the paper has it
   double reported;      // of rule number
   double last_digit;    // likewise: the unit of the last printed digit
-  double tolerance;     // of equal and at_least
+  double tolerance;     // of equal (the factor less 1) and at_least
   std::string unit, place, statement, computed_as;
   std::string label;  // what is computed, in few words
 };
@@ -64,6 +64,13 @@ struct Observed {
   double other_end = 0;         // of a comparison over speeds, its best; else the value
   double part = 1;              // of the compared (logarithmic) speeds, or surfaces: where it holds
   std::string_view none{};      // why there is no value
+  // Numerical errors, absolute: the number itself lies within them.
+  double error = 0;                    // of value, other_end and middle
+  std::optional<double> part_error{};  // of part; none where speeds are not compared
+  // Of a comparison of few numbers: what at least half of them reach.
+  std::optional<double> middle{};
+  // Contacts whose numbers lie beyond the collapse of their film; bit i: contact i (ContactName).
+  std::uint8_t beyond_collapse = 0;
 };
 
 enum class Verdict : std::uint8_t {
@@ -79,6 +86,28 @@ std::string_view name(Verdict verdict);
 bool is_as_printed(double value, double reported, double last_digit);
 
 Verdict judge(const Item& item, const Observed& observed);
+
+// How far a verdict is from another one.
+enum class MarginOf : std::uint8_t {
+  number,  // the margin is |ln(number/threshold)|
+  part,    // of the compared speeds, less one half
+};
+std::string_view name(MarginOf of);
+struct Margin {
+  double distance;  // of what decides to the nearest threshold; at least 0
+  double error;     // numerical error of what decides, in the same measure
+  MarginOf of;
+
+  bool is_decided() const { return distance > error; }
+};
+inline constexpr std::string_view undecided_words = "the margin is below the numerical error";
+
+// The distance to the nearest threshold beyond which the verdict would be another one; of several,
+// one that is not decided. None where there is no number.
+std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observed);
+
+// Is it sure, whatever the numerical error, whether the item is reproduced?
+bool is_sure(const Item& item, const Observed& observed);
 
 // Above 0 where the rule is met, and continuous in the value; for numbers ln(value/reported), which
 // is 0 at the reported value.

@@ -87,16 +87,32 @@ Branch branch(const FloodedCurve& flooded, const ReadInlet& inlet,
   return made;
 }
 
-ItemMask judged(const std::vector<Item>& items, const Stages& stages, Needs what,
-                std::optional<bool> film_parameter = std::nullopt) {
-  ItemMask mask = 0;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (needs(items[i].quantity) != what) continue;
-    if (film_parameter && *film_parameter != (items[i].quantity == Quantity::onset_film_parameter))
-      continue;
-    if (judge(items[i], observe(items[i], stages)) == Verdict::reproduced) mask |= 1U << i;
+// Items that are reproduced, that had to be refined, that are not decided.
+struct Masks {
+  ItemMask reproduced = 0, refined = 0, undecided = 0;
+
+  Masks operator|(const Masks& other) const {
+    return {reproduced | other.reproduced, refined | other.refined, undecided | other.undecided};
   }
-  return mask;
+};
+
+Masks judged(const std::vector<Item>& items, const Stages& stages, Needs what,
+             std::optional<bool> film_parameter = std::nullopt) {
+  Masks masks;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Item& item = items[i];
+    if (needs(item.quantity) != what) continue;
+    if (film_parameter && *film_parameter != (item.quantity == Quantity::onset_film_parameter))
+      continue;
+    Observed observed = observe(item, stages, Effort::grid);
+    if (!is_sure(item, observed)) {
+      observed = observe(item, stages, Effort::refined);
+      masks.refined |= 1U << i;
+      if (!is_sure(item, observed)) masks.undecided |= 1U << i;
+    }
+    if (judge(item, observed) == Verdict::reproduced) masks.reproduced |= 1U << i;
+  }
+  return masks;
 }
 
 class Enumerator {
@@ -111,8 +127,9 @@ class Enumerator {
       set_inlet(reading, number);
       inlets_.emplace_back(reading);
     }
-    result.items.resize(reading_count());
-    result.claims.resize(reading_count());
+    for (std::vector<ItemMask>* const masks :
+         {&result.items, &result.claims, &result.refined, &result.undecided})
+      masks->resize(reading_count());
   }
 
   void run() {
@@ -167,36 +184,39 @@ class Enumerator {
     stages.flooded = flooded;
     for (std::size_t c = 0; c < contact_count; ++c) stages.starved[c] = &branches[c]->starved;
     stages.film_constant = film_constant(scenes_, reading);
-    const ItemMask base =
+    const Masks base =
         judged(items_, stages, Needs::films) | judged(items_, stages, Needs::constant);
     for (std::size_t law = 0; law < law_count; ++law) {
       set_law(reading, law);
+      stages.law = friction_law(reading);
       for (std::size_t c = 0; c < contact_count; ++c)
         stages.friction[c] = &branches[c]->friction[law];
-      const ItemMask with_friction = base | judged(items_, stages, Needs::friction);
+      const Masks with_friction = base | judged(items_, stages, Needs::friction);
       for (std::size_t k = 0; k < onset_choices.size(); ++k)
         judge_onset(group, reading, k, law, stages, branches, with_friction);
     }
   }
 
   void judge_onset(const FilmGroup& group, Reading reading, std::size_t criterion, std::size_t law,
-                   Stages& stages, const PerContact<const Branch*>& branches, ItemMask mask) {
+                   Stages& stages, const PerContact<const Branch*>& branches, Masks masks) {
     reading.choice[static_cast<std::size_t>(Switch::criterion)] =
         static_cast<std::uint8_t>(criterion);
     const bool by_friction = onset_choices[criterion].rule == OnsetRule::friction_minimum;
     for (std::size_t c = 0; c < contact_count; ++c)
       stages.onsets[c] =
           by_friction ? branches[c]->friction_minimum[law] : branches[c]->onset[criterion];
-    mask |= judged(items_, stages, Needs::onsets, false);
+    masks = masks | judged(items_, stages, Needs::onsets, false);
     for (std::uint8_t scale = 0; scale < 2; ++scale) {
       reading.choice[static_cast<std::size_t>(Switch::lambda_scale)] = scale;
       stages.lambda_divisor = lambda_divisor(reading);
-      const ItemMask all = mask | judged(items_, stages, Needs::onsets, true);
+      const Masks all = masks | judged(items_, stages, Needs::onsets, true);
       for (const std::size_t number : group.numbers) {
         set_digits(reading, film_switches, number);
         const std::size_t index = index_of(reading);
-        result.items[index] = all;
-        result.claims[index] = claims_of(all, items_);
+        result.items[index] = all.reproduced;
+        result.claims[index] = claims_of(all.reproduced, items_);
+        result.refined[index] = all.refined;
+        result.undecided[index] = all.undecided;
       }
     }
   }

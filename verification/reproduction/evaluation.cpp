@@ -21,6 +21,7 @@ class ReadingStages {
       starved_.push_back(starved_curve(flooded_.back(), inlet_, speeds_));
     }
     stages_.inlet = &inlet_;
+    stages_.law = friction_law(reading);
     for (std::size_t i = 0; i < contact_count; ++i) {
       stages_.flooded[i] = &flooded_[i];
       stages_.starved[i] = &starved_[i];
@@ -34,13 +35,13 @@ class ReadingStages {
   const Stages& for_what(Needs what) {
     if (what == Needs::friction && friction_.empty()) {
       for (std::size_t i = 0; i < contact_count; ++i)
-        friction_.push_back(friction_curve(flooded_[i], starved_[i], friction_law(reading_)));
+        friction_.push_back(friction_curve(flooded_[i], starved_[i], stages_.law));
       for (std::size_t i = 0; i < contact_count; ++i) stages_.friction[i] = &friction_[i];
     }
     if (what == Needs::onsets && !onsets_known_) {
       for (std::size_t i = 0; i < contact_count; ++i)
         stages_.onsets[i] =
-            onset_of(flooded_[i], starved_[i], inlet_, reading_.onset(), friction_law(reading_));
+            onset_of(flooded_[i], starved_[i], inlet_, reading_.onset(), stages_.law);
       onsets_known_ = true;
     }
     return stages_;
@@ -72,14 +73,16 @@ std::optional<OnsetPoint> onset_of(const FloodedCurve& flooded, const StarvedCur
   return friction_minimum(flooded, starved, friction_curve(flooded, starved, law), inlet, law);
 }
 
+ItemResult judged(const Item& item, const Observed& observed) {
+  return {observed, judge(item, observed), margin_of_verdict(item, observed)};
+}
+
 std::vector<ItemResult> evaluate(const PaperScenes& scenes, const Reading& reading,
                                  const std::vector<Item>& items) {
   ReadingStages stages(scenes, reading);
   std::vector<ItemResult> results;
-  for (const Item& item : items) {
-    const Observed observed = observe(item, stages.for_what(needs(item.quantity)));
-    results.push_back({observed, judge(item, observed)});
-  }
+  for (const Item& item : items)
+    results.push_back(judged(item, observe(item, stages.for_what(needs(item.quantity)))));
   return results;
 }
 
@@ -96,6 +99,13 @@ std::vector<Verdict> claim_verdicts(const std::vector<Item>& items,
     verdicts.back() = worst(verdicts.back(), results[i].verdict);
   }
   return verdicts;
+}
+
+bool is_decided(const std::string& claim, const std::vector<Item>& items,
+                const std::vector<ItemResult>& results) {
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (items[i].claim == claim && !results[i].is_decided()) return false;
+  return true;
 }
 
 }  // namespace tribo::reproduction

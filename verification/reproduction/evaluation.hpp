@@ -12,7 +12,11 @@ namespace tribo::reproduction {
 struct ItemResult {
   Observed observed;
   Verdict verdict;
+  std::optional<Margin> margin;  // of the verdict; none where there is no number
+
+  bool is_decided() const { return !margin || margin->is_decided(); }
 };
+ItemResult judged(const Item& item, const Observed& observed);
 
 // In the order of the items.
 std::vector<ItemResult> evaluate(const PaperScenes& scenes, const Reading& reading,
@@ -38,5 +42,8 @@ std::optional<OnsetPoint> onset_of(const FloodedCurve& flooded, const StarvedCur
 // Verdict of each claim, in the order of claim_names().
 std::vector<Verdict> claim_verdicts(const std::vector<Item>& items,
                                     const std::vector<ItemResult>& results);
+// Is each of the claim's verdicts decided, whatever the numerical errors?
+bool is_decided(const std::string& claim, const std::vector<Item>& items,
+                const std::vector<ItemResult>& results);
 
 }  // namespace tribo::reproduction

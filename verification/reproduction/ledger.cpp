@@ -43,8 +43,9 @@ Ledger make_ledger(const LedgerOptions& options) {
   ledger.ranking = rank(ledger.work, ledger.items, options.best);
   ledger.item_statistics = item_statistics(ledger.work, ledger.items);
   ledger.claim_parts = claim_parts(ledger.work, ledger.items);
-  ledger.work.items.clear();
-  ledger.work.claims.clear();
+  for (std::vector<ItemMask>* const masks :
+       {&ledger.work.items, &ledger.work.claims, &ledger.work.refined, &ledger.work.undecided})
+    masks->clear();
 
   const auto add = [&](std::string name, const Reading& reading) {
     ledger.readings.push_back(named_reading(ledger.scenes, ledger.items, std::move(name), reading));

@@ -2,6 +2,7 @@
 #include "reproduction/ledger_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +30,13 @@ std::size_t claim_index(const Ledger& ledger, const Item& item) {
 }
 
 struct Row {
-  std::string departures, verdict, computed, holds_at, met_by;
+  std::string departures, verdict, decided, computed, holds_at, met_by;
 };
+
+std::string_view yes_or_no(bool yes) { return yes ? "yes" : "no"; }
+
+// Errors are known to their size alone.
+std::string error_text(double error) { return fmt::format("{:.2g}", error); }
 
 bool is_moved(const std::string& before, const std::string& now) {
   if (before == now) return false;
@@ -44,23 +50,29 @@ bool is_moved(const std::string& before, const std::string& now) {
 std::string ledger_csv(const Ledger& ledger, const std::vector<NamedReading>& readings,
                        const std::vector<std::string>& claims) {
   std::string text =
-      "reading,departures,item,claim,computed,other_end,holds_at,reported,factor,verdict,"
-      "claim_verdict,met_by\n";
+      "reading,departures,item,claim,computed,other_end,numerical_error,holds_at,reported,factor,"
+      "verdict,claim_verdict,margin,margin_of,margin_error,decided,beyond_collapse,met_by\n";
   for (const NamedReading& reading : readings)
     for (std::size_t i = 0; i < ledger.items.size(); ++i) {
       const Item& item = ledger.items[i];
       if (!is_wanted(claims, item.claim)) continue;
       const ItemResult& result = reading.results[i];
-      const bool is_number = item.rule == Rule::number;
+      const bool is_number = item.rule == Rule::number,
+                 has_value = result.observed.value.has_value();
+      const std::optional<Margin>& margin = result.margin;
       std::optional<double> factor;
       if (is_number && result.observed.value) factor = *result.observed.value / item.reported;
       text += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{}\n", reading.name, departures(reading.reading),
-          item.id, item.claim, number(result.observed.value),
-          result.observed.value ? number(result.observed.other_end) : std::string(),
-          result.observed.part, is_number ? fmt::format("{}", item.reported) : std::string(),
-          number(factor), name(result.verdict), name(reading.verdicts[claim_index(ledger, item)]),
-          ledger.item_statistics[i].part);
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", reading.name,
+          departures(reading.reading), item.id, item.claim, number(result.observed.value),
+          has_value ? number(result.observed.other_end) : std::string(),
+          has_value ? error_text(result.observed.error) : std::string(), result.observed.part,
+          is_number ? fmt::format("{}", item.reported) : std::string(), number(factor),
+          name(result.verdict), name(reading.verdicts[claim_index(ledger, item)]),
+          margin ? number(margin->distance) : std::string(),
+          margin ? name(margin->of) : std::string_view(),
+          margin ? error_text(margin->error) : std::string(), yes_or_no(result.is_decided()),
+          fmt::join(beyond_collapse(result.observed), " "), ledger.item_statistics[i].part);
     }
   return text;
 }
@@ -71,8 +83,8 @@ LedgerChanges changes_since(const std::string& path, const Ledger& ledger,
   std::map<std::pair<std::string, std::string>, Row> before;
   for (const auto& row : verification::read_reference_table(path))
     before[{row.text("reading"), row.text("item")}] = {row.text("departures"), row.text("verdict"),
-                                                       row.text("computed"), row.text("holds_at"),
-                                                       row.text("met_by")};
+                                                       row.text("decided"),    row.text("computed"),
+                                                       row.text("holds_at"),   row.text("met_by")};
   LedgerChanges changes;
   for (const NamedReading& reading : readings) {
     bool is_another = false;
@@ -95,6 +107,10 @@ LedgerChanges changes_since(const std::string& path, const Ledger& ledger,
         changes.verdicts.push_back(fmt::format("{}, {}: was {} ({}), is {} ({})", item.id,
                                                reading.name, row.verdict, row.computed, verdict,
                                                number(reading.results[i].observed.value)));
+      else if (row.decided != yes_or_no(reading.results[i].is_decided()))
+        changes.numbers.push_back(fmt::format("{}, {}: was {}decided, is {}decided", item.id,
+                                              reading.name, row.decided == "yes" ? "" : "un",
+                                              reading.results[i].is_decided() ? "" : "un"));
       else if (is_moved(row.computed, number(reading.results[i].observed.value)))
         changes.numbers.push_back(fmt::format("{}, {}: was {}, is {}", item.id, reading.name,
                                               row.computed,

@@ -2,11 +2,11 @@
 #include "reproduction/observation.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <limits>
+#include <initializer_list>
 
 #include "tribo/bracketed_root.hpp"
-#include "tribo/onset.hpp"
 
 namespace tribo::reproduction {
 namespace {
@@ -17,168 +17,322 @@ constexpr ContactName contact_of(PaperSurface surface) { return static_cast<Cont
 const std::vector<ContactPoint>& points(const Stages& stages, ContactName name) {
   return stages.starved[of(name)]->points;
 }
+const ReadContact& contact(const Stages& stages, ContactName name) {
+  return stages.flooded[of(name)]->contact;
+}
 
-// The indices of the grid at which two contacts are compared: from the lowest speed (for mixed
-// lubrication from ten times that speed) to the onset by film_maximum on the smooth surface, but
-// not beyond the collapse of a film.
+constexpr std::string_view no_zone = "the onset lies below the speeds that are compared";
+constexpr std::string_view no_film = "a film has collapsed at all speeds that are compared";
+constexpr std::string_view no_ratio = "a film vanishes within the speeds that are compared";
+
+// ln of the speeds at which contacts are compared: from the lowest speed (for mixed lubrication
+// from ten times that speed) to the onset by film_maximum on the smooth surface, but not beyond the
+// collapse of a film that is compared. Between these ends, the speeds of the grid.
 struct Zone {
-  std::size_t first, end;
+  std::vector<double> log_speed;  // both ends are among them
+  std::size_t first_on_grid = 0;  // index of log_speed[1] in the grid
+  std::string_view none{};        // why there are none
 };
-Zone zone(const Stages& stages, bool mixed) {
-  const std::vector<ContactPoint>& smooth = points(stages, ContactName::smooth);
-  const std::vector<ContactPoint>& other = points(stages, ContactName::smooth_gw);
+Zone zone(const Stages& stages, std::initializer_list<ContactName> compared, bool mixed) {
+  const std::vector<ContactPoint>& grid = points(stages, ContactName::smooth);
   const auto& maximum = stages.starved[of(ContactName::smooth)]->film_maximum;
-  Zone found{0, 0};
-  while (mixed && found.first < smooth.size() &&
-         smooth[found.first].speed < 9.999 * smooth[0].speed)
-    ++found.first;
-  while (found.end < smooth.size() && !smooth[found.end].collapsed && !other[found.end].collapsed &&
-         !(maximum && smooth[found.end].speed > maximum->speed))
-    ++found.end;
+  const double low = (mixed ? 10 : 1) * grid.front().speed;
+  double high = grid.back().speed;
+  if (maximum) high = std::min(high, maximum->speed);
+  Zone found;
+  for (const ContactName name : compared) {
+    const double collapse = contact(stages, name).collapse_speed(*stages.inlet);
+    if (collapse < low) found.none = no_film;
+    high = std::min(high, collapse);
+  }
+  if (high < low) {
+    if (found.none.empty()) found.none = no_zone;
+    return found;
+  }
+  // A speed of the grid that all but meets an end is that end.
+  const double least_step = 0.01 * std::log(grid[1].speed / grid[0].speed);
+  const double from = std::log(low), to = std::log(high);
+  found.log_speed.push_back(from);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const double here = std::log(grid[i].speed);
+    if (here < from + least_step || here > to - least_step) continue;
+    if (found.log_speed.size() == 1) found.first_on_grid = i;
+    found.log_speed.push_back(here);
+  }
+  if (to > from) found.log_speed.push_back(to);
   return found;
 }
 
-// Is a ratio above 1 (order), or within a tolerance of 1 (equal), at every speed of a zone?
-template <class Ratio>
-Observed over(const Zone& where, const Item& item, Ratio&& ratio) {
-  if (where.first >= where.end)
-    return {{}, 0, 0, "the onset lies below the speeds that are compared"};
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  std::size_t held = 0;
-  for (std::size_t i = where.first; i < where.end; ++i) {
-    const double here = ratio(i);
-    least = std::min(least, here);
-    greatest = std::max(greatest, here);
-    held += item.rule == Rule::equal ? std::abs(std::log(here)) <= std::log1p(item.tolerance)
-                                     : here > 1;
+// A function of the points of one or two contacts at equal speeds, over a zone.
+template <class OfPoints>
+class OverZone {
+ public:
+  OverZone(const Stages& stages, const Zone& where, ContactName a, ContactName b,
+           OfPoints of_points)
+      : stages_(stages), where_(where), a_(a), b_(b), of_points_(of_points) {}
+
+  double at(double log_speed) const {
+    return of_points_(point(a_, log_speed), point(b_, log_speed));
   }
-  const double part = static_cast<double>(held) / static_cast<double>(where.end - where.first);
-  if (item.rule == Rule::equal && std::log(greatest) > -std::log(least))
-    return {greatest, least, part};
-  return {least, greatest, part};
+  std::vector<double> values() const {
+    std::vector<double> made;
+    const std::size_t last = where_.log_speed.size() - 1;
+    for (std::size_t k = 0; k <= last; ++k)
+      made.push_back(k == 0 || k == last ? at(where_.log_speed[k])
+                                         : of_points_(on_grid(a_, k), on_grid(b_, k)));
+    return made;
+  }
+
+ private:
+  ContactPoint point(ContactName name, double log_speed) const {
+    return contact(stages_, name).point(std::exp(log_speed), *stages_.inlet);
+  }
+  const ContactPoint& on_grid(ContactName name, std::size_t k) const {
+    return points(stages_, name)[where_.first_on_grid + k - 1];
+  }
+
+  const Stages& stages_;
+  const Zone& where_;
+  ContactName a_, b_;
+  OfPoints of_points_;
+};
+
+// Is a ratio above 1 (order), or within a tolerance of 1 (equal), at every speed of a zone? From ln
+// of the ratio, as a function of ln u and at the speeds of the zone.
+template <class LogRatio>
+Observed over(const Zone& where, const Item& item, std::vector<double> at_speeds,
+              LogRatio log_ratio, double noise, Effort effort) {
+  if (!std::all_of(at_speeds.begin(), at_speeds.end(), [](double x) { return std::isfinite(x); }))
+    return {{}, 0, 0, no_ratio};
+  const double tolerance = std::log1p(item.tolerance);
+  // Above 0 where the comparison holds; what is 1 but for rounding is not greater than 1.
+  const auto held = [&](double of_ratio) {
+    return item.rule == Rule::equal ? tolerance - std::abs(of_ratio) : of_ratio - noise;
+  };
+  std::vector<double> held_at = at_speeds;
+  for (double& one : held_at) one = held(one);
+  const SampledCurve curve(where.log_speed, std::move(at_speeds), log_ratio, noise);
+  const Estimate least = curve.least(effort), greatest = curve.greatest(effort);
+  const bool greatest_is_worst = item.rule == Rule::equal && greatest.value > -least.value;
+  const Estimate& worst = greatest_is_worst ? greatest : least;
+  const double value = std::exp(worst.value);
+  const double other_end = std::exp(greatest_is_worst ? least.value : greatest.value);
+  const double error = effort == Effort::grid ? std::expm1(worst.error) * value
+                                              : std::expm1(std::max(least.error, greatest.error)) *
+                                                    std::max(value, other_end);
+  Estimate part{held(worst.value) > 0 ? 1.0 : 0.0, 0};
+  if (effort == Effort::refined && part.value == 0)
+    part = SampledCurve(
+               where.log_speed, std::move(held_at), [&](double x) { return held(log_ratio(x)); },
+               noise)
+               .part_above_zero();
+  return {value, other_end, part.value, {}, error, part.error};
+}
+
+// The rounding error of a ratio of two points' numbers over a zone: the separations are greatest at
+// its ends or between them, and at most that of the full inlet.
+double rounding_of_ratio(const Stages& stages, std::initializer_list<ContactName> compared) {
+  double greatest = 0;
+  for (const ContactName name : compared)
+    for (const ContactPoint& point : points(stages, name))
+      greatest = std::max(greatest, rounding(point));
+  return 2 * greatest;
 }
 
 Observed ratio_over(const Stages& stages, const Item& item, ContactName above, ContactName below,
-                    double ContactPoint::*quantity, bool mixed) {
-  const auto& a = points(stages, above);
-  const auto& b = points(stages, below);
-  return over(zone(stages, mixed), item,
-              [&](std::size_t i) { return a[i].*quantity / (b[i].*quantity); });
+                    double ContactPoint::*quantity, bool mixed, Effort effort) {
+  const Zone where = zone(stages, {above, below}, mixed);
+  if (!where.none.empty()) return {{}, 0, 0, where.none};
+  const OverZone ratio(stages, where, above, below,
+                       [&](const ContactPoint& a, const ContactPoint& b) {
+                         return std::log(a.*quantity / (b.*quantity));
+                       });
+  return over(
+      where, item, ratio.values(), [&](double x) { return ratio.at(x); },
+      rounding_of_ratio(stages, {above, below}), effort);
 }
 
-// Successive ratios of what should rise from smooth to medium to rough.
-Observed rising(const PerContact<std::optional<double>>& value, std::string_view none) {
+Observed friction_over(const Stages& stages, const Item& item, Effort effort) {
+  const auto gt = ContactName::smooth, gw = ContactName::smooth_gw;
+  const Zone where = zone(stages, {gt, gw}, false);
+  if (!where.none.empty()) return {{}, 0, 0, where.none};
+  const OverZone ratio(stages, where, gt, gw, [&](const ContactPoint& a, const ContactPoint& b) {
+    return std::log(contact(stages, gt).friction(a, stages.law) /
+                    contact(stages, gw).friction(b, stages.law));
+  });
+  std::vector<double> at_speeds{ratio.at(where.log_speed.front())};
+  for (std::size_t k = 1; k + 1 < where.log_speed.size(); ++k)
+    at_speeds.push_back(
+        std::log(stages.friction[of(gt)]->coefficient[where.first_on_grid + k - 1] /
+                 stages.friction[of(gw)]->coefficient[where.first_on_grid + k - 1]));
+  if (where.log_speed.size() > 1) at_speeds.push_back(ratio.at(where.log_speed.back()));
+  return over(
+      where, item, std::move(at_speeds), [&](double x) { return ratio.at(x); },
+      rounding_of_ratio(stages, {gt, gw}), effort);
+}
+
+// Successive ratios of what should rise from smooth to medium to rough; errors are relative.
+Observed rising(const std::array<std::optional<Estimate>, surface_count>& value,
+                std::string_view none) {
   const auto &rough = value[0], &medium = value[1], &smooth = value[2];
   if (!rough || !medium || !smooth) return {{}, 0, 0, none};
-  const double first = *medium / *smooth, second = *rough / *medium;
-  return {std::min(first, second), std::max(first, second),
-          ((first > 1 ? 1 : 0) + (second > 1 ? 1 : 0)) / 2.0};
+  const double first = medium->value / smooth->value, second = rough->value / medium->value;
+  const double greater = std::max(first, second);
+  return {std::min(first, second),
+          greater,
+          ((first > 1 ? 1 : 0) + (second > 1 ? 1 : 0)) / 2.0,
+          {},
+          (rough->error + medium->error + smooth->error) * greater,
+          {},
+          greater};
 }
 
-// The first speed of the grid's range at which a quantity has fallen to a level; none if it starts
-// there, or never does.
-std::optional<double> fall_speed(const Stages& stages, ContactName name,
-                                 double ContactPoint::*quantity, double level) {
-  const std::vector<ContactPoint>& curve = points(stages, name);
-  const ReadContact& contact = stages.flooded[of(name)]->contact;
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    if (curve[i].*quantity > level) continue;
-    if (i == 0) return std::nullopt;
-    return std::exp(bracketed_root(
-        [&](double x) { return contact.point(std::exp(x), *stages.inlet).*quantity - level; },
-        std::log(curve[i - 1].speed), std::log(curve[i].speed), 1e-12));
+// A number of one contact at all speeds of the grid, as a function of ln u.
+auto over_grid(const Stages& stages, ContactName name, double ContactPoint::*quantity) {
+  std::vector<double> x, y;
+  double noise = 0;
+  for (const ContactPoint& point : points(stages, name)) {
+    x.push_back(std::log(point.speed));
+    y.push_back(point.*quantity);
+    noise = std::max(noise, rounding(point) * std::abs(y.back()));
   }
-  return std::nullopt;
+  const auto at = [&stages, name, quantity](double log_speed) {
+    return contact(stages, name).point(std::exp(log_speed), *stages.inlet).*quantity;
+  };
+  return SampledCurve(std::move(x), std::move(y), at, noise);
 }
 
 Observed equal_share_order(const Stages& stages) {
-  PerContact<std::optional<double>> speed;
-  for (std::size_t i = 0; i < surface_count; ++i)
-    speed[i] = fall_speed(stages, static_cast<ContactName>(i), &ContactPoint::asperity_share, 0.5);
+  std::array<std::optional<Estimate>, surface_count> speed;
+  for (std::size_t i = 0; i < surface_count; ++i) {
+    speed[i] = over_grid(stages, static_cast<ContactName>(i), &ContactPoint::asperity_share)
+                   .first_fall_to({0.5, 0});
+    if (speed[i]) speed[i]->value = std::exp(speed[i]->value);
+  }
   return rising(speed, "on a surface the shares are nowhere equal");
 }
 
-Observed late_share_rise(const Stages& stages) {
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
+Observed late_share_rise(const Stages& stages, const Item& item, Effort effort) {
+  std::array<double, surface_count> rises{};
+  Observed found;
   int risen = 0;
   for (std::size_t i = 0; i < surface_count; ++i) {
-    const auto& curve = points(stages, static_cast<ContactName>(i));
-    double lowest = 1;
-    for (const ContactPoint& point : curve) lowest = std::min(lowest, point.asperity_share);
-    const double rise = curve.back().asperity_share - lowest;
-    least = std::min(least, rise);
-    greatest = std::max(greatest, rise);
-    risen += rise >= 0.01 ? 1 : 0;
+    const auto name = static_cast<ContactName>(i);
+    const ContactPoint& last = points(stages, name).back();
+    const Estimate lowest = over_grid(stages, name, &ContactPoint::asperity_share).least(effort);
+    rises[i] = last.asperity_share - lowest.value;
+    found.error = std::max(found.error, lowest.error + rounding(last) * last.asperity_share);
+    risen += rises[i] >= item.tolerance ? 1 : 0;
+    if (last.collapsed) found.beyond_collapse |= static_cast<std::uint8_t>(1U << i);
   }
-  return {least, greatest, risen / 3.0};
+  std::sort(rises.begin(), rises.end());
+  found.value = rises[0];
+  found.middle = rises[1];
+  found.other_end = rises[2];
+  found.part = risen / 3.0;
+  return found;
+}
+
+// A number of the points at the lowest speed, with their rounding.
+Observed at_lowest_speed(const Stages& stages, std::initializer_list<ContactName> names,
+                         double number, double part) {
+  Observed found{number, number, part};
+  for (const ContactName name : names) {
+    const ContactPoint& point = points(stages, name).front();
+    found.error += rounding(point) * number;
+    if (point.collapsed) found.beyond_collapse |= static_cast<std::uint8_t>(1U << of(name));
+  }
+  return found;
 }
 
 Observed slow_area_spread(const Stages& stages) {
-  double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  for (std::size_t i = 0; i < surface_count; ++i) {
-    const double area = points(stages, static_cast<ContactName>(i)).front().real_area_ratio;
-    least = std::min(least, area);
-    greatest = std::max(greatest, area);
-  }
-  return {greatest / least, greatest / least, 0};
+  const auto area = [&](ContactName name) { return points(stages, name).front().real_area_ratio; };
+  const auto rough = ContactName::rough, medium = ContactName::medium, smooth = ContactName::smooth;
+  const auto [least, greatest] = std::minmax({area(rough), area(medium), area(smooth)});
+  return at_lowest_speed(stages, {rough, medium, smooth}, greatest / least, 0);
 }
 
-Observed area_transition(const Stages& stages) {
-  const Zone where = zone(stages, false);
-  std::array<std::optional<double>, 2> speed;
-  for (std::size_t k = 0; k < 2 && where.end > 0; ++k) {
-    const auto name = k == 0 ? ContactName::smooth : ContactName::smooth_gw;
-    const auto& curve = points(stages, name);
-    double least = curve[0].real_area_ratio;
-    for (std::size_t i = 0; i < where.end; ++i) least = std::min(least, curve[i].real_area_ratio);
+Observed slow_count_ratio(const Stages& stages) {
+  const auto gt = ContactName::smooth, gw = ContactName::smooth_gw;
+  const double ratio =
+      points(stages, gt).front().summit_count / points(stages, gw).front().summit_count;
+  return at_lowest_speed(stages, {gt, gw}, ratio, ratio > 1 ? 1.0 : 0.0);
+}
+
+Observed area_transition(const Stages& stages, Effort effort) {
+  const auto smooth = ContactName::smooth, smooth_gw = ContactName::smooth_gw;
+  const Zone where = zone(stages, {smooth, smooth_gw}, false);
+  if (!where.none.empty()) return {{}, 0, 0, where.none};
+  Observed found{1.0, 1.0, 0};
+  for (const ContactName name : {smooth, smooth_gw}) {
+    const OverZone area(
+        stages, where, name, name,
+        [](const ContactPoint& point, const ContactPoint&) { return point.real_area_ratio; });
+    std::vector<double> values = area.values();
+    const double slowest = values.front();
+    const SampledCurve curve(
+        where.log_speed, std::move(values), [&](double x) { return area.at(x); },
+        slowest * rounding_of_ratio(stages, {name}));
+    Estimate least = curve.least(effort);
     // On a floor the area is constant but for its last digits; a fall in these does not count.
-    if (least > (1 - 1e-9) * curve[0].real_area_ratio) continue;
-    speed[k] = fall_speed(stages, name, &ContactPoint::real_area_ratio,
-                          (curve[0].real_area_ratio + least) / 2);
+    const double fallen = (1 - 1e-9) * slowest;
+    if (effort == Effort::grid && least.value > fallen && least.value - least.error < fallen)
+      least = curve.least(Effort::refined);
+    if (least.value > fallen) return {{}, 0, 0, "the area does not fall with speed"};
+    const auto log_speed = curve.first_fall_to({(slowest + least.value) / 2, least.error / 2});
+    if (!log_speed) return {{}, 0, 0, "the area does not fall with speed"};
+    const double factor = std::exp(log_speed->value);
+    *found.value = name == smooth ? 1 / factor : *found.value * factor;
+    found.error += log_speed->error;
   }
-  if (!speed[0] || !speed[1]) return {{}, 0, 0, "the area does not fall with speed"};
-  const double ratio = *speed[1] / *speed[0];
-  return {ratio, ratio, 0};
+  found.error *= *found.value;
+  found.other_end = *found.value;
+  return found;
 }
 
-Observed smoother_over_rougher(const Stages& stages, const Item& item) {
-  const auto& rough = points(stages, ContactName::rough);
-  const auto& medium = points(stages, ContactName::medium);
-  const auto& smooth = points(stages, ContactName::smooth);
-  return over(zone(stages, false), item, [&](std::size_t i) {
-    return std::min(smooth[i].summit_count / medium[i].summit_count,
-                    medium[i].summit_count / rough[i].summit_count);
-  });
+Observed smoother_over_rougher(const Stages& stages, const Item& item, Effort effort) {
+  const auto rough = ContactName::rough, medium = ContactName::medium, smooth = ContactName::smooth;
+  const Zone where = zone(stages, {rough, medium, smooth}, false);
+  if (!where.none.empty()) return {{}, 0, 0, where.none};
+  const auto log_ratio = [](const ContactPoint& a, const ContactPoint& b) {
+    return std::log(a.summit_count / b.summit_count);
+  };
+  const OverZone first(stages, where, smooth, medium, log_ratio);
+  const OverZone second(stages, where, medium, rough, log_ratio);
+  std::vector<double> at_speeds = first.values();
+  const std::vector<double> others = second.values();
+  for (std::size_t k = 0; k < others.size(); ++k) at_speeds[k] = std::min(at_speeds[k], others[k]);
+  return over(
+      where, item, std::move(at_speeds),
+      [&](double x) { return std::min(first.at(x), second.at(x)); },
+      rounding_of_ratio(stages, {rough, medium, smooth}), effort);
 }
 
 Observed flooded_slope(const Stages& stages) {
-  const auto& film = stages.flooded[of(ContactName::smooth)]->film_parameter;
-  const auto& curve = points(stages, ContactName::smooth);
-  const std::size_t last = curve.size() - 1;
-  const double slope =
-      std::log(film[last] / film[last - 1]) / std::log(curve[last].speed / curve[last - 1].speed);
-  return {slope, slope};
+  const double film = stages.flooded[of(ContactName::smooth)]->film_parameter.back();
+  const double slope = contact(stages, ContactName::smooth).flooded_slope(film);
+  return {slope, slope, 1, {}, 1e-13};
 }
 
 // Beyond its maximum the film's slope falls from 0 through −0.9 and −1.1.
 Observed starved_slope_range(const Stages& stages) {
   const ReadInlet& inlet = *stages.inlet;
-  const ReadContact& contact = stages.flooded[of(ContactName::smooth)]->contact;
+  const ReadContact& film = contact(stages, ContactName::smooth);
   if (!inlet.maximum()) return {1.0, 1.0, 0};  // it never falls
   const double low = std::log(*inlet.maximum());
   const double high = inlet.rule() == InletRule::flooded_inlet ? -1e-12 : std::log(1e6);
+  constexpr double width = 1e-14;
   std::array<std::optional<double>, 2> speed;
   for (std::size_t k = 0; k < 2; ++k) {
     const double wanted = k == 0 ? -0.9 : -1.1;
-    const double log_r =
-        bracketed_root([&](double x) { return contact.film_slope(std::exp(x), inlet) - wanted; },
-                       low, high, 1e-14);
-    speed[k] = contact.speed_at(std::exp(log_r) * contact.inlet_film_ratio());
+    const double log_r = bracketed_root(
+        [&](double x) { return film.film_slope(std::exp(x), inlet) - wanted; }, low, high, width);
+    speed[k] = film.speed_at(std::exp(log_r) * film.inlet_film_ratio());
   }
   if (!speed[0] || !speed[1] || !std::isfinite(*speed[1] / *speed[0]))
     return {{}, 0, 0, "the film's slope does not pass −1"};
   const double range = *speed[1] / *speed[0];
-  return {range, range, 0};
+  return {range, range, 0, {}, 1e-12 * range};
 }
 
 Observed onset_number(const Stages& stages, const Item& item, double OnsetPoint::*quantity,
@@ -186,13 +340,13 @@ Observed onset_number(const Stages& stages, const Item& item, double OnsetPoint:
   const auto& onset = stages.onsets[of(contact_of(item.surface))];
   if (!onset) return {{}, 0, 0, "no onset by this criterion"};
   const double value = (*onset).*quantity / divisor;
-  return {value, value};
+  return {value, value, 1, {}, onset->error * value};
 }
 
 Observed onset_order(const Stages& stages) {
-  PerContact<std::optional<double>> speed;
-  for (std::size_t i = 0; i < contact_count; ++i)
-    if (stages.onsets[i]) speed[i] = stages.onsets[i]->speed;
+  std::array<std::optional<Estimate>, surface_count> speed;
+  for (std::size_t i = 0; i < surface_count; ++i)
+    if (stages.onsets[i]) speed[i] = {stages.onsets[i]->speed, stages.onsets[i]->error};
   return rising(speed, "no onset by this criterion on a surface");
 }
 
@@ -200,7 +354,22 @@ Observed onset_ratio(const Stages& stages) {
   const auto& gt = stages.onsets[of(ContactName::smooth)];
   const auto& gw = stages.onsets[of(ContactName::smooth_gw)];
   if (!gt || !gw) return {{}, 0, 0, "no onset by this criterion with GT or with GW"};
-  return {gw->speed / gt->speed, gw->speed / gt->speed, 0};
+  const double ratio = gw->speed / gt->speed;
+  return {ratio, ratio, 0, {}, (gt->error + gw->error) * ratio};
+}
+
+// ln u at the least friction between two speeds, and how far it may be off.
+struct LeastFriction {
+  double log_speed, friction, error;
+};
+template <class Friction>
+LeastFriction least_friction(const Friction& friction, double low, double high) {
+  constexpr int bits = 24;  // friction is flat at its minimum
+  const auto [x, least] = boost::math::tools::brent_find_minima(friction, low, high, bits);
+  constexpr double step = 1e-3, noise = 1e-13;
+  const double curvature = (friction(x - step) + friction(x + step) - 2 * least) / (step * step);
+  const double width = std::ldexp(2 + 2 * std::abs(x), -bits);
+  return {x, least, width + std::sqrt(4 * noise * least / std::max(curvature, noise))};
 }
 
 }  // namespace
@@ -247,18 +416,42 @@ std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const St
                                            const FrictionCurve& friction, const ReadInlet& inlet,
                                            FrictionLaw law) {
   const std::vector<double>& f = friction.coefficient;
+  const std::vector<ContactPoint>& grid = starved.points;
+  const auto at = [&](double x) {
+    return flooded.contact.friction(flooded.contact.point(std::exp(x), inlet), law);
+  };
+  const auto log_speed = [&](std::size_t i) { return std::log(grid[i].speed); };
   constexpr double margin = 1 + 1e-12;  // what lies within rounding is a plateau
-  std::size_t lowest = 0;
+  std::optional<LeastFriction> lowest;
+  const auto look_between = [&](std::size_t from, std::size_t to) {
+    const LeastFriction found = least_friction(at, log_speed(from), log_speed(to));
+    if (!lowest || found.friction < lowest->friction) lowest = found;
+  };
   for (std::size_t i = 1; i + 1 < f.size(); ++i)
-    if (f[i] * margin < f[i - 1] && f[i] * margin < f[i + 1] && (lowest == 0 || f[i] < f[lowest]))
-      lowest = i;
-  if (lowest == 0) return std::nullopt;
-  const ReadContact& contact = flooded.contact;
-  const double log_speed = detail::golden_section_minimum(
-      [&](double x) { return contact.friction(contact.point(std::exp(x), inlet), law); },
-      std::log(starved.points[lowest - 1].speed), std::log(starved.points[lowest + 1].speed), 1e-6);
-  const ContactPoint point = contact.point(std::exp(log_speed), inlet);
-  return OnsetPoint{point.speed, point.film_parameter};
+    if (f[i] * margin < f[i - 1] && !(f[i] * margin >= f[i + 1])) look_between(i - 1, i + 1);
+  // A minimum in the first or the last cell shows in that friction falls from the end inwards.
+  const std::size_t last = f.size() - 1;
+  const double step = (log_speed(1) - log_speed(0)) / 64;
+  if (f[1] > f[0] && at(log_speed(0) + step) * margin < f[0]) look_between(0, 1);
+  if (f[last - 1] > f[last] && at(log_speed(last) - step) * margin < f[last])
+    look_between(last - 1, last);
+  if (!lowest) return std::nullopt;
+  const ContactPoint point = flooded.contact.point(std::exp(lowest->log_speed), inlet);
+  return OnsetPoint{point.speed, point.film_parameter, lowest->error};
+}
+
+std::string_view name(ContactName contact) {
+  constexpr std::array<std::string_view, contact_count> names{"rough", "medium", "smooth",
+                                                              "smooth_gw"};
+  return names[of(contact)];
+}
+
+std::vector<std::string_view> beyond_collapse(const Observed& observed) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < contact_count; ++i)
+    if ((observed.beyond_collapse >> i & 1U) != 0)
+      names.push_back(name(static_cast<ContactName>(i)));
+  return names;
 }
 
 Needs needs(Quantity quantity) {
@@ -277,7 +470,7 @@ Needs needs(Quantity quantity) {
   }
 }
 
-Observed observe(const Item& item, const Stages& stages) {
+Observed observe(const Item& item, const Stages& stages, Effort effort) {
   const auto smooth = ContactName::smooth, smooth_gw = ContactName::smooth_gw;
   switch (item.quantity) {
     case Quantity::onset_speed:
@@ -287,38 +480,34 @@ Observed observe(const Item& item, const Stages& stages) {
     case Quantity::onset_speed_order:
       return onset_order(stages);
     case Quantity::slow_asperity_share: {
-      const double share = points(stages, contact_of(item.surface)).front().asperity_share;
-      return {share, share};
+      const ContactName name = contact_of(item.surface);
+      return at_lowest_speed(stages, {name}, points(stages, name).front().asperity_share, 1);
     }
     case Quantity::equal_share_speed_order:
       return equal_share_order(stages);
     case Quantity::late_share_rise:
-      return late_share_rise(stages);
+      return late_share_rise(stages, item, effort);
     case Quantity::area_gw_over_gt:
-      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::real_area_ratio, false);
+      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::real_area_ratio, false,
+                        effort);
     case Quantity::slow_area_spread:
       return slow_area_spread(stages);
     case Quantity::area_rough_over_smooth:
       return ratio_over(stages, item, ContactName::rough, smooth, &ContactPoint::real_area_ratio,
-                        true);
+                        true, effort);
     case Quantity::area_transition_gw_over_gt:
-      return area_transition(stages);
-    case Quantity::slow_count_gt_over_gw: {
-      const double ratio = points(stages, smooth).front().summit_count /
-                           points(stages, smooth_gw).front().summit_count;
-      return {ratio, ratio, ratio > 1 ? 1.0 : 0.0};
-    }
+      return area_transition(stages, effort);
+    case Quantity::slow_count_gt_over_gw:
+      return slow_count_ratio(stages);
     case Quantity::count_gw_over_gt:
-      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::summit_count, true);
+      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::summit_count, true, effort);
     case Quantity::count_smoother_over_rougher:
-      return smoother_over_rougher(stages, item);
+      return smoother_over_rougher(stages, item, effort);
     case Quantity::film_gw_over_gt:
-      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::film_parameter, false);
-    case Quantity::friction_gt_over_gw: {
-      const auto& gt = stages.friction[of(smooth)]->coefficient;
-      const auto& gw = stages.friction[of(smooth_gw)]->coefficient;
-      return over(zone(stages, false), item, [&](std::size_t i) { return gt[i] / gw[i]; });
-    }
+      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::film_parameter, false,
+                        effort);
+    case Quantity::friction_gt_over_gw:
+      return friction_over(stages, item, effort);
     case Quantity::onset_gw_over_gt:
       return onset_ratio(stages);
     case Quantity::flooded_slope:
@@ -326,7 +515,7 @@ Observed observe(const Item& item, const Stages& stages) {
     case Quantity::starved_slope_range:
       return starved_slope_range(stages);
     case Quantity::film_constant:
-      return {stages.film_constant, stages.film_constant};
+      return {stages.film_constant, stages.film_constant, 1, {}, 1e-15 * stages.film_constant};
   }
   return {{}, 0, 0, "unknown quantity"};
 }

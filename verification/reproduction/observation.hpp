@@ -10,6 +10,7 @@
 
 #include "reproduction/claims.hpp"
 #include "reproduction/reading_model.hpp"
+#include "reproduction/sampled_curve.hpp"
 
 namespace tribo::reproduction {
 
@@ -18,6 +19,12 @@ enum class ContactName : std::uint8_t { rough, medium, smooth, smooth_gw };
 inline constexpr std::size_t contact_count = 4;
 template <class T>
 using PerContact = std::array<T, contact_count>;
+std::string_view name(ContactName contact);
+
+// The contacts whose numbers an item takes from beyond the collapse of their film.
+std::vector<std::string_view> beyond_collapse(const Observed& observed);
+inline constexpr std::string_view beyond_collapse_words =
+    "rests on points beyond the film's collapse";
 
 // 20 speeds a decade between the ends of the scene's range, which are among them.
 std::vector<double> speed_grid(double from, double to);
@@ -42,7 +49,7 @@ struct FrictionCurve {
 };
 FrictionCurve friction_curve(const FloodedCurve& flooded, const StarvedCurve& starved,
                              FrictionLaw law);
-// The lowest interior minimum, to 1e-6 of its speed.
+// The lowest interior minimum, and how far its speed may be off.
 std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const StarvedCurve& starved,
                                            const FrictionCurve& friction, const ReadInlet& inlet,
                                            FrictionLaw law);
@@ -53,6 +60,7 @@ struct Stages {
   PerContact<const FloodedCurve*> flooded;
   PerContact<const StarvedCurve*> starved;
   PerContact<const FrictionCurve*> friction{};     // smooth and smooth_gw, where asked for
+  FrictionLaw law{};                               // of that friction
   PerContact<std::optional<OnsetPoint>> onsets{};  // by the reading's criterion
   double lambda_divisor = 1;                       // 1, or 1.4 for λ by σ
   double film_constant = 0;
@@ -62,6 +70,8 @@ struct Stages {
 enum class Needs : std::uint8_t { films, friction, onsets, constant };
 Needs needs(Quantity quantity);
 
-Observed observe(const Item& item, const Stages& stages);
+// By Effort::grid the error is what may lie between the nodes, and the part where a comparison
+// holds is all or none of it; refined, they are those of the numbers themselves.
+Observed observe(const Item& item, const Stages& stages, Effort effort = Effort::refined);
 
 }  // namespace tribo::reproduction

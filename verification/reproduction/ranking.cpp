@@ -100,19 +100,20 @@ Standing standing(const Ranking& ranking, int score) {
 std::vector<ItemStatistics> item_statistics(const Enumeration& enumeration,
                                             const std::vector<Item>& items) {
   std::vector<Counts> counts(items.size());
-  std::vector<std::size_t> met(items.size());
+  std::vector<std::size_t> met(items.size()), undecided(items.size());
   for (std::size_t i = 0; i < enumeration.items.size(); ++i) {
     const Reading reading = reading_at(i);
-    for (std::size_t k = 0; k < items.size(); ++k)
-      if ((enumeration.items[i] >> k & 1U) != 0) {
-        count_choices(counts[k], reading);
-        ++met[k];
-      }
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      undecided[k] += enumeration.undecided[i] >> k & 1U;
+      if ((enumeration.items[i] >> k & 1U) == 0) continue;
+      count_choices(counts[k], reading);
+      ++met[k];
+    }
   }
   std::vector<ItemStatistics> statistics;
   const auto all = static_cast<double>(enumeration.items.size());
   for (std::size_t k = 0; k < items.size(); ++k) {
-    ItemStatistics one{met[k], static_cast<double>(met[k]) / all, {}};
+    ItemStatistics one{met[k], static_cast<double>(met[k]) / all, undecided[k], {}};
     for (std::size_t i = 0; i < switch_count && met[k] > 0; ++i) {
       const auto best = std::max_element(counts[k][i].begin(), counts[k][i].end());
       const double share = static_cast<double>(*best) / static_cast<double>(met[k]);

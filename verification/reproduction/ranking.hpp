@@ -46,6 +46,7 @@ struct Identification {
 struct ItemStatistics {
   std::size_t readings;                    // that reproduce the item
   double part;                             // of all
+  std::size_t undecided;                   // readings whose margin is below the numerical error
   std::vector<Identification> identified;  // switches of which one choice has 95 % and more
 };
 // In the order of the items. If all readings reproduce an item, or no reading does, the item

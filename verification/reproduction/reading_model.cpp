@@ -2,6 +2,7 @@
 #include "reproduction/reading_model.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
@@ -117,12 +118,20 @@ std::optional<OnsetPoint> ReadContact::onset_at_ratio(double r, const ReadInlet&
   return OnsetPoint{*speed, flooded * inlet.film_ratio(r)};
 }
 
+double ReadContact::flooded_slope(double film_parameter) const {
+  if (sharing_.has_floor() && film_parameter <= sharing_.floor()) return 0;
+  const LoadShares<double> shares = sharing_.shares_above_floor(film_parameter - sharing_.floor());
+  const double steepness = shares.asperity > 0 ? sharing_.asperity_share_slope(film_parameter) : 0;
+  return detail::film_slope(sharing_.film(), shares, steepness);
+}
+
 double ReadContact::film_slope(double r, const ReadInlet& inlet) const {
-  const double lambda = r * inlet_film_ratio_;
-  if (sharing_.has_floor() && lambda <= sharing_.floor()) return 0;
-  const LoadShares<double> shares = sharing_.shares_above_floor(lambda - sharing_.floor());
-  const double steepness = shares.asperity > 0 ? sharing_.asperity_share_slope(lambda) : 0;
-  return detail::film_slope(sharing_.film(), shares, steepness) * (1 + inlet.slope(r));
+  return flooded_slope(r * inlet_film_ratio_) * (1 + inlet.slope(r));
+}
+
+double ReadContact::collapse_speed(const ReadInlet& inlet) const {
+  if (inlet.rule() != InletRule::flooded_inlet) return std::numeric_limits<double>::infinity();
+  return speed_at(inlet_film_ratio_).value_or(0);
 }
 
 std::optional<OnsetPoint> explicit_onset(const ReadContact& contact, const ReadInlet& inlet,

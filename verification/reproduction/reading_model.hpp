@@ -60,9 +60,16 @@ struct ContactPoint {
   bool collapsed;
 };
 
+// Relative rounding error of a point's numbers: the moments of the heights and the film are right
+// to a few units in the last place, and fall with the separation as e^{−λ²/2}.
+inline double rounding(const ContactPoint& point) {
+  return 1e-14 * (10 + point.separation * point.separation);
+}
+
 struct OnsetPoint {
   double speed;           // m/s
   double film_parameter;  // h*/σ_s
+  double error = 1e-13;   // relative, of both
 };
 
 // A scene under a reading. film_scale multiplies the film formula: 1, but to ask what would have to
@@ -84,8 +91,11 @@ class ReadContact {
   std::optional<double> speed_at(double film_parameter) const;
   // Onset at a given r, whatever the criterion.
   std::optional<OnsetPoint> onset_at_ratio(double r, const ReadInlet& inlet) const;
-  // d ln h*/d ln u at r.
+  // d ln h*/d ln u at r, and of the flooded film at λ, where the inlet changes nothing.
   double film_slope(double r, const ReadInlet& inlet) const;
+  double flooded_slope(double film_parameter) const;
+  // From this speed on the film has collapsed: infinite where it never does, 0 where it always has.
+  double collapse_speed(const ReadInlet& inlet) const;
   double inlet_film_ratio() const { return inlet_film_ratio_; }
   double film_at_unit_speed() const { return film_at_unit_speed_; }
 
