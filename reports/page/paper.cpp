@@ -46,6 +46,10 @@ std::optional<double> least_friction(const SolvedCase& solved) {
   std::optional<double> least;
   for (const Point& point : solved.curve)
     if (!point.friction_undefined && (!least || point.friction < *least)) least = point.friction;
+  // Between the points of the curve it is at the interior minimum.
+  const Onset<double>& interior = solved.by(OnsetCriterion::friction_minimum);
+  if (least && interior.exists)
+    least = std::min(*least, solved.contact.solve(interior.speed).friction);
   return least;
 }
 

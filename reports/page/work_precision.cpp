@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,17 +13,31 @@
 #include "page/baselines.hpp"
 #include "page/groups.hpp"
 #include "page/number_text.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::report {
 namespace {
 
 constexpr std::string_view our_family = "tribocheck";
 
+// Files and figures are named after jobs.
+void check_name(const std::string& job) {
+  const bool is_plain = !job.empty() && std::all_of(job.begin(), job.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+  if (is_plain) return;
+  throw std::runtime_error(
+      fmt::format("work_precision.json: the job \"{}\" is not named by letters, digits and _ alone",
+                  printable(job)));
+}
+
 std::vector<std::string> jobs_of(const Json& baseline) {
   std::vector<std::string> found;
   for (const Json& row : baseline.at("error_against_work")) {
     const auto job = row.at("job").get<std::string>();
-    if (std::find(found.begin(), found.end(), job) == found.end()) found.push_back(job);
+    if (std::find(found.begin(), found.end(), job) != found.end()) continue;
+    check_name(job);
+    found.push_back(job);
   }
   return found;
 }
@@ -141,8 +156,15 @@ struct Column {
   std::string_view name;  // in the table, with its unit
 };
 
+// A text of the baseline as a cell, or within quotes.
+std::string word(const Json& value) {
+  std::string text = printable(value.get<std::string>(), std::string::npos);
+  std::replace(text.begin(), text.end(), '"', '\'');
+  return text;
+}
+
 std::string cell(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) return word(value);
   return value.is_number() ? exact(value.get<double>()) : "NaN";
 }
 
@@ -153,7 +175,7 @@ DataFile blocks(const Json& baseline, std::string_view table, std::string_view n
   std::vector<std::pair<std::string, std::string>> titled;
   for (const Json& row : baseline.at(table)) {
     if (!is_wanted(row)) continue;
-    const auto title = row.at(key).get<std::string>();
+    const std::string title = word(row.at(key));
     auto block = std::find_if(titled.begin(), titled.end(),
                               [&](const auto& one) { return one.first == title; });
     if (block == titled.end()) block = titled.insert(titled.end(), {title, {}});

@@ -44,7 +44,7 @@ class Ids(Words):
         of_film = {"outputs": None, "speed": 0.1, "supply": None, "closures": {"film": "dowson_toyoda_central"},
                    "bodies": {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 2e-3}}
         for command, changes, words in ((["solve"], {}, HOSTILE), (["onset"], {}, HOSTILE),
-                                        (["film", "--tolerance", "0.1"], of_film, HOSTILE[:5])):
+                                        (["film", "--tolerance", "0.01"], of_film, HOSTILE[:5])):
             counts = {len(run(*command, self.scene("plain", **changes)).out.splitlines())}
             for word in words:
                 with self.subTest(word, command=command):

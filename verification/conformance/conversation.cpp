@@ -11,6 +11,7 @@
 
 #include "conformance/answer_line.hpp"
 #include "conformance/subject_process.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -25,6 +26,31 @@ constexpr std::size_t print_flood = 10000;   // lines between two answers
 constexpr int most_failures = 3;             // in a row without an answer between them
 constexpr int most_silent_failures = 2;      // before any answer
 constexpr int most_starts = 25;
+
+// Answers are kept until all are judged: of more than any needs, only a part is.
+constexpr std::size_t longest_answer = 4096;
+
+std::string text_of(const json& value) {
+  return value.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
+std::string shortened(std::string text) {
+  return text.size() <= longest_answer ? text : printable(text, longest_answer);
+}
+
+// What was asked for, or why it is not there.
+json asked_part(const json& answer, const Case& asked) {
+  json part{{"id", asked.id}};
+  const auto keep = [&](const std::string& name) {
+    const auto found = answer.find(name);
+    if (found == answer.end()) return;
+    const std::string text = text_of(*found);
+    part[name] = text.size() <= longest_answer ? *found : json(start_of(text));
+  };
+  for (const Expected& one : asked.expected) keep(one.field);
+  for (const char* const name : {"undefined", "skip", "error"}) keep(name);
+  return part;
+}
 
 class Asker {
  public:
@@ -169,7 +195,8 @@ class Asker {
           fmt::format("{} is answered twice, or before it was asked", cases_[found->second].id));
     if (!broken_.empty()) note_print(broken_line_);  // about the case, and not its answer
     note_block();
-    take(std::move(answer));
+    take(line.size() > longest_answer ? asked_part(answer, cases_[found->second])
+                                      : std::move(answer));
   }
 
   static bool is_question(json answer, const Case& asked) {
@@ -192,8 +219,7 @@ class Asker {
     has_answered_ = true;
     result.exit_code_without_answer = -1;
     const auto reason = [](const json& what) {
-      return what.is_string() ? what.get<std::string>()
-                              : what.dump(-1, ' ', true, json::error_handler_t::replace);
+      return shortened(what.is_string() ? what.get<std::string>() : text_of(what));
     };
     if (answer.contains("skip")) return settle(Outcome::skipped, {}, reason(answer["skip"]));
     if (answer.contains("error")) {

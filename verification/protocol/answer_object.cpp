@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "scene/text.hpp"
+
 namespace tribo::protocol {
 namespace {
 
@@ -21,7 +23,8 @@ bool is_plain(std::string_view text) {
 void append_json_text(Text& to, std::string_view text) {
   if (!is_plain(text)) {
     using Json = nlohmann::json;
-    append(to, Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+    append(to, scene_detail::without_controls(
+                   Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)));
     return;
   }
   to.push_back('"');

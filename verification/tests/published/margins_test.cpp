@@ -487,13 +487,15 @@ TEST(Tolerances, ThatAreNoPartOfAnAxisAreRefused) {
   const std::string path = folder.file("claims.tsv");
   std::ifstream file(published + "/claims.tsv");
   const std::string good((std::istreambuf_iterator<char>(file)), {});
-  const std::string from = "0.01 of 0.0001 to 3";
+  const std::string from = "\t0.01 of 0.0001 to 3\t";  // of the first row that has it
   for (const std::string to : {"0.01 of 3 to 0.0001", "0.01 of 0.0001", "0 of 0.0001 to 3",
                                "0.01 of 0 to 3", "0.01 of 0.0001 to 3 m/s", "0.01 of it"}) {
     std::string text = good;
-    std::ofstream(path) << text.replace(text.find(from), from.size(), to);
+    std::ofstream(path) << text.replace(text.find(from), from.size(), "\t" + to + "\t");
     EXPECT_THROW(read_claims(path), std::runtime_error) << to;
   }
+  std::ofstream(path) << good;
+  EXPECT_EQ(read_claims(path).size(), items().size());
 }
 
 TEST(BeyondCollapse, IsToldOfTheItemsThatRestOnIt) {
