@@ -91,6 +91,28 @@ void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problem
                                         "or length in place of R_y, for a line");
 }
 
+// What follows from two bodies and from moments, which are legal numbers each, may lose its digits
+// next to 0, or overflow.
+void check_derived(const Scene& scene, const Numbers& numbers, Problems& problems) {
+  const auto check = [&](bool is_derived, std::string_view field, std::string_view what,
+                         double number) {
+    if (is_derived && !std::isnormal(number))
+      problems.error(field, std::string(what) + " that follows is " + rounded_text(number) +
+                                ", which double precision cannot hold; allowed: a number that "
+                                "makes it 2.3e-308 to 1.7e+308");
+  };
+  const bool has_moments = scene.surface.has_moments();
+  check(has_moments, "surface.m4", "the summit density", numbers.summit_density);
+  check(has_moments, "surface.m4", "the summit radius", numbers.summit_radius);
+  check(has_moments, "surface.m0", "the standard deviation of the summits' heights",
+        numbers.summit_height_sd);
+  const auto& [first, second] = scene.bodies.bodies;
+  check(first.modulus > 0, "bodies.first_modulus", "the effective modulus",
+        numbers.effective_modulus);
+  check(first.radius_x != 0, "bodies.first_radius_x", "the reduced radius R_x", numbers.radius_x);
+  check(first.radius_y != 0, "bodies.first_radius_y", "the reduced radius R_y", numbers.across);
+}
+
 void warn_of_summits(const Surface& surface, Problems& problems) {
   const double roughness =
       surface.summit_density * surface.summit_radius * surface.summit_height_sd;
@@ -152,6 +174,7 @@ std::optional<Numbers> check_contact(const Scene& scene, SceneUse use, bool film
   if (problems.any()) return std::nullopt;
   const auto numbers = detail::numbers_of<double>(scene);
   check_ellipse(scene, numbers, problems);
+  check_derived(scene, numbers, problems);
   if (problems.any()) return std::nullopt;
   return numbers;
 }

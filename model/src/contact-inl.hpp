@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "load_shares-inl.hpp"
+#include "sharing_method.hpp"
 #include "tribo/contact_numbers.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/friction.hpp"
@@ -77,6 +78,37 @@ HWY_INLINE void add_hertz(D d, ContactShape shape, const detail::SceneNumbers<V>
   contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
 }
 
+// Are the numbers of a contact within the bounds of sharing_method.hpp? 0 is, where it is legal.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_ordinary(D d, ContactShape shape, const detail::SceneNumbers<V>& scene,
+                                   const detail::ContactNumbers<V>& contact) {
+  V least = scene.load, greatest = scene.load;
+  const auto add = [&](V number) HWY_ATTR {
+    least = hn::Min(least, number);
+    greatest = hn::Max(greatest, number);
+  };
+  const auto add_unless_zero = [&](V number) HWY_ATTR {
+    add(hn::IfThenElse(hn::Eq(number, hn::Zero(d)), scene.load, number));
+  };
+  add(scene.summit_density);
+  add(scene.summit_radius);
+  add(scene.summit_height_sd);
+  add(scene.effective_modulus);
+  add(scene.radius_x);
+  if (shape != ContactShape::circle) add(scene.across);
+  add(scene.ellipticity);
+  add(scene.viscosity);
+  add(scene.eyring_stress);
+  add_unless_zero(scene.pressure_viscosity);
+  add_unless_zero(scene.slide_roll_ratio);
+  add_unless_zero(scene.supply);
+  const V factor =
+      hn::Max(hn::Max(contact.surface.stiffness, contact.area_factor), contact.count_factor);
+  return hn::And(hn::And(hn::Ge(least, hn::Set(d, least_contact_number)),
+                         hn::Le(greatest, hn::Set(d, greatest_contact_number))),
+                 hn::Le(factor, hn::Set(d, greatest_moment_factor)));
+}
+
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE detail::ContactNumbers<V> contact_of(D d, const detail::ContactWords& words,
                                                 const detail::SceneNumbers<V>& scene) {
@@ -120,6 +152,9 @@ HWY_INLINE detail::ContactNumbers<V> contact_of(D d, const detail::ContactWords&
   contact.roelands_exponent =
       hn::Div(hn::Mul(scene.pressure_viscosity, hn::Set(d, roelands_pressure<double>())),
               contact.roelands_scale);
+  contact.surface.film_at_unit_speed = hn::IfThenElse(
+      is_ordinary(d, words.shape, scene, contact), contact.surface.film_at_unit_speed,
+      hn::Set(d, std::numeric_limits<double>::quiet_NaN()));
   return contact;
 }
 

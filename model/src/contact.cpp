@@ -21,14 +21,19 @@ LoadShares<double> narrow(const LoadShares<Wide>& shares) {
           shares.iterations};
 }
 
+FloodedFilm<Wide> widened(const FloodedFilm<double>& film) {
+  return {Wide(film.speed),
+          {Wide(film.shares.film_parameter), Wide(film.shares.asperity), Wide(film.shares.fluid),
+           film.shares.iterations}};
+}
+
 LoadSharing<Wide> wide(AsperityModel model, const FilmLaw& film,
                        const detail::SurfaceNumbers<double>& surface) {
   return {model, Wide(surface.stiffness), Wide(surface.offset), film};
 }
 
 // Of a surface beyond the engine's range.
-void find_floor(AsperityModel model, detail::SurfaceNumbers<double>& surface) {
-  const LoadSharing<Wide> sharing(model, Wide(surface.stiffness), Wide(surface.offset));
+void set_floor(const LoadSharing<Wide>& sharing, detail::SurfaceNumbers<double>& surface) {
   surface.floor = narrow(sharing.floor());
   surface.floor_argument = sharing.has_floor() ? narrow(sharing.floor() - sharing.offset()) : 0;
   surface.hazard = 0;
@@ -46,7 +51,7 @@ detail::SurfaceNumbers<double> surface_of(AsperityModel model, const FilmLaw& fi
   if (detail::is_within_engine(stiffness, offset))
     return detail::engine().surface(load_order(model), film, stiffness, offset);
   detail::SurfaceNumbers<double> surface{stiffness, offset, 0, 0, 0, 0, 0, 0};
-  find_floor(model, surface);
+  set_floor(wide(model, film, surface), surface);
   return surface;
 }
 
@@ -149,12 +154,40 @@ SceneNumbers<double> given_numbers(const Scene& scene) {
           {}};
 }
 
+namespace {
+
+MixedContact<Wide> wide_contact(const ContactWords& words, const SceneNumbers<double>& scene) {
+  auto numbers = numbers_in<Wide>(scene);
+  if (words.shape == ContactShape::ellipse) numbers.set_ellipse();
+  return MixedContact<Wide>(words, numbers);
+}
+
+// Of a contact beyond the engine's range.
+void set_numbers(const MixedContact<Wide>& exact, ContactNumbers<double>& contact) {
+  const AsperityContact<Wide>& asperities = exact.asperities();
+  const HertzContact<Wide>& hertz = exact.hertz();
+  contact.surface.stiffness = narrow(asperities.stiffness);
+  contact.area_factor = narrow(asperities.area_factor);
+  contact.count_factor = narrow(asperities.count_factor);
+  contact.semi_axis_x = narrow(hertz.semi_axis_x);
+  contact.nominal_area = narrow(hertz.nominal_area);
+  contact.mean_pressure = narrow(hertz.mean_pressure);
+  contact.approach = narrow(hertz.approach);
+  set_floor(exact.sharing(), contact.surface);
+}
+
+}  // namespace
+
 void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts) {
   engine().prepare(words, scenes.data(), contacts.data(), scenes.size());
-  for (ContactNumbers<double>& contact : contacts)
-    if (!is_within_engine(contact.surface.stiffness, contact.surface.offset))
-      find_floor(words.model, contact.surface);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    SurfaceNumbers<double>& surface = contacts[i].surface;
+    if (std::isnan(surface.film_at_unit_speed))
+      set_numbers(wide_contact(words, scenes[i]), contacts[i]);
+    else if (!is_within_engine(surface.stiffness, surface.offset))
+      set_floor(wide(words.model, *words.film, surface), surface);
+  }
 }
 
 }  // namespace detail
@@ -179,7 +212,14 @@ HertzContact<double> MixedContact<double>::hertz() const {
   return contact;
 }
 
+// The engine computes nothing else at a speed and contact at which it gives no λ₀.
+bool MixedContact<double>::is_within_engine(double speed) const {
+  return speed >= least_speed && speed <= greatest_speed &&
+         !std::isnan(numbers_.surface.film_at_unit_speed);
+}
+
 double MixedContact<double>::inlet_film_parameter(double speed) const {
+  if (!is_within_engine(speed)) return narrow(in<Wide>().inlet_film_parameter(Wide(speed)));
   if (supply() == SupplyKind::inlet_film_ratio) return numbers_.supply;
   const double film =
       supply() == SupplyKind::inlet_flow ? numbers_.supply / speed : numbers_.supply;
@@ -187,31 +227,40 @@ double MixedContact<double>::inlet_film_parameter(double speed) const {
 }
 
 double MixedContact<double>::flooded_film_parameter(double speed) const {
+  if (!is_within_engine(speed)) return narrow(in<Wide>().flooded_film_parameter(Wide(speed)));
   return detail::engine().flooded_film_parameter(film(), numbers_, speed);
 }
 
 double MixedContact<double>::speed_at(double flooded_film_parameter) const {
+  if (!is_within_engine(1)) return narrow(in<Wide>().speed_at(Wide(flooded_film_parameter)));
   return detail::engine().power(flooded_film_parameter / numbers_.surface.film_at_unit_speed,
                                 inverse(film().speed_exponent));
 }
 
 FloodedFilm<double> MixedContact<double>::flooded(double speed) const {
+  if (!is_within_engine(speed)) return {speed, narrow(in<Wide>().flooded(Wide(speed)).shares)};
   return {speed, sharing().solve(flooded_film_parameter(speed))};
 }
 
 InletState<double> MixedContact<double>::inlet(const FloodedFilm<double>& film) const {
+  if (!is_within_engine(film.speed)) {
+    const InletState<Wide> state = in<Wide>().inlet(widened(film));
+    return {narrow(state.film_ratio), narrow(state.flooded_over_inlet), state.collapsed};
+  }
   return detail::engine().inlet(words_, numbers_, film.speed, film.shares.film_parameter);
 }
 
 OperatingPoint<double> MixedContact<double>::complete(const FloodedFilm<double>& flooded,
                                                       const InletState<double>& inlet,
                                                       OutputSet outputs) const {
+  if (!is_within_engine(flooded.speed))
+    return detail::in_double(in<Wide>().complete(
+        widened(flooded), {Wide(inlet.film_ratio), Wide(inlet.flooded_over_inlet), inlet.collapsed},
+        outputs));
   OperatingPoint<double> point;
-  std::uint8_t undefined = 0;
   detail::engine().complete(words_, numbers_, flooded, inlet, outputs,
-                            detail::destination(point, undefined, outputs));
+                            detail::destination(point, outputs));
   point.speed = flooded.speed;
-  point.friction_undefined = undefined != 0;
   return point;
 }
 
@@ -248,11 +297,9 @@ namespace {
 
 OperatingPoint<double> MixedContact<double>::solve(double speed, OutputSet outputs) const {
   OperatingPoint<double> point;
-  std::uint8_t undefined = 0;
-  const double film_parameter = detail::engine().point(
-      words_, numbers_, speed, outputs, detail::destination(point, undefined, outputs));
+  const double film_parameter =
+      detail::engine().point(words_, numbers_, speed, outputs, detail::destination(point, outputs));
   point.speed = speed;
-  point.friction_undefined = undefined != 0;
   if (film_parameter != film_parameter) solve_wide(*this, outputs, point);
   return point;
 }

@@ -163,8 +163,8 @@ InletState<double> inlet(const detail::ContactWords& words,
 }
 
 double film_at(const FilmLaw& law, const detail::ContactNumbers<double>& contact, double speed) {
-  return hn::GetLane(
-      flooded_film_parameter(OneLane(), law, broadcast(OneLane(), contact), of(speed)));
+  return hn::GetLane(flooded_film_parameter(OneLane(), of(contact.surface.film_at_unit_speed),
+                                            law.speed_power, of(speed)));
 }
 
 void completed(const detail::ContactWords& words, const detail::ContactNumbers<double>& numbers,
@@ -191,14 +191,14 @@ double point_alone(const detail::ContactWords& words, const detail::ContactNumbe
                    double speed, OutputSet outputs, const detail::Destination& to) {
   const OneLane d;
   const auto contact = broadcast(d, numbers);
-  const One film0 = flooded_film_parameter(d, *words.film, contact, of(speed));
+  const One film0 = flooded_film_parameter(d, contact.surface.film_at_unit_speed,
+                                           words.film->speed_power, of(speed));
   const One lambda = roots_alone(d, load_order(words.model), of(words.film->sharing_power.inverse),
                                  contact.surface, film0)
                          .film_parameter;
   NoWork none;
-  complete_root(d, words, contact, Needs(outputs, words.supply), of(speed), film0, lambda, to, 0, 1,
-                none);
-  return hn::GetLane(lambda);
+  return hn::GetLane(complete_root(d, words, contact, Needs(outputs, words.supply), of(speed),
+                                   film0, lambda, to, 0, 1, none));
 }
 
 template <bool one_contact, class ContactAt, class SurfaceAt, class Counter>
@@ -211,8 +211,8 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
   HWY_ALIGN double film0[sharing_block];
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
     store(d,
-          hn::Mul(surface_at(i).film_at_unit_speed,
-                  decimal_power(d, load(d, speeds + i, count - i), speed_power)),
+          flooded_film_parameter(d, surface_at(i).film_at_unit_speed, speed_power,
+                                 load(d, speeds + i, count - i)),
           film0 + i, count - i);
   const std::size_t steps = roots_of_block<Many, one_contact>(d, load_order(words.model),
                                                               words.film->sharing_power.inverse,
@@ -233,8 +233,9 @@ HWY_INLINE void points_of_block(const detail::ContactWords& words, const Contact
     const std::size_t left = count - i;
     const auto& contact = contact_at(i);
     const auto root = not_below(load(d, lambda + i, left), contact.surface.floor);
-    complete_root(d, words, contact, needs, load(d, speeds + i, left), load(d, film0 + i, left),
-                  root, to, i, left, work);
+    const auto found = complete_root(d, words, contact, needs, load(d, speeds + i, left),
+                                     load(d, film0 + i, left), root, to, i, left, work);
+    if (words.closure == StarvationClosure::printed_exponents) store(d, found, lambda + i, left);
   }
 }
 

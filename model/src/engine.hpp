@@ -19,7 +19,6 @@ struct Destination {
   std::array<double*, number_count> numbers;  // by Output
   Regime* regime;
   Inlet* inlet;
-  std::uint8_t* friction_undefined;
 };
 
 // The kernels of an instruction set, of one lane each where an argument is no array.

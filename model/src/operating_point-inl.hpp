@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 
 #include "engine.hpp"
 #include "friction-inl.hpp"
@@ -30,10 +31,14 @@ struct Flooded {
   Shares<V> shares;         // A(λ), 1 − A(λ)
 };
 
+// λ₀ at a speed, from λ₀/u^a and a; NaN where the contact or the speed is beyond the kernels'
+// range.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V flooded_film_parameter(D d, const FilmLaw& law,
-                                    const detail::ContactNumbers<V>& contact, V speed) {
-  return hn::Mul(contact.surface.film_at_unit_speed, decimal_power(d, speed, law.speed_power));
+HWY_INLINE V flooded_film_parameter(D d, V film_at_unit_speed, const Exponent& a, V speed) {
+  const V film = hn::Mul(film_at_unit_speed, decimal_power(d, speed, a));
+  const auto is_within =
+      hn::And(hn::Ge(speed, hn::Set(d, least_speed)), hn::Le(speed, hn::Set(d, greatest_speed)));
+  return hn::IfThenElse(is_within, film, hn::Set(d, std::numeric_limits<double>::quiet_NaN()));
 }
 
 // h_oil/σ_s
@@ -132,8 +137,7 @@ struct Needs {
         inlet(!(outputs == of({Output::film_flooded}))),
         area(outputs.contains_any(of({Output::real_area_ratio, Output::friction}))),
         count(outputs.contains(Output::summit_count)),
-        sharing(outputs.contains_any(of({Output::asperity_load_share, Output::fluid_load_share,
-                                         Output::regime, Output::friction}))),
+        sharing(outputs.contains_any(balance_outputs())),
         exact_share(area || count || outputs.contains(Output::asperity_load_share)) {}
 
   static constexpr OutputSet of(std::initializer_list<Output> outputs) {
@@ -150,6 +154,20 @@ template <class D, class Counter>
 HWY_INLINE void count_lanes([[maybe_unused]] D d, [[maybe_unused]] Counter& work,
                             [[maybe_unused]] Work what, [[maybe_unused]] hn::Mask<D> lanes) {
   if constexpr (Counter::counts) work.add(what, hn::CountTrue(d, lanes));
+}
+
+// Codes of words, 0 … 255 each, as the words of an enumeration.
+template <class D, class Word>
+HWY_INLINE void store_words(D, hn::Vec<D> codes, Word* to, std::size_t count) {
+  static_assert(sizeof(Word) == 1);
+  const hn::Rebind<std::int32_t, D> integers;
+  const hn::Rebind<std::uint8_t, D> bytes;
+  const auto words = hn::DemoteTo(bytes, hn::DemoteTo(integers, codes));
+  auto* const first = reinterpret_cast<std::uint8_t*>(to);
+  if (count >= hn::Lanes(bytes)) return hn::StoreU(words, bytes, first);
+  HWY_ALIGN std::uint8_t buffer[hn::MaxLanes(bytes)];
+  hn::Store(words, bytes, buffer);
+  std::copy_n(buffer, count, first);
 }
 
 // The numbers of a vector of points at `to` from point i on, `count` of them, from a film and inlet
@@ -178,12 +196,9 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   put(Output::film_parameter, lambda);
   if (to.inlet != nullptr) {
     const auto is_flooded = hn::Ge(inlet.film_ratio, hn::Set(d, 0.95));
-    HWY_ALIGN double word[hn::MaxLanes(D())];
-    hn::Store(
-        hn::IfThenElse(inlet.is_collapsed, hn::Set(d, 2.0), hn::IfThenZeroElse(is_flooded, one)), d,
-        word);
-    for (std::size_t j = 0; j < std::min(count, hn::Lanes(d)); ++j)
-      to.inlet[i + j] = static_cast<Inlet>(static_cast<int>(word[j]));
+    store_words(
+        d, hn::IfThenElse(inlet.is_collapsed, hn::Set(d, 2.0), hn::IfThenZeroElse(is_flooded, one)),
+        to.inlet + i, count);
   }
 
   Shares<V> shares{zero, zero};
@@ -200,17 +215,17 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   } else {
     add(Work::share_not_asked, present);
   }
-  put(Output::asperity_load_share, shares.asperity);
-  put(Output::fluid_load_share, shares.fluid);
+  // Without a film and a floor nothing balances the load.
+  const auto has_collapsed = hn::And(inlet.is_collapsed, hn::Eq(apart, zero));
+  const V nan = hn::Set(d, std::numeric_limits<double>::quiet_NaN());
   if (to.regime != nullptr) {
+    put(Output::asperity_load_share, hn::IfThenElse(has_collapsed, nan, shares.asperity));
+    put(Output::fluid_load_share, hn::IfThenElse(has_collapsed, nan, shares.fluid));
     const V little = hn::Set(d, 0.01);
-    HWY_ALIGN double word[hn::MaxLanes(D())];
-    hn::Store(
+    const V by_shares =
         hn::IfThenZeroElse(hn::Lt(shares.fluid, little),
-                           hn::IfThenElse(hn::Lt(shares.asperity, little), hn::Set(d, 2.0), one)),
-        d, word);
-    for (std::size_t j = 0; j < std::min(count, hn::Lanes(d)); ++j)
-      to.regime[i + j] = static_cast<Regime>(static_cast<int>(word[j]));
+                           hn::IfThenElse(hn::Lt(shares.asperity, little), hn::Set(d, 2.0), one));
+    store_words(d, hn::IfThenElse(has_collapsed, hn::Set(d, 3.0), by_shares), to.regime + i, count);
   }
   V area = zero;
   if (needs.area) {
@@ -224,10 +239,9 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
     put(Output::summit_count, moment_at(d, order, count_order(words.model), surface,
                                         contact.count_factor, apart, shares.asperity));
   }
-  if (to.friction_undefined == nullptr) return;
+  if (to.numbers[static_cast<std::size_t>(Output::friction)] == nullptr) return;
   // μ = μ_b A + τ (1 − A_r/A_nom)/p̄
   add(Work::shear_stress, present);
-  const auto is_undefined = hn::Eq(apart, zero);
   const V solid = hn::Mul(contact.boundary_coefficient, shares.asperity);
   const V fluid_area = hn::Sub(one, area);
   const V log_thickening = log_viscosity_ratio(d, words.viscosity, contact,
@@ -238,11 +252,7 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   const V at_eyring_stress =
       hn::Div(hn::Mul(contact.eyring_stress, fluid_area), contact.mean_pressure);
   const V fluid = hn::IfThenElseZero(hn::Gt(fluid_area, zero), hn::Mul(relative, at_eyring_stress));
-  put(Output::friction, hn::IfThenZeroElse(is_undefined, hn::Add(solid, fluid)));
-  HWY_ALIGN double word[hn::MaxLanes(D())];
-  hn::Store(hn::IfThenElseZero(is_undefined, one), d, word);
-  for (std::size_t j = 0; j < std::min(count, hn::Lanes(d)); ++j)
-    to.friction_undefined[i + j] = word[j] != 0 ? 1 : 0;
+  put(Output::friction, hn::IfThenElse(has_collapsed, nan, hn::Add(solid, fluid)));
 }
 
 // Do outputs rest on the load shares? Near a high floor the moments do too.
@@ -252,12 +262,22 @@ HWY_INLINE bool needs_shares(D d, const Needs& needs, const detail::SurfaceNumbe
          ((needs.area || needs.count) && !hn::AllFalse(d, hn::Gt(surface.floor, hn::Set(d, 3.0))));
 }
 
-// Likewise from λ₀ and its root λ.
+// Where the film ratio of `printed_exponents`, which falls as r⁻⁴, comes near the least double.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> is_next_to_nothing(D d, const detail::ContactWords& words,
+                                          const Starvation<D>& inlet) {
+  const V zero = hn::Zero(d);
+  if (words.closure != StarvationClosure::printed_exponents) return hn::Lt(zero, zero);
+  return hn::Lt(inlet.film_ratio, hn::Set(d, least_film_ratio));
+}
+
+// Likewise from λ₀ and its root λ. Returns the root; NaN where the point is beyond the kernels'
+// range.
 template <class D, class Counter, class V = hn::Vec<D>>
-HWY_INLINE void complete_root(D d, const detail::ContactWords& words,
-                              const detail::ContactNumbers<V>& contact, const Needs& needs, V speed,
-                              V flooded_film, V film_parameter, const detail::Destination& to,
-                              std::size_t i, std::size_t count, Counter& work) {
+HWY_INLINE V complete_root(D d, const detail::ContactWords& words,
+                           const detail::ContactNumbers<V>& contact, const Needs& needs, V speed,
+                           V flooded_film, V film_parameter, const detail::Destination& to,
+                           std::size_t i, std::size_t count, Counter& work) {
   const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
   const auto present = hn::FirstN(d, count);
   const bool has_floor = !hn::AllFalse(d, hn::Gt(contact.surface.hazard, zero));
@@ -276,6 +296,8 @@ HWY_INLINE void complete_root(D d, const detail::ContactWords& words,
       count_lanes(d, work, Work::supply_is_flooded, present);
   }
   complete(d, words, contact, needs, shares, flooded, inlet, to, i, count, work);
+  return hn::IfThenElse(is_next_to_nothing(d, words, inlet),
+                        hn::Set(d, std::numeric_limits<double>::quiet_NaN()), film_parameter);
 }
 
 }  // namespace tribo::HWY_NAMESPACE

@@ -15,9 +15,8 @@ void OperatingPoints::resize(std::size_t count, OutputSet outputs) {
   for_each_number(*this, [&](Output output, auto& array) {
     array.resize(outputs.contains(output) ? count : 0);
   });
-  regime.resize(outputs.contains(Output::regime) ? count : 0);
+  regime.resize(outputs.contains_any(balance_outputs()) ? count : 0);
   inlet.resize(outputs.contains(Output::inlet) ? count : 0);
-  friction_undefined.resize(outputs.contains(Output::friction) ? count : 0);
 }
 
 OperatingPoint<double> OperatingPoints::operator[](std::size_t i) const {
@@ -35,7 +34,6 @@ OperatingPoint<double> OperatingPoints::operator[](std::size_t i) const {
   });
   take(point.regime, regime);
   take(point.inlet, inlet);
-  take(point.friction_undefined, friction_undefined);
   return point;
 }
 

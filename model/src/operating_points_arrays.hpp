@@ -15,7 +15,6 @@ inline Destination destination(OperatingPoints& points, std::size_t first) {
   Destination to;
   to.regime = from(points.regime);
   to.inlet = from(points.inlet);
-  to.friction_undefined = from(points.friction_undefined);
   for_each_number(points, [&](Output output, std::vector<double>& array) {
     to.numbers[static_cast<std::size_t>(output)] = from(array);
   });
@@ -23,15 +22,13 @@ inline Destination destination(OperatingPoints& points, std::size_t first) {
 }
 
 // Where the outputs of one point go, but for the speed.
-inline Destination destination(OperatingPoint<double>& point, std::uint8_t& friction_undefined,
-                               OutputSet outputs) {
+inline Destination destination(OperatingPoint<double>& point, OutputSet outputs) {
   const auto asked = [&](Output output, auto& member) {
     return outputs.contains(output) ? &member : nullptr;
   };
   Destination to;
-  to.regime = asked(Output::regime, point.regime);
+  to.regime = outputs.contains_any(balance_outputs()) ? &point.regime : nullptr;
   to.inlet = asked(Output::inlet, point.inlet);
-  to.friction_undefined = asked(Output::friction, friction_undefined);
   for_each_number(point, [&](Output output, double& number) {
     to.numbers[static_cast<std::size_t>(output)] = asked(output, number);
   });
@@ -48,7 +45,6 @@ inline void store(const OperatingPoint<double>& point, OperatingPoints& points, 
   });
   put(points.regime, point.regime);
   put(points.inlet, point.inlet);
-  put(points.friction_undefined, static_cast<std::uint8_t>(point.friction_undefined));
 }
 
 }  // namespace detail

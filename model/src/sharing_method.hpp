@@ -32,6 +32,15 @@ inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiff
 inline constexpr double sharing_greatest_offset = 40;
 inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;
 
+// The numbers of a contact, and speeds in m/s, within which nothing that a point is computed from
+// overflows or loses digits near 0: the greatest products are K and λ₀ over h_oil/σ_s, of eleven
+// and of some twelve such numbers. K, and the factors of area and summits, are bounded apart: where
+// F_n is set to 0 as below the least double, their product with it has to be as well.
+inline constexpr double least_contact_number = 1e-20, greatest_contact_number = 1e20;
+inline constexpr double least_film_ratio = 1e-100;
+inline constexpr double least_speed = 1e-60, greatest_speed = 1e60;
+inline constexpr double greatest_moment_factor = 1e24;
+
 // The floor, the pole of ln(1 − A), counts as near where its distance in ln λ, (1 − A)/(A |d ln A/d
 // ln λ|), is below 1/sharing_pole_nearness: a step from λ₀ would be as short as this distance.
 inline constexpr double sharing_pole_nearness = 64;

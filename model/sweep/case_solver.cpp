@@ -188,16 +188,10 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases) const 
         results[i * width + column + j] = value_at(i * speeds + j);
     column += speeds;
   };
-  for_each_number(points_, [&](Output output, const std::vector<double>& numbers) {
-    if (numbers.empty()) return;
-    if (output == Output::friction)
-      put([&](std::size_t i) {
-        return points_.friction_undefined[i] != 0 ? undefined : numbers[i];
-      });
-    else
-      put([&](std::size_t i) { return numbers[i]; });
+  for_each_number(points_, [&](Output, const std::vector<double>& numbers) {
+    if (!numbers.empty()) put([&](std::size_t i) { return numbers[i]; });
   });
-  if (!points_.regime.empty())
+  if (sweep_.outputs.contains(Output::regime))
     put([&](std::size_t i) { return static_cast<double>(points_.regime[i]); });
   if (!points_.inlet.empty())
     put([&](std::size_t i) { return static_cast<double>(points_.inlet[i]); });

@@ -13,7 +13,7 @@ namespace {
 std::vector<std::string> words_of(Output output) {
   if (output == Output::regime)
     return {std::string(name(Regime::boundary)), std::string(name(Regime::mixed)),
-            std::string(name(Regime::elastohydrodynamic))};
+            std::string(name(Regime::elastohydrodynamic)), std::string(name(Regime::collapsed))};
   if (output == Output::inlet)
     return {std::string(name(Inlet::flooded)), std::string(name(Inlet::starved)),
             std::string(name(Inlet::collapsed))};

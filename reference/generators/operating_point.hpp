@@ -81,7 +81,8 @@ inline const Way second_way{moment_by_quadrature, root_by_bisection, film_ratio_
                             axes_by_bisection};
 
 // film_flooded, film, separation, film_parameter, asperity share, fluid share, real area ratio,
-// summit count, friction; not finite where undefined.
+// summit count, friction. Without a film and a floor nothing balances the load: both shares and
+// friction are not finite there.
 using Outputs = std::array<Ball, 9>;
 
 inline Ball fluid_stress(const Inputs& in, const Ball& fluid_pressure, const Ball& separation) {
@@ -190,7 +191,8 @@ inline Outputs solve(const Inputs& in, const Way& way) {
   const Ball free = 1 - out[6];
   out[8] = v[Inputs::boundary] * share;
   if (!(apart > 0)) {
-    arb_indeterminate(out[8].get());
+    for (const std::size_t undefined : {std::size_t{4}, std::size_t{5}, std::size_t{8}})
+      arb_indeterminate(out[undefined].get());
   } else if (free > 0) {
     out[8] += fluid_stress(in, fluid * load / area, out[2]) * area * free / load;
   }

@@ -58,12 +58,13 @@ SolvedContact solved_contact(const ReportPlaces& places, std::string_view stem) 
           least.exists ? std::optional(contact.solve(least.speed)) : std::nullopt};
 }
 
+// NaN becomes null.
 Json told_point_json(const Point& point) {
   return {{"speed", point.speed},
           {"film", point.film},
           {"film_parameter", point.film_parameter},
           {"asperity_load_share", point.asperity_load_share},
-          {"friction", point.friction_undefined ? Json(nullptr) : Json(point.friction)}};
+          {"friction", point.friction}};
 }
 
 Json contact_json(const SolvedContact& solved) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,9 +19,13 @@ std::string header(std::string_view what, std::string_view made_from) {
   return fmt::format("# {}\n# tribocheck {}, from {}\n", what, version, made_from);
 }
 
-constexpr std::string_view undefined_note =
-    "# film is 0 where it has collapsed; friction is NaN where it is undefined: collapsed, and no "
-    "floor keeps the faces apart\n";
+// What the columns are; what is undefined is NaN.
+std::string notes() {
+  std::string text = "# NaN: undefined\n";
+  for (const OutputInfo& output : output_infos)
+    text += fmt::format("# {}: {}\n", output.name, output.meaning);
+  return text;
+}
 
 std::string point_columns() {
   std::string text = "speed [m/s]";
@@ -34,18 +37,16 @@ std::string point_columns() {
 
 // The columns of point_columns().
 std::string cells(const Point& point) {
-  const double friction =
-      point.friction_undefined ? std::numeric_limits<double>::quiet_NaN() : point.friction;
   std::string text = exact(point.speed);
   for (const double value : {point.film_flooded, point.film, point.separation, point.film_parameter,
                              point.asperity_load_share, point.fluid_load_share,
-                             point.real_area_ratio, point.summit_count, friction})
+                             point.real_area_ratio, point.summit_count, point.friction})
     text += '\t' + exact(value);
   return fmt::format("{}\t{}\t{}", text, name(point.regime), name(point.inlet));
 }
 
 std::string curve_text(const std::vector<Point>& points) {
-  std::string text = fmt::format("{}# {}\n", undefined_note, point_columns());
+  std::string text = fmt::format("{}# {}\n", notes(), point_columns());
   for (const Point& point : points) text += cells(point) + '\n';
   return text;
 }
@@ -114,16 +115,36 @@ std::optional<Point> at_reported_onset(const SolvedCase& solved, const Claims& c
   return solved.contact.solve(row->reported);
 }
 
+// Past a collapse without a floor: the limits A(0) and 1 − A(0), which the paper draws as shares.
+std::optional<Point> as_printed(const SolvedCase& solved, const std::optional<Point>& there) {
+  if (!there || there->regime != Regime::collapsed) return there;
+  Point point = *there;
+  point.asperity_load_share = solved.contact.sharing().asperity_share(0);
+  point.fluid_load_share = 1 - point.asperity_load_share;
+  return point;
+}
+
+// The ends of the line that a curve as printed follows past its collapse.
+std::string printed_ends(const SolvedCase& solved) {
+  if (solved.curve.back().regime != Regime::collapsed) return {};
+  return mark("printed", solved, as_printed(solved, solved.at_collapse)) +
+         mark("printed", solved, as_printed(solved, solved.curve.back()));
+}
+
 DataFile marks_file(const std::vector<SolvedCase>& solved, const Claims& claims) {
   std::string text = header(
       "Points to mark: the lowest speed, the onset speed that the paper reports, the onset of "
-      "starvation (film_maximum) and the collapse of the film where they lie within the speeds",
+      "starvation (film_maximum) and the collapse of the film where they lie within the speeds, "
+      "and "
+      "both ends of what the paper draws past a collapse; of these two the shares are the limits "
+      "A(0) and 1 − A(0), which balance no load",
       "the scenes of the curves and claims.tsv");
-  text += fmt::format("{}# event\tsurface\tmodel\t{}\n", undefined_note, point_columns());
+  text += fmt::format("{}# event\tsurface\tmodel\t{}\n", notes(), point_columns());
   for (const SolvedCase& one : solved)
     text += mark("slowest", one, one.slowest) +
             mark("reported", one, at_reported_onset(one, claims)) +
-            mark("onset", one, one.at_onset) + mark("collapse", one, one.at_collapse);
+            mark("onset", one, one.at_onset) +
+            mark("collapse", one, as_printed(one, one.at_collapse)) + printed_ends(one);
   return {"data/marks.tsv", text};
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 using reproduction::Quantity;
 
+// NaN becomes null.
 Json point_json(const Point& point) {
   return {{"speed", point.speed},
           {"film", point.film},
@@ -27,7 +28,7 @@ Json point_json(const Point& point) {
           {"asperity_load_share", point.asperity_load_share},
           {"real_area_ratio", point.real_area_ratio},
           {"summit_count", point.summit_count},
-          {"friction", point.friction_undefined ? Json(nullptr) : Json(point.friction)}};
+          {"friction", point.friction}};
 }
 Json point_json(const std::optional<Point>& point) {
   return point ? point_json(*point) : Json(nullptr);
@@ -45,7 +46,7 @@ std::optional<double> equal_share_speed(const SolvedCase& solved) {
 std::optional<double> least_friction(const SolvedCase& solved) {
   std::optional<double> least;
   for (const Point& point : solved.curve)
-    if (!point.friction_undefined && (!least || point.friction < *least)) least = point.friction;
+    if (!std::isnan(point.friction) && (!least || point.friction < *least)) least = point.friction;
   // Between the points of the curve it is at the interior minimum.
   const Onset<double>& interior = solved.by(OnsetCriterion::friction_minimum);
   if (least && interior.exists)
@@ -68,6 +69,7 @@ Json scene_json(const SolvedCase& solved) {
       {"fastest", point_json(solved.curve.back())},
       {"onset", point_json(solved.at_onset)},
       {"collapse", point_json(solved.at_collapse)},
+      {"contact_share", std::min(1.0, solved.contact.sharing().asperity_share(0))},
       {"equal_share_speed", number(equal_share_speed(solved))},
       {"least_friction", number(least_friction(solved))}};
 }

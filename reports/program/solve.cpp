@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck solve: the outputs at the scene's speeds, by the root find.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "command.hpp"
@@ -53,21 +56,31 @@ int solve(const SolveArguments& arguments, OutputStream& output) {
   return loaded.all_good ? exit_done : exit_bad;
 }
 
-constexpr const char* solve_footer =
-    R"(Columns, as the scene's `outputs` ask: speed in m/s; film_flooded, film and separation in m; all
-other numbers are dimensionless. CSV and JSON numbers read back to the same double. What is
-undefined is - in a table, empty in CSV, and null in JSON, which says why under "undefined".
-A bad scene is reported, the others are still solved, and the exit code is 2.
+constexpr const char* footer_start =
+    R"(Columns: the speed in m/s, and what the scene's `outputs` ask of these; film_flooded, film and
+separation are in m, all other numbers dimensionless.
+)";
+constexpr const char* footer_end = R"(
+CSV and JSON numbers read back to the same double. What is undefined is - in a table, empty in
+CSV, and null in JSON, which says why under "undefined". A bad scene is reported, the others are
+still solved, and the exit code is 2.
 
 Example:
   tribocheck solve reference/published/rough.toml --format csv > rough.csv
   tribocheck solve reference/published/rough.toml reference/published/smooth.toml)";
 
+std::string footer() {
+  std::string text = footer_start;
+  for (const OutputInfo& output : output_infos)
+    text += fmt::format("  {:<21}{}\n", output.name, output.meaning);
+  return text + footer_end;
+}
+
 }  // namespace
 
 Command add_solve(CLI::App& program) {
   CLI::App* app = program.add_subcommand("solve", "the outputs of scenes at their speeds");
-  app->footer(footer_with_scenes(solve_footer));
+  app->footer(footer_with_scenes(footer()));
   const auto arguments = std::make_shared<SolveArguments>();
   add_scene_arguments(*app, *arguments);
   app->add_option("--threads", arguments->threads,

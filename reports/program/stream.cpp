@@ -34,7 +34,7 @@ int stream(OutputStream& output) {
 constexpr const char* example =
     R"(Each line in is a scene with one speed, and may name the outputs it wants; or it calls
 one function of the model. Each gets one line out, in order:
-  {"id": "p1", "film": 3.42e-08, "friction": null, "undefined": {"friction": "the film has collapsed"}}
+  {"id": "p1", "film": 3.42e-08, "friction": null, "undefined": {"friction": "the film has collapsed: nothing balances the load"}}
   {"id": "p2", "error": {"field": "load", "message": "-5 is not allowed; allowed: ..."}}
 A line that is not JSON or is over 1 MiB gets an error too, with "id": null; blank lines get no
 answer. Answers are flushed whenever no complete line is waiting. Errors are answers: the exit code

@@ -149,5 +149,64 @@ class Elsewhere(unittest.TestCase):
             self.assertTrue(os.path.isfile(file), file)
 
 
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+
+
+def has_fma():
+    """Without fused multiply-add last digits may be others."""
+    off = os.environ.get("GLIBC_TUNABLES", "")
+    flags = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    return " fma " in flags and "-FMA" not in off and "-AVX2" not in off
+
+
+class OfTheReadme(unittest.TestCase):
+    """`tribocheck COMMAND scene.toml …` with what it prints: the README's own scene, to the last digit.
+    A last line "…" stands for all further lines."""
+
+    COMMANDS = "solve", "onset", "curve"
+
+    def shown(self):
+        return re.findall(rf"`tribocheck ((?:{'|'.join(self.COMMANDS)}) scene\.toml[^`\n]*)`[^`]*\n```\n(.*?)```",
+                          README, re.S)
+
+    def assert_shown(self, printed, shown):
+        if shown.endswith("…\n"):
+            shown = shown.removesuffix("…\n")
+            printed = "".join(printed.splitlines(keepends=True)[:shown.count("\n")])
+        if has_fma():
+            return self.assertEqual(printed, shown)
+        words = [re.split(r"([\s,]+)", text) for text in (printed, shown)]
+        self.assertEqual(*map(len, words))
+        for one, other in zip(*words):
+            if one != other:
+                self.assertAlmostEqual(float(one)/float(other), 1, delta=1e-12)
+
+    def test_it_shows_what_is_printed(self):
+        scene, = re.findall(r"(?s)## A scene\n\n```toml\n(.*?)```", README)
+        folder = Folder()
+        self.addCleanup(folder.cleanup)
+        path = folder.write("scene.toml", scene)
+        examples_shown = self.shown()
+        self.assertEqual(sorted({line.split()[0] for line, _ in examples_shown}), sorted(self.COMMANDS))
+        for line, shown in examples_shown:
+            with self.subTest(line=line):
+                done = run(*line.replace("scene.toml", path).split())
+                self.assertEqual(done.code, 0, done.err)
+                self.assert_shown(done.out, shown)
+
+
+class Outputs(unittest.TestCase):
+    """What an output means is one text, wherever it is told."""
+
+    def test_the_readme_of_the_model_and_the_help_say_the_same(self):
+        rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|–) \| (.*) \|$",
+                          (ROOT / "model/README.md").read_text(encoding="utf-8").partition("### Outputs\n")[2])
+        self.assertEqual(len(rows), 11)
+        told = " ".join(run("solve", "--help").out.split())
+        for name, meaning in rows:
+            self.assertIn(f" {name} {meaning} ", told)
+        self.assertIn("h₀", dict(rows)["film_flooded"])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -132,7 +132,7 @@ class Statuses(unittest.TestCase):
                                   "inlet": "starved",
                                   "undefined": {"friction": "outside the range of double precision"}})
         collapsed, = self.ask(point(load=4, outputs=["friction"]))
-        self.assertEqual(collapsed["undefined"], {"friction": "the film has collapsed"})
+        self.assertEqual(collapsed["undefined"], {"friction": "the film has collapsed: nothing balances the load"})
         none, = self.ask(point(load=1, outputs=["regime", "summit_count"]))
         self.assertEqual(none.keys(), {"id", "skip"})
 

@@ -142,8 +142,9 @@ class Numbers(WrittenReport):
                 if float(row["film"]) else 4
             condition = 1 / abs(1 - lambda_flooded / 4) if lambda_flooded != 4 else 1
             for name in numbers:
-                if row[name] == "NaN":
-                    self.assertEqual((other[name], row["inlet"]), ("", "collapsed"))
+                if other[name] == "":  # but for the marks, where the shares are the limits as printed
+                    self.assertEqual((row["regime"], row["inlet"]), ("collapsed", "collapsed"))
+                    self.assertEqual(row[name] == "NaN", "event" not in row or name == "friction")
                     continue
                 scale = 1 if name.endswith("load_share") else abs(float(other[name]))
                 self.assertLessEqual(abs(float(row[name]) - float(other[name])),
@@ -323,6 +324,13 @@ class Numbers(WrittenReport):
             scene = row["surface"] + ("_gw" if row["model"] == "GW" else "")
             other = solved(self.folder.name, [row["speed"]], scene)
             self.assert_points_agree([row], other)
+            if row["event"] == "printed":  # the limits A(0) and 1 - A(0) go on to the highest speed
+                self.assertEqual(row["regime"], "collapsed")
+                collapse, = (one for one in table(self.out / "data/marks.tsv") if one["event"] == "collapse" and
+                             (one["surface"], one["model"]) == (row["surface"], row["model"]))
+                for share in ("asperity_load_share", "fluid_load_share"):
+                    self.assertEqual(row[share], collapse[share])
+                self.assertAlmostEqual(float(row["asperity_load_share"]) + float(row["fluid_load_share"]), 1, 15)
             if row["event"] == "collapse":
                 self.assertEqual((row["inlet"], float(row["film"])), ("collapsed", 0))
                 before = solved(self.folder.name, [math.nextafter(float(row["speed"]), 0)], scene)

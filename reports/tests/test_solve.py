@@ -11,6 +11,8 @@ from program import Folder, Literal, json_value, run, scene
 NUMBERS = ["film_flooded", "film", "separation", "film_parameter", "asperity_load_share",
            "fluid_load_share", "real_area_ratio", "summit_count", "friction"]
 OUTPUTS = NUMBERS + ["regime", "inlet"]
+UNBALANCED = ["asperity_load_share", "fluid_load_share", "friction"]
+COLLAPSED = "the film has collapsed: nothing balances the load"
 
 
 def rows_of(text):
@@ -64,9 +66,25 @@ class Numbers(SolveTest):
 
     def test_what_is_undefined_says_why(self):
         point = self.points(scene("smooth", speed=3))[0]
-        self.assertEqual((point["inlet"], point["film"]), ("collapsed", 0))
-        self.assertIsNone(point["friction"])
-        self.assertEqual(point["undefined"], {"friction": "the film has collapsed"})
+        self.assertEqual((point["inlet"], point["regime"], point["film"], point["separation"]),
+                         ("collapsed", "collapsed", 0, 0))
+        self.assertGreater(min(point["real_area_ratio"], point["summit_count"]), 0)  # limits
+        self.assertEqual([point[name] for name in UNBALANCED], [None, None, None])
+        self.assertEqual(point["undefined"], dict.fromkeys(UNBALANCED, COLLAPSED))
+
+    def test_each_output_asked_alone_says_why_it_is_undefined(self):
+        for name in OUTPUTS:
+            point = self.points(scene("smooth", speed=3, outputs=[name]))[0]
+            self.assertEqual(point.get("undefined"), {name: COLLAPSED} if name in UNBALANCED else None)
+
+    def test_a_collapse_onto_a_floor_leaves_the_load_to_the_asperities(self):
+        tree = scene("rough", speed=5)
+        tree["surface"]["offset_planes"] = 2
+        point = self.points(tree)[0]
+        self.assertEqual((point["inlet"], point["regime"], point["film"]), ("collapsed", "boundary", 0))
+        self.assertEqual((point["asperity_load_share"], point["fluid_load_share"]), (1, 0))
+        self.assertGreater(point["friction"], 0.13)
+        self.assertNotIn("undefined", point)
 
     def test_an_overflow_is_undefined_not_infinite(self):
         tree = scene(speed=1e300)
@@ -160,7 +178,7 @@ class Formats(SolveTest):
         self.assertEqual(len(ends), 1)
         for line in [lines[3], *lines[5:25]]:  # two blanks between the columns, everywhere
             self.assertEqual(line[12:14], "  ")
-        self.assertEqual(lines[25:], ["  - friction: the film has collapsed"])
+        self.assertEqual(lines[25:], [f"  - {name}: {COLLAPSED}" for name in UNBALANCED])
 
     def test_a_title_is_underlined_as_long_as_it_looks(self):
         lines = run("solve", "-", stdin=json_value(scene(id="ü ρ", speed=1))).out.splitlines()

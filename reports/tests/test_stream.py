@@ -61,7 +61,7 @@ class Answers(unittest.TestCase):
     def test_undefined(self):
         _, (answer,) = answers(scene("smooth", speed=3, outputs=["friction", "inlet"]))
         self.assertEqual(answer, {"id": "smooth", "friction": None, "inlet": "collapsed",
-                                  "undefined": {"friction": "the film has collapsed"}})
+                                  "undefined": {"friction": "the film has collapsed: nothing balances the load"}})
 
     def test_without_an_id(self):
         _, (answer,) = answers(point(id=None, outputs=["film"]))

@@ -18,7 +18,7 @@ class Complete(unittest.TestCase):
         answered = assert_agree(self, COMPLETE, lines, 1e-9)
         self.assertEqual(len(answered), len(lines))
         regimes = {answer["regime"] for line, answer in answered if "regime" in answer}
-        self.assertEqual(regimes, {"boundary", "mixed", "elastohydrodynamic"})
+        self.assertEqual(regimes, {"boundary", "mixed", "elastohydrodynamic", "collapsed"})
         inlets = {answer["inlet"] for line, answer in answered if "inlet" in answer}
         self.assertEqual(inlets, {"flooded", "starved", "collapsed"})
 

@@ -229,7 +229,7 @@ class Files(SweepTest):
                 self.assertEqual(list(data.dims[1].keys()), ["speed"])
                 self.assertEqual(data.dims[1][0], file["smooth/speed"])
                 self.assertEqual(len(data.dims[0]), 0)
-            self.assertIn("undefined where the film has collapsed", file["smooth/outputs/friction"].attrs["meaning"])
+            self.assertIn("undefined where the film has collapsed", file["smooth/outputs/asperity_load_share"].attrs["meaning"])
         self.swept(self.TEXT + 'onset = ["film_maximum"]\n', "--force")
         with opened(self.path("out.h5")) as file:
             self.assertIn("undefined where the case has no such onset",

@@ -96,7 +96,7 @@ class Summaries(SweepTest):
     def test_words_are_counted_as_the_kept_points_have_them(self):
         with opened(self.path("curves.h5")) as file:
             kept = {name: file["smooth/outputs"][name][:] for name in ("regime", "inlet")}
-        names = {"regime": ("boundary", "mixed", "elastohydrodynamic"),
+        names = {"regime": ("boundary", "mixed", "elastohydrodynamic", "collapsed"),
                  "inlet": ("flooded", "starved", "collapsed")}
         seen = set()
         for row in self.rows("curves.h5"):

@@ -131,14 +131,14 @@ std::vector<QuantityResult> operating_points(const std::string& folder) {
     if (!output) throw std::runtime_error(fmt::format("unknown output {}", row.text("output")));
     const OperatingPoint<double> point =
         MixedContact<double>(scene_of(row)).solve(row.number("speed"));
-    if (!row.is_defined()) {
-      if (!point.friction_undefined)
-        throw std::runtime_error(
-            fmt::format("row {} is undefined, the model gives a number", row.text("id")));
-      continue;
-    }
     const auto place = static_cast<std::size_t>(*output);
-    judges[place].add(row, numbers_of(point)[place]);
+    const double number = numbers_of(point)[place];
+    if (row.is_defined()) {
+      judges[place].add(row, number);
+    } else if (point.regime != Regime::collapsed || !std::isnan(number)) {
+      throw std::runtime_error(
+          fmt::format("row {} is undefined, the model gives a number", row.text("id")));
+    }
   }
   std::vector<QuantityResult> results;
   for (const Judge& judge : judges) results.push_back(judge.result());

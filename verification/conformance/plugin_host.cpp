@@ -91,7 +91,7 @@ Answer<PointResult> point_answer(int status, const tribocheck_point& point) {
                      point.friction,
                      {},
                      {}};
-  const bool codes_are_known = read_word(point.regime, Regime::elastohydrodynamic, result.regime) &&
+  const bool codes_are_known = read_word(point.regime, Regime::collapsed, result.regime) &&
                                read_word(point.inlet, Inlet::collapsed, result.inlet);
   if (status == TRIBOCHECK_DONE && !codes_are_known)
     return failed("the plug-in wrote a code of regime or inlet that means nothing");

@@ -131,12 +131,10 @@ Numbers numbers_of(const catalogue::Results& results) {
 }
 
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question) {
-  Numbers numbers = tribo::numbers_of(point);
+  Numbers numbers = tribo::numbers_of(point);  // where the film has collapsed some are NaN: unsaid
   numbers[static_cast<std::size_t>(Output::summit_count)] *= question.summit_count_times;
   double& friction = numbers[static_cast<std::size_t>(Output::friction)];
-  if (point.friction_undefined)
-    friction = unsaid;
-  else if (!(question.friction == FrictionReading{}))
+  if (point.regime != Regime::collapsed && !(question.friction == FrictionReading{}))
     friction = friction_of(point, *question.scene, question.friction);
   return numbers;
 }

@@ -38,11 +38,11 @@ std::optional<OutputValue> value_of(const WordResult<Word>& result) {
   return OutputValue{.undefined = {}, .word = name(result.word)};
 }
 
-std::optional<OutputValue> friction_of(const PointResult& point) {
+// Why an output of balance_outputs() is undefined.
+std::string_view reason_of(const PointResult& point) {
   const bool has_collapsed =
       point.inlet.kind == WordResult<Inlet>::Kind::word && point.inlet.word == Inlet::collapsed;
-  return value_of(point.friction,
-                  has_collapsed ? protocol::film_collapsed : protocol::beyond_double);
+  return has_collapsed ? protocol::film_collapsed : protocol::beyond_double;
 }
 
 std::optional<OutputValue> value_of(const PointResult& point, Output output) {
@@ -56,15 +56,15 @@ std::optional<OutputValue> value_of(const PointResult& point, Output output) {
     case Output::film_parameter:
       return value_of(point.film_parameter);
     case Output::asperity_load_share:
-      return value_of(point.asperity_load_share);
+      return value_of(point.asperity_load_share, reason_of(point));
     case Output::fluid_load_share:
-      return value_of(point.fluid_load_share);
+      return value_of(point.fluid_load_share, reason_of(point));
     case Output::real_area_ratio:
       return value_of(point.real_area_ratio);
     case Output::summit_count:
       return value_of(point.summit_count);
     case Output::friction:
-      return friction_of(point);
+      return value_of(point.friction, reason_of(point));
     case Output::regime:
       return value_of(point.regime);
     case Output::inlet:

@@ -16,8 +16,10 @@
  * failed. What a plug-in prints to stdout comes out on stderr.
  *
  * SI units throughout. A number in a result that is not finite says something: NaN that this result
- * is not offered, an infinity that there is none at this point (as friction, where the film has
- * collapsed). The only result of a function is always offered: NaN there is an error.
+ * is not offered, an infinity that there is none at this point. The only result of a function is
+ * always offered: NaN there is an error. Where the film has collapsed, and no floor keeps the faces
+ * apart, nothing balances the load: both load shares and friction are NaN, and the regime is
+ * TRIBOCHECK_NO_FILM. What a plug-in says of these four there is not judged.
  *
  * Formulas, symbols and ranges: model/README.md. */
 #ifndef TRIBOCHECK_PLUGIN_H
@@ -56,7 +58,12 @@ enum {
 };
 enum { TRIBOCHECK_EYRING = 0, TRIBOCHECK_LIMITING = 1 };
 enum { TRIBOCHECK_BARUS = 0, TRIBOCHECK_AMBIENT = 1, TRIBOCHECK_ROELANDS = 2 };
-enum { TRIBOCHECK_BOUNDARY = 0, TRIBOCHECK_MIXED = 1, TRIBOCHECK_ELASTOHYDRODYNAMIC = 2 };
+enum {
+  TRIBOCHECK_BOUNDARY = 0,
+  TRIBOCHECK_MIXED = 1,
+  TRIBOCHECK_ELASTOHYDRODYNAMIC = 2,
+  TRIBOCHECK_NO_FILM = 3 /* no film, and no floor that keeps the faces apart */
+};
 enum { TRIBOCHECK_FLOODED = 0, TRIBOCHECK_STARVED = 1, TRIBOCHECK_COLLAPSED = 2 };
 /* Instead of a code in tribocheck_point: not offered, and none at this point. */
 enum { TRIBOCHECK_NO_CODE = -1, TRIBOCHECK_UNDEFINED_CODE = -2 };
@@ -119,7 +126,7 @@ typedef struct tribocheck_point {
   double fluid_load_share;    /* 1 - A */
   double real_area_ratio;     /* real area of contact over Hertz' */
   double summit_count;        /* summits in contact */
-  double friction;            /* coefficient; infinite where the film has collapsed to nothing */
+  double friction;            /* coefficient */
   int regime;                 /* TRIBOCHECK_BOUNDARY ... */
   int inlet;                  /* TRIBOCHECK_FLOODED ... */
 } tribocheck_point;

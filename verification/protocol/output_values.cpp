@@ -20,17 +20,21 @@ OutputValue word(std::string_view text, bool rests_on_finite_numbers) {
 
 OutputValue value_of(const OperatingPoint<double>& point, Output output) {
   switch (output) {
+    case Output::asperity_load_share:
+    case Output::fluid_load_share:
     case Output::friction:
-      if (point.friction_undefined) return {.undefined = film_collapsed, .word = {}};
-      return number(point.friction);
+      if (point.regime == Regime::collapsed) return {.undefined = film_collapsed, .word = {}};
+      break;
     case Output::regime:
       return word(name(point.regime),
-                  std::isfinite(point.asperity_load_share + point.fluid_load_share));
+                  point.regime == Regime::collapsed ||
+                      std::isfinite(point.asperity_load_share + point.fluid_load_share));
     case Output::inlet:
       return word(name(point.inlet), std::isfinite(point.film));
     default:
-      return number(numbers_of(point)[static_cast<std::size_t>(output)]);
+      break;
   }
+  return number(numbers_of(point)[static_cast<std::size_t>(output)]);
 }
 
 OutputSet needed_for(OutputSet asked) {

@@ -9,7 +9,8 @@
 namespace tribo::protocol {
 
 inline constexpr std::string_view beyond_double = "outside the range of double precision";
-inline constexpr std::string_view film_collapsed = "the film has collapsed";
+inline constexpr std::string_view film_collapsed =
+    "the film has collapsed: nothing balances the load";
 
 // Exactly one of the three: a reason why there is none, a word, or else a finite number.
 struct OutputValue {

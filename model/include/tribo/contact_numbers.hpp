@@ -24,7 +24,7 @@ struct SurfaceNumbers {
   T hazard;              // −d ln A/dλ at the floor: positive; 0 if there is no floor
   T floor_up_to;         // λ = λ_b to half an ulp for λ₀ from 0 to here
   T film_from;           // λ = λ₀ to half an ulp for λ₀ from here on
-  T film_at_unit_speed;  // λ₀/u^a
+  T film_at_unit_speed;  // λ₀/u^a; NaN of a contact beyond the kernels' range
 };
 
 template <class T>

@@ -139,14 +139,15 @@ class MixedContact {
     LoadShares<T> shares{};
     if (needs_shares(outputs))
       shares = supply_ == SupplyKind::flooded ? flooded.shares : starved_shares(flooded, inlet);
-    if (outputs.contains_any(sharing_outputs())) add_shares(point, shares);
+    const bool has_collapsed = inlet.collapsed && lambda_apart == 0;
+    if (outputs.contains_any(balance_outputs())) add_shares(point, shares, has_collapsed);
     if (outputs.contains_any(area_outputs()))
       point.real_area_ratio = moment_at(asperities_.area_factor, area_order(asperities_.model),
                                         lambda_apart, shares.asperity);
     if (outputs.contains(Output::summit_count))
       point.summit_count = moment_at(asperities_.count_factor, count_order(asperities_.model),
                                      lambda_apart, shares.asperity);
-    if (outputs.contains(Output::friction)) add_friction(point, lambda_apart);
+    if (outputs.contains(Output::friction)) add_friction(point, lambda_apart, has_collapsed);
     return point;
   }
 
@@ -168,7 +169,7 @@ class MixedContact {
  private:
   // Near a high floor the moments rest on the shares too.
   bool needs_shares(OutputSet outputs) const {
-    return outputs.contains_any(sharing_outputs()) ||
+    return outputs.contains_any(balance_outputs()) ||
            (has_high_floor() && outputs.contains_any(moment_outputs()));
   }
 
@@ -179,13 +180,6 @@ class MixedContact {
   static constexpr OutputSet only(Output output) {
     OutputSet set;
     set.insert(output);
-    return set;
-  }
-  static constexpr OutputSet sharing_outputs() {
-    OutputSet set = only(Output::asperity_load_share);
-    set.insert(Output::fluid_load_share);
-    set.insert(Output::regime);
-    set.insert(Output::friction);
     return set;
   }
   static constexpr OutputSet moment_outputs() {
@@ -214,16 +208,24 @@ class MixedContact {
            (scaled_gaussian_moment(n, d) / scaled_gaussian_moment(p, d));
   }
 
-  static void add_shares(OperatingPoint<T>& point, const LoadShares<T>& shares) {
+  // Without a film and a floor A(0) < 1 is not what balances the load: nothing does.
+  static void add_shares(OperatingPoint<T>& point, const LoadShares<T>& shares,
+                         bool has_collapsed) {
+    if (has_collapsed) {
+      point.asperity_load_share = point.fluid_load_share = quiet_nan<T>();
+      point.regime = Regime::collapsed;
+      return;
+    }
     point.asperity_load_share = shares.asperity;
     point.fluid_load_share = shares.fluid;
     point.regime = regime_of(shares.asperity, shares.fluid);
   }
 
   // μ = μ_b A + τ (1 − A_r/A_nom)/p̄
-  void add_friction(OperatingPoint<T>& point, const T& separation_over_sd) const {
-    if (separation_over_sd == 0) {
-      point.friction_undefined = true;
+  void add_friction(OperatingPoint<T>& point, const T& separation_over_sd,
+                    bool has_collapsed) const {
+    if (has_collapsed) {
+      point.friction = quiet_nan<T>();
       return;
     }
     point.friction = boundary_coefficient_ * point.asperity_load_share;
@@ -257,7 +259,9 @@ class MixedContact {
 };
 
 // In double the numbers come from the engine (src/engine.hpp): a point has the same bits alone and
-// in a batch of any size, on every x86-64 with fused multiply-add. Error: operating_point_contract.
+// in a batch of any size, on every x86-64 with fused multiply-add. Where its own range might not do
+// (src/sharing_method.hpp) they are those of the formula text in long double, rounded. Error:
+// operating_point_contract; next to 0, where doubles are subnormal, their spacing.
 template <>
 class MixedContact<double> {
  public:
@@ -299,6 +303,7 @@ class MixedContact<double> {
 
  private:
   friend class MixedContacts;
+  bool is_within_engine(double speed) const;
   MixedContact(const detail::ContactWords& words, const detail::SceneNumbers<double>& scene,
                const detail::ContactNumbers<double>& numbers)
       : words_(words), scene_(scene), numbers_(numbers) {}

@@ -217,8 +217,7 @@ Onset<T> friction_minimum(const MixedContact<T>& contact, const Scene& scene) {
   outputs.insert(Output::friction);
   const auto friction = [&](const T& s) {
     const WalkPoint<T> point = walk.at(s);
-    const OperatingPoint<T> result = contact.complete(point.flooded, point.inlet, outputs);
-    return result.friction_undefined ? quiet_nan<T>() : result.friction;
+    return contact.complete(point.flooded, point.inlet, outputs).friction;
   };
   const T first = log(T(span.low)), last = log(T(span.high));
   // 50 points for each factor e in speed, far finer than any feature of the closed forms; but at
@@ -264,6 +263,10 @@ Onset<T> asperity_minimum(const MixedContact<T>& contact, const InletOnsets<T>& 
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
                const InletOnsets<T>& inlet) {
+  if (!is_finite(contact.sharing().stiffness()))
+    return detail::no_onset<T>(criterion,
+                               "K, the stiffness of the asperities, is outside the range of double "
+                               "precision");
   switch (criterion) {
     case OnsetCriterion::film_maximum:
       return detail::film_maximum(criterion, contact, inlet);

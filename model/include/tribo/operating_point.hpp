@@ -17,19 +17,21 @@ namespace tribo {
 // add as much again.
 inline constexpr Contract operating_point_contract{8, 16};
 
-enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic };
+// `collapsed`: no film, and no floor that keeps the faces apart, so that nothing balances the load.
+enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic, collapsed };
 enum class Inlet : std::uint8_t { flooded, starved, collapsed };
 
 constexpr std::string_view name(Regime regime) {
-  return regime == Regime::boundary ? "boundary"
-         : regime == Regime::mixed  ? "mixed"
-                                    : "elastohydrodynamic";
+  return regime == Regime::boundary             ? "boundary"
+         : regime == Regime::mixed              ? "mixed"
+         : regime == Regime::elastohydrodynamic ? "elastohydrodynamic"
+                                                : "collapsed";
 }
 constexpr std::string_view name(Inlet inlet) {
   return inlet == Inlet::flooded ? "flooded" : inlet == Inlet::starved ? "starved" : "collapsed";
 }
 
-// From the load shares of asperities and film.
+// From the load shares of asperities and film, where the load is balanced.
 template <class T>
 Regime regime_of(const T& asperity_share, const T& fluid_share) {
   const T little = ratio<T>(1, 100);
@@ -38,8 +40,10 @@ Regime regime_of(const T& asperity_share, const T& fluid_share) {
                                    : Regime::mixed;
 }
 
-// One operating point; units and meaning in outputs.hpp. What was not asked for is 0. An overflow
-// of the number type shows as ∞ or NaN.
+// One operating point; units and meaning in outputs.hpp. What was not asked for is 0; but the
+// regime is there with each output of balance_outputs(), as it says whether they are defined: both
+// shares and friction are NaN where it is `collapsed`. An overflow of the number type shows as ∞ or
+// NaN.
 template <class T>
 struct OperatingPoint {
   T speed{};
@@ -54,7 +58,6 @@ struct OperatingPoint {
   T friction{};
   Regime regime = Regime::mixed;
   Inlet inlet = Inlet::flooded;
-  bool friction_undefined = false;  // the film has collapsed and no floor keeps the faces apart
 };
 
 // Its numbers, in the order of Output, which has the words last.
@@ -89,8 +92,7 @@ OperatingPoint<double> in_double(const OperatingPoint<T>& p) {
           to_double(p.summit_count),
           to_double(p.friction),
           p.regime,
-          p.inlet,
-          p.friction_undefined};
+          p.inlet};
 }
 
 }  // namespace detail

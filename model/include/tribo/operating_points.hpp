@@ -12,7 +12,8 @@
 
 namespace tribo {
 
-// Operating points as a structure of arrays; an array of what was not asked for is empty.
+// Operating points as a structure of arrays; an array of what was not asked for is empty, but for
+// the regime, which is there with each output of balance_outputs().
 struct OperatingPoints {
   std::vector<double> speed;
   std::vector<double> film_flooded;
@@ -26,7 +27,6 @@ struct OperatingPoints {
   std::vector<double> friction;
   std::vector<Regime> regime;
   std::vector<Inlet> inlet;
-  std::vector<std::uint8_t> friction_undefined;
 
   std::size_t size() const { return speed.size(); }
   // Room for so many points with these outputs; what room there is already is kept.

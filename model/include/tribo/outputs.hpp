@@ -33,19 +33,26 @@ struct OutputInfo {
 
 inline constexpr std::array<OutputInfo, 11> output_infos{{
     {Output::film_flooded, "film_flooded", "m",
-     "h_ff, film of the fully flooded contact with load sharing"},
+     "h_ff, film of the fully flooded contact with load sharing; the film law's h₀, which is that "
+     "of smooth faces, is thinner"},
     {Output::film, "film", "m", "h*, film behind the starved inlet (h_ff without a supply)"},
     {Output::separation, "separation", "m", "max(h*, floor), the distance of the mean planes"},
     {Output::film_parameter, "film_parameter", "", "λ* = h*/σ_s"},
-    {Output::asperity_load_share, "asperity_load_share", "", "A, part of the load on asperities"},
-    {Output::fluid_load_share, "fluid_load_share", "", "1 − A, part of the load on the film"},
+    {Output::asperity_load_share, "asperity_load_share", "",
+     "A, part of the load on asperities; undefined where the film has collapsed and no floor keeps "
+     "the faces apart"},
+    {Output::fluid_load_share, "fluid_load_share", "",
+     "1 − A, part of the load on the film; undefined where A is"},
     {Output::real_area_ratio, "real_area_ratio", "",
      "real area of contact over the nominal area, not clipped"},
     {Output::summit_count, "summit_count", "", "summits in contact"},
     {Output::friction, "friction", "",
-     "μ, friction coefficient; undefined where the film has collapsed and no floor keeps the faces "
-     "apart"},
-    {Output::regime, "regime", "", "boundary, mixed or elastohydrodynamic, by the load shares"},
+     "μ, friction coefficient: μ_b A and the shear of the oil beside the summits, which adds to "
+     "μ_b "
+     "on a floor too; undefined where A is"},
+    {Output::regime, "regime", "",
+     "boundary, mixed or elastohydrodynamic, by the load shares; collapsed where these are "
+     "undefined"},
     {Output::inlet, "inlet", "", "flooded, starved, or collapsed: without a film"},
 }};
 
@@ -81,5 +88,14 @@ class OutputSet {
   }
   std::uint32_t bits_ = 0;
 };
+
+// Those that rest on the balance of the load.
+constexpr OutputSet balance_outputs() {
+  OutputSet set;
+  for (const Output output :
+       {Output::asperity_load_share, Output::fluid_load_share, Output::friction, Output::regime})
+    set.insert(output);
+  return set;
+}
 
 }  // namespace tribo

@@ -5,10 +5,10 @@ plot \
     linecolor rgb colour(s) title s." (GT)", \
   gw("smooth") using speed:(standing(y)) with lines linestyle 2 \
     linecolor rgb colour("smooth") title "smooth (GW)", \
-  for [s in surfaces] gt(s) using speed:(collapsed(y)) with lines linestyle 3 \
-    linecolor rgb colour(s) notitle, \
-  gw("smooth") using speed:(collapsed(y)) with lines linestyle 3 \
-    linecolor rgb colour("smooth") notitle, \
+  for [s in surfaces] marks using (mark("printed", s, "GT", speed)):(mark("printed", s, "GT", y)) \
+    with lines linestyle 3 linecolor rgb colour(s) notitle, \
+  marks using (mark("printed", "smooth", "GW", speed)):(mark("printed", "smooth", "GW", y)) \
+    with lines linestyle 3 linecolor rgb colour("smooth") notitle, \
   for [s in surfaces] marks using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", y)) \
     with points linestyle 7 linecolor rgb colour(s) notitle, \
   marks using (mark("onset", "smooth", "GW", speed)):(mark("onset", "smooth", "GW", y)) \
@@ -21,4 +21,4 @@ plot \
   keyentry with points linestyle 7 linecolor rgb grey \
     title "onset (film maximum)", \
   keyentry with points linestyle 8 linecolor rgb grey title "collapse", \
-  keyentry with lines linestyle 3 linecolor rgb grey title "after the collapse"
+  keyentry with lines linestyle 3 linecolor rgb grey title "past the collapse, as printed"

@@ -7,10 +7,9 @@ plot \
     linecolor rgb colour(s) title "asperities, ".s, \
   for [s in surfaces] gt(s) using speed:(standing(fluid_share)) with lines linestyle 4 \
     linecolor rgb colour(s) title "fluid, ".s, \
-  for [s in surfaces] gt(s) using speed:(collapsed(asperity_share)) with lines linestyle 3 \
-    linecolor rgb colour(s) notitle, \
-  for [s in surfaces] gt(s) using speed:(collapsed(fluid_share)) with lines linestyle 3 \
-    linecolor rgb colour(s) notitle, \
+  for [s in surfaces] for [share in "asperity_share fluid_share"] marks \
+    using (mark("printed", s, "GT", speed)):(mark("printed", s, "GT", value(share))) \
+    with lines linestyle 3 linecolor rgb colour(s) notitle, \
   for [s in surfaces] for [share in "asperity_share fluid_share"] marks \
     using (mark("onset", s, "GT", speed)):(mark("onset", s, "GT", value(share))) \
     with points linestyle 7 linecolor rgb colour(s) notitle, \
@@ -20,4 +19,4 @@ plot \
   keyentry with points linestyle 7 linecolor rgb grey \
     title "onset (film maximum)", \
   keyentry with points linestyle 8 linecolor rgb grey title "collapse", \
-  keyentry with lines linestyle 3 linecolor rgb grey title "after the collapse"
+  keyentry with lines linestyle 3 linecolor rgb grey title "past the collapse, as printed"

@@ -5,9 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "support/condition.hpp"
+#include "support/point_bits.hpp"
 #include "support/scenes.hpp"
 #include "support/textbook.hpp"
+#include "tribo/operating_points.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -21,7 +25,7 @@ TEST(MixedContact, AgreesWithASecondImplementationOnGsl) {
     const OperatingPoint<double> got = MixedContact<double>(scene).solve(u);
     const LoadShares<double> shares = MixedContact<double>(scene).flooded(u).shares;
     // Brent's bracket on QAGIU's shares has no finite end where the asperities carry all but 1e-6.
-    if (got.friction_undefined || shares.fluid < 1e-6) continue;
+    if (got.regime == Regime::collapsed || shares.fluid < 1e-6) continue;
     ++compared;
     const textbook::Point other = textbook::solve(scene, u);
     const Conditions condition = conditions_at(scene, u);
@@ -79,13 +83,14 @@ TEST(MixedContact, SharesAreAPartitionAndFilmsAreOrdered) {
   for (int i = 0; i < 5000; ++i) {
     const Scene scene = random_scene(sampler);
     const OperatingPoint<double> p = MixedContact<double>(scene).solve(scene.speeds.list[0]);
+    EXPECT_LE(p.film, p.film_flooded) << describe_scene(scene);
+    EXPECT_GE(p.separation, p.film) << describe_scene(scene);
+    EXPECT_EQ(p.regime == Regime::collapsed, p.separation == 0) << describe_scene(scene);
+    if (p.regime == Regime::collapsed) continue;
     EXPECT_TRUE(is_within(p.asperity_load_share + p.fluid_load_share, 1, 1e-12))
         << describe_scene(scene);
     EXPECT_TRUE(is_within(p.asperity_load_share, 0.5, 0.5)) << describe_scene(scene);
-    EXPECT_LE(p.film, p.film_flooded) << describe_scene(scene);
-    EXPECT_GE(p.separation, p.film) << describe_scene(scene);
-    EXPECT_TRUE(p.friction_undefined || p.friction > 0) << describe_scene(scene);
-    EXPECT_EQ(p.friction_undefined, p.separation == 0) << describe_scene(scene);
+    EXPECT_GT(p.friction, 0) << describe_scene(scene);
     EXPECT_EQ(p.regime == Regime::boundary, p.fluid_load_share < 0.01) << describe_scene(scene);
   }
 }
@@ -106,40 +111,114 @@ TEST(MixedContact, EachOutputAskedAloneIsTheSameToTheLastBit) {
       } else if (row.output == Output::inlet) {
         EXPECT_EQ(one.inlet, all.inlet);
       } else {
-        EXPECT_EQ(numbers_of(one)[static_cast<std::size_t>(row.output)],
-                  numbers_of(all)[static_cast<std::size_t>(row.output)])
-            << row.name << describe_scene(scene);
+        const auto bits = [&](const OperatingPoint<double>& point) {
+          return std::bit_cast<std::uint64_t>(
+              numbers_of(point)[static_cast<std::size_t>(row.output)]);
+        };
+        EXPECT_EQ(bits(one), bits(all)) << row.name << describe_scene(scene);
       }
     }
   }
 }
 
-TEST(MixedContact, CollapseWithoutAFloorIsAStateAndFrictionIsUndefined) {
-  const MixedContact<double> contact(paper_scene(PaperSurface::smooth));
-  const OperatingPoint<double> p = contact.solve(1.0);
-  EXPECT_EQ(p.inlet, Inlet::collapsed);
-  EXPECT_EQ(p.film, 0);
-  EXPECT_EQ(p.separation, 0);
-  EXPECT_EQ(p.film_parameter, 0);
-  EXPECT_TRUE(p.friction_undefined);
-  EXPECT_EQ(p.asperity_load_share, contact.sharing().asperity_share(0));
-  EXPECT_EQ(p.real_area_ratio, real_area_ratio(contact.asperities(), 0.0));
+// What is left of the contact where h_ff has reached h_oil: by closure, floor, and r = h_ff/h_oil.
+enum class Left { film, floor, nothing };
+
+void expect_left(Left left, const MixedContact<double>& contact, const OperatingPoint<double>& p) {
+  const double floor = contact.sharing().floor() * contact.summit_height_sd();
+  EXPECT_EQ(p.film > 0, left == Left::film);
+  EXPECT_EQ(p.film_parameter > 0, left == Left::film);
+  EXPECT_EQ(p.inlet == Inlet::collapsed, left != Left::film);
+  EXPECT_EQ(p.separation, std::max(p.film, floor));
   EXPECT_GT(p.film_flooded, 0);
+  const double apart = p.separation / contact.summit_height_sd();
+  EXPECT_TRUE(
+      is_within(p.real_area_ratio / real_area_ratio(contact.asperities(), apart), 1, 1e-12));
+  EXPECT_TRUE(is_within(p.summit_count / summit_count(contact.asperities(), apart), 1, 1e-12));
+  EXPECT_EQ(p.regime == Regime::collapsed, left == Left::nothing);
+  EXPECT_EQ(p.asperity_load_share == 1 && p.fluid_load_share == 0 && p.regime == Regime::boundary,
+            p.separation == floor && floor > 0);
+  if (left == Left::nothing) {
+    EXPECT_TRUE(std::isnan(p.asperity_load_share) && std::isnan(p.fluid_load_share) &&
+                std::isnan(p.friction));
+  } else {
+    EXPECT_TRUE(is_within(p.asperity_load_share + p.fluid_load_share, 1, 1e-12));
+    // Oil is still sheared beside the summits, at the floor's separation.
+    EXPECT_GT(p.friction, 0.13 * p.asperity_load_share);
+    EXPECT_LT(p.friction, 1);
+  }
 }
 
-TEST(MixedContact, CollapseOntoAFloorLeavesTheAsperitiesWithTheLoad) {
+TEST(MixedContact, OfEachClosureIsLeftWhatTheTableSays) {
+  struct Row {
+    StarvationClosure closure;
+    bool has_floor;
+    std::array<Left, 3> left;  // at r just below 1, at 1, far beyond
+  };
+  constexpr std::array film{Left::film, Left::film, Left::film};
+  constexpr std::array nothing{Left::film, Left::nothing, Left::nothing};
+  constexpr std::array floor{Left::film, Left::floor, Left::floor};
+  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+    for (const Row& row : {Row{StarvationClosure::flooded_inlet, false, nothing},
+                           Row{StarvationClosure::flooded_inlet, true, floor},
+                           Row{StarvationClosure::starved_inlet, false, film},
+                           Row{StarvationClosure::starved_inlet, true, film},
+                           Row{StarvationClosure::printed_exponents, false, film},
+                           Row{StarvationClosure::printed_exponents, true, film},
+                           Row{StarvationClosure::damiens, false, film},
+                           Row{StarvationClosure::damiens, true, film}}) {
+      Scene scene = paper_scene(PaperSurface::rough, model);
+      scene.closures.starvation = row.closure;
+      scene.surface.offset_planes = row.has_floor ? 2 : 0;
+      const MixedContact<double> contact(scene);
+      ASSERT_EQ(contact.sharing().floor() > 0, row.has_floor);
+      double below = 1e-4, at = 100;  // neighbours about r = 1
+      while (std::nextafter(below, at) < at) {
+        const double middle = below + (at - below) / 2;
+        const double r = contact.inlet(contact.flooded(middle)).flooded_over_inlet;
+        (r >= 1 ? at : below) = middle;
+      }
+      const std::array speeds{below, at, 10 * at};
+      OperatingPoints batch;
+      batch.resize(speeds.size(), OutputSet::all());
+      solve(contact, speeds, OutputSet::all(), batch);
+      for (std::size_t i = 0; i < speeds.size(); ++i) {
+        SCOPED_TRACE(describe_scene(scene) + describe({{"u", speeds[i]}}));
+        const OperatingPoint<double> alone = contact.solve(speeds[i]);
+        expect_left(row.left[i], contact, alone);
+        EXPECT_EQ(bits_of(batch[i]), bits_of(alone));
+      }
+      const auto wide = detail::in_double(
+          MixedContact<long double>(scene).solve(static_cast<long double>(speeds[2])));
+      EXPECT_EQ(wide.regime, batch.regime[2]);
+      EXPECT_EQ(wide.inlet, batch.inlet[2]);
+      EXPECT_EQ(std::isnan(wide.asperity_load_share), row.left[2] == Left::nothing);
+      EXPECT_EQ(std::isnan(wide.fluid_load_share), row.left[2] == Left::nothing);
+      EXPECT_EQ(std::isnan(wide.friction), row.left[2] == Left::nothing);
+    }
+}
+
+// The lower the floor, the greater the shear rate of the oil that stands beside the summits: just
+// above A(0) = 1 friction is far above μ_b, by no other part than τ(1 − A_r)/p̄.
+TEST(MixedContact, FrictionOnALowFloorIsTheShearOfTheOilBesideTheSummits) {
   Scene scene = paper_scene(PaperSurface::rough);
-  scene.surface.offset_planes = 2;
+  for (int i = 0; i < 60; ++i) {  // K to where A(0) = 1
+    const MixedContact<long double> contact(scene);
+    const long double share = contact.sharing().asperity_share(0.0L);
+    scene.surface.summit_density *= static_cast<double>(1 / share);
+  }
+  scene.surface.summit_density *= 1 + 1e-13;
   const MixedContact<double> contact(scene);
-  ASSERT_GT(contact.sharing().floor(), 0);
+  const double floor = contact.sharing().floor();
+  ASSERT_TRUE(floor > 0 && floor < 1e-10) << floor;
   const OperatingPoint<double> p = contact.solve(5.0);
-  EXPECT_EQ(p.inlet, Inlet::collapsed);
-  EXPECT_EQ(p.film, 0);
-  EXPECT_EQ(p.separation, contact.sharing().floor() * 1e-7);
-  EXPECT_EQ(p.asperity_load_share, 1);
-  EXPECT_EQ(p.regime, Regime::boundary);
-  EXPECT_FALSE(p.friction_undefined);
-  EXPECT_GT(p.friction, 0.13);
+  ASSERT_EQ(p.regime, Regime::boundary);
+  const double rate = 5.0 / p.separation, viscosity = scene.lubricant.viscosity;
+  const double tau0 = *scene.lubricant.eyring_stress;
+  const double oil = tau0 * std::asinh(viscosity * rate / tau0) * (1 - p.real_area_ratio) /
+                     contact.hertz().mean_pressure;
+  EXPECT_TRUE(is_within(p.friction / (0.13 + oil), 1, 1e-12));
+  EXPECT_GT(p.friction, 0.2);
 }
 
 }  // namespace

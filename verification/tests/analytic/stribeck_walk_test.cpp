@@ -66,10 +66,11 @@ TEST(StribeckCurve, EachPointIsWhatTheRootGivesAtItsSpeed) {
       const double r_condition = p.film > 0 ? 1 + p.film_flooded / p.film : 1;
       close(p.film, solved.film, r_condition);
       close(p.separation, solved.separation, r_condition);
+      EXPECT_EQ(p.inlet, solved.inlet) << name_of(scene) << describe({{"u", p.speed}});
+      EXPECT_EQ(p.regime == Regime::collapsed, solved.regime == Regime::collapsed);
+      if (p.regime == Regime::collapsed) return;
       close(p.fluid_load_share, solved.fluid_load_share, 8 + condition * r_condition);
       close(p.friction, solved.friction, 8 + condition * r_condition);
-      EXPECT_EQ(p.inlet, solved.inlet) << name_of(scene) << describe({{"u", p.speed}});
-      EXPECT_EQ(p.friction_undefined, solved.friction_undefined);
     };
     stribeck_curve(wide, 1e-4L, 3.0L, 60, OutputSet::all(), hold);
   }

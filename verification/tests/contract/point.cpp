@@ -532,10 +532,20 @@ Values<T> values_of(const Point& point) {
     default: {
       const OperatingPoint<T> solved =
           MixedContact<T>(point.scene).solve(T(point.scene.speeds.list[0]));
-      const auto numbers = numbers_of(solved);
+      auto numbers = numbers_of(solved);
+      // What is undefined has to be NaN, and stands for 0 here, which compares.
+      if (solved.regime == Regime::collapsed)
+        for (const Output undefined :
+             {Output::asperity_load_share, Output::fluid_load_share, Output::friction}) {
+          T& number = numbers[static_cast<std::size_t>(undefined)];
+          if constexpr (std::is_floating_point_v<T>) {
+            if (std::isnan(number)) number = 0;
+          } else {
+            number = T(0);
+          }
+        }
       return {{numbers.begin(), numbers.end()},
-              {static_cast<int>(solved.regime), static_cast<int>(solved.inlet),
-               solved.friction_undefined ? 1 : 0}};
+              {static_cast<int>(solved.regime), static_cast<int>(solved.inlet)}};
     }
   }
 }

@@ -79,7 +79,7 @@ std::vector<std::pair<std::string, double>> inputs_of(const Point& point);
 template <class T>
 struct Values {
   std::vector<T> numbers;
-  std::array<int, 3> states{};  // of a scene: regime, inlet, whether friction is undefined
+  std::array<int, 2> states{};  // of a scene: regime, inlet
 };
 // Defined for float, double, long double, Reference (support/judge.hpp) and Enclosure.
 template <class T>
@@ -97,7 +97,7 @@ struct Measured {
 
 struct Evaluation {
   std::vector<Measured> numbers;
-  bool states_differ = false;  // regime, inlet, whether friction is defined; a share beyond [0, 1]
+  bool states_differ = false;  // regime, inlet; a share beyond [0, 1]
   std::size_t state_row = 0;   // its row, where the point has states
   // The condition number of one of the numbers, at least 1; costs more than the rest.
   std::function<double(std::size_t)> condition;

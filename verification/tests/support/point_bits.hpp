@@ -16,7 +16,6 @@ inline std::vector<std::uint64_t> bits_of(const OperatingPoint<double>& point) {
     bits.push_back(std::bit_cast<std::uint64_t>(number));
   bits.push_back(static_cast<std::uint64_t>(point.regime));
   bits.push_back(static_cast<std::uint64_t>(point.inlet));
-  bits.push_back(point.friction_undefined ? 1 : 0);
   return bits;
 }
 

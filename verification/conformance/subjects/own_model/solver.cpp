@@ -34,6 +34,7 @@ PointResult operating_point(const Scene& scene) {
   OutputSet outputs = OutputSet::all();
   if (!has_friction_inputs(scene)) outputs.erase(Output::friction);
   const OperatingPoint<double> point = MixedContact<double>(scene).solve(scene.speeds[0], outputs);
+  const double shares = point.asperity_load_share + point.fluid_load_share;
   return {or_undefined(point.film_flooded),
           or_undefined(point.film),
           or_undefined(point.separation),
@@ -42,8 +43,8 @@ PointResult operating_point(const Scene& scene) {
           or_undefined(point.fluid_load_share),
           or_undefined(point.real_area_ratio),
           or_undefined(point.summit_count),
-          point.friction_undefined ? undefined_here : or_undefined(point.friction),
-          word(point.regime, point.asperity_load_share + point.fluid_load_share),
+          or_undefined(point.friction),
+          word(point.regime, point.regime == Regime::collapsed ? point.film : shares),
           word(point.inlet, point.film)};
 }
 

@@ -14,6 +14,7 @@ namespace {
 using namespace tribo;
 
 constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double nothing_said = std::numeric_limits<double>::quiet_NaN();
 
 double or_undefined(double number) { return std::isfinite(number) ? number : none; }
 
@@ -23,16 +24,21 @@ int code(Word word, double rests_on) {
 }
 
 tribocheck_point plugin_point(const OperatingPoint<double>& point) {
+  const bool has_collapsed = point.regime == Regime::collapsed;
+  const auto balanced = [&](double number) {
+    return has_collapsed ? nothing_said : or_undefined(number);
+  };
   return {or_undefined(point.film_flooded),
           or_undefined(point.film),
           or_undefined(point.separation),
           or_undefined(point.film_parameter),
-          or_undefined(point.asperity_load_share),
-          or_undefined(point.fluid_load_share),
+          balanced(point.asperity_load_share),
+          balanced(point.fluid_load_share),
           or_undefined(point.real_area_ratio),
           or_undefined(point.summit_count),
-          point.friction_undefined ? none : or_undefined(point.friction),
-          code(point.regime, point.asperity_load_share + point.fluid_load_share),
+          balanced(point.friction),
+          code(point.regime,
+               has_collapsed ? point.film : point.asperity_load_share + point.fluid_load_share),
           code(point.inlet, point.film)};
 }
 

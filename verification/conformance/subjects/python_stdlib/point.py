@@ -116,8 +116,11 @@ def solve(scene, outputs):
               "real_area_ratio": area, "summit_count": count, "regime": solver.regime(A, w),
               "inlet": solver.inlet_state(ratio)}
     undefined = {}
-    if "friction" in outputs and apart == 0:
-        values["friction"], undefined["friction"] = None, "the film has collapsed"
+    if apart == 0:  # nothing balances the load
+        values["regime"] = "collapsed"
+        for name in ("asperity_load_share", "fluid_load_share", "friction"):
+            if name in outputs:
+                values[name], undefined[name] = None, "the film has collapsed: nothing balances the load"
     elif "friction" in outputs:
         values["friction"] = friction.friction(
             {**friction_fields(scene), "separation": apart * sd, "asperity_share": A, "fluid_share": w,

@@ -191,6 +191,10 @@ void check_point(const Json& answer, const std::string& text) {
   if (answer.value("inlet", Json()) == "collapsed")
     require(film == 0 && number_or(answer, "film_parameter", 0) == 0, "no film where it collapsed",
             text);
+  // Without a film and a floor nothing balances the load: one word, and no shares.
+  if (answer.value("regime", Json()) == "collapsed")
+    for (const char* none : {"asperity_load_share", "fluid_load_share", "friction"})
+      require(!answer.contains(none) || answer[none].is_null(), "nothing balances the load", text);
 }
 
 void check_function(const Json& question, const Json& answer, const std::string& text) {

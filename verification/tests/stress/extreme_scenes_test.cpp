@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes whose numbers lie anywhere in the range of double: what a point is computed from then
+// overflows a double, or comes so near to 0 that it loses its digits. Every output keeps the
+// contract, or is beyond double itself.
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <cmath>
+
+#include "support/condition.hpp"
+#include "support/point_bits.hpp"
+#include "support/scenes.hpp"
+#include "tribo/mixed_contacts.hpp"
+
+namespace tribo::verification {
+namespace {
+
+// Of each number of a scene, some or all, times 10^x, |x| ≤ decades.
+Scene extreme_scene(Sampler& sampler) {
+  Scene scene = random_scene(sampler);
+  const double decades = sampler.pick({5.0, 20.0, 60.0, 150.0, 300.0});
+  const int one_in = sampler.pick({1, 3, 8});
+  const auto move = [&](double& number) {
+    const double by = sampler.uniform(-decades, decades);
+    if (sampler.uniform(0, one_in) >= 1) return;
+    const double exponent = std::clamp(std::log10(number) + by, -323.0, 308.0);
+    number = std::pow(10, exponent);
+  };
+  for (double* number : {&scene.load, &scene.speeds.list[0], &scene.surface.summit_density,
+                         &scene.surface.summit_radius, &scene.surface.summit_height_sd,
+                         &scene.bodies.effective_modulus, &scene.lubricant.viscosity,
+                         &scene.lubricant.pressure_viscosity, &*scene.lubricant.eyring_stress,
+                         &scene.supply.value, &scene.friction.slide_roll_ratio})
+    move(*number);
+  const ContactShape shape = scene.bodies.shape();
+  move(shape == ContactShape::circle ? scene.bodies.reduced_radius : scene.bodies.radius_x);
+  if (shape == ContactShape::line) move(scene.bodies.length);
+  if (scene.lubricant.viscosity < 1e-4) scene.friction.viscosity = ViscosityLaw::barus;
+  return scene;
+}
+
+struct Judged {
+  int beyond_double = 0, next_to_zero = 0, compared = 0, by_engine = 0, ill_conditioned = 0;
+};
+
+void judge(const Scene& scene, const OperatingPoint<double>& got, Judged& judged) {
+  const double u = scene.speeds[0];
+  const OperatingPoint<Reference> exact = MixedContact<Reference>(scene).solve(Reference(u));
+  const auto values = numbers_of(got);
+  const auto expected = numbers_of(exact);
+  Conditions conditions{};
+  bool has_conditions = false;
+  for (std::size_t k = 0; k < number_count; ++k) {
+    if (isnan(expected[k])) {
+      EXPECT_TRUE(std::isnan(values[k]) && got.regime == Regime::collapsed)
+          << info(output_infos[k].output).name;
+      continue;
+    }
+    const auto nearest = static_cast<double>(expected[k]);
+    if (!std::isfinite(nearest)) {
+      ++judged.beyond_double;
+      EXPECT_FALSE(std::isfinite(values[k])) << output_infos[k].name << describe_scene(scene);
+      continue;
+    }
+    if (nearest != 0 && std::fabs(nearest) < DBL_MIN) ++judged.next_to_zero;
+    ++judged.compared;
+    if (values[k] == nearest) continue;
+    if (!has_conditions) conditions = conditions_at(scene, u);
+    has_conditions = true;
+    const double allowed =
+        allowed_by(operating_point_contract, nearest == 0 ? Reference(DBL_MIN) : expected[k],
+                   std::isfinite(conditions[k]) ? conditions[k] : 1e300, 1);
+    if (allowed > 1e-3 && nearest != 0) {  // the inputs do not tell any digit
+      ++judged.ill_conditioned;
+      continue;
+    }
+    const Reference error = abs(Reference(values[k]) - expected[k]);
+    EXPECT_LE(static_cast<double>(error),
+              allowed * std::max(std::fabs(nearest), DBL_MIN * DBL_EPSILON))
+        << output_infos[k].name << ": " << values[k] << " for " << expected[k].str(20)
+        << ", condition " << conditions[k] << describe_scene(scene) << describe({{"u", u}});
+  }
+}
+
+TEST(ExtremeScenes, AreRightOrBeyondDouble) {
+  Sampler sampler(2711);
+  Judged judged;
+  for (int i = 0; i < 3000; ++i) {
+    const Scene scene = extreme_scene(sampler);
+    const double u = scene.speeds[0];
+    const OperatingPoint<double> got = MixedContact<double>(scene).solve(u);
+    judge(scene, got, judged);
+    judged.by_engine +=
+        std::isnan(MixedContact<double>(scene).numbers().surface.film_at_unit_speed) ? 0 : 1;
+    MixedContacts contacts;
+    Scene flooded = scene;  // prepared together with one that has a supply
+    flooded.supply = {};
+    contacts.add(flooded);
+    contacts.add(scene);
+    contacts.prepare();
+    OperatingPoints points;
+    points.resize(2, OutputSet::all());
+    const std::vector<std::uint64_t> index{0, 1};
+    const std::vector<double> speeds{u, u};
+    contacts.solve(index, speeds, OutputSet::all(), points);
+    EXPECT_EQ(bits_of(points[0]), bits_of(MixedContact<double>(flooded).solve(u)));
+    EXPECT_EQ(bits_of(points[1]), bits_of(got)) << describe_scene(scene);
+  }
+  EXPECT_GT(judged.by_engine, 1000);
+  EXPECT_LT(judged.by_engine, 2500);
+  EXPECT_GT(judged.compared, 20000);
+  EXPECT_LT(judged.ill_conditioned, judged.compared / 100);
+  EXPECT_GT(judged.beyond_double, 50);
+  EXPECT_GT(judged.next_to_zero, 40);
+}
+
+// nβσ_s is 2e-160 here: its square is subnormal, K is not.
+TEST(ExtremeScenes, StiffnessHasAllItsDigitsWhereASquareInItIsSubnormal) {
+  Scene scene = paper_scene(PaperSurface::rough);
+  scene.surface.summit_radius = 4.3e-164;
+  scene.load = 1e112;
+  const auto exact = MixedContact<Reference>(scene).solve(Reference(0.1));
+  const auto got = MixedContact<double>(scene).solve(0.1);
+  EXPECT_TRUE(is_close(got.asperity_load_share, exact.asperity_load_share, 1e-15, {}));
+  EXPECT_TRUE(is_close(MixedContact<double>(scene).asperities().stiffness,
+                       MixedContact<Reference>(scene).asperities().stiffness, 1e-15, {}));
+}
+
+}  // namespace
+}  // namespace tribo::verification
