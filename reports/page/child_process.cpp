@@ -2,15 +2,20 @@
 #include "page/child_process.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 
 namespace tribo::report {
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 // The ends of a pipe that a child does not inherit by accident.
 class Pipe {
@@ -28,20 +33,34 @@ class Pipe {
   int writing_end() const { return ends_[1]; }
   void close_writing_end() { close(1); }
 
-  // What comes until the other side closes: all of it, or the last few kilobytes.
-  std::string read_to_end(bool only_last) const {
+  // What comes until the other side closes, or until the deadline: all of it, or the last few
+  // kilobytes.
+  std::string read_to_end(bool only_last, Clock::time_point deadline) const {
     std::string text;
     std::array<char, 4096> block{};
-    while (true) {
+    while (waits(deadline)) {
       const ssize_t count = ::read(ends_[0], block.data(), block.size());
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return text;
       text.append(block.data(), static_cast<std::size_t>(count));
       if (only_last && text.size() > block.size()) text.erase(0, text.size() - block.size());
     }
+    return text;
   }
 
  private:
+  // False: nothing has come before the deadline.
+  bool waits(Clock::time_point deadline) const {
+    while (true) {
+      const auto left =
+          std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count() +
+          1;
+      const auto step = std::clamp<long long>(left, 0, 60'000);
+      pollfd wanted{ends_[0], POLLIN, 0};
+      if (::poll(&wanted, 1, static_cast<int>(step)) > 0) return true;
+      if (left <= step) return false;
+    }
+  }
   void close(std::size_t end) {
     if (ends_[end] >= 0) ::close(ends_[end]);
     ends_[end] = -1;
@@ -78,17 +97,31 @@ int wait_for(pid_t child) {
   return status;
 }
 
+// The zombie stays for wait_for().
+bool has_ended_before(Clock::time_point deadline, pid_t child) {
+  while (true) {
+    siginfo_t info{};
+    const bool is_last = Clock::now() >= deadline;
+    if (::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+        info.si_pid == child)
+      return true;
+    if (is_last) return false;
+    ::usleep(1000);
+  }
+}
+
 }  // namespace
 
 bool ChildEnd::succeeded() const { return exited_with(0); }
 bool ChildEnd::exited_with(int code) const {
-  return start_error == 0 && status != -1 && WIFEXITED(status) && WEXITSTATUS(status) == code;
+  return start_error == 0 && !is_late && status != -1 && WIFEXITED(status) &&
+         WEXITSTATUS(status) == code;
 }
 int ChildEnd::signal() const {
-  return start_error == 0 && status != -1 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  return start_error == 0 && !is_late && status != -1 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
-ChildEnd run_child(std::vector<std::string> command, Heard heard) {
+ChildEnd run_child(std::vector<std::string> command, Heard heard, std::chrono::milliseconds limit) {
   std::vector<char*> argv;
   argv.reserve(command.size() + 1);
   for (std::string& word : command) argv.push_back(word.data());
@@ -106,7 +139,11 @@ ChildEnd run_child(std::vector<std::string> command, Heard heard) {
       ::posix_spawnp(&child, argv[0], redirections.get(), nullptr, argv.data(), environ);
   pipe.close_writing_end();
   if (end.start_error != 0) return end;
-  end.text = pipe.read_to_end(heard == Heard::last_errors);
+  const Clock::time_point deadline =
+      limit.count() > 0 ? Clock::now() + limit : Clock::time_point::max();
+  end.text = pipe.read_to_end(heard == Heard::last_errors, deadline);
+  end.is_late = limit.count() > 0 && !has_ended_before(deadline, child);
+  if (end.is_late) ::kill(child, SIGKILL);
   end.status = wait_for(child);
   return end;
 }
