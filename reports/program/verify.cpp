@@ -169,9 +169,10 @@ With --subject or --plugin somebody else's solver is put to the tests: the same 
 cases and operating points, and the paper's scenes. A subject is a program that reads a line of JSON and
 writes one (README.md of verification/conformance says how; `tribocheck init subject` writes a start); a
 plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
-it skips. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than that file says; 1:
-something failed, or it offers nothing; 2: it cannot be started, or never answers. It has 60 s for the
-first answer, as it may have much to load, and 10 s for each one after it.
+it skips; NaN is an error. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than
+that file says; 1: something failed, it offers nothing, or it ended badly after its last answer; 2: it cannot
+be started, or never answers. It has 60 s for the first answer, as it may have much to load, and 10 s for each
+one after it. With --baseline each case that failed then may fail, by no more than four times its error.
 
 Each failed quantity is shown with its worst case. --show asks one case again, and prints the line that
 asks, what is expected and how far off it may be, and what came. --save-cases writes the lines that ask
