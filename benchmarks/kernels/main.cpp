@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <regex>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -49,12 +49,11 @@ bool asks_for_another_format(int count, char** arguments) {
 }
 
 // Google Benchmark takes the filter as an extended regular expression, and a leading - as "not".
-bool matches_any(std::string filter) {
+bool matches_any(std::string filter, std::span<const std::string> names) {
   const bool is_negative = filter.starts_with('-');
   if (is_negative) filter.erase(0, 1);
-  if (filter.empty() || filter == "all") return true;
+  if (filter.empty() || filter == "all") return !names.empty();
   const std::regex expression(filter, std::regex::extended);
-  const std::vector<std::string>& names = tribo::benchmarks::registered_names();
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
     return std::regex_search(name, expression) != is_negative;
   });
@@ -79,6 +78,14 @@ void register_all(std::vector<tribo::benchmarks::Measured> jobs) {
     tribo::benchmarks::register_benchmark(std::move(measured));
 }
 
+// In one piece.
+void write_whole(int output, const std::string& text) {
+  std::FILE* const file = ::fdopen(output, "w");
+  if (file == nullptr) return;
+  std::fwrite(text.data(), 1, text.size(), file);
+  std::fclose(file);
+}
+
 // JSON goes to its reader in one piece, whatever a plug-in prints.
 void run_as_json(int output) {
   std::ostringstream text;
@@ -86,15 +93,30 @@ void run_as_json(int output) {
   reporter.SetOutputStream(&text);
   reporter.SetErrorStream(&std::cerr);
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  std::FILE* const file = ::fdopen(output, "w");
-  if (file == nullptr) return;
-  std::fwrite(text.str().data(), 1, text.str().size(), file);
-  std::fclose(file);
+  write_whole(output, text.str());
 }
 
-int refuse(const std::exception& refusal) {
-  std::cerr << "tribocheck: " << refusal.what() << '\n';
-  return exit_plugin_refused;
+// Who reads JSON reads a line in its place: a plug-in may end this process with any exit code.
+int refuse(int code, const std::string& why, int output) {
+  if (output >= 0)
+    write_whole(output, why + '\n');
+  else
+    std::cerr << "tribocheck_bench: " << why << '\n';
+  return code;
+}
+
+// Registers the jobs that the plug-in offers. Throws PluginRefused, also where none of them would
+// run.
+void register_plugin(const std::string& path) {
+  const std::size_t before = tribo::benchmarks::registered_names().size();
+  register_all(tribo::benchmarks::plugin_jobs(tribo::conformance::load_plugin(path)));
+  const std::span<const std::string> names =
+      std::span(tribo::benchmarks::registered_names()).subspan(before);
+  if (names.empty())
+    throw tribo::conformance::PluginRefused(path + ": it offers none of the jobs of bench");
+  if (!matches_any(benchmark::GetBenchmarkFilter(), names))
+    throw tribo::conformance::PluginRefused(path + ": the filter leaves it out; its first row is " +
+                                            names.front());
 }
 
 }  // namespace
@@ -110,14 +132,12 @@ int main(int count, char** arguments) {
   register_all(all_jobs(Settings::usual));
   const int output = is_json ? tribo::conformance::take_stdout() : -1;
   try {
-    if (plugin) register_all(plugin_jobs(tribo::conformance::load_plugin(*plugin)));
+    if (plugin) register_plugin(*plugin);
   } catch (const tribo::conformance::PluginRefused& refusal) {
-    return refuse(refusal);
+    return refuse(exit_plugin_refused, std::string("refused: ") + refusal.what(), output);
   }
-  if (!matches_any(benchmark::GetBenchmarkFilter())) {
-    if (is_console) std::cerr << "tribocheck_bench: no contender matches the filter\n";
-    return 2;
-  }
+  if (!matches_any(benchmark::GetBenchmarkFilter(), registered_names()))
+    return refuse(2, "no contender matches the filter", output);
   Console console;
   if (is_json)
     run_as_json(output);

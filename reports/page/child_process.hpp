@@ -2,23 +2,27 @@
 // Running another program to its end, with all that it starts.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
 namespace tribo::report {
 
 struct ChildEnd {
-  int start_error = 0;  // an errno: it could not be started
-  int exit_code = -1;   // −1: a signal ended it
-  int signal = 0;       // that ended it, or 0
-  std::string text;     // its output
+  int start_error = 0;   // an errno: it could not be started
+  int exit_code = -1;    // −1: a signal ended it
+  int signal = 0;        // that ended it, or 0
+  bool is_late = false;  // it was ended, as it had not ended in time
+  std::string text;      // its output
 
   bool succeeded() const { return exited_with(0); }
-  bool exited_with(int code) const { return start_error == 0 && exit_code == code; }
+  bool exited_with(int code) const { return start_error == 0 && !is_late && exit_code == code; }
 };
 
 // The program is looked for in PATH unless its name has a slash; it gets no input, and its errors
-// go where ours go.
-ChildEnd run_child(std::vector<std::string> command);
+// go where ours go. One that has not ended within `limit` is ended, with all that it has started;
+// 0: no limit.
+ChildEnd run_child(std::vector<std::string> command,
+                   std::chrono::milliseconds limit = std::chrono::milliseconds(0));
 
 }  // namespace tribo::report

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -26,6 +27,7 @@
 #include "page/child_process.hpp"
 #include "page/pending_file.hpp"
 #include "page/report_error.hpp"
+#include "shell.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -35,6 +37,7 @@ namespace fs = std::filesystem;
 struct BenchArguments {
   bool quick = false;
   std::string filter;
+  double timeout = 1800;  // s
   std::string format = "table";
   std::string plugin;    // empty: none
   std::string baseline;  // empty: none
@@ -64,12 +67,28 @@ bool is_expression(std::string filter) {
   }
 }
 
+constexpr const char* control = "moment_5_2/control/std::exp";
+
+// Does Google Benchmark run this row? A leading - is "not" to it.
+bool is_asked(std::string filter, const std::string& row) {
+  if (filter.empty() || filter == "all") return true;
+  const bool is_negative = filter.starts_with('-');
+  if (is_negative) filter.erase(0, 1);
+  return std::regex_search(row, std::regex(filter, std::regex::extended)) != is_negative;
+}
+
+// With a baseline the control takes part, as all times are told over its time.
+std::string filter_of(const BenchArguments& arguments) {
+  if (arguments.baseline.empty() || is_asked(arguments.filter, control)) return arguments.filter;
+  return fmt::format("({})|^{}$", arguments.filter, control);
+}
+
 std::vector<std::string> command_line(const fs::path& program, const BenchArguments& arguments) {
   std::vector<std::string> command{
       program.string(), "--benchmark_format=json", "--benchmark_enable_random_interleaving=true",
       fmt::format("--benchmark_repetitions={}", arguments.quick ? 3 : 9),
       fmt::format("--benchmark_min_time={}", arguments.quick ? 0.02 : 0.2)};
-  if (!arguments.filter.empty()) command.push_back("--benchmark_filter=" + arguments.filter);
+  if (!arguments.filter.empty()) command.push_back("--benchmark_filter=" + filter_of(arguments));
   if (!arguments.plugin.empty()) command.push_back("--plugin=" + arguments.plugin);
   return command;
 }
@@ -88,12 +107,21 @@ int fail(int code, const std::string& line) {
   return code;
 }
 
+// Why there are no results.
 std::string failure_text(const report::ChildEnd& end, const BenchArguments& arguments) {
-  std::string text = end.signal != 0 ? fmt::format("tribocheck_bench ended by signal {} ({})",
-                                                   end.signal, ::strsignal(end.signal))
-                                     : "tribocheck_bench failed";
-  if (arguments.plugin.empty()) return text;
-  return fmt::format("{} with the plug-in {} loaded", text, arguments.plugin);
+  const std::string with_plugin =
+      arguments.plugin.empty() ? "" : fmt::format(", with the plug-in {} loaded", arguments.plugin);
+  if (end.is_late)
+    return fmt::format(
+        "tribocheck_bench was stopped, as it had not ended within {} s{}; allowed: a "
+        "longer --timeout, or fewer rows by --filter",
+        arguments.timeout, with_plugin);
+  if (end.signal != 0)
+    return fmt::format("tribocheck_bench ended by signal {} ({}){}", end.signal,
+                       ::strsignal(end.signal), with_plugin);
+  return fmt::format("tribocheck_bench ended without results, with exit code {}{}{}", end.exit_code,
+                     with_plugin,
+                     arguments.plugin.empty() ? "" : "; a plug-in must not call exit()");
 }
 
 // "; the jobs are moment_5_2, …; the families are GSL, …", as the contenders' names have them.
@@ -121,51 +149,97 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   const fs::path program = bench_program();
   if (program.empty())
     return fail(exit_bad, "tribocheck_bench is not built; `make bench` builds it");
-  const report::ChildEnd end = report::run_child(command_line(program, arguments));
+  const auto limit = std::chrono::milliseconds(static_cast<long long>(1000 * arguments.timeout));
+  const report::ChildEnd end = report::run_child(command_line(program, arguments), limit);
   if (end.start_error != 0)
     return fail(exit_failed, program.string() + " cannot be started: " +
                                  std::generic_category().message(end.start_error));
-  if (end.exited_with(2))
+  // Its words, not its exit code, say why it runs nothing: a plug-in may exit with any code.
+  if (end.text == "no contender matches the filter\n")
     return fail(exit_bad, "--filter: no contender's job/family/name matches \"" + arguments.filter +
                               "\"" + contenders_text(program));
-  if (!arguments.plugin.empty() && end.exited_with(3)) return exit_bad;  // it has said why
+  if (constexpr std::string_view refused = "refused: "; end.text.starts_with(refused))
+    return fail(exit_bad, "--plugin: " + end.text.substr(refused.size(),
+                                                         end.text.find('\n') - refused.size()));
   if (!end.succeeded()) return fail(exit_failed, failure_text(end, arguments));
-  return read_bench_results(end.text);
+  try {
+    return read_bench_results(end.text);
+  } catch (const std::exception&) {  // nothing, or half of it
+    return fail(exit_failed, failure_text(end, arguments));
+  }
+}
+
+// What --baseline says, before anything is measured; null: it is to be written. With --force a file
+// that cannot be used is taken for none.
+nlohmann::json usable_baseline(const BenchArguments& arguments) {
+  try {
+    nlohmann::json before = conformance::read_conformance_baseline(arguments.baseline);
+    if (!before.is_null()) check_bench_baseline(before);
+    if (before.is_null() && !arguments.update_baseline)
+      throw std::invalid_argument(arguments.baseline +
+                                  ": there is no such baseline; --update-baseline writes it");
+    return before;
+  } catch (const std::runtime_error& error) {
+    if (arguments.force) return nullptr;
+    throw std::invalid_argument(
+        fmt::format("{}: {}; this makes it anew: tribocheck bench{}{}{} --baseline {} "
+                    "--update-baseline --force",
+                    arguments.baseline, error.what(), arguments.quick ? " --quick" : "",
+                    arguments.plugin.empty() ? "" : " --plugin " + shell_word(arguments.plugin),
+                    arguments.filter.empty() ? "" : " --filter " + shell_word(arguments.filter),
+                    shell_word(arguments.baseline)));
+  }
 }
 
 // A time counts as slower when a second run says so too.
-int hold_to_baseline(const BenchArguments& arguments, const BenchResults& results) {
-  const nlohmann::json before = conformance::read_conformance_baseline(arguments.baseline);
-  if (before.is_null() && !arguments.update_baseline)
-    return fail(exit_bad,
-                arguments.baseline + ": there is no such baseline; --update-baseline writes it");
-  BenchChanges changes;
-  if (!before.is_null()) {
-    changes = compare(results, before);
-    if (!changes.slower.empty()) {
-      complain("slower than the baseline; measuring once more");
-      const auto again = measure(arguments);
-      if (const BenchResults* second = std::get_if<BenchResults>(&again)) {
-        const std::vector<std::string> slow = compare(*second, before).slower;
-        std::erase_if(changes.slower, [&](const std::string& line) {
-          const std::string key = line.substr(0, line.find(": "));
-          return std::none_of(slow.begin(), slow.end(), [&](const std::string& other) {
-            return other.starts_with(key + ": ");
-          });
-        });
-      }
-    }
+void confirm_slower(const BenchArguments& arguments, const nlohmann::json& before,
+                    const IsAsked& asked, BenchChanges& changes) {
+  if (changes.slower.empty()) return;
+  complain("slower than the baseline; measuring once more");
+  const auto again = measure(arguments);
+  const BenchResults* const second = std::get_if<BenchResults>(&again);
+  if (second == nullptr) return;
+  const std::vector<std::string> slow = compare(*second, before, asked).slower;
+  std::erase_if(changes.slower, [&](const std::string& line) {
+    const std::string key = line.substr(0, line.find(": ") + 2);
+    return std::none_of(slow.begin(), slow.end(),
+                        [&](const std::string& other) { return other.starts_with(key); });
+  });
+}
+
+void write_baseline(const BenchArguments& arguments, const nlohmann::json& made) {
+  report::write_file(arguments.baseline, made.dump(1) + "\n");
+}
+
+int hold_to_baseline(const BenchArguments& arguments, const BenchResults& results,
+                     nlohmann::json before) {
+  const IsAsked asked = [&](const std::string& key) {
+    return key == control || is_asked(arguments.filter, key);
+  };
+  if (before.is_null()) {
+    write_baseline(arguments, new_bench_baseline(results, before, asked));
+    complain("baseline written: " + arguments.baseline);
+    return exit_done;
   }
+  BenchChanges changes = compare(results, before, asked);
+  confirm_slower(arguments, before, asked, changes);
   for (const std::string& line : changes.remarks) complain(line);
   for (const std::string& line : changes.worse) complain("worse than the baseline: " + line);
   for (const std::string& line : changes.slower) complain("slower than the baseline: " + line);
-  if (arguments.update_baseline) {
-    const nlohmann::json kept = arguments.force ? nlohmann::json(nullptr) : before;
-    report::write_file(arguments.baseline, bench_baseline(results, kept).dump(1) + "\n");
-    for (const std::string& line : changes.better) complain("baseline improved: " + line);
-    if (arguments.force) return exit_done;
+  const bool holds = changes.worse.empty() && changes.slower.empty();
+  complain(fmt::format("{} {}: {} of {} rows compared, the times of {}",
+                       holds ? "PASSED, no worse than" : "FAILED, worse than", arguments.baseline,
+                       changes.compared, changes.rows, changes.timed));
+  if (!arguments.update_baseline) return holds ? exit_done : exit_failed;
+  if (arguments.force) {
+    write_baseline(arguments, new_bench_baseline(results, before, asked));
+    complain("baseline written anew: " + arguments.baseline);
+    return exit_done;
   }
-  return changes.worse.empty() && changes.slower.empty() ? exit_done : exit_failed;
+  const std::vector<std::string> said = improve(before, results);
+  write_baseline(arguments, before);
+  for (const std::string& line : said) complain(line);
+  return holds ? exit_done : exit_failed;
 }
 
 int bench(const BenchArguments& arguments, OutputStream& output) {
@@ -174,21 +248,26 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
   if (!is_expression(arguments.filter))
     return fail(exit_bad,
                 "--filter: \"" + arguments.filter + "\" is no extended regular expression");
-  const auto measured = measure(arguments);
-  if (const int* code = std::get_if<int>(&measured)) return *code;
-  const BenchResults& results = std::get<BenchResults>(measured);
-  for (const std::string& line : results.left_out) complain("left out: " + line);
-  append_results(output.text(), results, arguments.format);
-  output.flush();
-  if (arguments.baseline.empty()) return exit_done;
+  if (!arguments.baseline.empty() && arguments.filter.starts_with('-') &&
+      !is_asked(arguments.filter, control))
+    return fail(exit_bad, fmt::format("--filter: \"{}\" leaves out {}, which --baseline needs; "
+                                      "allowed: a filter that leaves it in",
+                                      arguments.filter, control));
   try {
-    return hold_to_baseline(arguments, results);
+    nlohmann::json before;
+    if (!arguments.baseline.empty()) before = usable_baseline(arguments);
+    const auto measured = measure(arguments);
+    if (const int* code = std::get_if<int>(&measured)) return *code;
+    const BenchResults& results = std::get<BenchResults>(measured);
+    for (const std::string& line : results.left_out) complain("left out: " + line);
+    append_results(output.text(), results, arguments.format);
+    output.flush();
+    if (arguments.baseline.empty()) return exit_done;
+    return hold_to_baseline(arguments, results, std::move(before));
   } catch (const nlohmann::json::exception& error) {
-    return fail(exit_bad, fmt::format("{}: no baseline of `tribocheck bench`: {}",
+    return fail(exit_bad, fmt::format("{}: it is no baseline of `tribocheck bench`: {}",
                                       arguments.baseline, error.what()));
-  } catch (const OutputFailed&) {
-    throw;  // a baseline that cannot be written is not bad input
-  } catch (const std::runtime_error& error) {
+  } catch (const std::invalid_argument& error) {
     return fail(exit_bad, error.what());
   }
 }
@@ -202,14 +281,19 @@ against the model in long double; evaluations, of the integrand, of the moment o
 integrals a point; failures, cases with no number or off by more than 1e-6 of it times its condition, as
 `verify` judges. The published fits of moments are judged where they claim to hold. A plug-in, a shared
 library made for tribocheck_plugin.h, takes part in the jobs that it offers, as family "plugin"; cases that
-it does not offer are not judged. With --baseline counts are held exactly, errors to 4 times what they were,
-and times, over the control's of the run, to a tenth more where their intervals do not meet, twice; exit
-code 1 where that fails.
+it does not offer are not judged. It has half an hour in all (--timeout), so that one that hangs is stopped.
+
+With --baseline counts are held exactly, errors to 4 times what they were, and times, over those of the control
+(std::exp), to a tenth more where their intervals do not meet, twice; the control is run whatever the filter
+says. A row that is gone is worse, unless the filter leaves it out. The last line on stderr is the verdict; exit
+code 1: something is worse, or nothing could be compared.
 Takes some five minutes, with --quick less than one.
 
 Example:
   tribocheck bench --quick --filter 'root_wide/(GSL|tribocheck)/'
-  tribocheck bench --plugin ./libsolver.so --filter '/(plugin|tribocheck)/')";
+  tribocheck bench --plugin ./libsolver.so --filter '/(plugin|tribocheck)/'
+  tribocheck bench --plugin ./libsolver.so --filter '/plugin/' --baseline speed.json --update-baseline
+  tribocheck bench --plugin ./libsolver.so --filter '/plugin/' --baseline speed.json)";
 
 }  // namespace
 
@@ -222,6 +306,9 @@ Command add_bench(CLI::App& program) {
   app->add_option("--filter", arguments->filter,
                   "run only contenders whose job/family/name matches this regular expression");
   app->add_option("--plugin", arguments->plugin, "a shared library with a solver of yours");
+  app->add_option("--timeout", arguments->timeout,
+                  "seconds for each run of all contenders (default: 1800)")
+      ->check(CLI::Range(0.01, 1e6));
   app->add_option("--format", arguments->format, "how to write the results (default: table)")
       ->check(CLI::IsMember({"table", "json", "tsv"}));
   app->add_option("--baseline", arguments->baseline,

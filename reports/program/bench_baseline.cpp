@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <stdexcept>
 
 #include "page/environment.hpp"
 
@@ -14,11 +16,11 @@ using nlohmann::json;
 
 constexpr double accuracy_ratchet = 4;  // of the greatest error, or of 1 ulp
 constexpr double time_ratio = 1.10;     // of the medians
-constexpr int schema = 1;
+constexpr int schema = 2;
 
 std::string key_of(const BenchRow& row) { return row.job + '/' + row.family + '/' + row.name; }
 
-// The control's median; none where it was filtered out.
+// The control's median; none where it did not run.
 std::optional<double> control_of(const BenchResults& results) {
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows)
@@ -27,14 +29,19 @@ std::optional<double> control_of(const BenchResults& results) {
 }
 
 json optional_json(const std::optional<double>& x) { return x ? json(*x) : json(nullptr); }
+std::optional<double> optional_number(const json& row, const char* field) {
+  const json& value = row.at(field);
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+}
+
+constexpr std::array<const char*, 2> time_fields{"least_over_control", "median_over_control"};
 
 json row_json(const BenchRow& row, const std::optional<double>& control) {
-  json made{{"max_ulp", optional_json(row.max_ulp)},
-            {"failures", optional_json(row.failures)},
-            {"evaluations", optional_json(row.evaluations)},
-            {"least_over_control", nullptr},
-            {"median_over_control", nullptr}};
-  if (control) {
+  json made{
+      {"max_ulp", optional_json(row.max_ulp)},   {"judged", optional_json(row.judged)},
+      {"failures", optional_json(row.failures)}, {"evaluations", optional_json(row.evaluations)},
+      {"least_over_control", nullptr},           {"median_over_control", nullptr}};
+  if (control && row.family != "control") {
     made["least_over_control"] = row.least_ns / *control;
     made["median_over_control"] = row.ns / *control;
   }
@@ -44,84 +51,208 @@ json row_json(const BenchRow& row, const std::optional<double>& control) {
 json environment_json() {
   return {{"processor", report::processor_name()}, {"compiler", report::compiler_name()}};
 }
-
-// Whether the evaluations, failures and greatest error of a row became better or worse.
-void compare_work(const BenchRow& row, const json& before, BenchChanges& changes) {
-  const auto was = [&](const char* field) {
-    const json& value = before.at(field);
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
-  };
-  const std::string key = key_of(row);
-  if (const auto base = was("evaluations"); base && row.evaluations && *base != *row.evaluations)
-    (*row.evaluations > *base ? changes.worse : changes.better)
-        .push_back(fmt::format("{}: evaluations were {}, are {}", key, *base, *row.evaluations));
-  if (const auto base = was("failures"); base && row.failures && *base != *row.failures)
-    (*row.failures > *base ? changes.worse : changes.better)
-        .push_back(fmt::format("{}: failures were {}, are {}", key, *base, *row.failures));
-  const auto base = was("max_ulp");
-  if (!base || !row.max_ulp) return;
-  if (*row.max_ulp > accuracy_ratchet * std::max(1.0, *base))
-    changes.worse.push_back(
-        fmt::format("{}: the greatest error was {:.3g} ulp, is {:.3g}", key, *base, *row.max_ulp));
-  else if (*row.max_ulp < *base / accuracy_ratchet)
-    changes.better.push_back(
-        fmt::format("{}: the greatest error was {:.3g} ulp, is {:.3g}", key, *base, *row.max_ulp));
+bool is_of_this_machine(const json& baseline) {
+  return baseline.at("environment") == environment_json();
 }
 
-// Slower only where the intervals from minimum to median do not meet, and by more than a tenth.
-void compare_time(const BenchRow& row, const json& before, double control, BenchChanges& changes) {
-  const json& base_least = before.at("least_over_control");
-  const json& base_median = before.at("median_over_control");
-  if (!base_least.is_number() || !base_median.is_number() || row.family == "control") return;
-  const double least = row.least_ns / control, median = row.ns / control;
-  const double ratio = median / base_median.get<double>();
-  const std::string line = fmt::format("{}: {:.3g} times the control, was {:.3g}", key_of(row),
-                                       median, base_median.get<double>());
-  if (least > base_median.get<double>() && ratio > time_ratio) changes.slower.push_back(line);
-  if (median < base_least.get<double>() && ratio < 1 / time_ratio) changes.better.push_back(line);
+// One row beside the baseline's.
+class RowComparison {
+ public:
+  // Without a control times are not compared.
+  RowComparison(const BenchRow& row, const json& before, const std::optional<double>& control)
+      : key(key_of(row)), before_(before), now_(row_json(row, control)) {
+    compare_count("evaluations", "evaluations", 1);
+    compare_count("failures", "failures", 1);
+    compare_count("judged", "judged cases", -1);
+    compare_error();
+    if (control) compare_time();
+  }
+
+  // The baseline's row with the numbers that became better.
+  json improved() const {
+    json row = before_;
+    for (const char* field : improved_fields_) row[field] = now_.at(field);
+    return row;
+  }
+
+  std::string key;
+  std::vector<std::string> worse, slower, better;
+  bool any_compared = false, is_timed = false;
+
+ private:
+  void note(bool is_worse, const char* field, const std::string& text) {
+    (is_worse ? worse : better).push_back(key + ": " + text);
+    if (!is_worse) improved_fields_.push_back(field);
+  }
+
+  // `sign`: 1 where more is worse, −1 where fewer are.
+  void compare_count(const char* field, const char* words, int sign) {
+    const auto was = optional_number(before_, field), is = optional_number(now_, field);
+    if (was && !is) return note(true, field, fmt::format("{} were {}, are not told", words, *was));
+    if (!was && is) return note(false, field, fmt::format("{} are new: {}", words, *is));
+    if (!was) return;
+    any_compared = true;
+    if (*is != *was)
+      note((*is > *was) == (sign > 0), field, fmt::format("{} were {}, are {}", words, *was, *is));
+  }
+
+  void compare_error() {
+    const auto was = optional_number(before_, "max_ulp"), is = optional_number(now_, "max_ulp");
+    if (was && !is)
+      return note(true, "max_ulp",
+                  fmt::format("the greatest error was {:.3g} ulp, is not known", *was));
+    if (!was && is)
+      return note(false, "max_ulp", fmt::format("the greatest error is new: {:.3g} ulp", *is));
+    if (!was) return;
+    any_compared = true;
+    const std::string text = fmt::format("the greatest error was {:.3g} ulp, is {:.3g}", *was, *is);
+    if (*is > accuracy_ratchet * std::max(1.0, *was))
+      note(true, "max_ulp", text);
+    else if (*is < *was / accuracy_ratchet)
+      note(false, "max_ulp", text);
+  }
+
+  // Slower only where the intervals from minimum to median do not meet, and by more than a tenth.
+  void compare_time() {
+    const auto least = optional_number(now_, time_fields[0]),
+               median = optional_number(now_, time_fields[1]);
+    if (!least || !median) return;  // the control itself
+    const auto was_least = optional_number(before_, time_fields[0]),
+               was_median = optional_number(before_, time_fields[1]);
+    if (!was_least || !was_median) {
+      better.push_back(key + ": its time is new");
+      improved_fields_.insert(improved_fields_.end(), time_fields.begin(), time_fields.end());
+      return;
+    }
+    any_compared = is_timed = true;
+    const double ratio = *median / *was_median;
+    const std::string line =
+        fmt::format("{}: {:.3g} times the control, was {:.3g}", key, *median, *was_median);
+    if (*least > *was_median && ratio > time_ratio) slower.push_back(line);
+    if (*median < *was_least && ratio < 1 / time_ratio) {
+      better.push_back(line);
+      improved_fields_.insert(improved_fields_.end(), time_fields.begin(), time_fields.end());
+    }
+  }
+
+  const json& before_;
+  json now_;
+  std::vector<const char*> improved_fields_;
+};
+
+// Why a row of the baseline has no row in this run; empty where the reason is not known.
+std::string reason_of(const std::string& key, const BenchResults& results) {
+  for (const std::string& line : results.left_out)
+    if (line.starts_with(key + ":") || line.starts_with(key + "/"))
+      return " (" + line.substr(line.find(": ") + 2) + ")";
+  return {};
+}
+
+void note_gone(const BenchResults& results, const json& baseline, const IsAsked& is_asked,
+               BenchChanges& changes) {
+  std::vector<std::string> here;
+  for (const BenchJob& job : results.jobs)
+    for (const BenchRow& row : job.rows) here.push_back(key_of(row));
+  std::size_t left_out = 0;
+  for (const auto& [key, row] : baseline.at("rows").items()) {
+    if (std::find(here.begin(), here.end(), key) != here.end()) continue;
+    // Our own rows are of the processor's instruction sets.
+    const bool is_of_processor =
+        !is_of_this_machine(baseline) && key.find("/tribocheck/") != std::string::npos;
+    if (!is_asked(key))
+      ++left_out;
+    else if (is_of_processor)
+      changes.remarks.push_back(key + ": another processor or compiler has no such row");
+    else
+      changes.worse.push_back(key + ": is gone" + reason_of(key, results));
+  }
+  if (left_out > 0)
+    changes.remarks.push_back(
+        fmt::format("rows of the baseline that the filter leaves out: {}", left_out));
 }
 
 }  // namespace
 
-BenchChanges compare(const BenchResults& results, const json& baseline) {
+void check_bench_baseline(const json& baseline) {
+  if (!baseline.is_object() || !baseline.contains("schema") || !baseline.contains("rows") ||
+      !baseline.contains("environment"))
+    throw std::runtime_error("it is no baseline of `tribocheck bench`");
+  if (baseline.at("schema") != schema)
+    throw std::runtime_error(fmt::format("it is a baseline of schema {}, and this program has {}",
+                                         baseline.at("schema").dump(), schema));
+}
+
+BenchChanges compare(const BenchResults& results, const json& baseline, const IsAsked& is_asked) {
   BenchChanges changes;
   const json& rows = baseline.at("rows");
-  const std::optional<double> control = control_of(results);
-  const bool is_comparable = baseline.at("environment") == environment_json();
-  if (!is_comparable)
+  std::optional<double> control = control_of(results);
+  if (!is_of_this_machine(baseline)) {
+    control.reset();
     changes.remarks.emplace_back("times are not comparable: another processor or compiler");
-  else if (!control)
-    changes.remarks.emplace_back("times are not compared: the filter leaves out the control");
+  } else if (!control) {
+    changes.worse.emplace_back("the control did not run, so that no times are compared");
+  }
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows) {
+      ++changes.rows;
       if (!rows.contains(key_of(row))) {
         changes.better.push_back(key_of(row) + ": is new");
         continue;
       }
-      const json& before = rows.at(key_of(row));
-      compare_work(row, before, changes);
-      if (is_comparable && control) compare_time(row, before, *control, changes);
+      const RowComparison one(row, rows.at(key_of(row)), control);
+      changes.compared += one.any_compared ? 1 : 0;
+      changes.timed += one.is_timed ? 1 : 0;
+      const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& lines) {
+        to.insert(to.end(), lines.begin(), lines.end());
+      };
+      add(changes.worse, one.worse);
+      add(changes.slower, one.slower);
+      add(changes.better, one.better);
     }
+  note_gone(results, baseline, is_asked, changes);
+  if (changes.compared == 0) changes.worse.emplace_back("nothing of this run is in the baseline");
   return changes;
 }
 
-json bench_baseline(const BenchResults& results, const json& before) {
-  const bool is_other_machine = before.is_null() || before.at("environment") != environment_json();
-  json rows = is_other_machine ? json::object() : before.at("rows");
-  const std::optional<double> control = control_of(results);
+std::vector<std::string> improve(json& baseline, const BenchResults& results) {
+  std::vector<std::string> said;
+  const std::optional<double> control =
+      is_of_this_machine(baseline) ? control_of(results) : std::nullopt;
+  json& rows = baseline.at("rows");
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows) {
-      const json now = row_json(row, control);
-      if (!rows.contains(key_of(row))) {
-        rows[key_of(row)] = now;
+      const std::string key = key_of(row);
+      if (!rows.contains(key)) {
+        rows[key] = row_json(row, control);
+        said.push_back("baseline improved: " + key + ": is new");
         continue;
       }
-      BenchChanges changes;
-      compare_work(row, rows.at(key_of(row)), changes);
-      if (control) compare_time(row, rows.at(key_of(row)), *control, changes);
-      if (!changes.better.empty() && changes.worse.empty() && changes.slower.empty())
-        rows[key_of(row)] = now;
+      const json before = rows.at(key);
+      const RowComparison one(row, before, control);
+      if (one.worse.empty() && one.slower.empty()) {
+        rows[key] = one.improved();
+        for (const std::string& line : one.better) said.push_back("baseline improved: " + line);
+      } else {
+        said.push_back("baseline kept: " + key + ": it got worse");
+      }
     }
+  return said;
+}
+
+json new_bench_baseline(const BenchResults& results, const json& before, const IsAsked& is_asked) {
+  json rows = json::object();
+  if (!before.is_null()) {
+    const bool keeps_times = is_of_this_machine(before);
+    for (const auto& [key, row] : before.at("rows").items()) {
+      if (is_asked(key)) continue;
+      rows[key] = row;
+      for (const char* field : time_fields)
+        if (!keeps_times) rows[key][field] = nullptr;
+    }
+  }
+  const std::optional<double> control = control_of(results);
+  for (const BenchJob& job : results.jobs)
+    for (const BenchRow& row : job.rows) rows[key_of(row)] = row_json(row, control);
   return {{"schema", schema}, {"environment", environment_json()}, {"rows", std::move(rows)}};
 }
 

@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
+#include "ignored_options.hpp"
 #include "output.hpp"
 
 namespace tribo::cli {
@@ -12,6 +14,8 @@ namespace tribo::cli {
 struct Command {
   CLI::App* app;                          // owned by the program's
   std::function<int(OutputStream&)> run;  // gives the exit code
+  // What it would ignore of its options, once they are parsed; empty: none of them.
+  std::function<std::vector<Ignored>()> ignored = {};
 };
 
 Command add_solve(CLI::App& program);

@@ -159,7 +159,8 @@ std::string summary(const SubjectVerdict& verdict) {
   std::vector<std::string> missing;
   for (const Finding& one : verdict.missing) missing.push_back(one.quantity);
   if (!missing.empty()) text += "; required, but not held: " + joined(missing);
-  return text + fmt::format(" (tolerance: {}).", result.tolerance);
+  if (!result.violations.empty()) text += "; the protocol was broken: " + result.violations.front();
+  return text + fmt::format(" (tolerance: {}).", result.tolerance.name);
 }
 
 // The request of a case is written once, where several quantities of it are wrong.
@@ -249,7 +250,7 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
     return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
   };
   ordered_json all{{"subject", result.subject},
-                   {"tolerance", result.tolerance},
+                   {"tolerance", result.tolerance.name},
                    {"overall", overall(verdict)},
                    {"summary", summary(verdict)},
                    {"quantities", ordered_json::array()},

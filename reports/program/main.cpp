@@ -107,8 +107,15 @@ int run(int count, char** arguments, OutputStream& output) {
     return answer_parse_error(program, error, output);
   }
   int exit_code = exit_bad;
-  for (const Command& command : added)
-    if (command.app->parsed()) exit_code = command.run(output);
+  for (const Command& command : added) {
+    if (!command.app->parsed()) continue;
+    const std::string refusal =
+        ignored_option(*command.app, command.ignored ? command.ignored() : std::vector<Ignored>{});
+    if (refusal.empty())
+      exit_code = command.run(output);
+    else
+      complain(refusal);
+  }
   output.flush();
   return exit_code;
 }

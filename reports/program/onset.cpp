@@ -92,7 +92,12 @@ Command add_onset(CLI::App& program) {
       *app, "--departure", [arguments](double departure) { arguments->departure = departure; },
       [](double departure) { return departure > 0 && departure < 1; },
       "a number above 0 and below 1", "the ε of film_departure (default: 0.05)");
-  return {app, [arguments](OutputStream& output) { return find_onsets(*arguments, output); }};
+  return {app, [arguments](OutputStream& output) { return find_onsets(*arguments, output); },
+          [arguments]() -> std::vector<Ignored> {
+            return {{{"--departure"},
+                     !is_asked(*arguments, OnsetCriterion::film_departure),
+                     "without --criterion film_departure"}};
+          }};
 }
 
 }  // namespace tribo::cli

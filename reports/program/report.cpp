@@ -69,7 +69,9 @@ Command add_report(CLI::App& program) {
       ->allow_extra_args(false);
   app->add_option("--scenes", options->scenes,
                   "folder of the scenes (default: reference/published)");
-  app->add_option("--commit", options->commit, "what was built, for the page to tell");
+  app->add_option("--commit", options->commit,
+                  "what was built, for the page to tell; empty: not known")
+      ->expected(0, 1);
   return {app, [options](OutputStream& output) { return write_report(*options, output); }};
 }
 

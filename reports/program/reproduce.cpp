@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -185,6 +186,24 @@ int compare(const Ledger& ledger, const std::vector<NamedReading>& readings,
   return changes.verdicts.empty() ? exit_done : exit_failed;
 }
 
+// JSON and CSV have no sections to choose from; of the sections only some are about claims, and
+// fewer about readings.
+std::vector<Ignored> ignored_by(const ReproduceArguments& arguments) {
+  const std::vector<std::string>& sections = arguments.sections;
+  const auto has_any = [&](std::initializer_list<std::string_view> names) {
+    return sections.empty() || std::any_of(sections.begin(), sections.end(), [&](const auto& one) {
+             return one == "all" || std::find(names.begin(), names.end(), one) != names.end();
+           });
+  };
+  return {{{"--section"},
+           arguments.format == "json" || arguments.format == "csv",
+           "with --format " + arguments.format},
+          {{"--claim"},
+           !has_any({"claims", "statements", "requirements"}),
+           "without --section claims, statements or requirements"},
+          {{"--reading"}, !has_any({"claims"}), "without --section claims"}};
+}
+
 int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
   return answered_or_complained([&] {
     const report::ReportPlaces places = report::find_places({});
@@ -239,7 +258,8 @@ Command add_reproduce(CLI::App& program) {
   app->add_option("--ledger", arguments->ledger,
                   "committed ledger to compare with, or none (default: "
                   "reference/baselines/ledger.csv)");
-  return {app, [arguments](OutputStream& output) { return reproduce(*arguments, output); }};
+  return {app, [arguments](OutputStream& output) { return reproduce(*arguments, output); },
+          [arguments] { return ignored_by(*arguments); }};
 }
 
 }  // namespace tribo::cli

@@ -398,10 +398,21 @@ Command add_sweep(CLI::App& program) {
                  "each point in place of the summaries: what varies, the speed, the outputs");
   show->footer(footer_with_scenes(show_footer));
 
-  return {app, [=](OutputStream& output) {
+  return {app,
+          [=](OutputStream& output) {
             if (merge->parsed()) return merge_shards(*merged, output);
             if (show->parsed()) return show_results(*shown, output);
             return run_sweep(*arguments, output);
+          },
+          [arguments]() -> std::vector<Ignored> {
+            return {{{"--out", "--format", "--pictures", "--shard", "--resume", "--force",
+                      "--mixed-fma"},
+                     arguments->estimate,
+                     "with --estimate, which writes nothing"},
+                    {{"--format", "--pictures"},
+                     !arguments->shard.empty(),
+                     "with --shard, as `sweep merge` shows the result"},
+                    {{"--mixed-fma"}, !arguments->resume, "without --resume"}};
           }};
 }
 

@@ -147,6 +147,25 @@ int verify(const VerifyArguments& arguments, OutputStream& output) {
   });
 }
 
+// The forms: our own model; a subject judged; cases of --show, of a subject or by themselves; and
+// --save-cases without a subject.
+std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
+  const bool has_subject = !asked.command.empty() || !asked.plugin.empty();
+  const bool shows = !asked.shown.empty(), saves = !asked.saved_cases.empty();
+  const bool judges_own = !has_subject && !shows && !saves;
+  const std::string no_subject = "without --subject or --plugin";
+  return {{{"--tolerance", "--sample"}, judges_own, no_subject},
+          {{"--case-timeout", "--start-timeout", "--timeout", "--require", "--baseline",
+            "--update-baseline", "--force"},
+           !has_subject,
+           no_subject},
+          {{"--sample", "--require", "--baseline", "--update-baseline", "--force", "--save-cases",
+            "--format", "--junit"},
+           shows,
+           "beside --show"},
+          {{"--format", "--junit"}, !has_subject && saves, no_subject}};
+}
+
 constexpr const char* verify_footer =
     R"(Each row of reference/exact holds a value that ball arithmetic encloses. An error may be as large as
 the function's contract allows: so many units in the last place, or so many times the condition number.
@@ -156,9 +175,10 @@ With --subject or --plugin somebody else's solver is put to the tests: the same 
 cases and operating points, and the paper's scenes. A subject is a program that reads a line of JSON and
 writes one (README.md of verification/conformance says how; `tribocheck init subject` writes a start); a
 plug-in is a shared library (tribocheck_plugin.h), asked in a process of its own. What it does not offer
-it skips. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than that file says; 1:
-something failed, or it offers nothing; 2: it cannot be started, or never answers. It has 60 s for the
-first answer, as it may have much to load, and 10 s for each one after it.
+it skips; NaN is an error. Exit code 0: all that it offers holds, or with --baseline: nothing is worse than
+that file says; 1: something failed, it offers nothing, or it ended badly after its last answer; 2: it cannot
+be started, or never answers. It has 60 s for the first answer, as it may have much to load, and 10 s for each
+one after it. With --baseline each case that failed then may fail, by no more than four times its error.
 
 Each failed quantity is shown with its worst case. --show asks one case again, and prints the line that
 asks, what is expected and how far off it may be, and what came. --save-cases writes the lines that ask
@@ -184,16 +204,10 @@ Command add_verify(CLI::App& program) {
       ->check(CLI::IsMember({"table", "json", "markdown"}));
   app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
   SubjectArguments& subject = arguments->subject;
-  // An empty one, as an unset variable gives it, is not a wish for our own model.
-  const CLI::Validator not_empty(
-      [](const std::string& text) { return text.empty() ? "nothing is given" : std::string(); },
-      "");
   CLI::Option* const command = app->add_option("--subject", subject.command,
-                                               "command line of a program that answers JSON lines")
-                                   ->check(not_empty);
+                                               "command line of a program that answers JSON lines");
   CLI::Option* const plugin =
-      app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions")
-          ->check(not_empty);
+      app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions");
   plugin->excludes(command);
   const auto of_subject = [&](CLI::Option* option) {
     option->group("Subjects");
@@ -230,7 +244,8 @@ Command add_verify(CLI::App& program) {
   update->needs("--baseline");
   of_subject(app->add_flag("--force", subject.force, "with --update-baseline: what is worse, too"))
       ->needs(update);
-  return {app, [arguments](OutputStream& output) { return verify(*arguments, output); }};
+  return {app, [arguments](OutputStream& output) { return verify(*arguments, output); },
+          [arguments] { return ignored_by(arguments->subject); }};
 }
 
 }  // namespace tribo::cli

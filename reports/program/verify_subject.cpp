@@ -138,30 +138,58 @@ void write(Text& to, const SubjectVerdict& verdict, const std::string& format) {
     append_subject_table(to, verdict);
 }
 
-// Compares with the baseline, and writes it anew where that was asked for.
-void use_baseline(const SubjectArguments& arguments, SubjectVerdict& verdict) {
-  if (arguments.baseline.empty()) return;
-  const nlohmann::json before = read_conformance_baseline(arguments.baseline);
+// The line that makes the baseline anew.
+std::string renewal(const SubjectArguments& arguments) {
+  std::string line = "tribocheck verify ";
+  const auto add = [&](const char* option, const std::string& value) {
+    line += fmt::format("{} {} ", option, shell_word(value));
+  };
+  add(arguments.plugin.empty() ? "--subject" : "--plugin", subject_of(arguments));
+  if (!arguments.exact.empty()) add("--reference", arguments.exact);
+  if (arguments.tolerance != "engineering") add("--tolerance", arguments.tolerance);
+  if (arguments.sample > 0) add("--sample", std::to_string(arguments.sample));
+  add("--baseline", arguments.baseline);
+  return line + "--update-baseline --force";
+}
+
+std::runtime_error no_baseline(const SubjectArguments& arguments, const std::exception& error) {
+  return std::runtime_error(fmt::format("{}: {}; this makes it anew: {}", arguments.baseline,
+                                        error.what(), renewal(arguments)));
+}
+
+// What the file of --baseline says, before anybody is asked; null where it is to be written. A file
+// that cannot be compared with is refused, or with --force taken for none.
+nlohmann::json usable_baseline(const SubjectArguments& arguments, const Tolerance& tolerance) {
+  if (arguments.baseline.empty()) return nullptr;
+  nlohmann::json before;
   try {
-    if (!before.is_null()) verdict.changes = compare(verdict.result, before);
+    before = read_conformance_baseline(arguments.baseline);
+    if (!before.is_null()) check_comparable(before, tolerance, arguments.sample);
   } catch (const std::runtime_error& error) {
-    if (!arguments.force)
-      throw std::runtime_error(fmt::format("{}: {}", arguments.baseline, error.what()));
-  } catch (const nlohmann::json::exception& error) {
-    if (!arguments.force)
-      throw std::runtime_error(
-          fmt::format("{}: no baseline: {}", arguments.baseline, error.what()));
+    if (arguments.force) return nullptr;
+    throw no_baseline(arguments, error);
   }
   if (before.is_null() && !arguments.update_baseline)
     throw std::runtime_error(fmt::format(
         "{}: there is no such baseline; --update-baseline writes it", arguments.baseline));
+  return before;
+}
+
+// Compares with the baseline, and writes it anew where that was asked for.
+void use_baseline(const SubjectArguments& arguments, const nlohmann::json& before,
+                  SubjectVerdict& verdict) {
+  if (arguments.baseline.empty()) return;
+  try {
+    if (!before.is_null()) verdict.changes = compare(verdict.result, before);
+  } catch (const std::exception& error) {
+    if (!arguments.force) throw no_baseline(arguments, error);
+  }
   if (!arguments.update_baseline) return;
   const nlohmann::json after =
       baseline_of(verdict.result, arguments.force ? nlohmann::json(nullptr) : before);
   report::write_file(arguments.baseline,
                      after.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  if (before.is_null()) complain("baseline written: " + arguments.baseline);
-  if (!verdict.changes) return;
+  if (!verdict.changes) return complain("baseline written: " + arguments.baseline);
   for (const Finding& one : verdict.changes->better) complain("baseline improved: " + one.text);
   for (const Finding& one : verdict.changes->worse)
     complain((arguments.force ? "baseline lowered: " : "baseline kept: ") + one.text);
@@ -207,6 +235,8 @@ int show(const SubjectArguments& arguments, const std::vector<Case>& cases,
     any_failed |= result.overall == Overall::failed;
     append_shown_case(output.text(), one, conversation.answers.front(),
                       worst_examples(result, alone, conversation, tolerance, true));
+    for (const std::string& violation : result.violations)
+      append(output.text(), "  the protocol was broken: " + violation + "\n");
     complain_of_errors(conversation);
   }
   output.flush();
@@ -229,12 +259,10 @@ bool save_cases(const SubjectArguments& arguments, const std::vector<Case>& case
 }
 
 int verify(const SubjectArguments& arguments, OutputStream& output) {
-  if (arguments.saved_cases == "-" && (has_subject(arguments) || !arguments.shown.empty()))
+  if (arguments.saved_cases == "-" && has_subject(arguments))
     throw std::invalid_argument(
         "--save-cases - writes to stdout, as the verdict does; name a file, or leave the subject "
         "out");
-  if (!arguments.shown.empty() && arguments.format != "table")
-    throw std::invalid_argument("--show writes text; leave --format out");
   check_startable(arguments);
   std::vector<Case> cases = read_cases(sources_of(arguments));
   const Tolerance tolerance = tolerance_of(arguments.tolerance, cases);
@@ -244,6 +272,7 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
   if (arguments.sample > 0) cases = sampled(std::move(cases), arguments.sample);
   if (!save_cases(arguments, cases, output)) return exit_done;
   check_required(arguments, cases);
+  const nlohmann::json before = usable_baseline(arguments, tolerance);
 
   const std::vector<Mistake> mistakes = read_mistakes(mistakes_of(arguments));
   SubjectVerdict verdict;
@@ -255,6 +284,7 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
     if (!conversation.never_answered.empty())
       return complain_of_silence(subject_of(arguments), conversation);
     verdict.result = judge(subject_of(arguments), cases, conversation, tolerance);
+    verdict.result.sample = arguments.sample;
     verdict.diagnoses = diagnose(cases, conversation, tolerance, mistakes);
     verdict.examples = worst_examples(verdict.result, cases, conversation, tolerance);
     verdict.notes = notes_on(cases, conversation);
@@ -262,7 +292,7 @@ int verify(const SubjectArguments& arguments, OutputStream& output) {
   }
   verdict.missing = missing_of(arguments, verdict.result);
   verdict.baseline = arguments.baseline;
-  use_baseline(arguments, verdict);
+  use_baseline(arguments, before, verdict);
   write(output.text(), verdict, arguments.format);
   output.flush();
   if (!arguments.junit.empty()) report::write_file(arguments.junit, subject_junit(verdict));

@@ -17,6 +17,26 @@ def subject(script, *words):
     return " ".join([PYTHON, "-B", str(SUBJECTS / script), *words])
 
 
+# A right solver whose answers, and whose end, are changed.
+ALTERED = """
+import json, math, os, signal, sys
+sys.path.insert(0, {folder!r})
+import subject
+for text in sys.stdin:
+    question, answer = json.loads(text), json.loads(subject.answer_text(text))
+    name, case = question.get("function"), question["id"]
+    {change}
+    print(json.dumps(answer), flush=True)
+{end}
+"""
+
+
+def altered(folder, change, end="pass"):
+    """The command of such a solver; its file stands in the folder."""
+    path = folder.write("altered.py", ALTERED.format(folder=str(SUBJECTS / "python_stdlib"), change=change, end=end))
+    return f"{PYTHON} -B {path}"
+
+
 def verify(*arguments):
     return run("verify", *arguments, "--format", "json")
 

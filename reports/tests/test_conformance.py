@@ -3,10 +3,11 @@
 
 import json
 import pathlib
+import shlex
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from conformance import BUILT, PYTHON, subject, verify
+from conformance import BUILT, PYTHON, altered, subject, verify
 from program import PROGRAM, Folder, run
 
 
@@ -161,7 +162,7 @@ class Baselines(unittest.TestCase):
         self.assertIn("failed as before", skipped)
 
     def test_a_gate_that_fails_is_red_in_every_format_for_what_is_worse_alone(self):
-        self.gate(("fakes/fake.py", "--mistake", "film_minimum"), "--update-baseline")
+        self.gate(("fakes/fake.py", "--mistake", "film_radius_in_mm"), "--update-baseline")
         code, table, markdown, told, junit = self.told(("small_python/my_solver.py",))
         self.assertEqual(code, 1)
         self.assertTrue(table.startswith(f"FAILED, worse than {self.path}: 4 of 86"), table)
@@ -191,19 +192,139 @@ class Baselines(unittest.TestCase):
         right = ("python_stdlib/subject.py",)
         self.gate(right, "--update-baseline")
         baseline = json.loads(pathlib.Path(self.path).read_text())
-        baseline["quantities"]["hamrock_dowson_central"]["worst_relative_error"] = 1e-16
-        pathlib.Path(self.path).write_text(json.dumps(baseline))
-        result = self.gate(right)
-        self.assertEqual(result.code, 1)
-        self.assertIn("hamrock_dowson_central: the worst error was 1e-16",
+        quantity, row = max(baseline["quantities"].items(), key=lambda one: one[1]["worst_error"])
+        worst = row["worst_error"]
+        self.assertGreater(worst, 1e-14)
+        for part, code in ((3.999, 0), (4.001, 1)):
+            row["worst_error"] = worst / part
+            pathlib.Path(self.path).write_text(json.dumps(baseline))
+            result = self.gate(right)
+            self.assertEqual(result.code, code, part)
+        self.assertIn(f"{quantity}: the worst error was {worst / 4.001:.3g}",
                       "\n".join(result.json()["baseline"]["worse"]))
 
     def test_a_file_that_is_no_baseline(self):
-        for text in ("{}", "no", '{"schema": 1, "quantities": {"x": 1}, "tolerance": "strict"}'):
+        right = ("python_stdlib/subject.py",)
+        for text, words in (("{}", "no baseline of"), ("no", "no JSON"),
+                            ('{"schema": 1, "quantities": {}, "tolerance": "engineering"}', "of schema 1"),
+                            ('{"schema": 2, "quantities": {"gaussian_moment": 1}, "sample": 60, '
+                             '"tolerance": {"default": 1e-6}}', "type")):
             pathlib.Path(self.path).write_text(text)
-            result = self.gate(("python_stdlib/subject.py",))
-            self.assertEqual(result.code, 2, text)
-            self.assertIn("baseline.json", result.err)
+            result = self.gate(right)
+            self.assertEqual((result.code, result.out), (2, ""), text)
+            line, = result.error_lines
+            self.assertIn(words, line)
+            renewal = line.partition("; this makes it anew: tribocheck ")[2]
+            self.assertEqual(run(*shlex.split(renewal)).code, 0, line)
+            self.assertEqual(self.gate(right).code, 0)
+
+    def test_it_is_tied_to_what_the_tolerances_say_and_not_to_their_file(self):
+        right = ("python_stdlib/subject.py",)
+        text = "gaussian_moment 1e-3\nhertz_point.radius 1e-6\n"
+        spelt = self.folder.write("t.txt", text)
+        self.gate(right, "--tolerance", spelt, "--update-baseline")
+        other = self.folder.write("other.txt", "default 1e-6  # as it is\ngaussian_moment 0.001\n")
+        for same in (spelt, self.folder.path("./t.txt"), other):
+            self.assertEqual(self.gate(right, "--tolerance", same).code, 0, same)
+        self.folder.write("t.txt", text.replace("1e-3", "2e-3"))
+        for changed in (["--tolerance", spelt], ["--tolerance", "strict"], []):
+            result = self.gate(right, *changed)
+            self.assertEqual(result.code, 2)
+            self.assertIn("it was made with the tolerance ", result.err)
+        result = verify("--subject", subject(*right), "--tolerance", other, "--sample", "59", "--baseline", self.path)
+        self.assertIn("it was made with the sample 60, and this is 59", result.err)
+
+    def film_times(self, factor, only="True"):
+        return altered(self.folder, f'if name == "hamrock_dowson_central" and ({only}): answer["value"] *= {factor}')
+
+    def hold(self, command, *more):
+        return verify("--subject", command, "--sample", "60", "--baseline", self.path, *more)
+
+    def test_what_failed_may_become_four_times_as_wrong_and_no_more(self):
+        self.hold(self.film_times(1.01), "--update-baseline")
+        row = json.loads(pathlib.Path(self.path).read_text())["quantities"]["hamrock_dowson_central"]
+        self.assertEqual((len(row["failed"]), row["held"]), (60, 0))
+        for error in row["failed"].values():
+            self.assertAlmostEqual(error, 0.01, delta=1e-9)
+        for factor in (1.01, 0.99, 1.0399, 0.9601, 1.0025):
+            result = self.hold(self.film_times(factor))
+            self.assertEqual((result.code, result.json()["overall"]), (0, "no worse"), factor)
+        for factor in (1.0401, 0.9599, 1e6, 0, -1, "math.inf", "math.nan"):
+            result = self.hold(self.film_times(factor))
+            self.assertEqual((result.code, result.json()["overall"]), (1, "worse"), factor)
+            self.assertIn("hamrock_dowson_central: 60 cases failed before and are worse by more than 4 times",
+                          result.out)
+
+    def test_one_case_of_many_that_becomes_worse_or_fails_anew_is_red(self):
+        self.hold(self.film_times(1.01, "case != 'f0007'"), "--update-baseline")
+        failed = list(json.loads(pathlib.Path(self.path).read_text())["quantities"]["hamrock_dowson_central"]["failed"])
+        for change, words in ((f"(0 if case == '{failed[3]}' else 1.01) if case != 'f0007' else 1",
+                               f"the first is {failed[3]}, which was off by 0.01, is off by 1"),
+                              ("1.01", "1 case failed that did not before; the first is f0007"),
+                              (f"1.01 if case != '{failed[3]}' else 1", "1 case failed that did not")):
+            result = self.hold(self.film_times(change))
+            self.assertEqual(result.code, 1, result.out)
+            self.assertIn(words, result.out)
+
+    def test_a_case_without_an_answer_stays_one_and_others_do_not_become_one(self):
+        ways = {"off": 'answer["value"] *= 1.01', "wrong": 'answer["value"] = None',
+                "silent": 'answer = {"id": case, "error": "no root"}'}
+        commands = {way: f'if name == "hamrock_dowson_central": {change}' for way, change in ways.items()}
+        for i, before in enumerate(ways):
+            pathlib.Path(self.path).unlink(missing_ok=True)
+            self.hold(altered(self.folder, commands[before]), "--update-baseline")
+            for k, now in enumerate(ways):
+                result = self.hold(altered(self.folder, commands[now]))
+                self.assertEqual(result.code, 1 if k > i else 0, f"{before}, {now}: {result.out}")
+
+    def test_a_gate_without_an_answer_is_red(self):
+        nothing = altered(self.folder, 'answer = {"id": case, "skip": "no"}')
+        self.hold(nothing, "--update-baseline")
+        for command in (nothing, subject("python_stdlib/subject.py")):
+            result = self.hold(command)
+            self.assertEqual((result.code, result.json()["overall"]), (1, "worse"))
+            self.assertRegex(result.out, "nothing is (tested|compared)")
+
+    def test_a_baseline_is_looked_at_before_anybody_is_asked(self):
+        for text, more in (("{}", []), ('{"schema": 1, "quantities": {}}', ["--update-baseline"])):
+            pathlib.Path(self.path).write_text(text)
+            result = self.hold(f"touch '{self.folder.path('asked')}'", *more)
+            self.assertEqual(result.code, 2)
+            self.assertFalse(pathlib.Path(self.folder.path("asked")).exists())
+
+
+class Ends(unittest.TestCase):
+    """How a subject ends after its last answer."""
+
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def test_one_that_ends_badly_has_failed(self):
+        for end, words in (("sys.exit(77)", "exits with code 77"), ("sys.exit(1)", "exits with code 1"),
+                           ("raise ValueError", "exits with code 1"), ("os._exit(255)", "exits with code 255"),
+                           ("os.kill(os.getpid(), signal.SIGKILL)", "137|signal 9")):
+            command = altered(self.folder, "pass", end)
+            for more in ([], ["--show", "h0000"]):
+                result = run("verify", "--subject", command, *(more or ["--sample", "3"]))
+                self.assertEqual(result.code, 1, (end, result.out))
+                self.assertRegex(result.out, f"the protocol was broken: it .*({words}).* after its last answer")
+
+    def test_one_that_ends_well_or_late_has_not(self):
+        for end in ("pass", "sys.exit(0)", "import time; time.sleep(0.5)"):
+            result = verify("--subject", altered(self.folder, "pass", end), "--sample", "3")
+            self.assertEqual((result.code, result.json()["notes"]), (0, []), end)
+        result = verify("--subject", altered(self.folder, "pass", "import time; time.sleep(60)"), "--sample", "3",
+                        "--case-timeout", "1")
+        self.assertEqual((result.code, result.json()["notes"]),
+                         (0, ["It did not end when its input had ended, and was killed."]))
+
+    def test_a_baseline_does_not_allow_it(self):
+        command, path = altered(self.folder, "pass", "sys.exit(77)"), self.folder.path("baseline.json")
+        for more in (["--update-baseline"], []):
+            result = verify("--subject", command, "--sample", "3", "--baseline", path, *more)
+            self.assertEqual(result.code, 1)
+        self.assertIn("exits with code 77 after its last answer", "".join(result.json()["baseline"]["worse"]))
 
 
 if __name__ == "__main__":

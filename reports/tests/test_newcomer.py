@@ -41,7 +41,7 @@ class Trips(unittest.TestCase):
 
     def verify(self, command, *arguments):
         environment = {key: value for key, value in ENVIRONMENT.items() if key != "PYTHONUNBUFFERED"}
-        sample = [] if "--sample" in arguments else ["--sample", "12"]
+        sample = [] if {"--sample", "--show"} & set(arguments) else ["--sample", "12"]
         done = subprocess.run([PROGRAM, "verify", "--subject", command, *sample, *arguments],
                               capture_output=True, timeout=TIMEOUT, env=environment)
         return Result(done.returncode, done.stdout.decode(), done.stderr.decode())

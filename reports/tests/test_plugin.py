@@ -134,7 +134,7 @@ class Statuses(unittest.TestCase):
         collapsed, = self.ask(point(load=4, outputs=["friction"]))
         self.assertEqual(collapsed["undefined"], {"friction": "the film has collapsed: nothing balances the load"})
         none, = self.ask(point(load=1, outputs=["regime", "summit_count"]))
-        self.assertEqual(none.keys(), {"id", "skip"})
+        self.assertEqual(none.keys(), {"id"})
 
     def test_codes_that_mean_nothing(self):
         for load in [5, 9]:
@@ -211,7 +211,7 @@ class Refusals(unittest.TestCase):
         self.one_line("/dev/null", "cannot be loaded")
 
     def test_versions(self):
-        self.one_line(plugin("wrong_version"), "version 3", "version 2")
+        self.one_line(plugin("wrong_version"), "version 4", "version 3")
         self.one_line(plugin("no_version"), "tribocheck_plugin_version")
 
     def test_no_library_is_named(self):

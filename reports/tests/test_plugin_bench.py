@@ -60,7 +60,7 @@ class Refusals(unittest.TestCase):
             self.assertIn(word, done.err)
 
     def test_a_library_that_cannot_be_used(self):
-        for library, word in [("no_such.so", "No such file"), (plugin("wrong_version"), "version 2"),
+        for library, word in [("no_such.so", "No such file"), (plugin("wrong_version"), "version 3"),
                               (plugin("no_version"), "tribocheck_plugin_version")]:
             self.one_line(bench(library, "/plugin/"), 2, library, word)
 

@@ -138,8 +138,8 @@ class Shapes(SweepTest):
 
     def test_show_and_estimate_take_them(self):
         text = sweep({**FACES_OF_LINE, **PLANS["faces of a line"][1], "speed": "[0.1, 1.0]"}, draws=4)
-        self.assertEqual(self.sweep(text, "--estimate").code, 0)
         self.swept(text)
+        self.assertEqual(run("sweep", self.path("sweep.toml"), "--estimate").code, 0)
         cases = run("sweep", "show", self.path("out.h5"), "--cases", "--format", "csv")
         self.assertEqual((cases.code, cases.err), (0, ""))
         self.assertEqual(len(cases.out.splitlines()), 1 + 2 * 4 * 2)

@@ -27,7 +27,13 @@ struct Measured {
   double part_of_bound = infinity;
   double relative = infinity;
   std::string reason;  // where it fails
+  Failure how = Failure::wrong;
+  double per_condition = 0;  // the relative error over the condition; 0 where it plays no part
 };
+
+Measured without_answer(std::string reason) {
+  return {none, infinity, infinity, std::move(reason), Failure::no_answer};
+}
 
 Measured measure_word(const Expected& expected, const nlohmann::json& value) {
   if (value == expected.word) return {none, 0, 0, {}};
@@ -53,7 +59,11 @@ Measured measure_number(const Case& asked, const Expected& expected, const nlohm
                 error == 0           ? 0
                 : expected.high != 0 ? error / std::abs(expected.high)
                                      : infinity,
-                {}};
+                {},
+                Failure::number};
+  const bool plays_a_part = tolerance.is_strict || limit > least_of_engineering;
+  if (plays_a_part && std::abs(expected.high) >= least_of_engineering)
+    made.per_condition = made.relative / std::max(1.0, expected.condition);
   if (made.part_of_bound > 1)
     made.reason = expected.high == 0
                       ? fmt::format("{}, not 0; allowed {:.3g}", got, limit)
@@ -106,12 +116,12 @@ class Judge {
     ++verdict.asked;
     if (answer.outcome == Outcome::skipped) return skip(verdict, answer.reason);
     if (answer.outcome != Outcome::answered)
-      return fail(verdict, i, k, {none, infinity, infinity, answer.reason});
+      return fail(verdict, i, k, without_answer(answer.reason));
     const auto value = answer.fields.find(expected.field);
     if (value == answer.fields.end()) {
       if (!offered_.contains(asked.function + '.' + expected.field))
         return skip(verdict, "the field is never there");
-      return fail(verdict, i, k, {none, infinity, infinity, "the field is missing"});
+      return fail(verdict, i, k, without_answer("the field is missing"));
     }
     const Measured measured = !expected.word.empty() ? measure_word(expected, *value)
                               : expected.is_undefined
@@ -120,6 +130,7 @@ class Judge {
     if (measured.part_of_bound > 1) return fail(verdict, i, k, measured);
     ++verdict.held;
     verdict.held_physical += expected.is_physical ? 1 : 0;
+    verdict.held_cases.push_back({asked.id, measured.per_condition});
     note_worst(verdict, asked, measured);
   }
 
@@ -133,9 +144,17 @@ class Judge {
     if (verdict.failed == 0 || (is_physical && verdict.failed_physical == 0))
       verdict.first_reason = fmt::format("{}: {}", cases_[i].id, measured.reason);
     ++verdict.failed;
+    verdict.failed_cases.push_back(failed_case(cases_[i], cases_[i].expected[k], measured));
     verdict.failed_physical += is_physical ? 1 : 0;
     note_worst(verdict, cases_[i], measured);
     result_.judged.push_back({i, k, measured.got, measured.part_of_bound});
+  }
+
+  static FailedCase failed_case(const Case& asked, const Expected& expected,
+                                const Measured& measured) {
+    const double error = expected.high != 0 ? measured.relative : std::abs(measured.got);
+    const bool is_beyond = measured.how == Failure::number && !std::isfinite(error);
+    return {asked.id, is_beyond ? Failure::wrong : measured.how, error};
   }
 
   static void note_worst(QuantityVerdict& verdict, const Case& asked, const Measured& measured) {
@@ -231,7 +250,7 @@ ConformanceResult judge(std::string subject, const std::vector<Case>& cases,
                         const Conversation& conversation, const Tolerance& tolerance) {
   ConformanceResult result;
   result.subject = std::move(subject);
-  result.tolerance = tolerance.name;
+  result.tolerance = tolerance;
   result.violation_count = conversation.violation_count;
   result.violations = conversation.violations;
   result.last_errors = conversation.last_errors;

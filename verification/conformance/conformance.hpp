@@ -48,12 +48,32 @@ struct Judged {
   double part_of_bound;  // error/bound; infinite where there is no number; above 1: failed
 };
 
+// How a case failed, from the least to the worst.
+enum class Failure : std::uint8_t {
+  number,     // a finite number that is too far off
+  wrong,      // NaN, an infinity, null, text where a number is wanted, or another word
+  no_answer,  // none came, or none for this field
+};
+
+struct FailedCase {
+  std::string id;
+  Failure how = Failure::no_answer;
+  double error = 0;  // of a number: relative, or absolute where 0 is expected
+};
+
+struct HeldCase {
+  std::string id;
+  double error;  // relative, over the condition; 0 where the value is too small to play a part
+};
+
 struct QuantityVerdict {
   std::string quantity;
   Status status = Status::not_offered;
   std::size_t asked = 0, held = 0, failed = 0, skipped = 0;
   std::size_t held_physical = 0, failed_physical = 0;  // of these, in the physical range
   double worst_part_of_bound = 0, worst_relative = 0;
+  std::vector<HeldCase> held_cases;
+  std::vector<FailedCase> failed_cases;
   std::string worst_case;    // its id
   std::string first_reason;  // of the first failure, or of the first skip
 };
@@ -64,7 +84,8 @@ std::string_view name(Overall overall);
 
 struct ConformanceResult {
   std::string subject;
-  std::string tolerance;
+  Tolerance tolerance;
+  std::size_t sample = 0;  // cases of each function at most; 0: all were asked
   Overall overall = Overall::nothing;
   std::vector<QuantityVerdict> quantities;
   std::vector<Judged> judged;  // all numbers that failed, for the diagnosis

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "protocol/bounded_json.hpp"
@@ -17,7 +18,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double ratchet = 4;
-constexpr int schema = 1;
+constexpr int schema = 2;
 
 // The order of what a status is worth; failed is least.
 int worth(const std::string& status) {
@@ -28,58 +29,183 @@ int worth(const std::string& status) {
   throw std::runtime_error(fmt::format("{} is no status", status));
 }
 
-json row_of(const QuantityVerdict& one) {
-  return {{"status", name(one.status)},
-          {"asked", one.asked},
-          {"held", one.held},
-          {"failed", one.failed},
-          {"skipped", one.skipped},
-          {"worst_relative_error", one.status == Status::held || one.status == Status::partly_held
-                                       ? json(one.worst_relative)
-                                       : json(nullptr)}};
+bool is_beyond_ratchet(double now, double before) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return now > ratchet * std::max(epsilon, before);
 }
 
-enum class Change : std::uint8_t { none, better, worse };
+// --- One case that failed.
+
+constexpr const char* wrong_text = "wrong";
+constexpr const char* no_answer_text = "no answer";
+
+json json_of(const FailedCase& one) {
+  if (one.how == Failure::number) return one.error;
+  return one.how == Failure::wrong ? wrong_text : no_answer_text;
+}
+FailedCase failed_case(const std::string& id, const json& written) {
+  if (written.is_number()) return {id, Failure::number, written.get<double>()};
+  if (written == wrong_text) return {id, Failure::wrong, 0};
+  if (written == no_answer_text) return {id, Failure::no_answer, 0};
+  throw std::runtime_error(fmt::format("{} is no error of a case that failed", written.dump()));
+}
+std::string text_of(const FailedCase& one) {
+  if (one.how == Failure::number) return fmt::format("off by {:.3g}", one.error);
+  return one.how == Failure::wrong ? wrong_text : "without an answer";
+}
+bool is_worse(const FailedCase& now, const FailedCase& before) {
+  if (now.how != before.how) return now.how > before.how;
+  return now.how == Failure::number && is_beyond_ratchet(now.error, before.error);
+}
+bool is_lesser(const FailedCase& one, const FailedCase& other) {
+  return one.how != other.how ? one.how < other.how : one.error < other.error;
+}
+
+// --- One quantity.
+
+// The worst of the cases that hold and are meant.
+template <class Which>
+HeldCase worst_of(const QuantityVerdict& now, Which&& is_meant) {
+  HeldCase worst{{}, 0};
+  for (const HeldCase& one : now.held_cases)
+    if (one.error > worst.error && is_meant(one.id)) worst = one;
+  return worst;
+}
+
+// The worst of the cases that held before, too; nothing where that is not known, as some were
+// skipped then.
+std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& before) {
+  const json& failed = before.at("failed");
+  std::size_t old = 0;
+  for (const HeldCase& one : now.held_cases) old += failed.contains(one.id) ? 0 : 1;
+  if (old > before.at("held").get<std::size_t>()) return std::nullopt;
+  return worst_of(now, [&](const std::string& id) { return !failed.contains(id); });
+}
+
+json row_of(const QuantityVerdict& one) {
+  json failed = json::object();
+  for (const FailedCase& fault : one.failed_cases) failed[fault.id] = json_of(fault);
+  const HeldCase worst = worst_of(one, [](const std::string&) { return true; });
+  return {{"status", name(one.status)}, {"asked", one.asked},         {"held", one.held},
+          {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
+}
+
+// Of a quantity that became better: what became worse meanwhile, but not by so much as to be red,
+// stays as it was, so that a baseline does not get worse step by step.
+json merged_row(const QuantityVerdict& now, const json& before) {
+  json row = row_of(now);
+  for (const FailedCase& one : now.failed_cases)
+    if (const auto old = before.at("failed").find(one.id); old != before.at("failed").end())
+      if (is_lesser(failed_case(one.id, *old), one)) row["failed"][one.id] = *old;
+  if (const std::optional<HeldCase> old = worst_of_old(now, before)) {
+    const HeldCase fresh =
+        worst_of(now, [&](const std::string& id) { return before.at("failed").contains(id); });
+    row["worst_error"] =
+        std::max(fresh.error, std::min(old->error, before.at("worst_error").get<double>()));
+  }
+  return row;
+}
 
 struct Compared {
-  Change change;
-  std::string line;
+  std::string worse, better;  // a line, or empty; never both
 };
 
-Compared compare_one(const QuantityVerdict& now, const json& before) {
+std::string cases_text(std::size_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "case" : "cases");
+}
+
+// "2 cases fail that did not before, the first is f0012 (off by 0.0066)"; empty where none is.
+std::string worse_cases(const QuantityVerdict& now, const json& failed_before) {
+  std::size_t fresh = 0, grown = 0;
+  std::string first_fresh, first_grown;
+  for (const FailedCase& one : now.failed_cases) {
+    const auto before = failed_before.find(one.id);
+    if (before == failed_before.end()) {
+      if (fresh++ == 0) first_fresh = fmt::format("{} ({})", one.id, text_of(one));
+    } else if (const FailedCase old = failed_case(one.id, *before); is_worse(one, old)) {
+      if (grown++ == 0)
+        first_grown = fmt::format("{}, which was {}, is {}", one.id, text_of(old), text_of(one));
+    }
+  }
+  std::string text;
+  if (fresh > 0)
+    text = fmt::format("{} failed that did not before; the first is {}", cases_text(fresh),
+                       first_fresh);
+  if (grown > 0)
+    text += fmt::format("{}{} failed before and {} worse by more than {} times; the first is {}",
+                        text.empty() ? "" : "; ", cases_text(grown), grown == 1 ? "is" : "are",
+                        ratchet, first_grown);
+  return text;
+}
+
+std::size_t better_cases(const QuantityVerdict& now, const json& failed_before) {
+  std::size_t count = failed_before.size();
+  for (const FailedCase& one : now.failed_cases)
+    if (const auto before = failed_before.find(one.id); before != failed_before.end())
+      count -= is_worse(failed_case(one.id, *before), one) ? 0 : 1;
+  return count;
+}
+
+std::string what_is_worse(const QuantityVerdict& now, const json& before) {
   const std::string was(before.at("status").get<std::string>()), is(name(now.status));
-  if (worth(is) != worth(was))
-    return {worth(is) < worth(was) ? Change::worse : Change::better,
-            fmt::format("{}: was {}, is {}{}", now.quantity, was, is,
-                        now.first_reason.empty() ? "" : " (" + now.first_reason + ")")};
-  const auto failed = before.at("failed").get<std::size_t>();
-  const auto skipped = before.at("skipped").get<std::size_t>();
-  if (now.failed != failed)
-    return {now.failed > failed ? Change::worse : Change::better,
-            fmt::format("{}: {} cases failed, {} fail", now.quantity, failed, now.failed)};
-  if (now.skipped != skipped)
-    return {now.skipped > skipped ? Change::worse : Change::better,
-            fmt::format("{}: {} cases were skipped, {} are", now.quantity, skipped, now.skipped)};
-  const json& error = before.at("worst_relative_error");
-  if (!error.is_number() || now.failed > 0) return {Change::none, {}};
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double allowed = ratchet * std::max(epsilon, error.get<double>());
-  if (now.worst_relative > allowed)
-    return {Change::worse,
-            fmt::format("{}: the worst error was {:.3g}, is {:.3g} (case {}); more than {} times",
-                        now.quantity, error.get<double>(), now.worst_relative, now.worst_case,
-                        ratchet)};
-  if (now.worst_relative < error.get<double>() / ratchet)
-    return {Change::better, fmt::format("{}: the worst error was {:.3g}, is {:.3g}", now.quantity,
-                                        error.get<double>(), now.worst_relative)};
-  return {Change::none, {}};
+  const std::string cases = worse_cases(now, before.at("failed"));
+  if (worth(is) < worth(was))
+    return fmt::format("was {}, is {}{}", was, is,
+                       now.first_reason.empty() ? "" : " (" + now.first_reason + ")");
+  if (!cases.empty()) return cases;
+  const auto held = before.at("held").get<std::size_t>();
+  if (now.held < held) return fmt::format("{} held, {} hold", cases_text(held), now.held);
+  const double error = before.at("worst_error").get<double>();
+  const std::optional<HeldCase> worst = worst_of_old(now, before);
+  if (worst && is_beyond_ratchet(worst->error, error))
+    return fmt::format("the worst error was {:.3g}, is {:.3g} (case {}); more than {} times", error,
+                       worst->error, worst->id, ratchet);
+  return {};
+}
+
+std::string what_is_better(const QuantityVerdict& now, const json& before) {
+  const std::string was(before.at("status").get<std::string>()), is(name(now.status));
+  if (worth(is) > worth(was)) return fmt::format("was {}, is {}", was, is);
+  const auto held = before.at("held").get<std::size_t>();
+  if (now.held > held) return fmt::format("{} held, {} hold", cases_text(held), now.held);
+  if (const std::size_t count = better_cases(now, before.at("failed")); count > 0)
+    return fmt::format("{} that failed {} better", cases_text(count), count == 1 ? "is" : "are");
+  const double error = before.at("worst_error").get<double>();
+  const std::optional<HeldCase> worst = worst_of_old(now, before);
+  if (worst && is_beyond_ratchet(error, worst->error))
+    return fmt::format("the worst error was {:.3g}, is {:.3g}", error, worst->error);
+  return {};
+}
+
+Compared compare_one(const QuantityVerdict& now, const json& before) {
+  Compared found{what_is_worse(now, before), {}};
+  if (found.worse.empty()) found.better = what_is_better(now, before);
+  for (std::string* const line : {&found.worse, &found.better})
+    if (!line->empty()) line->insert(0, now.quantity + ": ");
+  return found;
+}
+
+// --- The whole file.
+
+json tolerance_json(const Tolerance& tolerance) {
+  if (tolerance.is_strict) return tolerance.name;
+  json content{{"default", tolerance.relative}};
+  for (const auto& [quantity, relative] : tolerance.quantity)
+    if (relative != tolerance.relative) content[quantity] = relative;
+  return content;
 }
 
 const json& quantities_of(const json& baseline) {
-  if (!baseline.is_object() || !baseline.contains("quantities") ||
-      baseline.value("schema", 0) != schema)
-    throw std::runtime_error(fmt::format("no baseline of `tribocheck verify`, schema {}", schema));
+  if (!baseline.is_object() || !baseline.contains("quantities") || !baseline.contains("schema"))
+    throw std::runtime_error("it is no baseline of `tribocheck verify`");
+  if (baseline.at("schema") != schema)
+    throw std::runtime_error(fmt::format("it is a baseline of schema {}, and this program has {}",
+                                         baseline.at("schema").dump(), schema));
   return baseline.at("quantities");
+}
+
+bool has_numbers(const json& row) {
+  return row.at("held").get<std::size_t>() > 0 || !row.at("failed").empty();
 }
 
 }  // namespace
@@ -87,22 +213,36 @@ const json& quantities_of(const json& baseline) {
 json baseline_of(const ConformanceResult& result, const json& before) {
   json rows = before.is_null() ? json::object() : quantities_of(before);
   for (const QuantityVerdict& one : result.quantities)
-    if (!rows.contains(one.quantity) ||
-        compare_one(one, rows.at(one.quantity)).change == Change::better)
+    if (!rows.contains(one.quantity))
       rows[one.quantity] = row_of(one);
+    else if (!compare_one(one, rows.at(one.quantity)).better.empty())
+      rows[one.quantity] = merged_row(one, rows.at(one.quantity));
   return {{"schema", schema},
-          {"tolerance", result.tolerance},
+          {"tolerance", tolerance_json(result.tolerance)},
+          {"sample", result.sample == 0 ? json("all") : json(result.sample)},
           {"subject", result.subject},
           {"quantities", std::move(rows)}};
 }
 
+void check_comparable(const json& baseline, const Tolerance& tolerance, std::size_t sample) {
+  quantities_of(baseline);
+  const auto check = [&](const char* what, const json& now) {
+    const json before = baseline.value(what, json());
+    if (before != now)
+      throw std::runtime_error(fmt::format("it was made with the {} {}, and this is {}", what,
+                                           before.dump(), now.dump()));
+  };
+  check("tolerance", tolerance_json(tolerance));
+  check("sample", sample == 0 ? json("all") : json(sample));
+}
+
 BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
+  check_comparable(baseline, result.tolerance, result.sample);
   BaselineChanges changes;
   const json& rows = quantities_of(baseline);
-  if (baseline.value("tolerance", "") != result.tolerance)
-    throw std::runtime_error(fmt::format("it was made with --tolerance {}, this is {}",
-                                         baseline.value("tolerance", "?"), result.tolerance));
+  bool any_compared = false, any_offered = false;
   for (const QuantityVerdict& one : result.quantities) {
+    any_offered |= one.held + one.failed > 0;
     if (!rows.contains(one.quantity)) {
       if (one.status == Status::failed)
         changes.worse.push_back({one.quantity, fmt::format("{}: is new, and fails", one.quantity)});
@@ -111,10 +251,11 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
             {one.quantity, fmt::format("{}: is new, {}", one.quantity, name(one.status))});
       continue;
     }
+    any_compared |= has_numbers(rows.at(one.quantity));
     const Compared compared = compare_one(one, rows.at(one.quantity));
-    if (compared.change == Change::worse) changes.worse.push_back({one.quantity, compared.line});
-    if (compared.change == Change::better) changes.better.push_back({one.quantity, compared.line});
-    if (one.status == Status::failed && compared.change != Change::worse)
+    if (!compared.worse.empty()) changes.worse.push_back({one.quantity, compared.worse});
+    if (!compared.better.empty()) changes.better.push_back({one.quantity, compared.better});
+    if (one.status == Status::failed && compared.worse.empty())
       changes.failed_already.push_back(one.quantity);
   }
   for (const auto& row : rows.items())
@@ -123,20 +264,22 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
       changes.worse.push_back({row.key(), fmt::format("{}: is no longer asked", row.key())});
   if (result.violation_count > 0)
     changes.worse.push_back(
-        {"protocol", fmt::format("the protocol was broken {} times", result.violation_count)});
+        {"protocol",
+         fmt::format("the protocol was broken {} times{}", result.violation_count,
+                     result.violations.empty() ? "" : ": " + result.violations.front())});
+  if (!any_offered)
+    changes.worse.push_back({"anything", "no quantity is offered, so that nothing is tested"});
+  else if (!any_compared)
+    changes.worse.push_back(
+        {"anything", "the baseline has no answers, so that nothing is compared with it"});
   return changes;
 }
 
 json read_conformance_baseline(const std::string& path) {
   if (!std::filesystem::exists(path)) return nullptr;
   std::ifstream file(path);
-  json content;
-  try {
-    content = protocol::read_bounded_json(file);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
-  }
-  if (content.is_discarded()) throw std::runtime_error(fmt::format("{}: no JSON", path));
+  const json content = protocol::read_bounded_json(file);
+  if (content.is_discarded()) throw std::runtime_error("it is no JSON");
   return content;
 }
 

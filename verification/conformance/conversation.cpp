@@ -79,6 +79,7 @@ class Asker {
         step();
       }
     }
+    hear_the_end();
     end_process();
     if (!any_answer_ && !cases_.empty()) result.never_answered = why_never_answered();
   }
@@ -257,9 +258,12 @@ class Asker {
     if (++prints_ > print_flood) flooded();
   }
 
-  void stray(const std::string& what) {
+  void note_violation(const std::string& what) {
     ++result.violation_count;
     if (result.violations.size() < most_violations) result.violations.push_back(what);
+  }
+  void stray(const std::string& what) {
+    note_violation(what);
     if (++stray_ > flood) return flooded();
     if (!any_answer_ && stray_ >= asked_.size()) fail(Outcome::garbage, what, "answers no case");
   }
@@ -305,6 +309,25 @@ class Asker {
     if (!any_answer_) result.exit_code_without_answer = process_->exit_code();
     if (asked_.empty() && to_ask_.empty()) return;
     fail(Outcome::died, fmt::format("it {}", end), end);
+  }
+
+  // All is answered: its input ends, and it should, with exit code 0. One that does not end is
+  // killed, and told.
+  void hear_the_end() {
+    if (!process_) return;
+    process_->close_input();
+    const Clock::time_point last = std::min(Clock::now() + limits_.one_case, deadline_);
+    while (process_ && !process_->has_ended() && Clock::now() < last) {
+      std::string line;
+      const SubjectProcess::Event event = process_->next_line(line, std::chrono::milliseconds(20));
+      if (event == SubjectProcess::Event::line) hear(line);
+      if (event == SubjectProcess::Event::too_long_line) return flooded();
+      if (event == SubjectProcess::Event::end_of_output) ::usleep(2000);
+    }
+    if (!process_) return;
+    result.stays = !process_->has_ended();
+    if (!result.stays && process_->exit_code() != 0)
+      note_violation(fmt::format("it {} after its last answer", process_->end_text()));
   }
 
   void late() {

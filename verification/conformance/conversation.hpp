@@ -47,6 +47,7 @@ struct Conversation {
   bool answers_at_end_of_input = false;  // it does not flush its answers
   std::string never_answered;            // why; empty where any case has an answer
   int exit_code_without_answer = -1;     // of a subject that ended and never answered
+  bool stays = false;                    // it does not end when its input has ended
 };
 
 // `progress` hears how many cases are settled.

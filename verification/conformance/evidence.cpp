@@ -141,6 +141,8 @@ std::vector<std::string> notes_on(const std::vector<Case>& cases,
     notes.push_back(fmt::format(
         "It wrote {} lines to stdout that are no answers; print to stderr instead. The first: {}",
         conversation.print_count, conversation.first_print));
+  if (conversation.stays)
+    notes.push_back("It did not end when its input had ended, and was killed.");
   std::map<Stranger, std::size_t> strangers;
   std::set<std::string> with_known;  // functions
   for (std::size_t i = 0; i < cases.size(); ++i) {

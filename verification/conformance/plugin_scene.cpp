@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "conformance/serve.hpp"
+
 namespace tribo::conformance {
 namespace {
 
@@ -78,8 +80,9 @@ Scene model_scene(const tribocheck_scene& scene) {
 }
 
 tribocheck_point empty_point() {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return {nan, nan, nan, nan, nan, nan, nan, nan, nan, TRIBOCHECK_NO_CODE, TRIBOCHECK_NO_CODE};
+  constexpr double none = not_offered;
+  return {
+      none, none, none, none, none, none, none, none, none, TRIBOCHECK_NO_CODE, TRIBOCHECK_NO_CODE};
 }
 
 }  // namespace tribo::conformance

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "conformance/result_fields.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -24,7 +23,8 @@ using Fields = std::vector<Field>;
 
 std::optional<OutputValue> value_of(double number,
                                     std::string_view undefined = protocol::beyond_double) {
-  if (std::isnan(number)) return std::nullopt;
+  if (is_not_offered(number)) return std::nullopt;
+  if (std::isnan(number)) return OutputValue{.undefined = {}, .word = "NaN"};
   if (std::isinf(number)) return OutputValue{.undefined = undefined, .word = {}};
   return OutputValue{.undefined = {}, .word = {}, .number = number};
 }
@@ -103,19 +103,12 @@ void append_undefined(Text& to, Id id, const Fields& fields, std::string_view re
   to.push_back('\n');
 }
 
-void append_done(Text& to, Id id, const Fields& fields) {
-  const bool offers_any = std::any_of(fields.begin(), fields.end(),
-                                      [](const Field& field) { return field.value.has_value(); });
-  if (offers_any) return append_fields(to, id, fields);
-  append_skip_line(to, id, "nothing of what is asked for is offered");
-}
-
 // `asked`: what fields_of() takes beside the result.
 template <class Result, class Asked>
 void append_line(Text& to, Id id, const Answer<Result>& answer, const Asked& asked) {
   switch (answer.status) {
     case Status::done:
-      return append_done(to, id, fields_of(answer.result, asked));
+      return append_fields(to, id, fields_of(answer.result, asked));
     case Status::skipped:
       return append_skip_line(to, id, answer.reason);
     case Status::undefined:

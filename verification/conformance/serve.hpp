@@ -15,6 +15,7 @@
 // Formulas, symbols and ranges: model/README.md. Cases are in range.
 #pragma once
 
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -33,10 +34,13 @@
 
 namespace tribo::conformance {
 
-// A number in a result that is not finite has a meaning. NaN: this result is not offered. Infinity:
-// this result is undefined at this point. A function with only one result always offers it: there
-// NaN is an error.
-inline constexpr double not_offered = std::numeric_limits<double>::quiet_NaN();
+// A number in a result that is not finite has a meaning. not_offered, to which all results are set
+// before: this result is not offered. Infinity: this result is undefined at this point. Any other
+// NaN is an error. A function with only one result always offers it.
+inline constexpr double not_offered = std::bit_cast<double>(std::uint64_t{0x7FF8'6E6F'7468'6572});
+inline bool is_not_offered(double number) {
+  return std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(not_offered);
+}
 inline constexpr double undefined_here = std::numeric_limits<double>::infinity();
 
 // A word of a result.

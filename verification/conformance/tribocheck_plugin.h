@@ -15,11 +15,12 @@
  * case one status and, where it is TRIBOCHECK_DONE, the results. A case that gets no status has
  * failed. What a plug-in prints to stdout comes out on stderr.
  *
- * SI units throughout. A number in a result that is not finite says something: NaN that this result
- * is not offered, an infinity that there is none at this point. The only result of a function is
- * always offered: NaN there is an error. Where the film has collapsed, and no floor keeps the faces
- * apart, nothing balances the load: both load shares and friction are NaN, and the regime is
- * TRIBOCHECK_NO_FILM. What a plug-in says of these four there is not judged.
+ * SI units throughout. A result that is left as the caller has set it is not offered; the only
+ * result of a function is always offered. An infinity says that there is none at this point. A NaN
+ * that the library writes is an error: for a case that it does not offer, as out of its range, it
+ * has the status TRIBOCHECK_NOT_OFFERED. Only where the film has collapsed, and no floor keeps the
+ * faces apart, does NaN mean that nothing balances the load: both load shares and friction are NaN
+ * there, and the regime is TRIBOCHECK_NO_FILM. What a plug-in says of these four there is not judged.
  *
  * Formulas, symbols and ranges: model/README.md. */
 #ifndef TRIBOCHECK_PLUGIN_H
@@ -32,7 +33,7 @@ extern "C" {
 #endif
 
 /* Of this header. It grows when a plug-in built with an older header would be read wrongly. */
-enum { TRIBOCHECK_PLUGIN_VERSION = 2 };
+enum { TRIBOCHECK_PLUGIN_VERSION = 3 };
 
 /* The status of a case. */
 enum {
@@ -77,8 +78,9 @@ const char* tribocheck_plugin_name(void);
 
 /* Any function of `tribocheck functions`, by its name; `tribocheck functions NAME` says what its
  * arguments and results are. argument[k][i] is argument k of case i, in that order from 0; of a
- * word, its code. result[k][i] is for result k of case i; the caller has set all to NaN. Returns 0
- * where the function of this name is not offered, and else another number.
+ * word, its code. result[k][i] is for result k of case i; the caller has set all to a NaN of its
+ * own, by which it knows what is left. Returns 0 where the function of this name is not offered,
+ * and else another number.
  *
  *   if (strcmp(name, "gaussian_moment") != 0) return 0;
  *   for (size_t i = 0; i < count; ++i) {
@@ -115,8 +117,8 @@ typedef struct tribocheck_scene {
   int viscosity_law;           /* TRIBOCHECK_BARUS ... */
 } tribocheck_scene;
 
-/* One operating point. The caller has set all numbers to NaN and both codes to TRIBOCHECK_NO_CODE.
- */
+/* One operating point. The caller has set all numbers to that NaN and both codes to
+ * TRIBOCHECK_NO_CODE. */
 typedef struct tribocheck_point {
   double film_flooded;        /* h_ff, m: fully flooded, with load sharing */
   double film;                /* h*, m: behind the starved inlet */

@@ -185,8 +185,9 @@ TEST(Verdict, TellsAFailureBeyondThePhysicalRangeApart) {
 
 // --- What is worse than a baseline.
 
+// The cases that failed are off by a tenth each.
 QuantityVerdict row(Status status, std::size_t held, std::size_t failed, std::size_t skipped,
-                    double worst_relative = 1e-10) {
+                    double worst_held = 1e-10) {
   QuantityVerdict one;
   one.quantity = "film";
   one.status = status;
@@ -194,14 +195,20 @@ QuantityVerdict row(Status status, std::size_t held, std::size_t failed, std::si
   one.held = held;
   one.failed = failed;
   one.skipped = skipped;
-  one.worst_part_of_bound = 0.5;
-  one.worst_relative = worst_relative;
-  one.worst_case = "a";
+  for (std::size_t i = 0; i < held; ++i)
+    one.held_cases.push_back({"h" + std::to_string(i), i == 0 ? worst_held : 0});
+  for (std::size_t i = 0; i < failed; ++i)
+    one.failed_cases.push_back({"f" + std::to_string(i), Failure::number, 0.1});
+  return one;
+}
+QuantityVerdict failing(std::vector<FailedCase> cases) {
+  QuantityVerdict one = row(Status::failed, 5, cases.size(), 0);
+  one.failed_cases = std::move(cases);
   return one;
 }
 ConformanceResult result_of(std::vector<QuantityVerdict> quantities) {
   ConformanceResult result;
-  result.tolerance = "engineering";
+  result.tolerance = engineering_tolerance();
   result.quantities = std::move(quantities);
   return result;
 }
@@ -210,7 +217,10 @@ enum class Way : std::uint8_t { same, better, worse };
 Way change(const QuantityVerdict& before, const QuantityVerdict& now) {
   const BaselineChanges changes =
       compare(result_of({now}), baseline_of(result_of({before}), nullptr));
-  EXPECT_LE(changes.worse.size() + changes.better.size(), 1U);
+  std::size_t of_film = 0;
+  for (const auto& list : {changes.worse, changes.better})
+    for (const Finding& one : list) of_film += one.quantity == "film" ? 1 : 0;
+  EXPECT_LE(of_film, 1U);
   return !changes.worse.empty() ? Way::worse : !changes.better.empty() ? Way::better : Way::same;
 }
 // Whatever is worse one way round is better the other way round.
@@ -223,21 +233,140 @@ void expect_worse(const QuantityVerdict& before, const QuantityVerdict& now) {
 TEST(Baseline, KnowsWhatIsWorse) {
   expect_worse(row(Status::held, 10, 0, 0), row(Status::partly_held, 9, 0, 1));
   expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::held_physically, 9, 1, 0));
-  expect_worse(row(Status::held_physically, 9, 1, 0), row(Status::not_offered, 0, 0, 10));
-  expect_worse(row(Status::not_offered, 0, 0, 10), row(Status::failed, 9, 1, 0));
   expect_worse(row(Status::failed, 9, 1, 0), row(Status::failed, 8, 2, 0));
   expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::partly_held, 8, 0, 2));
   expect_worse(row(Status::failed, 8, 1, 1), row(Status::failed, 7, 1, 2));
+  expect_worse(row(Status::failed, 8, 1, 1), row(Status::failed, 8, 2, 0));
 }
+
+// Not to answer is better than to be wrong, but what held is not to be lost by it.
+TEST(Baseline, MissesWhatHeldEvenWhereNothingFailsAnyMore) {
+  const QuantityVerdict none = row(Status::not_offered, 0, 0, 10, 0);
+  EXPECT_EQ(change(row(Status::held_physically, 9, 1, 0), none), Way::worse);
+  EXPECT_EQ(change(row(Status::failed, 9, 1, 0), none), Way::worse);
+  EXPECT_EQ(change(row(Status::failed, 5, 5, 0), row(Status::partly_held, 5, 0, 5)), Way::better);
+  QuantityVerdict other = row(Status::held, 10, 0, 0);
+  other.quantity = "radius";
+  const json wrong = baseline_of(result_of({row(Status::failed, 0, 10, 0), other}), nullptr);
+  EXPECT_EQ(compare(result_of({none, other}), wrong).worse.size(), 0U);
+  EXPECT_EQ(compare(result_of({none, other}), wrong).better.size(), 1U);
+}
+
+const double epsilon = std::numeric_limits<double>::epsilon();
+double above(double x) { return std::nextafter(x, 2 * x); }
 
 TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
   const auto held = [](double error) { return row(Status::held, 10, 0, 0, error); };
-  expect_worse(held(1e-10), held(4.1e-10));
-  EXPECT_EQ(change(held(1e-10), held(3.9e-10)), Way::same);
-  EXPECT_EQ(change(held(3.9e-10), held(1e-10)), Way::same);
+  for (const double error : {1e-15, 1e-10, 3e-7}) {
+    EXPECT_EQ(change(held(error), held(4 * error)), Way::same);
+    expect_worse(held(error), held(above(4 * error)));
+    EXPECT_EQ(change(held(4 * error), held(error)), Way::same);
+  }
   // An error below the rounding of a double may become as great as four of it.
-  EXPECT_EQ(change(held(1e-20), held(3.9 * 0x1p-52)), Way::same);
-  EXPECT_EQ(change(held(1e-20), held(4.1 * 0x1p-52)), Way::worse);
+  for (const double error : {0.0, 1e-20, epsilon}) {
+    EXPECT_EQ(change(held(error), held(4 * epsilon)), Way::same);
+    EXPECT_EQ(change(held(error), held(above(4 * epsilon))), Way::worse);
+  }
+}
+
+// --- What failed stays held to how it failed.
+
+TEST(Baseline, HoldsEachCaseThatFailedToFourTimesItsOwnError) {
+  const auto off_by = [](double first, double second) {
+    return failing({{"a", Failure::number, first}, {"b", Failure::number, second}});
+  };
+  for (const double error : {1e-5, 7e-3, 0.25, 3.0, 1e100}) {
+    EXPECT_EQ(change(off_by(error, 1e-3), off_by(4 * error, 1e-3)), Way::same);
+    expect_worse(off_by(error, 1e-3), off_by(above(4 * error), 1e-3));
+    // One that is worse is not made up for by another one that is better.
+    EXPECT_EQ(change(off_by(error, 1e-3), off_by(above(4 * error), 1e-9)), Way::worse);
+  }
+}
+
+TEST(Baseline, HoldsACaseToTheWayInWhichItFailed) {
+  const std::vector<FailedCase> ways{
+      {"a", Failure::number, 1e300}, {"a", Failure::wrong, 0}, {"a", Failure::no_answer, 0}};
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    EXPECT_EQ(change(failing({ways[i]}), failing({ways[i]})), Way::same);
+    for (std::size_t k = i + 1; k < ways.size(); ++k)
+      expect_worse(failing({ways[i]}), failing({ways[k]}));
+  }
+}
+
+TEST(Baseline, CountsACaseThatFailsForAnotherOneAsWorse) {
+  const FailedCase a{"a", Failure::number, 0.1}, b{"b", Failure::number, 0.1};
+  EXPECT_EQ(change(failing({a}), failing({b})), Way::worse);
+  expect_worse(failing({a}), failing({a, b}));
+}
+
+TEST(Baseline, HasALineForEachCaseThatFailed) {
+  const std::string text = baseline_of(result_of({failing({{"a", Failure::number, 0.5},
+                                                           {"b", Failure::wrong, 0},
+                                                           {"c", Failure::no_answer, 0}})}),
+                                       nullptr)
+                               .dump(1);
+  for (const std::string line : {"\"a\": 0.5,\n", "\"b\": \"wrong\",\n", "\"c\": \"no answer\"\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << text;
+}
+
+TEST(Baseline, IsNotMadeWorseStepByStepByWhatIsBetter) {
+  const json first = baseline_of(result_of({failing({{"a", Failure::number, 0.1},
+                                                     {"b", Failure::number, 0.1},
+                                                     {"c", Failure::no_answer, 0}})}),
+                                 nullptr);
+  QuantityVerdict better = failing({{"a", Failure::number, 0.3}, {"c", Failure::wrong, 0}});
+  better.held = 6;
+  better.held_cases.push_back({"b", 1e-7});
+  better.held_cases[0].error = 3e-10;  // three times what it was
+  const json after = baseline_of(result_of({better}), first).at("quantities").at("film");
+  EXPECT_EQ(after.at("failed"), json({{"a", 0.1}, {"c", "wrong"}}));
+  EXPECT_EQ(after.at("held"), 6);
+  EXPECT_EQ(after.at("worst_error"), 1e-7);
+  better.held_cases.back().error = 1e-12;
+  EXPECT_EQ(baseline_of(result_of({better}), first).at("quantities").at("film").at("worst_error"),
+            1e-10);
+}
+
+// A case that failed and holds now may be the worst of what holds: that is no loss.
+TEST(Baseline, ComparesTheErrorsOfWhatHeldBeforeAlone) {
+  const QuantityVerdict before = failing({{"a", Failure::number, 0.1}});
+  QuantityVerdict mended = row(Status::held, 6, 0, 0);
+  mended.held_cases.back() = {"a", 9e-7};
+  EXPECT_EQ(change(before, mended), Way::better);
+  mended.held_cases[1].error = 4.01e-10;
+  EXPECT_EQ(change(before, mended), Way::worse);
+}
+
+// What a subject did in a case, as the judge sees it.
+TEST(JudgedCase, ThatFailedIsToldWithItsError) {
+  const auto how = [](const Expected& expected, Answer answer) {
+    return verdict_on(expected, std::move(answer)).failed_cases.at(0);
+  };
+  const Expected two = number(2), zero = number(0), word{"value", 0, 0, 1, false, "mixed"};
+  EXPECT_EQ(how(two, with({{"value", 3}})).how, Failure::number);
+  EXPECT_EQ(how(two, with({{"value", 3}})).error, 0.5);
+  EXPECT_EQ(how(zero, with({{"value", -0.25}})).error, 0.25);
+  for (const json& value : {json("NaN"), json(nullptr), json(std::nan(""))})
+    EXPECT_EQ(how(two, with({{"value", value}})).how, Failure::wrong) << value.dump();
+  EXPECT_EQ(how(number(1e-300), with({{"value", 1e300}})).how, Failure::wrong);  // inf times it
+  EXPECT_EQ(how(word, with({{"value", "boundary"}})).how, Failure::wrong);
+  for (const Outcome outcome : {Outcome::refused, Outcome::garbage, Outcome::missing, Outcome::late,
+                                Outcome::died, Outcome::not_asked})
+    EXPECT_EQ(how(two, without(outcome)).how, Failure::no_answer);
+}
+
+TEST(JudgedQuantity, TellsTheErrorsOfWhatHeldOverTheCondition) {
+  const std::vector<Case> cases{asked_for({number(2, 100)}, "a"), asked_for({number(2)}, "b"),
+                                asked_for({number(2)}, "c"), asked_for({number(1e-40)}, "d")};
+  const QuantityVerdict verdict =
+      judged(cases, {with({{"value", 2 + 2e-6}}), with({{"value", 2 + 4e-7}}), with({{"value", 3}}),
+                     with({{"value", 2e-40}})})
+          .quantities.at(0);
+  ASSERT_EQ(verdict.held_cases.size(), 3U);
+  EXPECT_TRUE(is_close(verdict.held_cases[0].error, 1e-8, 1e-8, {}));
+  EXPECT_EQ(verdict.held_cases[1].id, "b");
+  EXPECT_TRUE(is_close(verdict.held_cases[1].error, 2e-7, 1e-8, {}));
+  EXPECT_EQ(verdict.held_cases[2].error, 0);
 }
 
 TEST(Baseline, MissesAQuantityThatIsNoLongerAsked) {
@@ -251,9 +380,25 @@ TEST(Baseline, MissesAQuantityThatIsNoLongerAsked) {
 }
 
 TEST(Baseline, TakesANewQuantityUnlessItFails) {
-  const json baseline = baseline_of(result_of({}), nullptr);
-  EXPECT_EQ(compare(result_of({row(Status::failed, 9, 1, 0)}), baseline).worse.size(), 1U);
-  EXPECT_EQ(compare(result_of({row(Status::held, 9, 0, 0)}), baseline).better.size(), 1U);
+  QuantityVerdict other = row(Status::held, 9, 0, 0);
+  other.quantity = "radius";
+  const json baseline = baseline_of(result_of({other}), nullptr);
+  EXPECT_EQ(compare(result_of({other, row(Status::failed, 9, 1, 0)}), baseline).worse.size(), 1U);
+  const BaselineChanges good = compare(result_of({other, row(Status::held, 9, 0, 0)}), baseline);
+  EXPECT_EQ(good.better.size(), 1U);
+  EXPECT_EQ(good.worse.size(), 0U);
+}
+
+TEST(Baseline, ThatComparesNothingIsRed) {
+  const ConformanceResult something = result_of({row(Status::held, 9, 0, 0)});
+  const ConformanceResult nothing = result_of({row(Status::not_offered, 0, 0, 9, 0)});
+  EXPECT_EQ(compare(something, baseline_of(something, nullptr)).worse.size(), 0U);
+  for (const ConformanceResult& before : {result_of({}), nothing})
+    for (const ConformanceResult& now : {something, nothing}) {
+      const BaselineChanges changes = compare(now, baseline_of(before, nullptr));
+      ASSERT_EQ(changes.worse.size(), 1U);
+      EXPECT_EQ(changes.worse[0].quantity, "anything");
+    }
 }
 
 TEST(Baseline, CountsABrokenProtocolAsWorse) {
@@ -264,17 +409,46 @@ TEST(Baseline, CountsABrokenProtocolAsWorse) {
   EXPECT_EQ(compare(result, baseline).worse.size(), 1U);
 }
 
+bool is_refused(const json& baseline, const ConformanceResult& result) {
+  try {
+    compare(result, baseline);
+    return false;
+  } catch (const std::runtime_error&) {
+    return true;
+  }
+}
+
 TEST(Baseline, IsOfOneToleranceAlone) {
   ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
   const json baseline = baseline_of(result, nullptr);
-  result.tolerance = "strict";
-  bool is_refused = false;
-  try {
-    compare(result, baseline);
-  } catch (const std::runtime_error&) {
-    is_refused = true;
-  }
-  EXPECT_EQ(is_refused, true);
+  result.tolerance = strict_tolerance();
+  EXPECT_TRUE(is_refused(baseline, result));
+  result.tolerance = own_tolerance();
+  EXPECT_TRUE(is_refused(baseline, result));
+}
+
+// Its name, as the path of a file is spelt, says nothing.
+TEST(Baseline, TakesATolerancesContentForIt) {
+  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  const json baseline = baseline_of(result, nullptr);
+  result.tolerance.name = "./t.txt";
+  EXPECT_FALSE(is_refused(baseline, result));
+  result.tolerance.quantity["film"] = result.tolerance.relative;
+  EXPECT_FALSE(is_refused(baseline, result));
+  result.tolerance.quantity["film"] = above(result.tolerance.relative);
+  EXPECT_TRUE(is_refused(baseline, result));
+}
+
+TEST(Baseline, IsOfOneSampleAndOfOneSchemaAlone) {
+  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  json baseline = baseline_of(result, nullptr);
+  result.sample = 10;
+  EXPECT_TRUE(is_refused(baseline, result));
+  EXPECT_FALSE(is_refused(baseline_of(result, nullptr), result));
+  result.sample = 0;
+  EXPECT_FALSE(is_refused(baseline, result));
+  baseline["schema"] = 1;
+  EXPECT_TRUE(is_refused(baseline, result));
 }
 
 TEST(Baseline, MadeAnewKeepsWhatWasBetter) {

@@ -11,7 +11,7 @@ module solver
   public :: plugin_version, plugin_name, answer
 
   ! tribocheck_plugin.h: the version of the interface, statuses, and the code of a word.
-  integer(c_int), parameter :: version = 2, done = 0, not_offered = 1
+  integer(c_int), parameter :: version = 3, done = 0, not_offered = 1
   integer(c_int), parameter :: greenwood_tripp = 0
 
   real(c_double), parameter :: pi = 3.14159265358979323846_c_double

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ignored_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tribo::cli {
+namespace {
+
+std::string refusal(std::string_view option, std::string_view why) {
+  return fmt::format("{} would be ignored {}; leave it out (see --help)", option, why);
+}
+
+std::vector<const CLI::Option*> given_options(const CLI::App& command) {
+  return command.get_options([](const CLI::Option* option) { return option->count() > 0; });
+}
+
+std::string empty_option(const CLI::App& command) {
+  for (const CLI::Option* option : given_options(command)) {
+    const std::vector<std::string>& values = option->results();
+    if (option->get_expected_min() > 0 &&
+        std::find(values.begin(), values.end(), "") != values.end())
+      return option->get_name() + ": nothing is given; leave it out, or give a value (see --help)";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& table) {
+  if (std::string empty = empty_option(command); !empty.empty()) return empty;
+  for (const CLI::App* below : command.get_subcommands()) {
+    if (const auto before = given_options(command); !before.empty())
+      return refusal(before.front()->get_name(),
+                     fmt::format("in front of `{} {}`", command.get_name(), below->get_name()));
+    if (std::string empty = empty_option(*below); !empty.empty()) return empty;
+  }
+  for (const Ignored& one : table)
+    for (const std::string_view option : one.options)
+      if (one.is_so && command.count(std::string(option)) > 0) return refusal(option, one.why);
+  return {};
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: Apache-2.0
+"""No option is ignored: in every form of every command each one does something, or is refused by one line."""
+import os
+import re
+import shutil
+import unittest
+
+from conformance import BUILT, altered
+from program import Folder, quiet_scene, run
+from test_usage import COMMANDS
+
+SWEEP = """
+id = "s"
+load = 50
+speed = 0.1
+outputs = ["film"]
+[surface]
+summit_density = 5e10
+summit_radius = 1e-5
+summit_height_sd = { distribution = "uniform", from = 1e-7, to = 2e-7 }
+[bodies]
+effective_modulus = 107.9e9
+reduced_radius = 9.5e-3
+[lubricant]
+viscosity = 0.0202
+pressure_viscosity = 2e-8
+[sweep]
+draws = 8192
+"""
+
+# Each form: the command, what makes this form of it, and the options that are of the form itself.
+FORMS = [
+    ("solve", ["SCENE"], ()), ("curve", ["SCENE"], ()), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
+    ("onset", ["SCENE"], ()), ("onset", ["SCENE", "--criterion", "film_maximum"], {"--criterion"}),
+    ("onset", ["SCENE", "--criterion", "film_departure"], {"--criterion"}),
+    ("stream", [], ()), ("plugin-host", ["PLUGIN"], ()),
+    ("functions", [], ()), ("functions", ["hertz_point"], ()),
+    ("init", ["subject", "--language", "python", "--out", "DIR/new.py"], {"--language", "--out"}),
+    ("sweep", ["SWEEP", "-o", "DIR/out.h5"], {"-o"}),
+    ("sweep", ["SWEEP", "--estimate"], {"--estimate"}),
+    ("sweep", ["SWEEP", "-o", "DIR/part.shard", "--shard", "1/2"], {"-o", "--shard"}),
+    ("sweep show", ["DIR/done.h5"], ()),
+    ("sweep merge", ["DIR/1.shard", "DIR/2.shard", "-o", "DIR/merged.h5"], {"-o"}),
+    ("verify", [], ()),
+    ("verify", ["--subject", "SUBJECT", "--sample", "3"], {"--subject", "--plugin", "--sample"}),
+    ("verify", ["--plugin", "PLUGIN", "--sample", "3"], {"--subject", "--plugin", "--sample"}),
+    ("verify", ["--subject", "SUBJECT", "--show", "h0000"], {"--subject", "--plugin", "--show"}),
+    ("verify", ["--show", "h0000"], {"--show"}),
+    ("verify", ["--save-cases", "DIR/cases"], {"--save-cases", "--show"}),
+    ("verify", ["--subject", "SUBJECT", "--sample", "3", "--baseline", "DIR/base.json"],
+     {"--subject", "--plugin", "--sample", "--baseline"}),
+    ("reproduce", ["--section", "claims", "--ledger", "none"], {"--section", "--ledger"}),
+    ("reproduce", ["--section", "errata", "--ledger", "none"], {"--section", "--ledger"}),
+    ("reproduce", ["--section", "requirements", "--ledger", "none"], {"--section", "--ledger"}),
+    ("reproduce", ["--format", "csv", "--ledger", "none"], {"--format", "--ledger"}),
+]
+
+# A value that shows: where it is used something changes.
+VALUES = {
+    "--format": ["json"], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
+    "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
+    "--profile": [], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--out": ["DIR/other"],
+    "--estimate": [], "--resume": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
+    "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
+    "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
+    "--start-timeout": ["0.01", "--case-timeout", "0.01"], "--timeout": ["0.01"], "--require": ["operating_point"],
+    "--show": ["h0001"], "--save-cases": ["DIR/saved"], "--baseline": ["DIR/no_such.json"],
+    "--update-baseline": [], "--claim": ["C3"], "--reading": ["literal"], "--section": ["errata"],
+    "--published": ["/nowhere"], "--ledger": ["/nowhere.csv"], "--scenes": ["/nowhere"], "--commit": ["abc"],
+    "--quick": [], "--filter": ["no such contender"],
+}
+# Here the option has nothing to do, and the reason why it is not ignored all the same.
+UNSEEN = {
+    ("solve", "--threads"): "the results are the same bits for any number",
+    ("sweep", "--without-fma"): "it changes last digits, and estimated times; test_sweep holds the bits",
+    ("sweep merge", "--mixed-fma"): "the shards are of one processor; test_sweep_faults has others",
+    ("sweep merge", "--force"): "there is no result yet; test_sweep has one",
+    ("init", "--force"): "there is no file yet; test_init has one",
+    ("sweep", "--force"): "there is no result yet; test_sweep has one",
+    ("sweep", "--resume"): "there is no journal yet; test_sweep_faults has one",
+}
+
+
+def options_of(command):
+    """The long names, or else the short ones, that --help lists."""
+    text = run(*command.split(), "--help").out.partition("\nExample:\n")[0]
+    return [(re.search("--[a-z-]+", line) or re.search("-[a-z]", line))[0]
+            for line in text.splitlines() if re.match(r" {2}-", line)]
+
+
+class Ignored(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Folder()
+        cls.addClassCleanup(cls.folder.cleanup)
+        line = quiet_scene(bodies={"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2}, load=2000,
+                           speed=1.0, closures={"film": "dowson_toyoda_central"})
+        cls.words = {"SCENE": cls.folder.write("scene.toml", quiet_scene()), "LINE": cls.folder.write("line.toml", line),
+                     "SWEEP": cls.folder.write("sweep.toml", SWEEP), "PLUGIN": str(BUILT / "c_plugin.so"),
+                     "SUBJECT": altered(cls.folder, 'answer = answer if name else {"id": case, "skip": "no points"}')}
+        less = Folder()
+        cls.addClassCleanup(less.cleanup)
+        nearly = altered(less, 'answer = answer if name == "hertz_point" else {"id": case, "skip": "no"}')
+        for words in (["verify", "--subject", nearly, "--sample", "3", "--baseline", "base.json", "--update-baseline"],
+                      ["sweep", "sweep.toml", "-o", "done.h5"], ["sweep", "sweep.toml", "-o", "1.shard", "--shard", "1/2"],
+                      ["sweep", "sweep.toml", "-o", "2.shard", "--shard", "2/2"]):
+            done = run(*words, cwd=cls.folder.name)
+            assert done.code == 0, done.err
+
+    def outcome(self, command, arguments):
+        """All that can be seen of a run: exit code, stdout, stderr, files."""
+        path = self.folder.path("run")
+        shutil.rmtree(path, ignore_errors=True)
+        os.mkdir(path)
+        for word in arguments:
+            if word.startswith("DIR/") and os.path.isfile(self.folder.path(word[4:])):
+                shutil.copy(self.folder.path(word[4:]), path)
+        words = [self.words.get(word, word).replace("DIR", path) for word in arguments]
+        done = run(*command.split(), *words, stdin="")
+        files = {}
+        for folder, _, names in os.walk(path):
+            for name in names:
+                with open(os.path.join(folder, name), "rb") as file:
+                    files[os.path.relpath(os.path.join(folder, name), path)] = file.read()
+        return done.code, re.sub(r"\d+(\.\d+)? (s|µs)", "some s", done.out), done.err, files
+
+    def is_refused(self, outcome, option):
+        code, out, err, _ = outcome
+        return code == 2 and out == "" and len(err.splitlines()) == 1 and option in err
+
+    def test_every_option_of_every_form_does_something_or_is_refused(self):
+        refused = set()
+        for command, base, of_form in FORMS:
+            plain = self.outcome(command, base)
+            self.assertFalse(self.is_refused(plain, "-"), (command, base, plain[2]))
+            for option in options_of(command):
+                if option in ("--help", "--version") or option in of_form or (option == "--out" and "-o" in of_form):
+                    continue
+                if (command, option) in UNSEEN and ("--estimate" not in of_form or option == "--without-fma"):
+                    continue
+                if "--plugin" in base and option.endswith("-timeout"):
+                    continue  # the plug-in is too quick for it to show
+                with self.subTest(command=command, form=base, option=option):
+                    outcome = self.outcome(command, [*base, option, *VALUES[option]])
+                    if self.is_refused(outcome, option):
+                        refused.add((command, option))
+                    else:
+                        self.assertNotEqual(outcome, plain, "it is ignored")
+        for one in (("verify", "--baseline"), ("verify", "--require"), ("verify", "--sample"), ("verify", "--tolerance"),
+                    ("onset", "--departure"), ("sweep", "--pictures"), ("sweep", "--mixed-fma"), ("reproduce", "--claim")):
+            self.assertIn(one, refused)
+
+    def test_every_command_and_each_of_its_options_is_in_the_table(self):
+        elsewhere = {"bench", "report"}  # every option of theirs is used in their one form
+        commands = {form[0].split()[0] for form in FORMS} | elsewhere
+        self.assertEqual(commands, {*COMMANDS, "plugin-host"})
+        for command in [*sorted({form[0] for form in FORMS} | elsewhere)]:
+            unknown = set(options_of(command)) - {"--help", "--version", *VALUES}
+            self.assertEqual(unknown, set(), command)
+
+    def test_an_option_without_a_value_as_of_an_unset_variable_is_refused(self):
+        for command, base in {form[0]: form[1] for form in FORMS}.items():
+            for option in options_of(command):
+                if VALUES.get(option) in (None, []):
+                    continue
+                for words in ([option, ""], [f"{option}="]):
+                    code, out, err, _ = self.outcome(command, [*base, *words])
+                    self.assertEqual((code, out, len(err.splitlines())), (2, "", 1), (command, base, words, err))
+        for option in ("--baseline", "--filter", "--plugin"):
+            done = run("bench", option, "")
+            self.assertEqual((done.code, done.err),
+                             (2, f"tribocheck: {option}: nothing is given; leave it out, or give a value (see --help)\n"))
+
+    def test_options_in_front_of_a_subcommand_are_refused(self):
+        for words in (["--estimate"], ["--threads", "2"], ["--format", "csv"], ["-o", "x"]):
+            code, out, err, _ = self.outcome("sweep", [*words, "show", "DIR/done.h5"])
+            self.assertEqual((code, out, len(err.splitlines())), (2, "", 1), words)
+            self.assertIn("would be ignored in front of `sweep show`", err)
+
+
+if __name__ == "__main__":
+    unittest.main()

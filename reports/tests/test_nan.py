@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""NaN where a number is wanted fails in every language; a case that is said not to be offered is skipped."""
+import json
+import pathlib
+import shutil
+import subprocess
+import unittest
+
+from program import ENVIRONMENT, TIMEOUT, Folder, run
+from test_init import LANGUAGES
+
+# Of each language: what stands in the template's hertz_point, and what takes its place. {beyond} is what
+# is done where `small` is false.
+RADIUS = "(0.75 * load * reduced_radius / effective_modulus)"
+FILLED = {
+    "python": ("a²/R, of the two bodies, in m\n    return None",
+               "a²/R, of the two bodies, in m\n    return {{'radius': %s ** (1 / 3)}} if {small} else {beyond}" % RADIUS),
+    "octave": ("  answer = [];", "  if ({small}) answer = struct ('radius', cbrt (0.75 * q.load * q.reduced_radius"
+               " / q.effective_modulus)); else answer = {beyond}; end"),
+    "c": ("  return TRIBOCHECK_NOT_OFFERED;",
+          "  extern double cbrt(double);\n  if ({small}) {{ *radius = cbrt(%s); return TRIBOCHECK_DONE; }}\n"
+          "  {beyond}" % RADIUS),
+    "cpp": ("  return not_offered;", "  if ({small}) return hertz_point_result{{.radius = __builtin_cbrt(%s)}};\n"
+            "  {beyond}" % RADIUS),
+    "fortran": ("    status = not_offered", "    if ({small}) then\n      radius = %s ** (1 / 3d0)\n"
+                "      status = done\n    else\n      {beyond}\n    end if" % RADIUS),
+}
+NAN = {"python": "{'radius': float('nan')}", "octave": "struct ('radius', NaN)",
+       "c": "*radius = __builtin_nan(\"\"); return TRIBOCHECK_DONE;",
+       "cpp": "return hertz_point_result{.radius = __builtin_nan(\"\")};",
+       "fortran": "radius = sqrt(-abs(load)); status = done"}
+SKIP = {"python": "None", "octave": "[]", "c": "return TRIBOCHECK_NOT_OFFERED;", "cpp": "return not_offered;",
+        "fortran": "status = not_offered"}
+# Done, but nothing of it is set.
+NOTHING = {"c": "return TRIBOCHECK_DONE;", "cpp": "return hertz_point_result{};", "fortran": "status = done",
+           "python": "{'x': 1}", "octave": "struct ('x', 1)"}
+LIMITS = {"some": "load < 10", "no": "load < 0", "all": "load > 0"}
+
+
+class EveryLanguage(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.languages = [row for row in LANGUAGES if shutil.which(row[2])]
+        assert {row[0] for row in cls.languages} >= {"python", "c", "cpp"}
+
+    def radius(self, row, small, beyond):
+        """Exit code, and what is said of the radius."""
+        language, name = row[:2]
+        with Folder() as folder:
+            path = pathlib.Path(folder) / name
+            line = run("init", "subject", "--language", language, "--out", path).out.splitlines()[2].strip()
+            text = path.read_text()
+            start = text.index({"python": "def hertz_point", "octave": "function answer = hertz_point",
+                                "c": "int hertz_point(", "cpp": "> hertz_point(",
+                                "fortran": "subroutine solve_hertz_point"}[language])
+            mark, filled = FILLED[language]
+            place = text.index(mark, start)
+            condition = LIMITS[small].replace("load", "q.load") if language == "octave" else LIMITS[small]
+            path.write_text(text[:place] + filled.format(small=condition, beyond=beyond[language])
+                            + text[place + len(mark):])
+            done = subprocess.run(["sh", "-c", line + " --format json"], capture_output=True, text=True,
+                                  timeout=TIMEOUT, env=ENVIRONMENT)
+            self.assertEqual(done.stderr, "", language)
+            return done.returncode, {one["quantity"]: one for one in json.loads(done.stdout)["quantities"]}[
+                "hertz_point.radius"]
+
+    def test_a_right_one_holds(self):
+        for row in self.languages:
+            code, radius = self.radius(row, "all", NAN)
+            self.assertEqual((code, radius["status"]), (0, "held"), row[0])
+
+    def test_nan_beyond_a_load_and_nan_everywhere_fail(self):
+        for row in self.languages:
+            for small in ("some", "no"):
+                code, radius = self.radius(row, small, NAN)
+                self.assertEqual((code, radius["status"]), (1, "FAILED"), (row[0], small))
+                self.assertEqual(radius["skipped"], 0)
+                self.assertGreater(radius["failed"], 10)
+
+    def test_done_without_a_result_beyond_a_load_fails(self):
+        for row in self.languages:
+            code, radius = self.radius(row, "some", NOTHING)
+            self.assertEqual((code, radius["status"]), (1, "FAILED"), row[0])
+
+    def test_what_is_said_not_to_be_offered_is_skipped(self):
+        for row in self.languages:
+            code, radius = self.radius(row, "some", SKIP)
+            self.assertEqual((code, radius["status"], radius["failed"]), (0, "held in part", 0), row[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
