@@ -17,9 +17,10 @@ from sweeps import LONG, UNIFORM, SweepTest, sweep
 ATTACKS = int(os.environ.get("TRIBOCHECK_ATTACKS", 4))
 NOBODY = 65534
 SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=5000)
-# A chunk of it takes a minute, and all of it hours.
-HOURS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }'}, onset='["friction_minimum"]',
-              draws=3000000)
+# A chunk of it takes minutes, and all of it days.
+DAYS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
+               "speed": "{ from = 1e-3, to = 3, count = 20 }"}, onset='["friction_minimum"]',
+              keep='"summaries"', draws=2000000000)
 BESIDE = (".lock", ".part", ".journal-0.new")
 
 
@@ -164,9 +165,15 @@ class Shared(SweepTest):
 class Meanwhile(SweepTest):
     """What others do while a sweep computes."""
 
+    def started(self, *arguments):
+        process = start("sweep", *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
     def stopped_in_the_middle(self, *options):
-        process = start("sweep", self.folder.write("sweep.toml", LONG), "-o", self.path("out.h5"), *options,
-                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        process = self.started(self.folder.write("sweep.toml", LONG), "-o", self.path("out.h5"), *options)
         self.wait_until(lambda: os.path.exists(self.path("out.h5.journal-0")))
         process.send_signal(signal.SIGSTOP)
         return process
@@ -223,11 +230,11 @@ class Meanwhile(SweepTest):
         self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
 
     def test_a_folder_that_is_removed_or_moved_is_told_at_once(self):
-        path = self.folder.write("sweep.toml", HOURS)
+        path = self.folder.write("sweep.toml", DAYS)
         for away in (lambda: shutil.rmtree(self.path("in")),
                      lambda: os.rename(self.path("in"), self.path("elsewhere"))):
             os.mkdir(self.path("in"))
-            process = start("sweep", path, "-o", self.path("in/out.h5"), stderr=subprocess.PIPE)
+            process = self.started(path, "-o", self.path("in/out.h5"))
             self.wait_until(lambda: os.path.exists(self.path("in/out.h5.journal-0")))
             away()
             _, said = process.communicate(timeout=60)
@@ -235,9 +242,9 @@ class Meanwhile(SweepTest):
             self.assertIn(b"the folder of", said)
 
     def test_a_stop_does_not_wait_for_the_chunk(self):
-        path = self.folder.write("sweep.toml", HOURS)
+        path = self.folder.write("sweep.toml", DAYS)
         for number in (signal.SIGINT, signal.SIGTERM):
-            process = start("sweep", path, "-o", self.path("out.h5"), "--force", stderr=subprocess.PIPE)
+            process = self.started(path, "-o", self.path("out.h5"), "--force")
             self.wait_until(lambda: os.path.exists(self.path("out.h5.journal-0")))
             time.sleep(0.1)
             process.send_signal(number)
@@ -252,8 +259,7 @@ class Meanwhile(SweepTest):
         for command, left in ((merge, []), ([self.path("sweep.toml")], ["out.h5.journal-0"])):
             stopped = 0
             for _ in range(20):
-                process = start("sweep", *command, "-o", self.path("out.h5"), "--force",
-                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+                process = self.started(*command, "-o", self.path("out.h5"), "--force")
                 self.wait_until(lambda: process.poll() is not None or os.path.exists(self.path("out.h5.part")))
                 process.send_signal(signal.SIGINT)
                 _, said = process.communicate(timeout=60)
