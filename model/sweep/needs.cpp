@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "sweep/chunk_solver.hpp"
-#include "sweep/compute.hpp"
 #include "sweep/disk.hpp"
+#include "sweep/on_threads.hpp"
 #include "sweep/result_file.hpp"
 
 namespace tribo::sweep {

@@ -25,7 +25,7 @@
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "page/child_process.hpp"
-#include "page/pending_file.hpp"
+#include "page/write_file.hpp"
 #include "page/report_error.hpp"
 #include "shell.hpp"
 
