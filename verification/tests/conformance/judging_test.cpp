@@ -242,14 +242,19 @@ TEST(Baseline, KnowsWhatIsWorse) {
 // Not to answer is better than to be wrong, but what held is not to be lost by it.
 TEST(Baseline, MissesWhatHeldEvenWhereNothingFailsAnyMore) {
   const QuantityVerdict none = row(Status::not_offered, 0, 0, 10, 0);
-  EXPECT_EQ(change(row(Status::held_physically, 9, 1, 0), none), Way::worse);
-  EXPECT_EQ(change(row(Status::failed, 9, 1, 0), none), Way::worse);
-  EXPECT_EQ(change(row(Status::failed, 5, 5, 0), row(Status::partly_held, 5, 0, 5)), Way::better);
   QuantityVerdict other = row(Status::held, 10, 0, 0);
   other.quantity = "radius";
-  const json wrong = baseline_of(result_of({row(Status::failed, 0, 10, 0), other}), nullptr);
-  EXPECT_EQ(compare(result_of({none, other}), wrong).worse.size(), 0U);
-  EXPECT_EQ(compare(result_of({none, other}), wrong).better.size(), 1U);
+  const auto changes_to_none = [&](const QuantityVerdict& before) {
+    return compare(result_of({none, other}), baseline_of(result_of({before, other}), nullptr));
+  };
+  for (const QuantityVerdict& before :
+       {row(Status::held_physically, 9, 1, 0), row(Status::failed, 9, 1, 0)}) {
+    ASSERT_EQ(changes_to_none(before).worse.size(), 1U);
+    EXPECT_EQ(changes_to_none(before).worse[0].quantity, "film");
+  }
+  EXPECT_EQ(changes_to_none(row(Status::failed, 0, 10, 0)).worse.size(), 0U);
+  EXPECT_EQ(changes_to_none(row(Status::failed, 0, 10, 0)).better.size(), 1U);
+  EXPECT_EQ(change(row(Status::failed, 5, 5, 0), row(Status::partly_held, 5, 0, 5)), Way::better);
 }
 
 const double epsilon = std::numeric_limits<double>::epsilon();
