@@ -20,6 +20,7 @@
 #include "conformance/serve.hpp"
 #include "kernels/progress.hpp"
 #include "kernels/registered.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace {
 
@@ -93,7 +94,7 @@ void run_as_json(int output) {
 }
 
 int refuse(const std::exception& refusal) {
-  std::cerr << "tribocheck: " << refusal.what() << '\n';
+  std::cerr << "tribocheck: " << tribo::printable(refusal.what(), std::string::npos) << '\n';
   return exit_plugin_refused;
 }
 
