@@ -20,6 +20,7 @@
 #include "conformance/serve.hpp"
 #include "kernels/progress.hpp"
 #include "kernels/registered.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace {
 
@@ -101,7 +102,7 @@ int refuse(int code, const std::string& why, int output) {
   if (output >= 0)
     write_whole(output, why + '\n');
   else
-    std::cerr << "tribocheck_bench: " << why << '\n';
+    std::cerr << "tribocheck_bench: " << tribo::printable(why, std::string::npos) << '\n';
   return code;
 }
 

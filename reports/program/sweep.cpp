@@ -152,7 +152,7 @@ int show_written(const SweepArguments& arguments, std::optional<sweep::Descripto
   return show_result(arguments,
                      written ? sweep::ResultFile(arguments.out, std::move(*written))
                              : sweep::ResultFile(arguments.out),
-                     output);
+                     true, output);
 }
 
 // --- The three commands.

@@ -2,15 +2,11 @@
 """verify --subject: hostile and broken subjects."""
 
 import concurrent.futures
-import json
 import re
-import shlex
-import subprocess
 import time
 import unittest
 
 from conformance import BUILT, PYTHON, SUBJECTS, listed, subject, verify
-from program import Folder, start, wait_for
 
 
 SILENT = {"exits_at_once", "exits_with_error", "closes_stdin", "closes_stdout"}
@@ -81,34 +77,6 @@ class Hostile(unittest.TestCase):
         radius = of["hertz_point.radius"]
         self.assertEqual(radius["skipped"], 0)
         self.assertNotIn("signal", radius["reason"])  # the other functions are asked all the same
-
-
-LONG_ANSWERS = """
-import json, sys
-rest = ", ".join(sys.argv[1:2] * int(sys.argv[2]))
-for line in sys.stdin:
-    print('{"id": %s, %s: [%s]}' % (json.dumps(json.loads(line)["id"]), sys.argv[3], rest), flush=True)
-"""
-
-
-class Memory(unittest.TestCase):
-    """Lines of nearly 1 MiB, a line without an end, and lines without an end to them: nothing is kept of them."""
-    MOST = 300  # MB; it takes some 30, and what the answers would take is thousands
-
-    def test_is_bounded(self):
-        folder = Folder()
-        self.addCleanup(folder.cleanup)
-        long = shlex.join([PYTHON, folder.write("long.py", LONG_ANSWERS)])
-        commands = [f"{long} 0 340000 {shlex.quote(json.dumps(name))}" for name in ("value", "other", "skip", "error")]
-        commands += [subject("hostile/hostile.py", name, "--after", "5")
-                     for name in ("endless_line", "unasked_answers", "floods_stderr", "line_over_1_mib")]
-        for command in commands:
-            with self.subTest(command):
-                process = start("verify", "--subject", command, "--sample", "5", "--case-timeout", "2", "--timeout", "60",
-                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-                code, megabytes = wait_for(process)
-                self.assertIn(code, (0, 1))
-                self.assertLess(megabytes, self.MOST)
 
 
 if __name__ == "__main__":

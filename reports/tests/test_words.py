@@ -226,7 +226,8 @@ class Subjects(Words):
         self.assertIn(made.code, (0, 1), made.said)
         good = json.loads(pathlib.Path(path).read_text())
         for word in HOSTILE:
-            for style, changed in zip(("table", "json", "markdown"), ({**good, "tolerance": word}, {**good, "quantities": {**good["quantities"], word: {}}},
+            for style, changed in zip(("table", "json", "markdown"), (
+                            {**good, "tolerance": word}, {**good, "quantities": {**good["quantities"], word: {}}},
                             {**good, "quantities": {name: {**row, "status": word} for name, row in good["quantities"].items()}})):
                 self.folder.write("base.json", json.dumps(changed).encode())
                 result = run("verify", "--subject", subject, "--sample", "1", "--baseline", path, "--format", style)
