@@ -226,8 +226,9 @@ int reproduce(const ReproduceArguments& arguments, OutputStream& output) {
 
 constexpr const char* reproduce_footer =
     R"(Every claim of the paper, computed and judged, under the corrected reading, the literal one, the few of
-all combinations that reproduce most claims, or one of your own. The verdicts are held against
-reference/baselines/ledger.csv. Exit code 1: a verdict changed; stderr names it.
+all combinations that reproduce most claims, or one of your own. Each verdict stands with its margin, the
+distance to another verdict, and the numerical error of that; “(?)” marks a margin below its error. The
+verdicts are held against reference/baselines/ledger.csv. Exit code 1: a verdict changed; stderr names it.
 
 Example:
   tribocheck reproduce

@@ -283,6 +283,28 @@ class Numbers(WrittenReport):
             self.assertRegex(self.done.stdout, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* "
                                                rf"{row['verdict']}$")
 
+    def test_verdicts_have_their_margins_and_say_what_they_rest_on(self):
+        ledger = json.loads((self.out / "report.json").read_text())["ledger"]
+        text = (self.out / "report.md").read_text()
+        tables = text.split("**The numbers and comparisons that decide, under the reading “")[1:]
+        told = {table.split("”")[0]: table.split("\n**")[0].split("\n## ")[0] for table in tables}
+        self.assertEqual(set(told), {one["name"] for one in ledger["readings"]})
+        for item in ledger["items"]:
+            for reading, got in item["readings"].items():
+                row, = re.findall(rf"(?m)^\| {re.escape(item['item'])} \|.*$", told[reading])
+                self.assertRegex(row, r"\| – \|$" if got["computed"] is None
+                                 else r"\| [\d.]+( of speeds)? ± (0|\d × 10⁻\S+|0\.\d+) \|$")
+                self.assertEqual("the margin is below the numerical error" in row, not got["decided"], row)
+                rests = f"{item['item']} rests on points beyond the film's collapse"
+                names = got.get("beyond_collapse")
+                self.assertEqual(rests in told[reading], names is not None, reading)
+                if names:
+                    self.assertIn(f"{rests} ({', '.join(names)})", told[reading])
+        for claim in ledger["claims"]:
+            row, = re.findall(rf"(?m)^\| {claim['claim']} \| .*$", text.split("whether it is reproduced under each")[1]
+                              .split("**The readings")[0])
+            self.assertEqual(row.count("(?)"), len(claim["undecided"]), row)
+
     def test_captions_have_the_ledgers_numbers_and_verdicts(self):
         ledger = json.loads((self.out / "report.json").read_text())["ledger"]
         captions = (self.out / "report.md").read_text().split("### Figure 4 redrawn")[1].split("\n## ")[0]

@@ -81,6 +81,7 @@ std::vector<ItemResult> evaluate(const PaperScenes& scenes, const Reading& readi
                                  const std::vector<Item>& items) {
   ReadingStages stages(scenes, reading);
   std::vector<ItemResult> results;
+  results.reserve(items.size());
   for (const Item& item : items)
     results.push_back(judged(item, observe(item, stages.for_what(needs(item.quantity)))));
   return results;
