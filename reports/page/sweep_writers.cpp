@@ -174,18 +174,24 @@ const sweep::Quantile& quantile(const ColumnResult::Value& value, double level) 
   return place < value.quantiles.size() ? value.quantiles[place] : none;
 }
 
-// Three words are the places 0, 1, 2, so that their sum and their sum of squares tell how often
-// each was there.
+// Words are the places 0 to 3. The histogram tells how often 0 was there, as it lies a thousand
+// octaves from all others; count, sum and sum of squares tell the rest.
 std::vector<std::uint64_t> word_counts(const ColumnResult::Value& value, std::size_t words) {
-  const auto n = static_cast<double>(value.count);
+  std::uint64_t zeros = 0;
+  for (const auto& bin : value.histogram)
+    if (bin.high < 0.5) zeros += bin.count;
+  const std::uint64_t others = value.count - std::min(value.count, zeros);
+  const auto n = static_cast<double>(value.count), rest = static_cast<double>(others);
   const double sum = value.count > 0 ? n * value.mean : 0;
   const double squares =
       sum * (value.count > 0 ? value.mean : 0) +
       (value.count > 1 ? value.sd * value.sd * static_cast<double>(value.count - 1) : 0);
-  const auto twos = static_cast<std::uint64_t>(std::llround(std::max((squares - sum) / 2, 0.0)));
-  const auto all = static_cast<std::uint64_t>(std::llround(sum));
-  const std::uint64_t ones = all - std::min(all, 2 * twos);
-  std::vector<std::uint64_t> counts{value.count - std::min(value.count, ones + twos), ones, twos};
+  const auto whole = [](double x) {
+    return static_cast<std::uint64_t>(std::llround(std::max(x, 0.0)));
+  };
+  const std::uint64_t threes = whole((squares - 3 * sum + 2 * rest) / 2);
+  const std::uint64_t twos = whole(sum - rest - 2 * static_cast<double>(threes));
+  std::vector<std::uint64_t> counts{zeros, others - std::min(others, twos + threes), twos, threes};
   counts.resize(words);
   return counts;
 }

@@ -38,11 +38,18 @@ std::optional<OutputValue> value_of(const WordResult<Word>& result) {
   return OutputValue{.undefined = {}, .word = name(result.word)};
 }
 
-// Why an output of balance_outputs() is undefined.
-std::string_view reason_of(const PointResult& point) {
-  const bool has_collapsed =
-      point.inlet.kind == WordResult<Inlet>::Kind::word && point.inlet.word == Inlet::collapsed;
-  return has_collapsed ? protocol::film_collapsed : protocol::beyond_double;
+template <class Word>
+bool is(const WordResult<Word>& result, Word word) {
+  return result.kind == WordResult<Word>::Kind::word && result.word == word;
+}
+
+// A number that rests on the balance of the load; where nothing balances it NaN says that there is
+// none.
+std::optional<OutputValue> of_balance(double number, const PointResult& point) {
+  const bool has_collapsed = is(point.inlet, Inlet::collapsed);
+  if (std::isnan(number) && is(point.regime, Regime::collapsed))
+    return OutputValue{.undefined = protocol::film_collapsed, .word = {}};
+  return value_of(number, has_collapsed ? protocol::film_collapsed : protocol::beyond_double);
 }
 
 std::optional<OutputValue> value_of(const PointResult& point, Output output) {
@@ -56,15 +63,15 @@ std::optional<OutputValue> value_of(const PointResult& point, Output output) {
     case Output::film_parameter:
       return value_of(point.film_parameter);
     case Output::asperity_load_share:
-      return value_of(point.asperity_load_share, reason_of(point));
+      return of_balance(point.asperity_load_share, point);
     case Output::fluid_load_share:
-      return value_of(point.fluid_load_share, reason_of(point));
+      return of_balance(point.fluid_load_share, point);
     case Output::real_area_ratio:
       return value_of(point.real_area_ratio);
     case Output::summit_count:
       return value_of(point.summit_count);
     case Output::friction:
-      return value_of(point.friction, reason_of(point));
+      return of_balance(point.friction, point);
     case Output::regime:
       return value_of(point.regime);
     case Output::inlet:
