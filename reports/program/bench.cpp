@@ -67,10 +67,10 @@ bool is_expression(std::string filter) {
   }
 }
 
-constexpr const char* control = "moment_5_2/control/std::exp";
+constexpr const char* control_row = "moment_5_2/control/std::exp";
 
 // Does Google Benchmark run this row? A leading - is "not" to it.
-bool is_asked(std::string filter, const std::string& row) {
+bool is_run(std::string filter, const std::string& row) {
   if (filter.empty() || filter == "all") return true;
   const bool is_negative = filter.starts_with('-');
   if (is_negative) filter.erase(0, 1);
@@ -79,8 +79,8 @@ bool is_asked(std::string filter, const std::string& row) {
 
 // With a baseline the control takes part, as all times are told over its time.
 std::string filter_of(const BenchArguments& arguments) {
-  if (arguments.baseline.empty() || is_asked(arguments.filter, control)) return arguments.filter;
-  return fmt::format("({})|^{}$", arguments.filter, control);
+  if (arguments.baseline.empty() || is_run(arguments.filter, control_row)) return arguments.filter;
+  return fmt::format("({})|^{}$", arguments.filter, control_row);
 }
 
 std::vector<std::string> command_line(const fs::path& program, const BenchArguments& arguments) {
@@ -214,7 +214,7 @@ void write_baseline(const BenchArguments& arguments, const nlohmann::json& made)
 int hold_to_baseline(const BenchArguments& arguments, const BenchResults& results,
                      nlohmann::json before) {
   const IsAsked asked = [&](const std::string& key) {
-    return key == control || is_asked(arguments.filter, key);
+    return key == control_row || is_run(arguments.filter, key);
   };
   if (before.is_null()) {
     write_baseline(arguments, new_bench_baseline(results, before, asked));
@@ -249,10 +249,10 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
     return fail(exit_bad,
                 "--filter: \"" + arguments.filter + "\" is no extended regular expression");
   if (!arguments.baseline.empty() && arguments.filter.starts_with('-') &&
-      !is_asked(arguments.filter, control))
+      !is_run(arguments.filter, control_row))
     return fail(exit_bad, fmt::format("--filter: \"{}\" leaves out {}, which --baseline needs; "
                                       "allowed: a filter that leaves it in",
-                                      arguments.filter, control));
+                                      arguments.filter, control_row));
   try {
     nlohmann::json before;
     if (!arguments.baseline.empty()) before = usable_baseline(arguments);
