@@ -376,7 +376,6 @@ class Run {
             return is_lost || is_stopped();
           });
       journal->sync();
-      if (is_lost) lock_->check();
       if (!good) throw OtherRankFailed();
     });
     if (const int asked = thread_count(threads_); started < asked)
@@ -396,7 +395,11 @@ class Run {
     }
   }
 
+  // Where the lock or the folder is gone, no result is made, and nobody is told to go on there.
+  void check_lock() const { lock_->check(); }
+
   RunEnd finish(const Replaceable& replaceable) {
+    check_lock();
     const std::vector<std::string> paths = journals_of(settings_.result);
     if (paths.empty())
       throw std::runtime_error("the journals of " + settings_.result +
@@ -421,7 +424,7 @@ class Run {
                      " are still to be computed; --resume goes on");
       return RunEnd::stopped;
     }
-    lock_->check();
+    check_lock();
     try {
       write(chunks, replaceable);
     } catch (const Stopped&) {
