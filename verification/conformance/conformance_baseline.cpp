@@ -148,7 +148,7 @@ std::size_t better_cases(const QuantityVerdict& now, const json& failed_before) 
 
 std::string what_is_worse(const QuantityVerdict& now, const json& before) {
   const std::string was(before.at("status").get<std::string>()), is(name(now.status));
-  const std::string cases = worse_cases(now, before.at("failed"));
+  std::string cases = worse_cases(now, before.at("failed"));
   if (worth(is) < worth(was))
     return fmt::format("was {}, is {}{}", was, is,
                        now.first_reason.empty() ? "" : " (" + now.first_reason + ")");
