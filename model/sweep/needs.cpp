@@ -117,7 +117,7 @@ Sample sample_of(const SweepPlan& plan, double seconds, int least = 2) {
   Sample sum;
   double count = 0;
   const double start = seconds_used();
-  for (const std::uint64_t i : {0, 4, 2, 6, 1, 5, 3}) {
+  for (const unsigned i : {0U, 4U, 2U, 6U, 1U, 5U, 3U}) {
     const double before = seconds_used();
     const Chunk chunk = solver.solve(place_of_sample(i, 7, scene.chunks));
     const Bytes record = chunk.bytes();

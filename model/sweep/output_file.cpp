@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cerrno>
-#include <filesystem>
 #include <utility>
 
 namespace tribo::sweep {
@@ -39,12 +38,8 @@ bool carries(Mark mark, int file, const struct stat& status, const std::string& 
 
 // In the same folder, so that the rename stays within one file system.
 FilePlace unused_place(const std::string& target, Descriptor& file) {
-  const std::filesystem::path path(target);
   for (int number = 0;; ++number) {
-    FilePlace place(
-        (path.parent_path() / ('.' + path.filename().string() + '.' + std::to_string(::getpid()) +
-                               '-' + std::to_string(number)))
-            .string());
+    FilePlace place(target, '.' + std::to_string(::getpid()) + '-' + std::to_string(number), ".");
     if (auto made = place.create()) {
       file = std::move(*made);
       return place;
@@ -61,12 +56,13 @@ std::string FileIdentity::text() const {
          std::to_string(nanoseconds);
 }
 
-FilePlace::FilePlace(const std::string& output, std::string_view ending)
+FilePlace::FilePlace(const std::string& output, std::string_view ending, std::string_view beginning)
     : output_(output),
       path_(output + std::string(ending)),
-      name_(path_.substr(path_.rfind('/') + 1)),
+      name_(std::string(beginning) + path_.substr(path_.rfind('/') + 1)),
       folder_(::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (folder_ < 0) fail(errno);
+  if (!beginning.empty()) path_ = path_.substr(0, path_.rfind('/') + 1) + name_;
 }
 
 void FilePlace::fail(int code) const {

@@ -50,8 +50,10 @@ struct Replaceable {
 // the file.
 class FilePlace {
  public:
-  // Opens the folder; the file OUTPUT + ENDING need not be there.
-  explicit FilePlace(const std::string& output, std::string_view ending = "");
+  // Opens the folder; the file OUTPUT + ENDING, whose name then begins with `beginning`, need not
+  // be there.
+  explicit FilePlace(const std::string& output, std::string_view ending = "",
+                     std::string_view beginning = "");
 
   const std::string& path() const { return path_; }
   // What the name leads to; a symbolic link is not followed. Nothing: no file.
