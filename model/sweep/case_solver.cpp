@@ -6,9 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ehl/line_conditions.hpp"
 #include "ehl/solved_film.hpp"
+#include "sweep/journal.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::sweep {
@@ -47,8 +49,9 @@ std::optional<std::size_t> place_of(const Variable& variable, Scene scene) {
 
 }  // namespace
 
-CaseSolver::CaseSolver(const SceneSweep& sweep)
+CaseSolver::CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped)
     : sweep_(sweep),
+      stopped_(std::move(stopped)),
       scene_(sweep.scene),
       words_(detail::words_of(scene_)),
       numbers_(detail::numbers_of<double>(scene_)) {
@@ -88,6 +91,7 @@ void CaseSolver::solve(std::span<const double> variables, std::span<double> resu
     const bool curves = speeds_.size() >= speeds_of_a_curve;
     if (point_width_ > 0 && !curves) solve_few_speeds(values, to);
     for (std::size_t i = 0; i < some; ++i) {
+      if (is_stopped()) throw Stopped();
       if (curves) {
         points_.resize(speeds_.size(), sweep_.outputs);
         tribo::solve(contacts_[contact_of_[i]], speeds_, sweep_.outputs, points_);
@@ -109,7 +113,9 @@ void CaseSolver::solve_films(std::span<const double> values, std::span<double> r
   for (std::size_t j = 0; j < speeds; ++j) {
     const ehl::LineConditions conditions = ehl::conditions_of(scene_, scene_.speeds[j]);
     const ehl::LineContact contact = ehl::contact_of(conditions);
-    const ehl::SolvedFilm solved = ehl::solve_line_film(contact);
+    const ehl::SolvedFilm solved =
+        ehl::solve_line_film(contact, {}, [this](const ehl::Step&) { return !is_stopped(); });
+    if (is_stopped()) throw Stopped();
     const bool is_solved = solved.outcome == ehl::Outcome::solved;
     const double unit = is_solved ? ehl::scale_of(conditions).film : undefined;
     const std::array<double, solved_columns.size()> numbers{

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,7 +20,8 @@ namespace tribo::sweep {
 // Not for two threads at once: each has its own.
 class CaseSolver {
  public:
-  explicit CaseSolver(const SceneSweep& sweep);
+  // stopped: asked for each case; once it is true, solve() throws Stopped.
+  explicit CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped = {});
 
   // variables: of each case, its variables' values. results: of each case, its columns' values, NaN
   // where undefined. A case's bits depend on nothing but its variables.
@@ -40,7 +42,10 @@ class CaseSolver {
   void find_onsets(std::span<const double> values, const MixedContact<double>& contact,
                    std::span<double> results);
 
+  bool is_stopped() const { return stopped_ && stopped_(); }
+
   const SceneSweep& sweep_;
+  std::function<bool()> stopped_;
   Scene scene_;
   // What a contact needs of the scene, and the place of each variable among the numbers (not used
   // for the speed). places_ is empty where some variable is more than one of these numbers (a

@@ -2,6 +2,8 @@
 #include "sweep/chunk_solver.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "sweep/case_solver.hpp"
 #include "sweep/cases.hpp"
@@ -15,7 +17,8 @@ constexpr std::size_t block_numbers = 8192;
 }  // namespace
 
 struct ChunkSolver::OfScene {
-  explicit OfScene(const SceneSweep& s) : sweep(s), generator(s), solver(s) {
+  OfScene(const SceneSweep& s, const std::function<bool()>& stopped)
+      : sweep(s), generator(s), solver(s, stopped) {
     if (!s.sensitivity) return;
     // c of sensitivity.hpp.
     std::vector<double> nominal_values;
@@ -116,14 +119,15 @@ class ChunkInHand {
 
 }  // namespace
 
-ChunkSolver::ChunkSolver(const SweepPlan& plan) : plan_(plan), scenes_(plan.scenes.size()) {}
+ChunkSolver::ChunkSolver(const SweepPlan& plan, std::function<bool()> stopped)
+    : plan_(plan), stopped_(std::move(stopped)), scenes_(plan.scenes.size()) {}
 ChunkSolver::ChunkSolver(ChunkSolver&&) noexcept = default;
 ChunkSolver::~ChunkSolver() = default;
 
 Chunk ChunkSolver::solve(std::uint64_t number) {
   const ChunkPlace place = place_of(plan_, number);
   const SceneSweep& sweep = plan_.scenes[place.scene];
-  if (!scenes_[place.scene]) scenes_[place.scene] = std::make_unique<OfScene>(sweep);
+  if (!scenes_[place.scene]) scenes_[place.scene] = std::make_unique<OfScene>(sweep, stopped_);
   OfScene& of = *scenes_[place.scene];
 
   Chunk chunk;

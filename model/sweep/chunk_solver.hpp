@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace tribo::sweep {
 // Not for two threads at once: each has its own. The plan must outlive it.
 class ChunkSolver {
  public:
-  explicit ChunkSolver(const SweepPlan& plan);
+  // stopped: asked many times a second while a chunk is solved; once it is true, solve() throws
+  // Stopped.
+  explicit ChunkSolver(const SweepPlan& plan, std::function<bool()> stopped = {});
   ChunkSolver(ChunkSolver&&) noexcept;
   ~ChunkSolver();
 
@@ -26,6 +29,7 @@ class ChunkSolver {
   struct OfScene;
 
   const SweepPlan& plan_;
+  std::function<bool()> stopped_;
   std::vector<std::unique_ptr<OfScene>> scenes_;  // made when first asked for
 };
 

@@ -1,43 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/compute.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
+#include <atomic>
 
 #include "sweep/chunk_solver.hpp"
+#include "sweep/journal.hpp"
+#include "sweep/on_threads.hpp"
 
 namespace tribo::sweep {
 
-int thread_count(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
-
-void compute(const SweepPlan& plan, int threads, const NextChunk& next,
-             const std::function<void(const Chunk&)>& keep) {
-  const int count = thread_count(threads);
+int compute(const SweepPlan& plan, int threads, const NextChunk& next,
+            const std::function<void(const Chunk&)>& keep, const std::function<bool()>& stopped) {
   std::atomic<bool> failed = false;
-  const auto work = [&] {
-    ChunkSolver solver(plan);
+  // More threads than the machine has are allowed, as they are elsewhere.
+  return on_threads(thread_count(threads), [&] {
+    ChunkSolver solver(plan, [&] { return failed || (stopped && stopped()); });
     try {
       while (!failed) {
         const auto chunk = next();
         if (!chunk) return;
         keep(solver.solve(*chunk));
       }
+    } catch (const Stopped&) {  // in the middle of a chunk, which is computed anew
     } catch (...) {
       failed = true;
       throw;
     }
-  };
-  if (count == 1) return work();
-  // More than the machine has are allowed, as they are elsewhere.
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(count));
-  tbb::task_arena arena(count);
-  arena.execute([&] {
-    tbb::task_group group;
-    for (int i = 1; i < count; ++i) group.run(work);
-    group.run_and_wait(work);
   });
 }
 

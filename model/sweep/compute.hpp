@@ -2,7 +2,6 @@
 // The threads of one process at work on chunks.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 
@@ -12,13 +11,13 @@
 
 namespace tribo::sweep {
 
-// How many threads `threads` means, of which 0 is as many as the machine has.
-int thread_count(int threads);
-
-// Computes the chunks that next() gives, on `threads` threads, until it gives no more. Any of these
-// threads calls keep(chunk), several of them at once; an exception of keep() ends the work and is
-// thrown on.
-void compute(const SweepPlan& plan, int threads, const NextChunk& next,
-             const std::function<void(const Chunk&)>& keep);
+// Computes the chunks that next() gives, on `threads` threads (0: as many as the machine has),
+// until it gives no more, or until stopped(), which is asked many times a second, is true: chunks
+// in hand are given up then. Any of these threads calls keep(chunk), several of them at once; an
+// exception of keep() ends the work and is thrown on. Returns how many threads there were: fewer
+// where the system does not allow so many.
+int compute(const SweepPlan& plan, int threads, const NextChunk& next,
+            const std::function<void(const Chunk&)>& keep,
+            const std::function<bool()>& stopped = {});
 
 }  // namespace tribo::sweep

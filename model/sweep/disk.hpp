@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of the system: opened only if they are files, closed once, and kept through a power
-// failure.
+// Files of the system: opened only if they are files, read at any place, and closed once.
 #pragma once
 
 #include <fcntl.h>
@@ -11,7 +10,6 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -88,43 +86,7 @@ inline std::string folder_of(const std::string& path) {
   return slash == path.npos ? "." : path.substr(0, slash + 1);
 }
 
-// Sees to it that what was written to a file, or which files a folder has, is on the disk. Returns
-// the number of the error, 0: none.
-inline int sync_to_disk(const std::string& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file < 0) return errno;
-  // EINVAL: a file system on which there is nothing to do.
-  return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno;
-}
-
-// A file that is written beside its target and takes its name when it is whole. One that is not
-// kept is removed.
-class PartFile {
- public:
-  explicit PartFile(const std::string& target) : target_(target), path_(target + ".part") {
-    ::unlink(path_.c_str());  // what a killed process left, or a link to somewhere else
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  ~PartFile() {
-    if (!is_kept_) ::unlink(path_.c_str());
-  }
-
-  const std::string& path() const { return path_; }
-  void keep() {
-    check(sync_to_disk(path_));
-    check(std::rename(path_.c_str(), target_.c_str()) == 0 ? 0 : errno);
-    is_kept_ = true;
-    check(sync_to_disk(folder_of(target_)));
-  }
-
- private:
-  static void check(int code) {
-    if (code != 0) throw std::runtime_error(error_text(code));
-  }
-
-  std::string target_, path_;
-  bool is_kept_ = false;
-};
+// A path by which an open file is opened again, whatever its name leads to by then.
+inline std::string open_path_of(int file) { return "/proc/self/fd/" + std::to_string(file); }
 
 }  // namespace tribo::sweep

@@ -38,13 +38,28 @@ void write_attribute(hid_t object, const char* name, hid_t file_type, hid_t memo
   checked(H5Awrite(attribute, memory_type, value));
 }
 
+constexpr hssize_t most_texts = 1'000'000;
+
+// How many values an attribute has. Throws Error where its rank is another; rank 0: a scalar.
+std::size_t length_of(hid_t attribute, hid_t space, int rank) {
+  const H5S_class_t kind = rank == 0 ? H5S_SCALAR : H5S_SIMPLE;
+  if (H5Sget_simple_extent_type(space) != kind ||
+      checked(H5Sget_simple_extent_ndims(space)) != rank)
+    throw Error("an attribute is of another shape than those that tribocheck writes");
+  const hssize_t count = checked(H5Sget_simple_extent_npoints(space));
+  if (count > most_texts || checked(H5Aget_storage_size(attribute)) > hsize_t{most_texts} * 16)
+    throw Error("an attribute is longer than those that tribocheck writes");
+  return static_cast<std::size_t>(count);
+}
+
 // Strings that HDF5 has allocated.
 class ReadStrings {
  public:
-  explicit ReadStrings(hid_t attribute)
-      : type_(string_type()),
-        space_(H5Aget_space(attribute)),
-        texts_(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space_))), nullptr) {
+  ReadStrings(hid_t attribute, int rank) : type_(string_type()), space_(H5Aget_space(attribute)) {
+    const Handle type(H5Aget_type(attribute));
+    if (H5Tget_class(type) != H5T_STRING || checked(H5Tis_variable_str(type)) == 0)
+      throw Error("an attribute is no text of variable length");
+    texts_.resize(length_of(attribute, space_, rank), nullptr);
     checked(H5Aread(attribute, type_, texts_.data()));
   }
   ReadStrings(const ReadStrings&) = delete;
@@ -166,17 +181,20 @@ void make_scale(hid_t scale, const char* name, std::span<const hid_t> datasets) 
 }
 
 std::string read_text(hid_t object, const char* name) {
-  const std::vector<std::string> texts = read_texts(object, name);
-  return texts.empty() ? "" : texts.front();
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
+  return ReadStrings(attribute, 0).texts().front();
 }
 
 std::vector<std::string> read_texts(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
-  return ReadStrings(attribute).texts();
+  return ReadStrings(attribute, 1).texts();
 }
 
 std::uint64_t read_count(hid_t object, const char* name) {
   const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
+  const Handle type(H5Aget_type(attribute)), space(H5Aget_space(attribute));
+  length_of(attribute, space, 0);
+  if (checked(H5Tequal(type, H5T_STD_U64LE)) == 0) throw Error("an attribute is no count");
   std::uint64_t value = 0;
   checked(H5Aread(attribute, H5T_NATIVE_UINT64, &value));
   return value;

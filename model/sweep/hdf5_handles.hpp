@@ -98,7 +98,7 @@ void write_attribute(hid_t object, const char* name, std::uint64_t value);
 // Makes a dataset the dimension scale of the last of two dimensions of others, as HDF5's "Dimension
 // Scale Specification" has it.
 void make_scale(hid_t scale, const char* name, std::span<const hid_t> datasets);
-// Throw Error where there is none of that name and type.
+// Throw Error where there is none of that name, type and shape.
 std::string read_text(hid_t object, const char* name);
 std::vector<std::string> read_texts(hid_t object, const char* name);
 std::uint64_t read_count(hid_t object, const char* name);

@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sweep/disk.hpp"
 #include "sweep/journal_record.hpp"
+#include "sweep/output_file.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -36,6 +36,7 @@ Bytes to_bytes(const JournalHeader& header) {
     put_text(bytes, name);
     put_text(bytes, text);
   }
+  put_text(bytes, header.replaces);
   return bytes;
 }
 
@@ -72,30 +73,36 @@ Journal::Journal(Descriptor file, std::string path)
 // Under another name until its header is whole: a process killed on the way leaves no journal that
 // is none.
 Journal Journal::create(const std::string& path, const JournalHeader& header) {
-  if (::access(path.c_str(), F_OK) == 0) fail("cannot create " + path, EEXIST);
-  const std::string unfinished = path + ".new";
-  ::unlink(unfinished.c_str());
-  Journal journal(open_file(unfinished, O_RDWR | O_CREAT | O_EXCL, "cannot create " + path), path);
-  lock_or_throw(journal.file_, path);
-  const Bytes bytes = to_bytes(header);
+  const FilePlace place(path), unfinished(path, ".new");
+  if (place.status()) fail("cannot create " + path, EEXIST);
+  unfinished.remove_ours(is_start_of_journal);
+  auto file = unfinished.create();
+  if (!file) fail("cannot create " + path, EEXIST);
   try {
-    const Head head{header_number, bytes.size(), 0};
-    for (int copy = 0; copy < 2; ++copy) journal.write_record(header_number, bytes);
-    journal.seed_ = journal_record::checksum(head, bytes, 0);
-    journal.sync();
-    if (::rename(unfinished.c_str(), path.c_str()) != 0) fail("cannot create " + path, errno);
-    // A new file is there after a power failure only once its folder is on the disk.
-    if (const int code = sync_to_disk(folder_of(path)); code != 0)
-      fail("cannot write the folder of " + path, code);
+    Journal journal = begin(std::move(*file), path, header);
+    unfinished.rename_to(place, journal.file_, {});
+    return journal;
   } catch (...) {
-    ::unlink(unfinished.c_str());
+    unfinished.remove();
     throw;
   }
+}
+
+Journal Journal::begin(Descriptor file, const std::string& path, const JournalHeader& header) {
+  Journal journal(std::move(file), path);
+  lock_or_throw(journal.file_, path);
+  const Bytes bytes = to_bytes(header);
+  const Head head{header_number, bytes.size(), 0};
+  for (int copy = 0; copy < 2; ++copy) journal.write_record(header_number, bytes);
+  journal.seed_ = journal_record::checksum(head, bytes, 0);
+  journal.sync();
   return journal;
 }
 
 Journal Journal::resume(const std::string& path) {
-  Journal journal(open_file(path, O_RDWR, "cannot open " + path), path);
+  auto file = FilePlace(path).open_ours(any_mark);
+  if (!file) fail("cannot open " + path, ENOENT);
+  Journal journal(std::move(*file), path);
   lock_or_throw(journal.file_, path);
   const journal_record::Found found = journal_record::find_records(journal.file_, path);
   journal.seed_ = found.seed;
@@ -120,6 +127,14 @@ void Journal::append(std::uint64_t chunk, std::span<const std::byte> bytes) {
 void Journal::sync() {
   while (::fdatasync(file_) != 0)
     if (errno != EINTR) fail("cannot write " + path_ + " to the disk", errno);
+}
+
+bool Journal::is_there() const {
+  struct stat ours {
+  }, named{};
+  if (::fstat(file_, &ours) != 0 || ::lstat(path_.c_str(), &named) != 0)
+    return errno != ENOENT && errno != ENOTDIR;
+  return ours.st_dev == named.st_dev && ours.st_ino == named.st_ino;
 }
 
 void Journal::write_record(std::uint64_t number, std::span<const std::byte> bytes) {

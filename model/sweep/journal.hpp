@@ -6,10 +6,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,9 +30,19 @@ struct JournalHeader {
   std::string arithmetic;  // "FMA" or "no FMA"
   // What the plan was made of: names and texts, so that a journal is enough to make the result.
   std::vector<std::pair<std::string, std::string>> files;
+  // Which file (FileIdentity) at the output --force has allowed this sweep to replace; empty: none.
+  std::string replaces = {};
 
   friend bool operator==(const JournalHeader&, const JournalHeader&) = default;
 };
+
+// The work was to end early.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped") {}
+};
+
+// The mark of journals and shards (output_file.hpp).
+bool is_start_of_journal(std::span<const std::byte> start);
 
 // A journal, open for appending. One process at a time has it: a lock (flock) sees to that. Writes
 // go to the system at once, so that a killed process loses nothing, and to the disk every few
@@ -40,6 +52,8 @@ class Journal {
  public:
   // Makes a new one; fails if there is a file already.
   static Journal create(const std::string& path, const JournalHeader& header);
+  // Begins one in a new open file of this name.
+  static Journal begin(Descriptor file, const std::string& path, const JournalHeader& header);
   // Opens a journal to go on behind its last whole record. What follows that record is cut off.
   // Damage before it is left as it is, so that no whole record behind the damage is lost.
   static Journal resume(const std::string& path);
@@ -47,6 +61,8 @@ class Journal {
   // Any thread may call.
   void append(std::uint64_t chunk, std::span<const std::byte> bytes);
   void sync();
+  // False once its name leads to another file, or to none.
+  bool is_there() const;
 
  private:
   Journal(Descriptor file, std::string path);
@@ -64,8 +80,8 @@ class Journal {
 class JournalReader {
  public:
   // Throws std::runtime_error, with a text that names the file, where it cannot be read or its
-  // header is none.
-  explicit JournalReader(const std::string& path);
+  // header is none; Stopped once stopped() is true.
+  explicit JournalReader(const std::string& path, const std::function<bool()>& stopped = {});
 
   const std::string& path() const { return path_; }
   const JournalHeader& header() const { return header_; }

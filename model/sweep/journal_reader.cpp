@@ -2,6 +2,8 @@
 #include <fcntl.h>
 
 #include <algorithm>
+#include <cstring>
+#include <functional>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -35,19 +37,24 @@ JournalHeader header_from(std::span<const std::byte> bytes) {
     std::string name = from.take_text();
     header.files.emplace_back(std::move(name), from.take_text());
   }
+  if (!from.empty()) header.replaces = from.take_text();
   return header;
 }
 
 // One file, read from any place.
 class File {
  public:
-  File(int descriptor, const std::string& path)
-      : descriptor_(descriptor), what_("cannot read " + path), size_(size_of(descriptor, what_)) {}
+  File(int descriptor, const std::string& path, const std::function<bool()>& stopped = {})
+      : descriptor_(descriptor),
+        what_("cannot read " + path),
+        size_(size_of(descriptor, what_)),
+        stopped_(stopped) {}
 
   std::uint64_t size() const { return size_; }
 
   // As many bytes as there are, up to the room.
   std::span<std::byte> read(std::uint64_t offset, std::span<std::byte> room) const {
+    if (stopped_ && stopped_()) throw Stopped();
     return room.first(read_at(descriptor_, offset, room, what_));
   }
 
@@ -55,6 +62,7 @@ class File {
   int descriptor_;
   std::string what_;
   std::uint64_t size_;
+  std::function<bool()> stopped_;
 };
 
 class Search {
@@ -108,8 +116,8 @@ class Search {
 
 namespace journal_record {
 
-Found find_records(int descriptor, const std::string& path) {
-  const File file(descriptor, path);
+Found find_records(int descriptor, const std::string& path, const std::function<bool()>& stopped) {
+  const File file(descriptor, path, stopped);
   Search search(file);
   Found found;
   bool has_header = false;
@@ -139,9 +147,13 @@ Found find_records(int descriptor, const std::string& path) {
 
 }  // namespace journal_record
 
-JournalReader::JournalReader(const std::string& path)
+bool is_start_of_journal(std::span<const std::byte> start) {
+  return start.size() >= magic.size() && std::memcmp(start.data(), magic.data(), magic.size()) == 0;
+}
+
+JournalReader::JournalReader(const std::string& path, const std::function<bool()>& stopped)
     : file_(open_file(path, O_RDONLY, "cannot read " + path)), path_(path) {
-  Found found = journal_record::find_records(file_, path);
+  Found found = journal_record::find_records(file_, path, stopped);
   header_ = std::move(found.header);
   seed_ = found.seed;
   records_ = std::move(found.records);

@@ -93,7 +93,9 @@ struct Found {
   std::uint64_t end = 0;         // of the last whole record
   std::uint64_t lost_bytes = 0;  // in no whole record
 };
-// Throws std::runtime_error where the file cannot be read or has no header.
-Found find_records(int descriptor, const std::string& path);
+// Throws std::runtime_error where the file cannot be read or has no header, Stopped once stopped()
+// is true.
+Found find_records(int descriptor, const std::string& path,
+                   const std::function<bool()>& stopped = {});
 
 }  // namespace tribo::sweep::journal_record

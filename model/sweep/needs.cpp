@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "sweep/chunk_solver.hpp"
-#include "sweep/compute.hpp"
 #include "sweep/disk.hpp"
+#include "sweep/on_threads.hpp"
 #include "sweep/result_file.hpp"
 
 namespace tribo::sweep {
@@ -75,13 +75,40 @@ double memory_of(const Chunk& chunk) {
 // Means over some chunks from all over a scene.
 struct Sample {
   double solve_seconds = 0, merge_seconds = 0;
+  double write_seconds = 0;     // of the summaries of all values a case has, at the end
   double kept = 0, record = 0;  // bytes of a chunk: its points packed, and all of it in the journal
   double chunk_memory = 0;
   double merged_memory = 0;  // of the summaries of all of them
 };
 
-// For so many seconds, or two chunks, whichever is more.
-Sample sample_of(const SweepPlan& plan, double seconds) {
+// Time that quantiles and histograms of all summaries take. Where there are few cases, the bounds
+// of quantiles are by the binomial distribution itself, and take most of the time of a wide sweep.
+double write_seconds_of(const std::vector<std::vector<ValueSummary>>& summaries) {
+  constexpr std::size_t most_tried = 32;  // of a column
+  double seconds = 0;
+  for (const std::vector<ValueSummary>& column : summaries) {
+    const std::size_t tried = std::min(column.size(), most_tried);
+    const double before = seconds_used();
+    for (std::size_t j = 0; j < tried; ++j) {
+      for (const double level : quantile_levels) quantile_of(column[j], level);
+      histogram_of(column[j].sketch, histogram_bins);
+    }
+    seconds +=
+        (seconds_used() - before) * static_cast<double>(column.size()) / static_cast<double>(tried);
+  }
+  return seconds;
+}
+
+// Chunk k of some that are spread over all, each at random in its part, for cases beside each other
+// are alike, and a grid's come again in equal steps.
+std::uint64_t place_of_sample(std::uint64_t k, std::uint64_t parts, std::uint64_t chunks) {
+  const double within = std::fmod(0.5 + 0.754877666246693 * static_cast<double>(k * k + k), 1.0);
+  return static_cast<std::uint64_t>((static_cast<double>(k) + within) *
+                                    static_cast<double>(chunks) / static_cast<double>(parts));
+}
+
+// For so many seconds, or `least` chunks, whichever is more.
+Sample sample_of(const SweepPlan& plan, double seconds, int least = 2) {
   const SceneSweep& scene = plan.scenes.front();
   std::vector<std::vector<ValueSummary>> merged;
   for (const Column& column : scene.columns) merged.emplace_back(column.width);
@@ -90,9 +117,9 @@ Sample sample_of(const SweepPlan& plan, double seconds) {
   Sample sum;
   double count = 0;
   const double start = seconds_used();
-  for (const std::uint64_t i : {1, 5, 3, 7, 2, 6, 4}) {
+  for (const unsigned i : {0U, 4U, 2U, 6U, 1U, 5U, 3U}) {
     const double before = seconds_used();
-    const Chunk chunk = solver.solve(i * (scene.chunks - 1) / 8);
+    const Chunk chunk = solver.solve(place_of_sample(i, 7, scene.chunks));
     const Bytes record = chunk.bytes();
     const double solved = seconds_used();
     sum.solve_seconds += solved - before;
@@ -105,10 +132,11 @@ Sample sample_of(const SweepPlan& plan, double seconds) {
     sum.record += static_cast<double>(record.size());
     sum.chunk_memory += memory_of(again);
     ++count;
-    if (count >= 2 && seconds_used() - start > seconds) break;
+    if (count >= least && seconds_used() - start > seconds) break;
   }
-  return {sum.solve_seconds / count, sum.merge_seconds / count, sum.kept / count,
-          sum.record / count,        sum.chunk_memory / count,  memory_of(merged)};
+  return {sum.solve_seconds / count, sum.merge_seconds / count, write_seconds_of(merged),
+          sum.kept / count,          sum.record / count,        sum.chunk_memory / count,
+          memory_of(merged)};
 }
 
 // Nearly all needs grow in a straight line with the number of speeds: two samples, at `few` and at
@@ -125,8 +153,35 @@ Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
     return high.*figure + std::max(0.0, high.*figure - low.*figure) * far;
   };
   return {reach(&Sample::solve_seconds), reach(&Sample::merge_seconds),
-          reach(&Sample::kept),          reach(&Sample::record),
-          reach(&Sample::chunk_memory),  reach(&Sample::merged_memory)};
+          reach(&Sample::write_seconds), reach(&Sample::kept),
+          reach(&Sample::record),        reach(&Sample::chunk_memory),
+          reach(&Sample::merged_memory)};
+}
+
+// As a chunk of the scene. A chunk that takes long is sampled with fewer of its groups; films, of
+// which each takes long and some take ten times as long as others, one by one all over the sweep.
+Sample chunk_sample(const SceneSweep& scene) {
+  constexpr std::uint64_t probed = 64;
+  constexpr double seconds = 0.1;
+  std::uint64_t groups = scene.chunk_groups;
+  if (scene.solves_film) {
+    groups = 1;
+  } else if (groups > probed) {
+    const double probe =
+        sample_of(thinned(scene, std::min<std::size_t>(widest(scene), 128), probed), 0)
+            .solve_seconds;
+    const double most = static_cast<double>(probed) * seconds / std::max(probe, 1e-9);
+    if (most < static_cast<double>(groups))
+      groups = std::max(probed, static_cast<std::uint64_t>(most));
+  }
+  if (groups == scene.chunk_groups) return at_all_speeds(scene, groups);
+  Sample sample = scene.solves_film ? sample_of(thinned(scene, widest(scene), 1), 0, 7)
+                                    : at_all_speeds(scene, groups);
+  const double more = static_cast<double>(scene.chunk_groups) / static_cast<double>(groups);
+  sample.solve_seconds *= more;
+  sample.record += sample.kept * (more - 1);
+  sample.kept *= more;
+  return sample;
 }
 
 // --- What is known without a sample. Numbers with the word "measured" were measured with HDF5
@@ -248,7 +303,7 @@ Needs needs_of(const SweepPlan& plan, int threads) {
   Needs needs;
   double computing = 0, writing = 0, reading = 0;
   for (const SceneSweep& scene : plan.scenes) {
-    const Sample sample = at_all_speeds(scene, scene.chunk_groups);
+    const Sample sample = chunk_sample(scene);
     // Summaries grow with the number of different values, and a chunk may have one case alone: this
     // sample takes chunks of up to 256 groups. So many films are not solved for an estimate.
     const double merged =
@@ -265,7 +320,7 @@ Needs needs_of(const SweepPlan& plan, int threads) {
     const auto chunks = static_cast<double>(scene.chunks);
     const double seconds_of_value = 2e-6;  // to write its summary and to read it again, measured
     needs.seconds += sample.solve_seconds * chunks / std::min(count, chunks) +
-                     sample.merge_seconds * chunks +
+                     sample.merge_seconds * chunks + sample.write_seconds +
                      seconds_of_value * static_cast<double>(scene.width());
     add_files(needs, scene, sample.kept, sample.record);
     needs.point_seconds.push_back(sample.solve_seconds * chunks /

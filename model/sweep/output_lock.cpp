@@ -2,6 +2,8 @@
 #include "sweep/output_lock.hpp"
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace tribo::sweep {
 
@@ -9,30 +11,30 @@ namespace fs = std::filesystem;
 
 // A process that holds the lock removes the lock's file before it releases the lock. So a process
 // that locks a file which has lost its name meanwhile has locked nothing, and begins again.
-OutputLock::OutputLock(const std::string& output) : path_(output + ".lock") {
+OutputLock::OutputLock(const std::string& output) : output_(output), place_(output, ".lock") {
   do {
-    file_ = open_file(path_, O_RDWR | O_CREAT | O_NOFOLLOW, "cannot write " + output);
-    if (!lock_file(file_, path_))
-      throw RunRefused(output + " is being written by another process, which holds " + path_ +
-                       "; wait until it has ended, or give another output");
-  } while (!is_named());
+    std::optional<Descriptor> file = place_.open_ours(no_mark);
+    if (!file) file = place_.create();
+    if (!file) continue;
+    file_ = std::move(*file);
+    if (!lock_file(file_, place_.path()))
+      throw RunRefused(output + " is being written by another process, which holds " +
+                       place_.path() + "; wait until it has ended, or give another output");
+  } while (!place_.leads_to(file_));
 }
 
 OutputLock::~OutputLock() {
-  if (is_named()) ::unlink(path_.c_str());
+  if (place_.leads_to(file_)) place_.remove();
 }
 
 void OutputLock::check() const {
-  if (!is_named())
-    throw std::runtime_error(path_ + " was removed while this process held it, so that another " +
-                             "one may write the same output; nothing is put in its place");
-}
-
-bool OutputLock::is_named() const {
-  struct stat ours {
-  }, named{};
-  return ::fstat(file_, &ours) == 0 && ::stat(path_.c_str(), &named) == 0 &&
-         ours.st_dev == named.st_dev && ours.st_ino == named.st_ino;
+  if (!place_.is_folder_at_its_path())
+    throw std::runtime_error("the folder of " + output_ +
+                             " was removed or moved while this process computed; nothing can be "
+                             "written there, and what was removed has to be computed anew");
+  if (!place_.leads_to(file_))
+    throw std::runtime_error(place_.path() + " was removed while this process held it, so that " +
+                             "another one may write the same output; nothing is put in its place");
 }
 
 std::string output_behind_links(const std::string& path) {
@@ -41,6 +43,12 @@ std::string output_behind_links(const std::string& path) {
   std::error_code none;
   for (int links = 0; fs::is_symlink(behind, none); ++links) {
     if (links == most_links) throw RunRefused(path + " is a symbolic link that leads in a circle");
+    struct stat link {};
+    const bool is_known = ::lstat(behind.c_str(), &link) == 0;
+    if (is_known && link.st_uid != ::geteuid() && link.st_uid != 0)
+      throw RunRefused(behind.string() +
+                       " is a symbolic link of another user, and is not followed; allowed: the "
+                       "file itself");
     behind = behind.parent_path() / fs::read_symlink(behind, none);
   }
   if (fs::exists(behind, none) && !fs::is_regular_file(behind, none))

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/parallel_points.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
+#include <algorithm>
 #include <cstddef>
+
+#include "sweep/on_threads.hpp"
 
 namespace tribo {
 namespace {
@@ -18,13 +17,10 @@ constexpr std::size_t grain = 2048;
 void solve_in_parallel(const MixedContact<double>& contact, std::span<const double> speeds,
                        OutputSet outputs, OperatingPoints& points, int threads) {
   if (threads == 1 || speeds.size() <= grain) return solve(contact, speeds, outputs, points);
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, speeds.size(), grain),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        solve(contact, speeds.subspan(range.begin(), range.size()), outputs, points,
-                              range.begin());
-                      });
+  each_on_threads(threads, (speeds.size() + grain - 1) / grain, [&](std::size_t part) {
+    const std::size_t first = part * grain;
+    solve(contact, speeds.subspan(first, std::min(grain, speeds.size() - first)), outputs, points,
+          first);
   });
 }
 

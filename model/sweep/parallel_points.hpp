@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The operating points of one scene on several threads (oneTBB).
+// The operating points of one scene on several threads.
 #pragma once
 
 #include <span>

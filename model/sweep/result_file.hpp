@@ -36,6 +36,7 @@
 #include <vector>
 
 #include "sweep/journal.hpp"
+#include "sweep/output_file.hpp"
 #include "sweep/plan.hpp"
 #include "sweep/sensitivity.hpp"
 #include "sweep/summary.hpp"
@@ -47,23 +48,23 @@ inline constexpr std::array quantile_levels{0.001, 0.01, 0.025, 0.05,  0.16, 0.2
                                             0.75,  0.84, 0.95,  0.975, 0.99, 0.999};
 inline constexpr std::size_t histogram_bins = 100;
 
-// Writes it next to `path`, to the disk, and renames it into place. All chunks have to be there; it
-// takes them in order, one at a time, and calls told(chunks written) after each. Throws
-// std::runtime_error (disk full, not writable …) with a text that names the file; what it wrote so
-// far is removed then.
-void write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
-                  const std::function<void(std::uint64_t)>& told);
+// Throws RunRefused where something that is not ours stands where write_result() would write.
+void check_place_of_result(const std::string& path);
 
-// What there is at a path.
+// Writes it next to `path`, to the disk, and renames it into place, where it may replace what
+// `replaceable` says. All chunks have to be there; it takes them in order, one at a time, and calls
+// told(chunks written) after each. Returns the written file, open. Throws std::runtime_error (disk
+// full, not writable …) with a text that names the file; what it wrote so far is removed then.
+// Stopped, thrown by told(), is thrown on.
+Descriptor write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+                        const std::function<void(std::uint64_t)>& told,
+                        const Replaceable& replaceable = {.any = true, .only = {}});
+
 struct ResultIdentity {
   std::string version;
   std::string digest;
   std::string arithmetic;
 };
-// Throws std::runtime_error where it is not a whole result of `tribocheck sweep`; the text says
-// why.
-ResultIdentity identity_of_result(const std::string& path);
-
 // The summaries of a result, for tables and pictures.
 struct ColumnResult {
   struct Value {  // one of `width` a case
@@ -97,11 +98,33 @@ struct SweepResult {
   ResultIdentity identity;
   std::vector<SceneResult> scenes;
 };
-SweepResult read_result(const std::string& path);
-// The kept values of one input or column of a scene, [cases, width]. Words as their places.
-std::vector<double> read_input(const std::string& path, const std::string& scene_id,
-                               const std::string& input);
-std::vector<double> read_column(const std::string& path, const std::string& scene_id,
-                                const std::string& column);
+
+// A result, open for reading. What another process has written is read in a child process with
+// limits of time and memory (apart.hpp), for a forged file may crash or hang HDF5. All throw
+// std::runtime_error, with a text that names the file, where it is not a whole result of
+// `tribocheck sweep`.
+class ResultFile {
+ public:
+  explicit ResultFile(const std::string& path);
+  // The file, open, that this process itself has written there.
+  ResultFile(const std::string& path, Descriptor own);
+
+  const std::string& path() const { return path_; }
+  ResultIdentity identity() const;
+  SweepResult read() const;
+  // The kept values of one input or column of a scene, [cases, width]. Words as their places.
+  std::vector<double> input(const std::string& scene_id, const std::string& name) const;
+  std::vector<double> column(const std::string& scene_id, const std::string& name) const;
+
+ private:
+  template <class Result, class Read>
+  Result read_with(Read&& read) const;
+  std::vector<double> cases(const std::string& scene_id, const std::string& folder,
+                            const std::string& name) const;
+
+  std::string path_;
+  Descriptor file_;
+  bool is_own_;
+};
 
 }  // namespace tribo::sweep

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "sweep/apart.hpp"
+#include "sweep/bytes.hpp"
 #include "sweep/hdf5_handles.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/result_names.hpp"
@@ -20,51 +27,122 @@ using hdf5::read_count;
 using hdf5::read_text;
 using hdf5::read_texts;
 
-// A result, open; all that HDF5 finds wrong in it becomes one line.
-class ResultReader {
- public:
-  explicit ResultReader(const std::string& path) : path_(path) {
-    if (const std::string why = broken_seal(path); !why.empty()) refuse(why);
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-    checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
-    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-    if (file < 0) refuse("cannot be opened by HDF5: " + hdf5::last_error());
-    file_ = Handle(file);
-    bool is_ours = false;
-    try {
-      is_ours = H5Aexists(file_, "format") > 0 && read_text(file_, "format") == result_format;
-    } catch (const hdf5::Error&) {  // somebody else's attribute of that name
-    }
-    if (!is_ours) refuse("is an HDF5 file, but no result of tribocheck sweep");
-  }
+// All that HDF5 finds wrong in a result, or that it cannot be, becomes one line.
+constexpr const char* not_whole = "is no whole result of tribocheck sweep: ";
 
-  template <class Read>
-  auto read(Read&& read_from) const {
-    try {
-      return read_from(static_cast<hid_t>(file_));
-    } catch (const hdf5::Error& error) {
-      refuse(std::string("is no whole result of tribocheck sweep: ") + error.what());
-    }
-  }
-
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw std::runtime_error(path_ + " " + why);
-  }
-
- private:
-  hdf5::QuietErrors quiet_;
-  std::string path_;
-  Handle file_;
+struct NotThere : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
-Handle open_group(hid_t parent, const std::string& name) {
-  return Handle(H5Gopen2(parent, name.c_str(), H5P_DEFAULT));
+Handle open_result(const std::string& path) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
+  // No other file is read, and no library is loaded, whatever a result says.
+  H5PLset_loading_state(0);
+  if (H5Lis_registered(H5L_TYPE_EXTERNAL) > 0) H5Lunregister(H5L_TYPE_EXTERNAL);
+  const hid_t opened = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+  if (opened < 0) throw NotThere("cannot be opened by HDF5: " + hdf5::last_error());
+  Handle file(opened);
+  bool is_ours = false;
+  try {
+    is_ours = H5Aexists(file, "format") > 0 && read_text(file, "format") == result_format;
+  } catch (const hdf5::Error&) {  // somebody else's attribute of that name
+  }
+  if (!is_ours) throw NotThere("is an HDF5 file, but no result of tribocheck sweep");
+  return file;
 }
-Handle open_dataset(hid_t parent, const std::string& name) {
-  return Handle(H5Dopen2(parent, name.c_str(), H5P_DEFAULT));
-}
+
+// --- Groups and datasets, each looked at before it is read: they are such as result_write.cpp
+// makes.
+
 bool exists(hid_t parent, const std::string& name) {
   return checked(H5Lexists(parent, name.c_str(), H5P_DEFAULT)) > 0;
+}
+
+// Opens what lies at a path below a group. A link on the way that leads elsewhere, as into another
+// file, is refused.
+Handle open_object(hid_t parent, const std::string& path) {
+  Handle object;
+  for (std::size_t start = 0; start <= path.size();) {
+    const std::size_t end = std::min(path.find('/', start), path.size());
+    const std::string name = path.substr(start, end - start);
+    const hid_t group = start == 0 ? parent : static_cast<hid_t>(object);
+    H5L_info_t link;
+    checked(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT));
+    if (link.type != H5L_TYPE_HARD) throw hdf5::Error(path + " is a link to something else");
+    object = Handle(H5Oopen(group, name.c_str(), H5P_DEFAULT));
+    start = end + 1;
+  }
+  return object;
+}
+
+Handle open_group(hid_t parent, const std::string& path) {
+  Handle group = open_object(parent, path);
+  if (H5Iget_type(group) != H5I_GROUP) throw hdf5::Error(path + " is no group");
+  return group;
+}
+
+// Nothing but what the writer uses: a filter of another library is not run, and no dataset of
+// pieces of other files is read.
+void check_storage(hid_t dataset, const std::string& name) {
+  const Handle creation(H5Dget_create_plist(dataset));
+  if (H5Pget_layout(creation) != H5D_CHUNKED || checked(H5Pget_external_count(creation)) != 0)
+    throw hdf5::Error(name + " is not stored as tribocheck stores it");
+  const int filters = checked(H5Pget_nfilters(creation));
+  for (int i = 0; i < filters; ++i) {
+    unsigned flags = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter = checked(H5Pget_filter2(creation, static_cast<unsigned>(i), &flags,
+                                                       &values, nullptr, 0, nullptr, nullptr));
+    if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE &&
+        filter != H5Z_FILTER_FLETCHER32)
+      throw hdf5::Error(name + " is packed by a filter that tribocheck does not use");
+  }
+}
+
+std::vector<hsize_t> extents_of(hid_t dataset, const std::string& name) {
+  const Handle space(H5Dget_space(dataset));
+  if (H5Sget_simple_extent_type(space) != H5S_SIMPLE) throw hdf5::Error(name + " is no array");
+  std::vector<hsize_t> extents(
+      static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space))));
+  checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr));
+  return extents;
+}
+
+// The length of a dataset of one dimension.
+std::size_t length_of(hid_t parent, const std::string& name) {
+  const std::vector<hsize_t> extents = extents_of(open_object(parent, name), name);
+  if (extents.size() != 1) throw hdf5::Error(name + " is no list");
+  return static_cast<std::size_t>(extents.front());
+}
+
+hid_t file_type(double) { return H5T_IEEE_F64LE; }
+hid_t file_type(std::uint64_t) { return H5T_STD_U64LE; }
+hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
+hid_t memory_type(std::uint64_t) { return H5T_NATIVE_UINT64; }
+
+// A dataset of known type and extents.
+template <class T>
+std::vector<T> read_array(hid_t parent, const std::string& name, hid_t type,
+                          const std::vector<hsize_t>& extents) {
+  const Handle dataset = open_object(parent, name);
+  if (H5Iget_type(dataset) != H5I_DATASET) throw hdf5::Error(name + " is no dataset");
+  if (checked(H5Tequal(Handle(H5Dget_type(dataset)), type)) == 0)
+    throw hdf5::Error(name + " has values of another type");
+  if (extents_of(dataset, name) != extents)
+    throw hdf5::Error(name + " is of another size than its scene or column");
+  check_storage(dataset, name);
+  std::size_t count = 1;
+  for (const hsize_t extent : extents)
+    if (__builtin_mul_overflow(count, extent, &count)) throw hdf5::Error(name + " is too large");
+  std::vector<T> values(count);
+  checked(H5Dread(dataset, memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  return values;
+}
+template <class T>
+std::vector<T> read_array(hid_t parent, const std::string& name,
+                          const std::vector<hsize_t>& extents) {
+  return read_array<T>(parent, name, file_type(T()), extents);
 }
 
 // Names of what a group holds, in the order in which it was written.
@@ -84,38 +162,9 @@ std::vector<std::string> names_in(hid_t group) {
   return names;
 }
 
-hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
-hid_t memory_type(std::uint64_t) { return H5T_NATIVE_UINT64; }
-
-template <class T>
-std::vector<T> read_array(hid_t dataset, hid_t type) {
-  const Handle space(H5Dget_space(dataset));
-  std::vector<T> values(static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space))));
-  checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  return values;
-}
-
-// Of known size.
-template <class T>
-std::vector<T> read_array(hid_t group, const std::string& name, std::size_t size) {
-  std::vector<T> values = read_array<T>(open_dataset(group, name), memory_type(T()));
-  if (values.size() != size) throw hdf5::Error(name + " is of another size than its column");
-  return values;
-}
-
-// Also words, as their places.
-std::vector<double> read_values(hid_t dataset) {
-  return read_array<double>(dataset, H5T_NATIVE_DOUBLE);
-}
-
 std::vector<std::string> words_of(hid_t object) {
   if (checked(H5Aexists(object, "words")) == 0) return {};
   return read_texts(object, "words");
-}
-
-std::size_t length_of(hid_t dataset) {
-  const Handle space(H5Dget_space(dataset));
-  return static_cast<std::size_t>(checked(H5Sget_simple_extent_npoints(space)));
 }
 
 ResultIdentity identity_of(hid_t file) {
@@ -131,21 +180,23 @@ std::vector<QuantileSketch::Bin> bins_from(std::span<const double> edges,
   return bins;
 }
 
-ColumnResult read_summary(hid_t group, const std::string& name) {
+ColumnResult read_summary(hid_t group, const std::string& name, std::size_t speeds) {
   constexpr std::size_t levels = quantile_levels.size();
   ColumnResult column{name, read_text(group, "unit"), words_of(group), {}};
-  const std::size_t width = length_of(open_dataset(group, "count"));
-  const auto count = read_array<std::uint64_t>(group, "count", width);
-  const auto undefined = read_array<std::uint64_t>(group, "undefined", width);
-  const auto mean = read_array<double>(group, "mean", width);
-  const auto sd = read_array<double>(group, "sd", width);
-  const auto least = read_array<double>(group, "least", width);
-  const auto greatest = read_array<double>(group, "greatest", width);
-  const auto quantiles = read_array<double>(group, "quantiles", width * levels);
-  const auto low = read_array<double>(group, "quantiles_low", width * levels);
-  const auto high = read_array<double>(group, "quantiles_high", width * levels);
-  const auto edges = read_array<double>(group, "histogram_edges", width * (histogram_bins + 1));
-  const auto counts = read_array<std::uint64_t>(group, "histogram_counts", width * histogram_bins);
+  const std::size_t width = length_of(group, "count");
+  if (width != 1 && width != speeds)
+    throw hdf5::Error(name + " has neither one value a case nor one for each speed");
+  const auto count = read_array<std::uint64_t>(group, "count", {width});
+  const auto undefined = read_array<std::uint64_t>(group, "undefined", {width});
+  const auto mean = read_array<double>(group, "mean", {width});
+  const auto sd = read_array<double>(group, "sd", {width});
+  const auto least = read_array<double>(group, "least", {width});
+  const auto greatest = read_array<double>(group, "greatest", {width});
+  const auto quantiles = read_array<double>(group, "quantiles", {width, levels});
+  const auto low = read_array<double>(group, "quantiles_low", {width, levels});
+  const auto high = read_array<double>(group, "quantiles_high", {width, levels});
+  const auto edges = read_array<double>(group, "histogram_edges", {width, histogram_bins + 1});
+  const auto counts = read_array<std::uint64_t>(group, "histogram_counts", {width, histogram_bins});
   for (std::size_t i = 0; i < width; ++i) {
     ColumnResult::Value& value = column.values.emplace_back();
     value.count = count[i];
@@ -165,12 +216,12 @@ ColumnResult read_summary(hid_t group, const std::string& name) {
 
 void read_sensitivity(hid_t group, std::size_t variables, ColumnResult& column) {
   const std::size_t width = column.values.size();
-  const auto groups = read_array<std::uint64_t>(group, "groups", width);
+  const auto groups = read_array<std::uint64_t>(group, "groups", {width});
   const auto read_index = [&](const std::string& name,
                               std::vector<SobolIndex> SobolIndices::*kind) {
-    const auto value = read_array<double>(group, name, width * variables);
-    const auto low = read_array<double>(group, name + "_low", width * variables);
-    const auto high = read_array<double>(group, name + "_high", width * variables);
+    const auto value = read_array<double>(group, name, {width, variables});
+    const auto low = read_array<double>(group, name + "_low", {width, variables});
+    const auto high = read_array<double>(group, name + "_high", {width, variables});
     for (std::size_t i = 0; i < value.size(); ++i)
       (column.values[i / variables].sensitivity.*kind).push_back({value[i], low[i], high[i]});
   };
@@ -180,7 +231,7 @@ void read_sensitivity(hid_t group, std::size_t variables, ColumnResult& column) 
 }
 
 InputResult read_input_texts(hid_t inputs, const std::string& path) {
-  const Handle dataset = open_dataset(inputs, path);
+  const Handle dataset = open_object(inputs, path);
   return {path, read_text(dataset, "unit"), read_text(dataset, "meaning"),
           read_text(dataset, "varies"), words_of(dataset)};
 }
@@ -196,13 +247,15 @@ SceneResult read_scene(hid_t file, const std::string& id) {
   scene.draws = read_count(group, "draws");
   scene.cases = read_count(group, "cases");
   scene.points = read_count(group, "points");
-  if (exists(group, "speed")) scene.speeds = read_values(open_dataset(group, "speed"));
+  if (exists(group, "speed"))
+    scene.speeds = read_array<double>(group, "speed", {length_of(group, "speed")});
   const Handle inputs = open_group(group, "inputs");
   for (const std::string& path : names_in(inputs))
     scene.inputs.push_back(read_input_texts(inputs, path));
   const Handle summary = open_group(group, "summary");
   for (const std::string& name : read_texts(group, "columns"))
-    scene.columns.push_back(read_summary(open_group(summary, path_of_column(name)), name));
+    scene.columns.push_back(
+        read_summary(open_group(summary, path_of_column(name)), name, scene.speeds.size()));
   if (exists(group, "sensitivity")) {
     const Handle sensitivity = open_group(group, "sensitivity");
     scene.sensitivity_variables = read_texts(sensitivity, "variables");
@@ -215,24 +268,114 @@ SceneResult read_scene(hid_t file, const std::string& id) {
 }
 
 // The values of each case at a path below a scene.
-std::vector<double> read_cases(const std::string& path, const std::string& scene_id,
-                               const std::string& folder, const std::string& name,
-                               const std::string& place) {
-  const ResultReader result(path);
-  return result.read([&](hid_t file) {
-    if (scene_id.empty() || !exists(file, scene_id)) result.refuse("has no scene " + scene_id);
-    const Handle scene = open_group(file, scene_id);
-    if (!exists(scene, "outputs"))
-      result.refuse("keeps no points of scene " + scene_id + ", only summaries");
-    const Handle group = open_group(scene, folder);
-    std::size_t end = 0;
-    do {  // H5Lexists() wants to know of all groups on the way that they are there
-      end = place.find('/', end + 1);
-      if (!exists(group, place.substr(0, end)))
-        result.refuse("has no " + name + " among the " + folder + " of scene " + scene_id);
-    } while (end != place.npos);
-    return read_values(open_dataset(group, place));
-  });
+std::vector<double> read_cases(hid_t file, const std::string& scene_id, const std::string& folder,
+                               const std::string& name) {
+  if (scene_id.empty() || !exists(file, scene_id)) throw NotThere("has no scene " + scene_id);
+  const Handle scene = open_group(file, scene_id);
+  if (!exists(scene, "outputs"))
+    throw NotThere("keeps no points of scene " + scene_id + ", only summaries");
+  const std::string place = folder == "outputs" ? path_of_column(name) : name;
+  const Handle group = open_group(scene, folder);
+  std::size_t end = 0;
+  do {  // H5Lexists() wants to know of all groups on the way that they are there
+    end = place.find('/', end + 1);
+    if (!exists(group, place.substr(0, end)))
+      throw NotThere("has no " + name + " among the " + folder + " of scene " + scene_id);
+  } while (end != place.npos);
+  std::vector<hsize_t> extents{read_count(scene, "cases")};
+  if (folder == "outputs") {
+    const Handle summary = open_group(scene, "summary");
+    const std::size_t width = length_of(open_group(summary, place), "count");
+    if (width > 1) extents.push_back(width);
+  }
+  if (words_of(open_object(group, place)).empty()) return read_array<double>(group, place, extents);
+  return read_array<double>(group, place, H5T_STD_U8LE, extents);
+}
+
+// --- On the way from one process to another.
+
+class Sender {
+ public:
+  template <class... T>
+  void operator()(const T&... values) {
+    (one(values), ...);
+  }
+  Bytes bytes;
+
+ private:
+  template <class T>
+  void one(const T& value) {
+    if constexpr (std::is_arithmetic_v<T>)
+      put(bytes, value);
+    else
+      each_field(*this, value);
+  }
+  void one(const std::string& text) { put_text(bytes, text); }
+  void one(const std::vector<double>& values) { put(bytes, std::as_bytes(std::span(values))); }
+  template <class T>
+  void one(const std::vector<T>& list) {
+    put(bytes, static_cast<std::uint64_t>(list.size()));
+    for (const T& value : list) one(value);
+  }
+};
+
+class Receiver {
+ public:
+  explicit Receiver(std::span<const std::byte> bytes) : from_(bytes) {}
+  template <class... T>
+  void operator()(T&... values) {
+    (one(values), ...);
+  }
+
+ private:
+  template <class T>
+  void one(T& value) {
+    if constexpr (std::is_arithmetic_v<T>)
+      value = from_.take<T>();
+    else
+      each_field(*this, value);
+  }
+  void one(std::string& text) { text = from_.take_text(); }
+  void one(std::vector<double>& values) {
+    const std::span<const std::byte> bytes = from_.take_bytes();
+    values.resize(bytes.size() / sizeof(double));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+  }
+  template <class T>
+  void one(std::vector<T>& list) {
+    const auto count = from_.take<std::uint64_t>();
+    for (std::uint64_t i = 0; i < count; ++i) one(list.emplace_back());
+  }
+
+  ByteReader from_;
+};
+
+// A struct's fields, each once and all of them, for a Sender or a Receiver.
+template <class To, class T>
+void each_field(To& to, T& of) {
+  using Struct = std::remove_const_t<T>;
+  if constexpr (std::is_same_v<Struct, ResultIdentity>)
+    to(of.version, of.digest, of.arithmetic);
+  else if constexpr (std::is_same_v<Struct, Quantile> || std::is_same_v<Struct, SobolIndex>)
+    to(of.value, of.low, of.high);
+  else if constexpr (std::is_same_v<Struct, QuantileSketch::Bin>)
+    to(of.low, of.high, of.count);
+  else if constexpr (std::is_same_v<Struct, SobolIndices>)
+    to(of.first_order, of.total, of.groups);
+  else if constexpr (std::is_same_v<Struct, ColumnResult::Value>)
+    to(of.count, of.undefined, of.mean, of.sd, of.least, of.greatest, of.quantiles, of.histogram,
+       of.sensitivity);
+  else if constexpr (std::is_same_v<Struct, ColumnResult>)
+    to(of.name, of.unit, of.words, of.values);
+  else if constexpr (std::is_same_v<Struct, InputResult>)
+    to(of.path, of.unit, of.meaning, of.varies, of.words);
+  else if constexpr (std::is_same_v<Struct, SceneResult>)
+    to(of.id, of.file, of.text, of.design, of.seed, of.draws, of.cases, of.points, of.speeds,
+       of.inputs, of.sensitivity_variables, of.columns, of.has_points);
+  else {
+    static_assert(std::is_same_v<Struct, SweepResult>);
+    to(of.identity, of.scenes);
+  }
 }
 
 }  // namespace
@@ -243,26 +386,70 @@ const ColumnResult* SceneResult::column(std::string_view name) const {
   return found == columns.end() ? nullptr : &*found;
 }
 
-ResultIdentity identity_of_result(const std::string& path) {
-  return ResultReader(path).read(identity_of);
+ResultFile::ResultFile(const std::string& path)
+    : path_(path), file_(open_file(path, O_RDONLY, path + " cannot be read")), is_own_(false) {
+  if (const std::string why = broken_seal(file_, path); !why.empty())
+    throw std::runtime_error(path + ' ' + why);
 }
 
-SweepResult read_result(const std::string& path) {
-  return ResultReader(path).read([](hid_t file) {
+ResultFile::ResultFile(const std::string& path, Descriptor own)
+    : path_(path), file_(std::move(own)), is_own_(true) {}
+
+template <class Result, class Read>
+Result ResultFile::read_with(Read&& read) const {
+  const auto read_here = [&] {
+    const hdf5::QuietErrors quiet;
+    return read(static_cast<hid_t>(open_result(open_path_of(file_))));
+  };
+  try {
+    if (is_own_) return read_here();
+    const Bytes bytes = apart(size_of(file_, "cannot read it"), [&] {
+      Sender sender;
+      try {
+        sender(true, std::string(), read_here());
+      } catch (const NotThere& why) {
+        sender.bytes.clear();
+        sender(false, std::string(why.what()));
+      }
+      return std::move(sender.bytes);
+    });
+    Receiver received(bytes);
+    bool is_there = false;
+    std::string why;
+    received(is_there, why);
+    if (!is_there) throw NotThere(why);
+    Result result;
+    received(result);
+    return result;
+  } catch (const NotThere& why) {
+    throw std::runtime_error(path_ + ' ' + why.what());
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path_ + ' ' + not_whole + error.what());
+  }
+}
+
+ResultIdentity ResultFile::identity() const { return read_with<ResultIdentity>(identity_of); }
+
+SweepResult ResultFile::read() const {
+  return read_with<SweepResult>([](hid_t file) {
     SweepResult result{identity_of(file), {}};
     for (const std::string& id : names_in(file)) result.scenes.push_back(read_scene(file, id));
     return result;
   });
 }
 
-std::vector<double> read_input(const std::string& path, const std::string& scene_id,
-                               const std::string& input) {
-  return read_cases(path, scene_id, "inputs", input, input);
+std::vector<double> ResultFile::input(const std::string& scene_id, const std::string& name) const {
+  return cases(scene_id, "inputs", name);
 }
 
-std::vector<double> read_column(const std::string& path, const std::string& scene_id,
-                                const std::string& column) {
-  return read_cases(path, scene_id, "outputs", column, path_of_column(column));
+std::vector<double> ResultFile::column(const std::string& scene_id, const std::string& name) const {
+  return cases(scene_id, "outputs", name);
+}
+
+std::vector<double> ResultFile::cases(const std::string& scene_id, const std::string& folder,
+                                      const std::string& name) const {
+  return read_with<std::vector<double>>(
+      [&](hid_t file) { return read_cases(file, scene_id, folder, name); });
 }
 
 }  // namespace tribo::sweep

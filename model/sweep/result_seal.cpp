@@ -39,9 +39,8 @@ std::uint64_t checksum_of(int file, std::uint64_t size, const std::string& what)
 
 }  // namespace
 
-void seal(const std::string& path) {
-  const std::string what = "cannot seal " + path;
-  const Descriptor file = open_file(path, O_RDWR, what);
+void seal(int file) {
+  const std::string what = "cannot seal it";
   Seal seal;
   seal.size = size_of(file, what);
   seal.checksum = checksum_of(file, seal.size, what);
@@ -52,9 +51,8 @@ void seal(const std::string& path) {
     throw std::runtime_error(what + ": " + error_text(written < 0 ? errno : ENOSPC));
 }
 
-std::string broken_seal(const std::string& path) {
+std::string broken_seal(int file, const std::string& path) {
   const std::string what = path + " cannot be read";
-  const Descriptor file = open_file(path, O_RDONLY, what);
   const std::uint64_t size = size_of(file, what);
   Seal seal;
   SealBytes bytes{};

@@ -8,11 +8,11 @@
 
 namespace tribo::sweep {
 
-// Puts them at the end of a file that is whole. Throws std::runtime_error where that fails.
-void seal(const std::string& path);
+// Puts them at the end of an open file that is whole. Throws std::runtime_error where that fails.
+void seal(int file);
 
-// Why a file is not the one that was sealed; empty if it is. Throws std::runtime_error, with a text
-// that names the file, where it cannot be read.
-std::string broken_seal(const std::string& path);
+// Why an open file is not the one that was sealed; empty if it is. Throws std::runtime_error, with
+// a text that names the file by its path, where it cannot be read.
+std::string broken_seal(int file, const std::string& path);
 
 }  // namespace tribo::sweep

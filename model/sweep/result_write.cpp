@@ -11,8 +11,8 @@
 
 #include "build_commit.hpp"
 #include "sweep/chunk.hpp"
-#include "sweep/disk.hpp"
 #include "sweep/hdf5_handles.hpp"
+#include "sweep/output_file.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/result_names.hpp"
 #include "sweep/result_seal.hpp"
@@ -333,6 +333,16 @@ Handle create_file(const std::string& path) {
   return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
 }
 
+// What is left of a killed process, and of each of its moments: only HDF5's head, as it is when the
+// file is made, or the result's format in the first bytes that follow.
+bool is_start_of_result(std::span<const std::byte> start) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  constexpr std::size_t head = 48;
+  const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
+  return text.starts_with(signature) &&
+         (text.size() <= head || text.find(result_format) != text.npos);
+}
+
 void write_file(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
                 const std::function<void(std::uint64_t)>& told) {
   Handle file = create_file(path);
@@ -344,6 +354,7 @@ void write_file(const std::string& path, const SweepPlan& plan, const JournalSet
   write_attribute(file, "tribocheck_commit", build_commit);
   write_attribute(file, "sweep_digest", plan.digest);
   write_attribute(file, "arithmetic", chunks.arithmetics());
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // so that it carries our mark: is_start_of_result()
   std::uint64_t written = 0;
   for (const SceneSweep& scene : plan.scenes) {
     SceneWriter writer(file, scene);
@@ -361,8 +372,13 @@ void write_file(const std::string& path, const SweepPlan& plan, const JournalSet
 
 }  // namespace
 
-void write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
-                  const std::function<void(std::uint64_t)>& told) {
+void check_place_of_result(const std::string& path) {
+  static_cast<void>(FilePlace(path, ".part").open_ours(is_start_of_result));
+}
+
+Descriptor write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+                        const std::function<void(std::uint64_t)>& told,
+                        const Replaceable& replaceable) {
   const hdf5::QuietErrors quiet;
   const auto cannot_write = [&path](const std::string& why) {
     return std::runtime_error("cannot write " + path + ": " + why);
@@ -371,12 +387,15 @@ void write_result(const std::string& path, const SweepPlan& plan, const JournalS
   if (chunks.chunks() != count || chunks.count() != count)
     throw cannot_write(std::to_string(chunks.count()) + " of " + std::to_string(count) +
                        " chunks are there");
-  PartFile part(path);
   try {
-    write_file(part.path(), plan, chunks, told);
-    seal(part.path());
-    part.keep();
-  } catch (const std::runtime_error& error) {
+    PartFile part(path, is_start_of_result);
+    write_file(part.open_path(), plan, chunks, told);
+    seal(part.file());
+    part.keep(replaceable);
+    return part.release();
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::exception& error) {
     throw cannot_write(error.what());
   }
 }

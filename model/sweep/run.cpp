@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/run.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
 #include "sweep/compute.hpp"
 #include "sweep/needs.hpp"
+#include "sweep/on_threads.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "tribo/batch.hpp"
@@ -75,8 +79,9 @@ void check_room(const SweepPlan& plan, int threads, const std::string& result,
     throw RunRefused("the sweep " + lack);
 }
 
+// Throws RunRefused where one of them is not ours.
 void remove_all(const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) fs::remove(path);
+  for (const std::string& path : paths) FilePlace(path).remove_ours(any_mark);
 }
 
 // The journals that can be read. A file without a readable head is of no use to anybody. Beside
@@ -88,17 +93,19 @@ std::vector<JournalReader> readable(const std::vector<std::string>& paths,
   std::vector<std::pair<std::string, std::string>> unreadable;  // paths, and why
   for (const std::string& path : paths) {
     try {
-      readers.emplace_back(path);
+      readers.emplace_back(path, settings.stopped);
+    } catch (const Stopped&) {
+      throw;
     } catch (const std::runtime_error& error) {
       const bool is_empty = fs::is_regular_file(path) && fs::file_size(path) == 0;
       unreadable.emplace_back(path, is_empty ? path + " is empty" : error.what());
-      if (is_empty) fs::remove(path);
+      if (is_empty) FilePlace(path).remove_ours(no_mark);
     }
   }
   for (const auto& [path, why] : unreadable) {
     if (readers.empty() && fs::exists(path))
       throw RunRefused(why + "; --force throws it away, or move it to another place");
-    fs::remove(path);
+    FilePlace(path).remove_ours(any_mark);
     settings.tell(why + "; it is removed, and what it held is computed anew");
   }
   return readers;
@@ -109,6 +116,8 @@ std::vector<JournalReader> readable(const std::vector<std::string>& paths,
 struct Start {
   bool complete = false;               // the result is there
   std::vector<std::uint64_t> pending;  // chunks
+  // What may be at the output when the result takes its place.
+  Replaceable replaceable = {};
 };
 
 class Starter {
@@ -121,10 +130,11 @@ class Starter {
   Start start() {
     const std::string& path = settings_.result;
     const std::vector<std::string> journals = journals_of(path);
+    const std::optional<FileIdentity> there = FilePlace(path).identity();
     if (settings_.force) {
       check_room(plan_, threads_, path, journals);
       remove_all(journals);  // the result stays until the new one takes its place
-      return {false, wanted({})};
+      return {false, wanted({}), {true, there}};
     }
     if (fs::exists(path)) {
       if (!settings_.resume)
@@ -133,9 +143,12 @@ class Starter {
       const std::string why = settings_.shard ? of_shard(path) : of_result(path);
       if (why.empty()) {
         remove_all(journals);
-        return {true, {}};
+        return {true, {}, {}};
       }
-      if (!any_goes_on(journals)) throw RunRefused(why + "; --force replaces it");
+      if (!any_goes_on(journals, "")) throw RunRefused(why + "; --force replaces it");
+      if (!there || !any_goes_on(journals, there->text()))
+        throw RunRefused(why + ", and was put there after the journals beside it were begun; " +
+                         "move it away, and --resume goes on");
       // --force has begun this, and was stopped.
       settings_.tell(why + "; the journals beside it are gone on with, and then it is replaced");
     }
@@ -143,13 +156,15 @@ class Starter {
       throw RunRefused(journals.front() +
                        " is there, of a sweep that was stopped; --resume goes on "
                        "with it, --force throws it away");
-    return from_journals(journals);
+    Start start = from_journals(journals);
+    start.replaceable.only = there;
+    return start;
   }
 
  private:
   std::string of_result(const std::string& path) const {
     try {
-      const ResultIdentity identity = identity_of_result(path);
+      const ResultIdentity identity = ResultFile(path).identity();
       const std::string why = difference(header_, identity.version, identity.digest,
                                          identity.arithmetic, settings_.mixed_fma);
       return why.empty() ? why : path + ' ' + why;
@@ -172,11 +187,15 @@ class Starter {
     }
   }
 
-  // Is there a journal of this very run?
-  bool any_goes_on(const std::vector<std::string>& journals) const {
-    return std::any_of(journals.begin(), journals.end(), [this](const std::string& path) {
+  // Is there a journal of this very run? replaces: and may it replace this file; empty: any.
+  bool any_goes_on(const std::vector<std::string>& journals, const std::string& replaces) const {
+    return std::any_of(journals.begin(), journals.end(), [&](const std::string& path) {
       try {
-        return refusal(JournalReader(path)).empty();
+        const JournalReader reader(path, settings_.stopped);
+        return refusal(reader).empty() &&
+               (replaces.empty() || reader.header().replaces == replaces);
+      } catch (const Stopped&) {
+        throw;
       } catch (const std::runtime_error&) {
         return false;
       }
@@ -203,7 +222,7 @@ class Starter {
     }
     check_room(plan_, threads_, settings_.result, journals);
     const auto found = std::count(there.begin(), there.end(), true);
-    Start start{false, wanted(there)};
+    Start start{false, wanted(there), {}};
     if (settings_.resume)
       settings_.tell(found == 0 ? "nothing to go on with; starting anew"
                                 : "going on: " + std::to_string(found) + " of " +
@@ -237,20 +256,32 @@ class Starter {
 // --- The end: from journals to one file.
 
 // A shard is a journal with its chunks in order.
-void write_shard(const std::string& path, const Shard& shard, const JournalSet& chunks) {
-  PartFile part(path);
-  {
+void write_shard(const std::string& path, const Shard& shard, const JournalSet& chunks,
+                 const std::function<void(std::uint64_t)>& told, const Replaceable& replaceable) {
+  try {
+    PartFile part(path, is_start_of_journal);
     JournalHeader header = chunks.header();
     header.arithmetic = chunks.arithmetics();
-    Journal journal = Journal::create(part.path(), header);
-    for (std::uint64_t chunk = 0; chunk < chunks.chunks(); ++chunk)
-      if (shard.has(chunk)) journal.append(chunk, chunks.read(chunk));
-    journal.sync();
+    header.replaces.clear();
+    Journal journal =
+        Journal::begin(Descriptor(::fcntl(part.file(), F_DUPFD_CLOEXEC, 0)), part.path(), header);
+    std::uint64_t written = 0;
+    for (std::uint64_t chunk = 0; chunk < chunks.chunks(); ++chunk) {
+      if (!shard.has(chunk)) continue;
+      journal.append(chunk, chunks.read(chunk));
+      told(++written);
+    }
+    part.keep(replaceable);
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw std::runtime_error("cannot write " + path + ": " + error.what());
   }
-  part.keep();
 }
 
 class Run {
+  using Clock = std::chrono::steady_clock;
+
  public:
   Run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks)
       : plan_(plan),
@@ -264,8 +295,8 @@ class Run {
     Start start = start_on_first();
     if (!start.complete) compute_all(std::move(start.pending));
     if (ranks_.rank() > 0) return RunEnd::done;
-    if (!start.complete && finish() == RunEnd::stopped) return RunEnd::stopped;
-    if (settings_.finished) settings_.finished();
+    if (!start.complete && finish(start.replaceable) == RunEnd::stopped) return RunEnd::stopped;
+    if (settings_.finished) settings_.finished(std::move(written_));
     return RunEnd::done;
   }
 
@@ -302,6 +333,13 @@ class Run {
       settings_.result = output_behind_links(settings_.result);
       lock_.emplace(settings_.result);
       start = Starter(plan_, settings_, header_, threads_).start();
+      if (!start.complete) {
+        if (settings_.shard)
+          static_cast<void>(FilePlace(settings_.result, ".part").open_ours(is_start_of_journal));
+        else
+          check_place_of_result(settings_.result);
+      }
+      if (start.replaceable.only) header_.replaces = start.replaceable.only->text();
     });
     settings_.result = ranks_.from_first(settings_.result);
     start.complete = ranks_.from_first(start.complete ? "complete" : "") == "complete";
@@ -314,41 +352,63 @@ class Run {
     const std::uint64_t total = pending.size();
     ChunkQueue queue(std::move(pending));
     std::atomic<std::uint64_t> computed = 0;
+    std::atomic<bool> is_lost = false;
+    int started = 0;
     together([&] {
       const bool good = ranks_.share(
           queue,
           [&](const NextChunk& next) {
-            compute(plan_, threads_, next, [&](const Chunk& chunk) {
-              journal->append(chunk.number, chunk.bytes());
-              ++computed;
-            });
+            started = compute(
+                plan_, threads_, next,
+                [&](const Chunk& chunk) {
+                  journal->append(chunk.number, chunk.bytes());
+                  ++computed;
+                },
+                [&] { return is_lost || is_stopped(); });
           },
           [&](std::uint64_t elsewhere) {
             if (ranks_.rank() == 0 && settings_.progress)
               settings_.progress({RunProgress::Phase::computing, total, computed + elsewhere});
           },
-          [&] { return settings_.stopped && settings_.stopped(); });
+          [&] {
+            // Where the output's folder is gone, nobody waits for what cannot be written.
+            is_lost = ranks_.rank() == 0 && !(lock_->holds() && journal->is_there());
+            return is_lost || is_stopped();
+          });
       journal->sync();
       if (!good) throw OtherRankFailed();
     });
+    if (const int asked = thread_count(threads_); started < asked)
+      settings_.tell("the system allows " + std::to_string(started) + " of the " +
+                     std::to_string(asked) + " threads, and these have computed it");
   }
+
+  bool is_stopped() const { return settings_.stopped && settings_.stopped(); }
 
   // A journal that was begun with another arithmetic stays as it is: a journal has one arithmetic.
   Journal open_journal() const {
     for (int number = ranks_.rank();; number += ranks_.count()) {
       const std::string path = journal_of(settings_.result, number);
       if (!fs::exists(path)) return Journal::create(path, header_);
-      if (JournalReader(path).header().arithmetic == header_.arithmetic)
+      if (JournalReader(path, settings_.stopped).header().arithmetic == header_.arithmetic)
         return Journal::resume(path);
     }
   }
 
-  RunEnd finish() const {
+  // Where the lock or the folder is gone, no result is made, and nobody is told to go on there.
+  void check_lock() const { lock_->check(); }
+
+  RunEnd finish(const Replaceable& replaceable) {
+    check_lock();
     const std::vector<std::string> paths = journals_of(settings_.result);
     if (paths.empty())
       throw std::runtime_error("the journals of " + settings_.result +
                                " were removed while it was computed; start it again");
-    std::vector<JournalReader> readers = readable(paths, settings_);
+    RunSettings patient = settings_;  // to count what is kept, for a moment
+    patient.stopped = [this, end = Clock::now() + std::chrono::milliseconds(500)] {
+      return is_stopped() && Clock::now() > end;
+    };
+    std::vector<JournalReader> readers = readable(paths, patient);
     for (const JournalReader& reader : readers)
       if (const std::string why = difference(header_, reader, settings_.mixed_fma); !why.empty())
         throw std::runtime_error(reader.path() + ' ' + why +
@@ -357,26 +417,45 @@ class Run {
     std::uint64_t missing = 0;
     for (std::uint64_t chunk = 0; chunk < plan_.chunks(); ++chunk)
       if ((!settings_.shard || settings_.shard->has(chunk)) && !chunks.has(chunk)) ++missing;
+    const std::string kept =
+        std::to_string(chunks.count()) + " chunks are kept beside " + settings_.result;
     if (missing > 0) {
-      settings_.tell("stopped: " + std::to_string(chunks.count()) + " chunks are kept beside " +
-                     settings_.result + ", and " + std::to_string(missing) +
+      settings_.tell("stopped: " + kept + ", and " + std::to_string(missing) +
                      " are still to be computed; --resume goes on");
       return RunEnd::stopped;
     }
-    lock_->check();
-    if (settings_.shard)
-      write_shard(settings_.result, *settings_.shard, chunks);
-    else
-      write(chunks);
-    remove_all(paths);
+    check_lock();
+    try {
+      write(chunks, replaceable);
+    } catch (const Stopped&) {
+      settings_.tell("stopped: all " + kept + "; --resume writes the result");
+      return RunEnd::stopped;
+    } catch (const std::exception& error) {
+      throw std::runtime_error(std::string(error.what()) + "; all " + kept +
+                               ", and --resume writes the result once this is mended");
+    }
+    for (const std::string& path : paths) remove_or_tell(path);
     return RunEnd::done;
   }
 
-  void write(const JournalSet& chunks) const {
-    write_result(settings_.result, plan_, chunks, [&](std::uint64_t written) {
+  void write(const JournalSet& chunks, const Replaceable& replaceable) {
+    const auto told = [&](std::uint64_t written) {
+      if (is_stopped()) throw Stopped();
       if (settings_.progress)
-        settings_.progress({RunProgress::Phase::writing, chunks.chunks(), written});
-    });
+        settings_.progress({RunProgress::Phase::writing, chunks.count(), written});
+    };
+    if (settings_.shard)
+      write_shard(settings_.result, *settings_.shard, chunks, told, replaceable);
+    else
+      written_ = write_result(settings_.result, plan_, chunks, told, replaceable);
+  }
+
+  void remove_or_tell(const std::string& path) const {
+    try {
+      FilePlace(path).remove_ours(any_mark);
+    } catch (const std::exception& error) {
+      settings_.tell(std::string(error.what()) + "; the result is written, and needs it no more");
+    }
   }
 
   const SweepPlan& plan_;
@@ -384,7 +463,8 @@ class Run {
   const Ranks& ranks_;
   JournalHeader header_;
   int threads_;
-  std::optional<OutputLock> lock_;  // of rank 0
+  std::optional<OutputLock> lock_;     // of rank 0
+  std::optional<Descriptor> written_;  // the result, where this process has written it
 };
 
 SweepPlan plan_of(const JournalHeader& header) {
@@ -410,6 +490,42 @@ void check_is_no_input(const std::string& output, const std::vector<std::string>
   }
 }
 
+RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSettings& settings,
+                        const std::vector<std::string>& journals, const Replaceable& replaceable) {
+  std::optional<JournalSet> chunks;
+  std::optional<SweepPlan> plan;
+  try {
+    std::vector<JournalReader> readers;
+    for (const std::string& shard : shards) readers.emplace_back(shard, settings.stopped);
+    const JournalHeader& header = readers.front().header();
+    if (header.version != version)
+      throw RunRefused(shards.front() + " was computed by tribocheck " + header.version +
+                       ", this is " + std::string(version));
+    plan = plan_of(header);
+    if (plan->digest != header.digest)
+      throw RunRefused(shards.front() + " is of a sweep that this tribocheck lays out otherwise");
+    chunks.emplace(std::move(readers), plan->chunks(), settings.mixed_fma);
+  } catch (const Stopped&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    throw RunRefused(error.what());
+  }
+  if (chunks->count() < chunks->chunks())
+    throw RunRefused(std::to_string(chunks->chunks() - chunks->count()) + " of " +
+                     std::to_string(chunks->chunks()) +
+                     " chunks are in none of these; allowed: all shards of one sweep");
+  check_room(*plan, 1, settings.result, shards);
+  const auto told = [&](std::uint64_t written) {
+    if (settings.stopped && settings.stopped()) throw Stopped();
+    if (settings.progress)
+      settings.progress({RunProgress::Phase::writing, chunks->chunks(), written});
+  };
+  Descriptor written = write_result(settings.result, *plan, *chunks, told, replaceable);
+  remove_all(journals);
+  if (settings.finished) settings.finished(std::move(written));
+  return RunEnd::done;
+}
+
 }  // namespace
 
 JournalHeader header_of(const SweepPlan& plan) {
@@ -420,46 +536,34 @@ JournalHeader header_of(const SweepPlan& plan) {
 
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks) {
   if (!settings.tell) settings.tell = [](std::string_view) {};
-  return Run(plan, std::move(settings), ranks).run();
+  Run run(plan, settings, ranks);
+  try {
+    return run.run();
+  } catch (const Stopped&) {
+    settings.tell("stopped: what is computed is kept beside " + settings.result +
+                  ", and --resume goes on");
+    return RunEnd::stopped;
+  }
 }
 
-void merge(const std::vector<std::string>& shards, RunSettings settings) {
+RunEnd merge(const std::vector<std::string>& shards, RunSettings settings) {
   settings.result = output_behind_links(settings.result);
   const OutputLock lock(settings.result);
   check_is_no_input(settings.result, shards);
-  if (fs::exists(settings.result) && !settings.force)
+  check_place_of_result(settings.result);
+  const Replaceable replaceable{settings.force, FilePlace(settings.result).identity()};
+  if (replaceable.only && !settings.force)
     throw RunRefused(settings.result + " is there already; --force replaces it");
   const std::vector<std::string> journals = journals_of(settings.result);
   if (!journals.empty() && !settings.force)
     throw RunRefused(journals.front() +
                      " is there, of a sweep that was stopped; --force throws it away");
-  std::optional<JournalSet> chunks;
-  std::optional<SweepPlan> plan;
   try {
-    std::vector<JournalReader> readers;
-    for (const std::string& shard : shards) readers.emplace_back(shard);
-    const JournalHeader& header = readers.front().header();
-    if (header.version != version)
-      throw RunRefused(shards.front() + " was computed by tribocheck " + header.version +
-                       ", this is " + std::string(version));
-    plan = plan_of(header);
-    if (plan->digest != header.digest)
-      throw RunRefused(shards.front() + " is of a sweep that this tribocheck lays out otherwise");
-    chunks.emplace(std::move(readers), plan->chunks(), settings.mixed_fma);
-  } catch (const std::runtime_error& error) {
-    throw RunRefused(error.what());
+    return merge_under_lock(shards, settings, journals, replaceable);
+  } catch (const Stopped&) {
+    settings.tell("stopped: nothing is written, and the shards are as they were");
+    return RunEnd::stopped;
   }
-  if (chunks->count() < chunks->chunks())
-    throw RunRefused(std::to_string(chunks->chunks() - chunks->count()) + " of " +
-                     std::to_string(chunks->chunks()) +
-                     " chunks are in none of these; allowed: all shards of one sweep");
-  check_room(*plan, 1, settings.result, shards);
-  write_result(settings.result, *plan, *chunks, [&](std::uint64_t written) {
-    if (settings.progress)
-      settings.progress({RunProgress::Phase::writing, chunks->chunks(), written});
-  });
-  remove_all(journals);
-  if (settings.finished) settings.finished();
 }
 
 }  // namespace tribo::sweep

@@ -39,8 +39,9 @@ struct RunSettings {
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
   std::function<bool()> stopped;                     // to end early, with what is computed kept
-  // On rank 0 once the result has its name, and before another process can replace it.
-  std::function<void()> finished;
+  // On rank 0 once the result has its name, and before another process can replace it; with the
+  // result, open, where this process has written it.
+  std::function<void(std::optional<Descriptor>)> finished;
 };
 
 // Another rank failed, and has said why.
@@ -57,7 +58,7 @@ RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks);
 
 // Puts shards together: the result is that of an undivided run, to the bit. Throws RunRefused where
 // they do not make a whole.
-void merge(const std::vector<std::string>& shards, RunSettings settings);
+RunEnd merge(const std::vector<std::string>& shards, RunSettings settings);
 
 JournalHeader header_of(const SweepPlan& plan);
 

@@ -6,6 +6,8 @@
 #include <exception>
 #include <functional>
 #include <future>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "sweep/ranks.hpp"
@@ -14,8 +16,13 @@ namespace tribo::sweep {
 
 class WorkerThread {
  public:
-  explicit WorkerThread(std::function<void()> work)
-      : done_(std::async(std::launch::async, std::move(work))) {}
+  // Throws std::runtime_error where the system starts no thread.
+  explicit WorkerThread(std::function<void()> work) try
+      : done_(std::async(std::launch::async, std::move(work))) {
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("the system starts no thread (" + error.code().message() +
+                             "); allowed: a higher limit of processes, as by ulimit -u");
+  }
 
   // Waits a moment; true once the work has ended.
   bool wait(std::chrono::microseconds moment = std::chrono::milliseconds(50)) {

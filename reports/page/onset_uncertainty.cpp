@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "page/groups.hpp"
-#include "page/pending_file.hpp"
 #include "page/sweep_tables.hpp"
+#include "page/write_file.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/run.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -51,7 +51,7 @@ sweep::SweepResult run_sweep(const ReportPlaces& places, const sweep::SweepPlan&
   settings.force = true;
   const sweep::Ranks ranks;
   sweep::run(plan, settings, ranks);
-  return sweep::read_result(settings.result);
+  return sweep::ResultFile(settings.result).read();
 }
 
 // A number to hold the onset speeds of a surface against, as it was printed.

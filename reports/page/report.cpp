@@ -13,7 +13,7 @@
 
 #include "page/groups.hpp"
 #include "page/ledger_tables.hpp"
-#include "page/pending_file.hpp"
+#include "page/write_file.hpp"
 #include "page/rendering.hpp"
 #include "page/report_error.hpp"
 #include "reproduction/ledger.hpp"

@@ -40,7 +40,8 @@ struct CaseTable {
   std::size_t cases, speeds;
 };
 
-CaseTable read_cases(const SceneResult& scene, const std::string& path) {
+CaseTable read_cases(const SceneResult& scene, const sweep::ResultFile& file) {
+  const std::string& path = file.path();
   if (!scene.has_points)
     throw std::invalid_argument(fmt::format(
         "{}: scene {} has no cases: the sweep was told keep = \"summaries\"", path, scene.id));
@@ -58,13 +59,13 @@ CaseTable read_cases(const SceneResult& scene, const std::string& path) {
   CaseTable table{scene.id, {}, static_cast<std::size_t>(scene.cases), speeds};
   for (const sweep::InputResult& input : scene.inputs)
     table.columns.push_back(
-        {input.path, input.unit, input.words, sweep::read_input(path, scene.id, input.path), 1, 0});
+        {input.path, input.unit, input.words, file.input(scene.id, input.path), 1, 0});
   // The speed stands between what varies and the outputs.
   if (speeds > 1) table.columns.push_back({"speed", "m/s", {}, scene.speeds, 0, 1});
   for (const sweep::ColumnResult& column : scene.columns) {
     const std::size_t width = column.values.size();
     table.columns.push_back({column.name, column.unit, column.words,
-                             sweep::read_column(path, scene.id, column.name), width,
+                             file.column(scene.id, column.name), width,
                              width > 1 ? std::size_t{1} : 0});
   }
   return table;
@@ -161,10 +162,10 @@ void write_table(const CaseTable& table, const Told& told) {
 
 }  // namespace
 
-void write_sweep_cases(const sweep::SweepResult& result, const std::string& path, CaseFormat format,
-                       const Told& told) {
+void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,
+                       CaseFormat format, const Told& told) {
   std::vector<CaseTable> tables;
-  for (const SceneResult& scene : result.scenes) tables.push_back(read_cases(scene, path));
+  for (const SceneResult& scene : result.scenes) tables.push_back(read_cases(scene, file));
   const std::vector<std::string> headings = headings_of(tables);
   if (format == CaseFormat::csv) {
     std::string head = "scene,case";

@@ -15,9 +15,9 @@ enum class CaseFormat : std::uint8_t { table, csv, json };
 
 // Calls told(text) with the next lines: a table for each scene, one CSV for all scenes, or an
 // object of JSON a line. Numbers are unrounded, but in a table, which has the first hundred points.
-// `path`: of the result. Throws std::invalid_argument where a scene has no points, or more numbers
+// `file`: the result. Throws std::invalid_argument where a scene has no points, or more numbers
 // than fit into memory comfortably.
-void write_sweep_cases(const sweep::SweepResult& result, const std::string& path, CaseFormat format,
-                       const std::function<void(std::string_view)>& told);
+void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,
+                       CaseFormat format, const std::function<void(std::string_view)>& told);
 
 }  // namespace tribo::report

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "page/pending_file.hpp"
 #include "page/sweep_tables.hpp"
+#include "page/write_file.hpp"
 
 namespace tribo::report {
 namespace {
@@ -21,11 +21,12 @@ bool is_map(const sweep::SceneResult& scene) {
 }
 
 // The field of each case, and its film at each speed.
-ordered_json map_json(const sweep::SceneResult& scene, const std::string& path) {
-  const auto field = sweep::read_input(path, scene.id, scene.inputs.front().path);
-  const auto films = sweep::read_column(path, scene.id, "film");
+ordered_json map_json(const sweep::SceneResult& scene, const sweep::ResultFile& result) {
+  const auto field = result.input(scene.id, scene.inputs.front().path);
+  const auto films = result.column(scene.id, "film");
   const std::size_t speeds = scene.speeds.size();
-  if (films.size() != field.size() * speeds) throw std::runtime_error(path + " has a torn film");
+  if (films.size() != field.size() * speeds)
+    throw std::runtime_error(result.path() + " has a torn film");
   ordered_json rows = ordered_json::array();
   for (auto first = films.begin(); first != films.end();
        first += static_cast<std::ptrdiff_t>(speeds))
@@ -35,16 +36,16 @@ ordered_json map_json(const sweep::SceneResult& scene, const std::string& path) 
 
 }  // namespace
 
-Rendering draw_sweep_pictures(const sweep::SweepResult& result, const std::string& path,
+Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
                               const std::string& folder) {
   try {
     make_folder(folder);
     ordered_json json = sweep_json(result);
     for (std::size_t i = 0; i < result.scenes.size(); ++i)
-      if (is_map(result.scenes[i])) json["scenes"][i]["map"] = map_json(result.scenes[i], path);
-    const PendingFile file(std::filesystem::path(folder) / "result.json");  // goes again
-    write_file(file.temporary(), json.dump());
-    return run_script(usual_places(), "sweep_pictures.py", {file.temporary().string(), folder});
+      if (is_map(result.scenes[i])) json["scenes"][i]["map"] = map_json(result.scenes[i], source);
+    const sweep::PartFile file(std::filesystem::path(folder) / "result.json");  // goes again
+    file.write(json.dump());
+    return run_script(usual_places(), "sweep_pictures.py", {file.path(), folder});
   } catch (const std::runtime_error& error) {
     return {false, {}, {error.what()}};
   }

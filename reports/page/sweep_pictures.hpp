@@ -10,8 +10,8 @@
 namespace tribo::report {
 
 // Draws them as SVG and PNG into a folder, with their data beside them; makes the folder if it is
-// missing. `path`: of the result, from which kept points are read where a picture needs them.
-Rendering draw_sweep_pictures(const sweep::SweepResult& result, const std::string& path,
+// missing. `source`: the result, from which kept points are read where a picture needs them.
+Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
                               const std::string& folder);
 
 }  // namespace tribo::report

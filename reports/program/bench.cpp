@@ -24,7 +24,7 @@
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "page/child_process.hpp"
-#include "page/pending_file.hpp"
+#include "page/write_file.hpp"
 #include "page/report_error.hpp"
 
 namespace tribo::cli {

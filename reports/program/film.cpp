@@ -16,8 +16,8 @@
 #include "film_writers.hpp"
 #include "messages.hpp"
 #include "number_option.hpp"
-#include "page/pending_file.hpp"
 #include "page/rendering.hpp"
+#include "page/write_file.hpp"
 #include "scene_arguments.hpp"
 #include "step_line.hpp"
 #include "stop_signal.hpp"
@@ -66,10 +66,10 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
 // Returns whether it was drawn.
 bool draw(const FilmCase& film, const FilmArguments& arguments) {
   try {
-    const report::PendingFile data(arguments.picture + ".json");  // goes again
-    report::write_file(data.temporary(), film_json(film, arguments.settings, true).dump());
-    const report::Rendering drawn = report::run_script(
-        report::usual_places(), "film_picture.py", {data.temporary().string(), arguments.picture});
+    const sweep::PartFile data(arguments.picture);  // goes again
+    data.write(film_json(film, arguments.settings, true).dump());
+    const report::Rendering drawn = report::run_script(report::usual_places(), "film_picture.py",
+                                                       {data.path(), arguments.picture});
     for (const std::string& why : drawn.undrawn) complain(why);
     for (const std::string& picture : drawn.written) complain("drew " + picture);
     return drawn.undrawn.empty();

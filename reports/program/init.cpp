@@ -4,9 +4,6 @@
 // template is there.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,6 +12,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "command.hpp"
@@ -22,6 +20,7 @@
 #include "messages.hpp"
 #include "page/project_files.hpp"
 #include "page/report_error.hpp"
+#include "page/write_file.hpp"
 #include "shell.hpp"
 #include "subject_template.hpp"
 
@@ -90,16 +89,6 @@ std::optional<std::string> read_text(const fs::path& path) {
   return text;
 }
 
-// 0, or an errno. Without `force` a file that is there is left alone: EEXIST.
-int write_new_file(const std::string& path, const std::string& text, bool force) {
-  std::FILE* file = std::fopen(path.c_str(), force ? "w" : "wx");
-  if (file == nullptr) return errno;
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const int why_not = written ? 0 : errno;
-  if (std::fclose(file) != 0 && written) return errno;
-  return why_not;
-}
-
 std::string with(std::string text, std::string_view mark, const std::string& word) {
   const std::size_t place = text.find(mark);
   return place == std::string::npos ? text : text.replace(place, mark.size(), shell_word(word));
@@ -150,16 +139,13 @@ int init(const InitArguments& arguments, OutputStream& output) {
   }
   const std::string out = arguments.out.empty() ? language->file : arguments.out;
   const std::string next = next_line(*language, places.include, out);
-  const int why_not =
-      write_new_file(out, filled_template(*text, path.string(), next), arguments.force);
-  if (why_not == EEXIST) {
+  std::error_code ignored;
+  if (!arguments.force && fs::exists(fs::symlink_status(out, ignored))) {
     complain(out + ": is there already; --force overwrites it");
     return exit_bad;
   }
-  if (why_not != 0) {
-    complain(fmt::format("{}: {}", out, std::strerror(why_not)));
-    return exit_failed;
-  }
+  report::write_file(out, filled_template(*text, path.string(), next),
+                     {.any = arguments.force, .only = {}});
   append(output.text(), fmt::format("{}: written\nnext:\n  {}\n", out, next));
   output.flush();
   if (found_by_shell(language->program).empty())

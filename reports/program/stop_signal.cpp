@@ -22,6 +22,10 @@ void watch_for_stop() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void stop_at_once() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+}
+
 int stop_signal() { return noted_signal; }
 
 }  // namespace tribo::cli

@@ -8,6 +8,9 @@ namespace tribo::cli {
 // file at its limit shows as a failed write.
 void watch_for_stop();
 
+// From here on these signals end the process at once again: what is left to do is soon done anew.
+void stop_at_once();
+
 // The signal that was noted, or 0. The exit code of a command that was stopped is 128 and this.
 int stop_signal();
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command.hpp"
@@ -20,8 +21,8 @@
 #include "page/sweep_tables.hpp"
 #include "scene/schema.hpp"
 #include "stop_signal.hpp"
-#include "sweep/compute.hpp"
 #include "sweep/journal.hpp"
+#include "sweep/on_threads.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
@@ -75,12 +76,12 @@ sweep::Shard shard_of(const std::string& text) {
 
 // --- What a result holds, told.
 
-void write_cases(const sweep::SweepResult& result, const std::string& path,
+void write_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,
                  const std::string& format, OutputStream& output) {
   const report::CaseFormat as = format == "json"  ? report::CaseFormat::json
                                 : format == "csv" ? report::CaseFormat::csv
                                                   : report::CaseFormat::table;
-  report::write_sweep_cases(result, path, as, [&](std::string_view lines) {
+  report::write_sweep_cases(result, file, as, [&](std::string_view lines) {
     append(output.text(), lines);
     output.end_row();
   });
@@ -107,20 +108,30 @@ bool is_shard_or_journal(const std::string& path) {
 }
 
 // Returns exit_failed where pictures are missing.
-int show_result(const SweepArguments& arguments, const std::string& path, OutputStream& output) {
-  const sweep::SweepResult result = sweep::read_result(path);
+int show_result(const SweepArguments& arguments, const sweep::ResultFile& file,
+                OutputStream& output) {
+  const sweep::SweepResult result = file.read();
   if (arguments.cases)
-    write_cases(result, path, arguments.format, output);
+    write_cases(result, file, arguments.format, output);
   else
     write_result(result, arguments.format, output.text());
   output.flush();
   if (arguments.pictures.empty()) return exit_done;
-  const report::Rendering drawn = report::draw_sweep_pictures(result, path, arguments.pictures);
+  const report::Rendering drawn = report::draw_sweep_pictures(result, file, arguments.pictures);
   for (const std::string& picture : drawn.written) complain("drew " + picture);
   for (const std::string& why : drawn.undrawn) complain(why);
   if (drawn.written.empty() && drawn.undrawn.empty())
     complain("nothing in this result can be drawn");
   return drawn.undrawn.empty() ? exit_done : exit_failed;
+}
+
+// The result at -o: of this process, or as it was there.
+int show_written(const SweepArguments& arguments, std::optional<sweep::Descriptor> written,
+                 OutputStream& output) {
+  return show_result(arguments,
+                     written ? sweep::ResultFile(arguments.out, std::move(*written))
+                             : sweep::ResultFile(arguments.out),
+                     output);
 }
 
 // --- The three commands.
@@ -186,9 +197,10 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   SweepProgress progress(static_cast<double>(plan->points()) / static_cast<double>(plan->chunks()));
   sweep::RunSettings settings = settings_of(arguments, progress, first);
   int shown = exit_done;
-  settings.finished = [&] {
+  settings.finished = [&](std::optional<sweep::Descriptor> written) {
     progress.wipe();
-    if (!settings.shard) shown = show_result(arguments, arguments.out, output);
+    stop_at_once();
+    if (!settings.shard) shown = show_written(arguments, std::move(written), output);
   };
   watch_for_stop();
   const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
@@ -220,7 +232,7 @@ std::string subcommand_meant(const SweepArguments& arguments) {
 
 // More threads than this are of no use, and each takes memory.
 void cap_threads(int& threads) {
-  const int most = 16 * sweep::thread_count(0);
+  const int most = 16 * thread_count(0);
   if (threads <= most) return;
   complain(fmt::format("warning: --threads {} is more than is of use here; {} are taken", threads,
                        most));
@@ -254,12 +266,13 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
     SweepProgress progress(0);
     sweep::RunSettings settings = settings_of(arguments, progress, true);
     int shown = exit_done;
-    settings.finished = [&] {
+    settings.finished = [&](std::optional<sweep::Descriptor> written) {
       progress.wipe();
-      shown = show_result(arguments, arguments.out, output);
+      stop_at_once();
+      shown = show_written(arguments, std::move(written), output);
     };
-    sweep::merge(arguments.files, settings);
-    return shown;
+    const sweep::RunEnd end = sweep::merge(arguments.files, settings);
+    return end == sweep::RunEnd::stopped ? 128 + stop_signal() : shown;
   });
 }
 
@@ -267,7 +280,7 @@ int show_results(const SweepArguments& arguments, OutputStream& output) {
   return told([&] {
     const std::string& path = arguments.files.front();
     try {
-      return show_result(arguments, path, output);
+      return show_result(arguments, sweep::ResultFile(path), output);
     } catch (const OutputFailed&) {
       throw;
     } catch (const std::runtime_error& unreadable) {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "sweep/compute.hpp"
 #include "sweep/needs.hpp"
+#include "sweep/on_threads.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -28,7 +28,7 @@ void append_estimate(Text& to, const sweep::SweepPlan& plan, int threads) {
                            scene.scene.id, scene.cases(), static_cast<double>(scene.points()),
                            1e6 * needs.point_seconds[i]));
   }
-  const int count = sweep::thread_count(threads);
+  const int count = thread_count(threads);
   append(to, fmt::format("points {:.4g}, chunks {}\n", static_cast<double>(plan.points()),
                          plan.chunks()));
   append(to, fmt::format("time   {} on {} {}\n", time_text(needs.seconds), count,

@@ -14,7 +14,7 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/pending_file.hpp"
+#include "page/write_file.hpp"
 #include "page/project_files.hpp"
 #include "table.hpp"
 #include "verify_subject.hpp"

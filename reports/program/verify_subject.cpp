@@ -12,7 +12,7 @@
 #include "conformance_writers.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/pending_file.hpp"
+#include "page/write_file.hpp"
 #include "page/project_files.hpp"
 #include "progress.hpp"
 #include "shell.hpp"

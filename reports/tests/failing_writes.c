@@ -17,18 +17,37 @@
 static int calls;
 static const char* failed = "none";
 
-static int is_watched_path(const char* path) {
+static int has_watched_start(const char* path) {
   const char* const start = getenv("FAILING_PATH");
   return start != NULL && strncmp(path, start, strlen(start)) == 0;
+}
+
+/* What an open file or folder is called; empty if that is not known. */
+static const char* path_of(const char* link, char* path, size_t room) {
+  const ssize_t size = readlink(link, path, room - 1);
+  path[size < 0 ? 0 : size] = '\0';
+  return path;
 }
 
 static int is_watched(int file) {
   char link[64], path[4096];
   snprintf(link, sizeof link, "/proc/self/fd/%d", file);
-  const ssize_t size = readlink(link, path, sizeof path - 1);
-  if (size < 0) return 0;
-  path[size] = '\0';
-  return is_watched_path(path);
+  return has_watched_start(path_of(link, path, sizeof path));
+}
+
+/* Also an open file that is opened once more, through /proc. */
+static int is_watched_path(const char* path) {
+  char file[4096];
+  return has_watched_start(strncmp(path, "/proc/self/fd/", 14) == 0 ? path_of(path, file, sizeof file)
+                                                                    : path);
+}
+
+static int is_watched_in(int folder, const char* name) {
+  char link[64], path[4096], whole[8200];
+  if (name[0] == '/' || folder == AT_FDCWD) return is_watched_path(name);
+  snprintf(link, sizeof link, "/proc/self/fd/%d", folder);
+  snprintf(whole, sizeof whole, "%s/%s", path_of(link, path, sizeof path), name);
+  return is_watched_path(whole);
 }
 
 static int fails(int watched, const char* name) {
@@ -81,6 +100,26 @@ int rename(const char* from, const char* to) {
 }
 int unlink(const char* path) { return fails(is_watched_path(path), "unlink") ? -1 : NEXT(unlink)(path); }
 int remove(const char* path) { return fails(is_watched_path(path), "remove") ? -1 : NEXT(remove)(path); }
+
+int unlinkat(int folder, const char* name, int flags) {
+  return fails(is_watched_in(folder, name), "unlinkat") ? -1 : NEXT(unlinkat)(folder, name, flags);
+}
+int renameat(int from_folder, const char* from, int folder, const char* to) {
+  return fails(is_watched_in(folder, to), "renameat") ? -1 : NEXT(renameat)(from_folder, from, folder, to);
+}
+int renameat2(int from_folder, const char* from, int folder, const char* to, unsigned flags) {
+  return fails(is_watched_in(folder, to), "renameat2")
+             ? -1
+             : NEXT(renameat2)(from_folder, from, folder, to, flags);
+}
+int openat(int folder, const char* name, int flags, ...) {
+  va_list more;
+  va_start(more, flags);
+  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;
+  va_end(more);
+  const int writes = (flags & O_ACCMODE) != O_RDONLY && is_watched_in(folder, name);
+  return fails(writes, "openat") ? -1 : NEXT(openat)(folder, name, flags, mode);
+}
 
 #define OPENS(name)                                                             \
   int name(const char* path, int flags, ...) {                                  \

@@ -158,7 +158,7 @@ class Init(unittest.TestCase):
         self.assert_refused(init("python", "--out", self.folder.path("no/such/solver.py")), 1, "no/such")
         self.assert_refused(init("python", "--out", self.folder.name), 2, "is there already")
         self.assert_refused(init("python", "--force", "--out", self.folder.name), 1, "irectory")
-        self.assert_refused(init("python", "--force", "--out", "/dev/full"), 1, "/dev/full", "space")
+        self.assert_refused(init("python", "--force", "--out", "/dev/full"), 1, "/dev/full", "no regular file")
 
     def test_bad_usage(self):
         self.assert_refused(init("cobol"), 2, "cobol", "python, octave")

@@ -2,6 +2,7 @@
 """tribocheck sweep: what -o may lead to, and what is closed when the program starts."""
 
 import os
+import shutil
 import subprocess
 import unittest
 
@@ -26,7 +27,7 @@ class Closed(SweepTest):
         self.swept(SHORT, "--shard", "1/2", out="half.shard")
         for streams in ((0,), (1,), (2,), (1, 2), (0, 1, 2)):
             with self.subTest(closed=streams):
-                os.link(self.path("half.shard"), self.path("out.h5.journal-0"))
+                shutil.copy(self.path("half.shard"), self.path("out.h5.journal-0"))
                 done = self.run_without(streams, "sweep", self.path("sweep.toml"), "--resume", "-o",
                                         self.path("out.h5"))
                 # Results that cannot be told are a failure; the file is there all the same.
@@ -94,12 +95,11 @@ class Outputs(SweepTest):
         os.rename(self.path("fifo"), self.path("out.h5.journal-0"))
         self.assert_refused(self.sweep(SHORT, "--resume"), "journal-0", "no regular file")
         os.rename(self.path("out.h5.journal-0"), self.path("out.h5.lock"))
-        locked = self.sweep(SHORT)
-        self.assertEqual((locked.code, len(locked.error_lines)), (1, 1), locked.err)
+        self.assert_refused(self.sweep(SHORT), "out.h5.lock", "no regular file")
         os.rename(self.path("out.h5.lock"), self.path("out.h5.part"))
-        os.symlink("sweep.toml", self.path("out.h5.journal-0.new"))
+        self.assert_refused(self.sweep(SHORT), "out.h5.part", "no regular file")
+        os.remove(self.path("out.h5.part"))
         self.swept(SHORT)
-        self.assertEqual(self.bytes_of("sweep.toml"), SHORT.encode())
 
 
 if __name__ == "__main__":

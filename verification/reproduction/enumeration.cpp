@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reproduction/enumeration.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <utility>
+
+#include "sweep/on_threads.hpp"
 
 namespace tribo::reproduction {
 namespace {
@@ -116,7 +116,7 @@ class Enumerator {
   }
 
   void run() {
-    tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { film(groups_[g]); });
+    each_on_threads(0, groups_.size(), [&](std::size_t g) { film(groups_[g]); });
     result.films = groups_.size() * (3 * gt_count + gw_count);
     result.inlets = result.films * inlet_count;
     result.friction_curves = result.inlets * law_count;

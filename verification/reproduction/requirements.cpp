@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reproduction/requirements.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "sweep/on_threads.hpp"
 #include "tribo/bracketed_root.hpp"
 #include "tribo/onset.hpp"
 
@@ -108,7 +107,7 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
                          {},
                          {}});
   }
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t k) {
+  each_on_threads(0, found.size(), [&](std::size_t k) {
     Requirement& one = found[k];
     const Item& item = items[one.item];
     const Search search(scenes, reading, item, one.field);

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws the figures with gnuplot, each as SVG and as PNG, and puts an SVG into the page."""
+import contextlib
 import html
-import os
 import pathlib
 import re
 import shutil
 import subprocess
+import tempfile
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "gnuplot"
 NO_GNUPLOT = "gnuplot was not found in PATH"
@@ -57,17 +58,31 @@ def without_scripts(svg):
 def draw(drawing, data, target):
     """One picture, whole or not at all; its format is that of the target's name. Returns why it was not drawn."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
+    with whole_file(target) as unfinished:
         why = run_gnuplot(drawing["frame"], drawing["script"], target.suffix[1:], unfinished, data, drawing["name"],
                           drawing["height"], drawing["title"], drawing["subtitle"])
-        if not why:
-            if target.suffix == ".svg":
-                unfinished.write_text(without_scripts(unfinished.read_text(encoding="utf-8")), encoding="utf-8")
-            unfinished.replace(target)
+        if why:
+            unfinished.unlink(missing_ok=True)
+        elif target.suffix == ".svg":
+            unfinished.write_text(without_scripts(unfinished.read_text(encoding="utf-8")), encoding="utf-8")
         return why
-    finally:
-        unfinished.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def whole_file(target):
+    """A path to write to: the file there takes the target's name at the end, if it is there. It lies in a folder that
+    is this user's alone, so that nobody puts a link to another file in its place."""
+    with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
+        unfinished = pathlib.Path(folder, target.name)
+        yield unfinished
+        if unfinished.exists():
+            unfinished.replace(target)
+
+
+def write_text(target, text):
+    """A file, whole or not at all."""
+    with whole_file(target) as unfinished:
+        unfinished.write_text(text, encoding="utf-8")
 
 
 def inline_svg(svg, prefix, title, description):

@@ -152,10 +152,10 @@ def main():
     figures = Figures(out, Steps(), report["files"])
     text = environment(report, figures)
     made = sections.Page(report, text, figures)
-    (out / "report.md").write_text(made.markdown, encoding="utf-8")
-    (out / "index.html").write_text(made.html, encoding="utf-8")
+    drawing.write_text(out / "report.md", made.markdown)
+    drawing.write_text(out / "index.html", made.html)
     whole = json.dumps(schema.joined(), indent=1, ensure_ascii=False)
-    (out / "report.schema.json").write_text(whole + "\n", encoding="utf-8")
+    drawing.write_text(out / "report.schema.json", whole + "\n")
     figures.steps.show("")
     print(json.dumps({"written": figures.written + ["report.md", "index.html", "report.schema.json"],
                       "undrawn": figures.undrawn}))

@@ -448,7 +448,7 @@ def pictures(result):
 
 def write_blocks(picture, folder):
     path = folder / f"{picture.stem}.blocks.tsv"
-    path.write_text(picture.blocks, encoding="utf-8")
+    drawing.write_text(path, picture.blocks)
     return path
 
 

@@ -28,6 +28,8 @@ std::string small_result(const TemporaryFolder& folder, const std::string& name)
   return folder.file(name);
 }
 
+Descriptor opened(const std::string& path) { return open_file(path, O_RDONLY, path); }
+
 std::vector<std::uint64_t> bits_of(const std::vector<double>& values) {
   std::vector<std::uint64_t> bits;
   for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
@@ -77,17 +79,17 @@ TEST(ResultFile, GivesBackEachCaseToTheBit) {
     if (!scene.keep_points) continue;
     const SmallCases cases = small_cases(scene);
     for (std::size_t v = 0; v < scene.variables.size(); ++v)
-      EXPECT_EQ(bits_of(read_input(path, scene.scene.id, scene.variables[v].path)),
+      EXPECT_EQ(bits_of(ResultFile(path).input(scene.scene.id, scene.variables[v].path)),
                 bits_of(cases.inputs[v]));
     for (std::size_t c = 0; c < scene.columns.size(); ++c)
-      EXPECT_EQ(bits_of(read_column(path, scene.scene.id, scene.columns[c].name)),
+      EXPECT_EQ(bits_of(ResultFile(path).column(scene.scene.id, scene.columns[c].name)),
                 bits_of(cases.columns[c]));
   }
 }
 
 TEST(ResultFile, GivesBackTheTextsOfScenes) {
   const TemporaryFolder folder;
-  const SweepResult result = read_result(small_result(folder, "result.h5"));
+  const SweepResult result = ResultFile(small_result(folder, "result.h5")).read();
   const SweepPlan plan = small_plan();
   EXPECT_EQ(result.identity.version, plan.version);
   EXPECT_EQ(result.identity.digest, plan.digest);
@@ -128,7 +130,7 @@ TEST(ResultFile, GivesBackTheTextsOfScenes) {
 
 TEST(ResultFile, GivesBackTheSummariesOfAllCases) {
   const TemporaryFolder folder;
-  const SweepResult result = read_result(small_result(folder, "result.h5"));
+  const SweepResult result = ResultFile(small_result(folder, "result.h5")).read();
   const SweepPlan plan = small_plan();
   for (std::size_t i = 0; i < plan.scenes.size(); ++i)
     for (std::size_t c = 0; c < plan.scenes[i].columns.size(); ++c)
@@ -165,7 +167,7 @@ TEST(ResultFile, GivesBackTheSummariesOfAllCases) {
 
 TEST(ResultFile, GivesBackSensitivities) {
   const TemporaryFolder folder;
-  const SweepResult result = read_result(small_result(folder, "result.h5"));
+  const SweepResult result = ResultFile(small_result(folder, "result.h5")).read();
   const SweepPlan plan = small_plan();
   EXPECT_TRUE(result.scenes[0].sensitivity_variables.empty());
   EXPECT_EQ(result.scenes[1].sensitivity_variables,
@@ -194,12 +196,13 @@ TEST(ResultFile, GivesBackSensitivities) {
 TEST(ResultFile, SaysWhatItDoesNotHave) {
   const TemporaryFolder folder;
   const std::string path = small_result(folder, "result.h5");
-  EXPECT_EQ(error_of([&] { read_column(path, "other", "film"); }), path + " has no scene other");
-  EXPECT_EQ(error_of([&] { read_column(path, "plain", "onset.film_departure.speed"); }),
+  EXPECT_EQ(error_of([&] { ResultFile(path).column("other", "film"); }),
+            path + " has no scene other");
+  EXPECT_EQ(error_of([&] { ResultFile(path).column("plain", "onset.film_departure.speed"); }),
             path + " has no onset.film_departure.speed among the outputs of scene plain");
-  EXPECT_EQ(error_of([&] { read_input(path, "plain", "load"); }),
+  EXPECT_EQ(error_of([&] { ResultFile(path).input("plain", "load"); }),
             path + " has no load among the inputs of scene plain");
-  EXPECT_EQ(error_of([&] { read_column(path, "summaries", "film"); }),
+  EXPECT_EQ(error_of([&] { ResultFile(path).column("summaries", "film"); }),
             path + " keeps no points of scene summaries, only summaries");
 }
 
@@ -209,25 +212,25 @@ TEST(ResultFile, IsRefusedTruncatedAnywhere) {
   const std::string cut = folder.file("cut.h5");
   for (std::size_t size = 0; size < whole.size(); size += 997) {
     write_content(cut, whole.substr(0, size));
-    EXPECT_EQ(error_of([&] { identity_of_result(cut); }).find(cut + " is "), 0U) << size;
-    EXPECT_THROW(read_result(cut), std::runtime_error) << size;
+    EXPECT_EQ(error_of([&] { ResultFile(cut).identity(); }).find(cut + " is "), 0U) << size;
+    EXPECT_THROW(ResultFile(cut).read(), std::runtime_error) << size;
   }
 }
 
 TEST(ResultFile, IsToldFromOtherFiles) {
   const TemporaryFolder folder;
   const std::string path = folder.file("other.h5");
-  EXPECT_EQ(error_of([&] { identity_of_result(path); }),
+  EXPECT_EQ(error_of([&] { ResultFile(path).identity(); }),
             path + " cannot be read: No such file or directory");
   const auto expect_refused = [&](const std::string& why) {
-    const std::string said = error_of([&] { identity_of_result(path); });
+    const std::string said = error_of([&] { ResultFile(path).identity(); });
     EXPECT_EQ(said.rfind(path + ' ' + why, 0), 0U) << said;
   };
   write_content(path, "speed film\n");
   expect_refused("is no whole result of tribocheck sweep");
   H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   expect_refused("is no whole result of tribocheck sweep");
-  seal(path);
+  seal(open_file(path, O_RDWR, path));
   expect_refused("is an HDF5 file, but no result of tribocheck sweep");
 }
 
@@ -239,17 +242,17 @@ TEST(ResultFile, IsRefusedWhereOneByteIsAnother) {
     std::string content = whole;
     content[at] = static_cast<char>(content[at] ^ 0x10);
     write_content(changed, content);
-    EXPECT_NE(broken_seal(changed), "") << at;
-    EXPECT_THROW(read_result(changed), std::runtime_error) << at;
+    EXPECT_NE(broken_seal(opened(changed), changed), "") << at;
+    EXPECT_THROW(ResultFile(changed).read(), std::runtime_error) << at;
   }
   for (std::size_t from_end = 1; from_end <= 24; ++from_end) {
     std::string content = whole;
     content[whole.size() - from_end] ^= 1;
     write_content(changed, content);
-    EXPECT_NE(broken_seal(changed), "") << from_end;
+    EXPECT_NE(broken_seal(opened(changed), changed), "") << from_end;
   }
   write_content(changed, whole);
-  EXPECT_EQ(broken_seal(changed), "");
+  EXPECT_EQ(broken_seal(opened(changed), changed), "");
 }
 
 TEST(ResultFile, HasChecksumsInEachDataset) {
@@ -298,7 +301,7 @@ TEST(ResultFile, HoldsThePointsOfOneShortChunk) {
   write_journal(folder.file("journal"), plan);
   const std::string path = folder.file("result.h5");
   write_result(path, plan, chunks_in(folder.file("journal"), plan), nullptr);
-  EXPECT_EQ(bits_of(read_column(path, "plain", "film")),
+  EXPECT_EQ(bits_of(ResultFile(path).column("plain", "film")),
             bits_of(small_cases(plan.scenes[0]).columns[0]));
 }
 
@@ -321,7 +324,7 @@ TEST(ResultFile, IsNotThereWhenItCouldNotBeWrittenWhole) {
     limit.rlim_cur = before;
     setrlimit(RLIMIT_FSIZE, &limit);
     write_result(path, plan, chunks, nullptr);
-    const bool is_there = identity_of_result(path).digest == plan.digest;
+    const bool is_there = ResultFile(path).identity().digest == plan.digest;
     std::fputs(error.c_str(), stderr);
     ::_exit(is_gone && is_there ? 0 : 1);
   };

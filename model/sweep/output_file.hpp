@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one way in which the program makes, claims, replaces and removes files. A file is opened
+// within its folder, which is held open; no symbolic link at its name is followed; and nothing is
+// taken up or removed that is not ours: a regular file of this user, of one name, that is empty or
+// carries our mark.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sweep/disk.hpp"
+
+namespace tribo::sweep {
+
+// What is there does not fit what was asked: bad usage, not a failure.
+struct RunRefused : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+// Do the first bytes of a file that is not empty, up to 8 kB of them, carry our mark?
+using Mark = bool (*)(std::span<const std::byte> start);
+inline bool no_mark(std::span<const std::byte>) { return false; }
+inline bool any_mark(std::span<const std::byte>) { return true; }
+
+// Which file it is, and in which state; it stays the same when the machine starts anew.
+struct FileIdentity {
+  std::uint64_t inode = 0, size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;  // of its last change
+
+  std::string text() const;
+  friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
+};
+
+// What a file may replace when it takes its name: nothing, one certain file, or any file.
+struct Replaceable {
+  bool any = false;
+  std::optional<FileIdentity> only;
+};
+
+// A name in a folder that is held open: whatever the folder's path leads to later, what is done
+// here is done in that folder. All errors are thrown as std::runtime_error with a text that names
+// the file.
+class FilePlace {
+ public:
+  // Opens the folder; the file OUTPUT + ENDING, whose name then begins with `beginning`, need not
+  // be there.
+  explicit FilePlace(const std::string& output, std::string_view ending = "",
+                     std::string_view beginning = "");
+
+  const std::string& path() const { return path_; }
+  // What the name leads to; a symbolic link is not followed. Nothing: no file.
+  std::optional<struct stat> status() const;
+  std::optional<FileIdentity> identity() const;
+  bool leads_to(int file) const;
+  bool is_folder_at_its_path() const;
+
+  // Makes a new file; nothing where there is one already.
+  std::optional<Descriptor> create() const;
+  // Opens our file for reading and writing; nothing where there is none. Throws RunRefused where
+  // something else is there.
+  std::optional<Descriptor> open_ours(Mark mark) const;
+  // Removes our file, if there is one. Throws RunRefused where something else is there.
+  void remove_ours(Mark mark) const;
+  void remove() const noexcept;
+
+  // Gives the open file, which this name leads to, the name `target` in the same folder, and sees
+  // to it that this name is on the disk. Throws where the target is there and may not be replaced,
+  // and where another process has put another file at one of these names.
+  void rename_to(const FilePlace& target, int file, const Replaceable& replaceable) const;
+
+ private:
+  [[noreturn]] void fail(int code) const;
+
+  std::string output_, path_, name_;
+  Descriptor folder_;
+};
+
+// A file that is written beside its target and takes its name when it is whole. One that is not
+// kept is removed.
+class PartFile {
+ public:
+  // At TARGET.part, where what a killed process left, known by its mark, is taken up.
+  PartFile(const std::string& target, Mark mark);
+  // At a name that no other process uses.
+  explicit PartFile(const std::string& target);
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  ~PartFile();
+
+  int file() const { return file_; }
+  // By which a library or a child process opens this very file, whatever its name leads to.
+  std::string open_path() const { return open_path_of(file_); }
+  const std::string& path() const { return place_.path(); }
+  void write(std::string_view content) const;
+  void keep(const Replaceable& replaceable);
+  // The file itself, open, once it is kept.
+  Descriptor release() { return std::move(file_); }
+
+ private:
+  FilePlace target_;
+  Descriptor file_;
+  FilePlace place_;
+  bool is_kept_ = false;
+};
+
+}  // namespace tribo::sweep
