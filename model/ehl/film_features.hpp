@@ -15,9 +15,9 @@ struct FilmFeatures {
   double at_greatest_pressure = 0;
   double greatest_pressure = 0;         // P there
   double pressure_beside_greatest = 0;  // the lesser P of the two nodes beside
-  bool has_spike = false;        // a second maximum of P, downstream of a minimum
-  double spike_pressure = 0;     // P at its top
-  double spike_place = 0;        // X of its top
+  bool has_spike = false;               // a second maximum of P, downstream of a minimum
+  double spike_pressure = 0;            // P at its top
+  double spike_place = 0;               // X of its top
 };
 
 FilmFeatures features_of(const LineContact& contact, const LineFilm& film);

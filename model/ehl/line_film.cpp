@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -51,7 +52,9 @@ struct Change {
   VectorXd pressure;
   double separation = 0;
 
+  // Not finite where any of it is not.
   double greatest() const {
+    if (!pressure.allFinite()) return std::numeric_limits<double>::infinity();
     return std::max(pressure.cwiseAbs().maxCoeff(), std::fabs(separation));
   }
 };
@@ -187,8 +190,7 @@ class Newton {
         side[i] = -at.pressure[i] * (is_row_of_balance ? own : 1);
     }
     Change change{linear.jacobian.solve(side)};
-    const double missing_load =
-        std::numbers::pi / 2 - weights_.dot(at.pressure + change.pressure);
+    const double missing_load = std::numbers::pi / 2 - weights_.dot(at.pressure + change.pressure);
     change.separation = missing_load / weights_.dot(linear.by_separation);
     change.pressure += change.separation * linear.by_separation;
     // It is 0 at the ends, but for rounding.
@@ -223,8 +225,7 @@ class Newton {
       std::optional<State> next = state_after(part, change);
       if (!next) continue;
       if (result_.last_change > rounding_change) {
-        const Balance balance =
-            balance_of(contact_, result_.x, next->pressure, next->film, false);
+        const Balance balance = balance_of(contact_, result_.x, next->pressure, next->film, false);
         if (!(size_of(change_for(linear, *next, balance, 0)) <= (1 - part / 4) * size_of(change)))
           continue;
       }
@@ -240,7 +241,8 @@ class Newton {
     const Linear linear = linear_at(now_, rate);
     const Change change = change_for(linear, now_, linear.balance, rate);
     result_.last_change = change.greatest();
-    if (!(change.pressure.cwiseAbs().maxCoeff() <= most)) return false;
+    if (!std::isfinite(result_.last_change) || change.pressure.cwiseAbs().maxCoeff() > most)
+      return false;
     std::optional<State> next = state_after(1, change);
     if (!next) return false;
     now_ = std::move(*next);
@@ -284,9 +286,9 @@ LineFilm solve_on(const LineContact& contact, const Numbers& x, const LineFilm& 
   const std::span<const double> values(film.pressure.data(), film.x.size());
   Numbers pressure = interpolated(film.x, values, x);
   pressure.front() = pressure.back() = 0;
-  Newton newton(
-      contact, x, Eigen::Map<const VectorXd>(pressure.data(), static_cast<Eigen::Index>(x.size())),
-      film.separation);
+  Newton newton(contact, x,
+                Eigen::Map<const VectorXd>(pressure.data(), static_cast<Eigen::Index>(x.size())),
+                film.separation);
   const State start = newton.state();
   newton.converge({}, watch);
   if (newton.outcome() == Outcome::not_converged) {

@@ -52,8 +52,8 @@ LineFilm solve_from(const LineContact& contact, const Numbers& x, const Eigen::V
 LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales& scales,
                             const Watch& watch);
 
-// A solved film on other nodes: by Newton's method from there, and where it does not converge as the
-// film goes on in time from there.
+// A solved film on other nodes: by Newton's method from there, and where it does not converge as
+// the film goes on in time from there.
 LineFilm solve_on(const LineContact& contact, const Numbers& x, const LineFilm& film,
                   const Watch& watch);
 

@@ -83,8 +83,8 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
   };
   const bool is_compressible = contact.fluid.density_pressure > 0;
   // What a spike that no grid shows moves the film in the middle by falls faster than the rest.
-  const Caution calm{.of_change = 0.03 * std::pow(4, std::min(0., 4. - static_cast<double>(
-                                                                        grids.size())))};
+  const Caution calm{.of_change =
+                         0.03 * std::pow(4, std::min(0., 4. - static_cast<double>(grids.size())))};
   // The least film lies beside the spike, which in a compressible liquid takes film with it.
   const Caution beside_spike = is_compressible ? Caution{1, 0.5, 0.2} : Caution{.of_change = 0.06};
   solved.central = estimate([](const FilmFeatures& f) { return f.central; }, calm);
@@ -108,10 +108,10 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
     return;
   }
   constexpr Caution of_spike{1, 0.5, 0};
-  solved.spike_pressure =
-      estimate_of(over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }), of_spike);
-  solved.spike_place =
-      estimate_of(over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_place; }), of_spike);
+  solved.spike_pressure = estimate_of(
+      over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }), of_spike);
+  solved.spike_place = estimate_of(
+      over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_place; }), of_spike);
 }
 
 }  // namespace
@@ -134,8 +134,8 @@ Estimate estimate_of(const std::vector<double>& values, const Caution& caution) 
   e.error = std::fmax(caution.of_last * std::fabs(richardson(n - 1) - richardson(n - 2)),
                       caution.of_change * std::fabs(last));
   if (n > 3)
-    e.error = std::fmax(e.error,
-                        caution.of_before * std::fabs(richardson(n - 2) - richardson(n - 3)));
+    e.error =
+        std::fmax(e.error, caution.of_before * std::fabs(richardson(n - 2) - richardson(n - 3)));
   return e;
 }
 
@@ -168,10 +168,10 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
   const auto failed = [&](const LineFilm& film) {
     if (film.outcome == Outcome::solved) return false;
     solved.outcome = film.outcome;
-    solved.reason = film.outcome == Outcome::stopped
-                        ? text("stopped on the grid of %d cells, before step %d", last.cells,
-                               last.step + 1)
-                        : why_not(last);
+    solved.reason =
+        film.outcome == Outcome::stopped
+            ? text("stopped on the grid of %d cells, before step %d", last.cells, last.step + 1)
+            : why_not(last);
     return true;
   };
 

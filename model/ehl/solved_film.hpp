@@ -30,7 +30,8 @@ struct Caution {
 
 // From the values on grids that halve the cells: at least three. Where the observed order is the
 // second (1.5 to 2.6), the value is Richardson's and the error the greatest of the three shares.
-// Else the value is the last one and the error one and a half times the sum of its last two changes.
+// Else the value is the last one and the error one and a half times the sum of its last two
+// changes.
 Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {});
 
 // Contacts of a smaller M, and with smaller films H than the second, are refused. Up to the other
@@ -44,7 +45,7 @@ struct SolveOptions {
   double tolerance = 1e-4;  // relative, of the three films
   // Relative, of the spike's pressure.
   double spike_tolerance = std::numeric_limits<double>::infinity();
-  int first_cells = 64;      // of the coarsest grid
+  int first_cells = 64;       // of the coarsest grid
   int greatest_cells = 8192;  // of the finest
   double at_edge = 0.05;      // share of the nodes in the constriction: more resolve sharper spikes
 };

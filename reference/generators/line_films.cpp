@@ -143,7 +143,8 @@ std::string header(const std::string& quantity, const std::string& more, const s
       "# generator: reference/generators/line_films.cpp, model/ehl\n"
       "# method: second order in space; Richardson's value of grids of 64, 128, ... "
       "cells\n"
-      "# error: shares of what Richardson's value and the value itself changed by, and what a longer inlet would change\n"
+      "# error: shares of what Richardson's value and the value itself changed by, and what a "
+      "longer inlet would change\n"
       "{}# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
       quantity, more, fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
 }

@@ -35,6 +35,22 @@ struct FilmArguments {
   std::string picture;
 };
 
+// Roelands' z of oils is near 0.6, of synthetic liquids some 0.4 to 1. What lies outside these
+// bounds is more likely a wrong α or η₀ than a liquid.
+constexpr double least_roelands_index = 0.2, greatest_roelands_index = 1.2;
+
+void warn_of_index(const Scene& scene) {
+  const Lubricant& oil = scene.lubricant;
+  const double index = oil.pressure_viscosity * roelands_pressure<double>() /
+                       (std::log(oil.viscosity) + roelands_log_viscosity<double>());
+  if (index == 0 || (index >= least_roelands_index && index <= greatest_roelands_index)) return;
+  complain(fmt::format(
+      "{}: lubricant.pressure_viscosity: {} 1/Pa with a viscosity of {} Pa·s gives Roelands' z = "
+      "{:.3g}, which is implausible: usual are {} to {}; check both, or take --viscosity barus",
+      scene.id, readable(oil.pressure_viscosity), readable(oil.viscosity), index,
+      least_roelands_index, greatest_roelands_index));
+}
+
 // What is wrong with a scene for these arguments; empty if nothing is.
 std::string fault_of(const Scene& scene, const FilmArguments& arguments) {
   if (scene.speeds.empty())
@@ -55,7 +71,10 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
   std::erase_if(loaded.scenes, [&](Scene& scene) {
     if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
     const std::string fault = fault_of(scene, arguments);
-    if (fault.empty()) return false;
+    if (fault.empty()) {
+      if (arguments.settings.viscosity == "roelands") warn_of_index(scene);
+      return false;
+    }
     complain(scene.id + ": " + fault);
     loaded.all_good = false;
     return true;
@@ -170,6 +189,9 @@ for; formulas that were fitted to the films of a compressible liquid are to be c
 --density dowson_higginson. Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
 material; x is along the direction of entrainment, from the middle of Hertz' contact. A profile is
 that of the finest grid; the films are extrapolated from all grids, and so are nearer to the truth.
+
+With lubricant.pressure_viscosity = 0 the liquid's viscosity is constant; formulas without a film for
+such a liquid are empty. With --viscosity roelands a z outside 0.2 to 1.2 is said on stderr.
 
 A contact takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
 200 contacts. Ctrl-C stops at the next step, and what was solved is written.

@@ -34,7 +34,8 @@ TEST(EstimateOf, TakesRichardsonsValueOfTheSecondOrder) {
   // 3 + 1/16 + 0.5/256 and 3 + 1/64 + 0.5/4096 give 3 − 4 · 0.5/4096.
   const Estimate mixed = ehl::estimate_of(sequence(4, 3, 1, 0.5));
   EXPECT_TRUE(is_within(mixed.value, 3 - 4 * 0.5 / 4096, 1e-15));
-  // The values before changed by 15 · 4 · 0.5/256: an eighth of it is more than half of the last change.
+  // The values before changed by 15 · 4 · 0.5/256: an eighth of it is more than half of the last
+  // change.
   EXPECT_TRUE(is_within(mixed.error, 15 * 4 * 0.5 / 256 / 8, 1e-14));
   EXPECT_TRUE(is_within(ehl::estimate_of(sequence(4, 3, 1, 0.5), {1, 0, 0}).error,
                         15 * 4 * 0.5 / 4096, 1e-14));
@@ -67,8 +68,7 @@ TEST(EstimateOf, IrregularValuesKeepTheLastAndItsChanges) {
        {std::vector<double>{1, 2, 1.5}, {1, 2, 3}, {1, 1, 2}, {1, 1.5, 1.4999}}) {
     const Estimate got = ehl::estimate_of(values);
     EXPECT_EQ(got.value, values[2]);
-    EXPECT_EQ(got.error,
-              1.5 * (std::abs(values[2] - values[1]) + std::abs(values[1] - values[0])));
+    EXPECT_EQ(got.error, 1.5 * (std::abs(values[2] - values[1]) + std::abs(values[1] - values[0])));
     EXPECT_EQ(std::isnan(got.order), true);
   }
   EXPECT_EQ(ehl::estimate_of({2, 2, 2}).value, 2);

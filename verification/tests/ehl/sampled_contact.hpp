@@ -18,8 +18,8 @@ struct SampledContact {
 // M from 1 to 1000, evenly in its logarithm, L from 0 to 25; half of the liquids Roelands', half of
 // them compressible. M and L fix αp₀ alone: p₀ is drawn from what of 0.2 to 3 GPa leaves α in 5 to
 // 40 /GPa; where nothing does, p₀ is the nearer end, and α follows, up to 59 /GPa, with which
-// Roelands' z is still 1.2 for a viscosity of 1 Pa·s; beyond, p₀ is more than 3 GPa. η₀ is drawn from
-// what of 1e-3 to 1 Pa·s leaves z at most 1.2.
+// Roelands' z is still 1.2 for a viscosity of 1 Pa·s; beyond, p₀ is more than 3 GPa. η₀ is drawn
+// from what of 1e-3 to 1 Pa·s leaves z at most 1.2.
 class ContactSampler {
  public:
   explicit ContactSampler(std::uint64_t seed) : random_(seed) {}
@@ -35,9 +35,9 @@ class ContactSampler {
     const double place = part();
     double pressure = low * std::pow(high / low, place);
     if (low > high)
-      pressure = fluid.exponent < 1 ? 0.2e9
-                                    : std::max(3e9, fluid.exponent * scale /
-                                                        (greatest_index * log_scale));
+      pressure = fluid.exponent < 1
+                     ? 0.2e9
+                     : std::max(3e9, fluid.exponent * scale / (greatest_index * log_scale));
     const double rise = fluid.exponent / pressure * scale;  // z (ln η₀ + 9.67)
     const double least = std::clamp(std::exp(rise / greatest_index - log_scale), 1e-3, 1.);
     const double viscosity = between(least, 1);
