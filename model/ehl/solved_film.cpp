@@ -107,7 +107,7 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
     solved.spike_pressure = solved.spike_place = {};
     return;
   }
-  constexpr Caution of_spike{1, 0.5, 0};
+  constexpr Caution of_spike{2, 1, 0.3};
   solved.spike_pressure = estimate_of(
       over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }), of_spike);
   solved.spike_place = estimate_of(
@@ -237,11 +237,15 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
   SolvedFilm solved;
   solved.reason = refusal(contact);
   if (!solved.reason.empty()) return solved;
-  // Thin films under great loads are not found on few cells.
+  // Thin films under great loads are not found on few cells, nor are others where a spike draws so
+  // many of them that few are left.
   constexpr int coarsest_grids = 5;
+  constexpr double least_at_edge = 0.05;
+  SolveOptions now = options;
   std::string tried;
   for (int i = 0, cells = options.first_cells; i < coarsest_grids; ++i, cells *= 2) {
-    solved = solve_from_coarsest(contact, cells, options, watch);
+    solved = solve_from_coarsest(contact, cells, now, watch);
+    now.at_edge = std::max(now.at_edge / 2, std::min(now.at_edge, least_at_edge));
     if (solved.outcome != Outcome::not_converged) return solved;
     if (4 * cells > options.greatest_cells && i > 0) break;
     tried += text(i == 0 ? "%d" : ", %d", cells);
