@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -65,6 +65,11 @@ stress: ## hold ten million random points to long double: writes reference/basel
 	build/release/verification/tests/model_stress --points 10000000 --seed 2 --threads $$(nproc) \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" \
 	  --out reference/baselines/stress.json
+
+film-survey: build ## solve 300 random line contacts to four tolerances, hold them to finer films; some twenty minutes; PART="0 50"
+	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
+	cmake --build --preset release --target film_survey
+	build/release/verification/tests/film_survey $(PART)
 
 ledger: build ## write today's verdicts on the paper's claims to reference/baselines/ledger.csv, for you to commit
 	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv

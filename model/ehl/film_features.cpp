@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ehl/film_features.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -80,6 +81,8 @@ FilmFeatures features_of(const LineContact& contact, const LineFilm& film) {
   Eigen::Index greatest;
   film.pressure.head(static_cast<Eigen::Index>(upstream)).maxCoeff(&greatest);
   found.greatest_pressure = vertex(x, p, static_cast<std::size_t>(greatest)).value;
+  found.pressure_beside_greatest =
+      std::min(film.pressure[greatest - 1], film.pressure[greatest + 1]);
   found.at_greatest_pressure = film.mass_flow / contact.fluid.density(found.greatest_pressure);
   return found;
 }

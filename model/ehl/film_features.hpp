@@ -13,10 +13,11 @@ struct FilmFeatures {
   // H where P is greatest upstream of the spike: the spike is too sharp for many grids, and in a
   // compressible liquid H would fall with its height.
   double at_greatest_pressure = 0;
-  double greatest_pressure = 0;  // P there
-  bool has_spike = false;        // a second maximum of P, downstream of a minimum
-  double spike_pressure = 0;     // P at its top
-  double spike_place = 0;        // X of its top
+  double greatest_pressure = 0;         // P there
+  double pressure_beside_greatest = 0;  // the lesser P of the two nodes beside
+  bool has_spike = false;               // a second maximum of P, downstream of a minimum
+  double spike_pressure = 0;            // P at its top
+  double spike_place = 0;               // X of its top
 };
 
 FilmFeatures features_of(const LineContact& contact, const LineFilm& film);

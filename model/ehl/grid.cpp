@@ -69,13 +69,13 @@ double expected_film(const LineContact& contact) {
   return std::max({rigid, elastic, piezoviscous});
 }
 
-Scales scales_of(const LineContact& contact, double inlet_factor) {
+Scales scales_of(const LineContact& contact) {
   const double m = contact.load_number;
   // Outside its half-width the gap of Hertz' bodies grows with the power 3/2 of the distance.
   const double film = std::numbers::pi / 8 / m * expected_film(contact);
   const double edge = std::fmin(1, std::pow(film, 2. / 3));
   const double reach = std::fmax(1, std::sqrt(2 * film));
-  return {edge, -300 * reach * inlet_factor, 1 + 2 * reach};
+  return {edge, -2700 * reach, 1 + 2 * reach, reach};
 }
 
 NodeDensity first_density(const Scales& scales) {

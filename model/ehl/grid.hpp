@@ -31,11 +31,13 @@ struct Scales {
   double edge;        // the width of the inlet and of the constriction, in X
   double inlet_end;   // where the liquid's pressure starts, far from the contact: below −1
   double outlet_end;  // behind the end of the film
+  double reach;       // how far pressure reaches from the middle, at least: 1 or more
 };
 // A film number of the right size: the greatest of the four limits that Moes' formula joins.
 double expected_film(const LineContact& contact);
-// `inlet_factor` makes the inlet longer; its effect on the film falls with the second power of it.
-Scales scales_of(const LineContact& contact, double inlet_factor = 1);
+// The inlet is so long that it costs 3e-7 of the film at most, which falls with the second power of
+// its length.
+Scales scales_of(const LineContact& contact);
 // A density for a contact that has not been solved.
 NodeDensity first_density(const Scales& scales);
 

@@ -38,7 +38,8 @@ LineContact contact_of(const LineConditions& c) {
                       {.exponent = c.pressure_viscosity * scale.peak_pressure}};
   if (c.viscosity_law == ViscosityLaw::ambient)
     contact.material_number = contact.fluid.exponent = 0;
-  if (c.viscosity_law == ViscosityLaw::roelands) {
+  // A liquid of constant viscosity has no z.
+  if (c.viscosity_law == ViscosityLaw::roelands && contact.fluid.exponent > 0) {
     const double pressure = roelands_pressure<double>();
     contact.fluid.roelands_pressure = scale.peak_pressure / pressure;
     contact.fluid.roelands_index = c.pressure_viscosity * pressure /

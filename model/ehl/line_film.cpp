@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "ehl/film_kernel.hpp"
@@ -16,7 +19,14 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double greatest_change = 0.5;   // of P in one step: Hertz' peak is 1
+constexpr double least_part = 1e-3;       // of a step of Newton's method that is still worth making
 constexpr double rounding_change = 1e-7;  // of P, at most
+
+// Of a film in time: rates are those of the steps, 1/ΔT, for a contact of half-width 1.
+constexpr double first_rate = 100, last_rate = 0.05, greatest_rate = 1e9;
+constexpr double greatest_change_in_time = 0.3;
+constexpr int most_steps_in_time = 80;
+constexpr double least_stride = 1e-3;  // in the share of the viscosity's rise
 
 // What a grid's nodes weigh in ∫ P dX.
 VectorXd load_weights(const Numbers& x) {
@@ -32,127 +42,233 @@ VectorXd parabola(const Numbers& x) {
   return gap;
 }
 
+struct State {
+  VectorXd pressure, film;
+  double separation = 0;
+};
+
+// Of a state's pressure and separation.
+struct Change {
+  VectorXd pressure;
+  double separation = 0;
+
+  // Not finite where any of it is not.
+  double greatest() const {
+    if (!pressure.allFinite()) return std::numeric_limits<double>::infinity();
+    return std::max(pressure.cwiseAbs().maxCoeff(), std::fabs(separation));
+  }
+};
+
 class Newton {
  public:
   Newton(const LineContact& contact, const Numbers& x, const VectorXd& guess, double separation)
       : contact_(contact), kernel_(x), weights_(load_weights(x)), parabola_(parabola(x)) {
     result_.x = x;
-    result_.pressure = guess;
-    result_.separation = separation;
-    result_.film = film_of(guess, separation);
+    now_ = state_of(guess, separation);
   }
 
-  LineFilm run(const NewtonLimits& limits, const Watch& watch) {
-    for (int step = 0; step < limits.steps; ++step) {
-      if (watch &&
-          !watch({contact_, static_cast<int>(result_.x.size()) - 1, step, result_.last_change})) {
-        result_.outcome = Outcome::stopped;
-        return std::move(result_);
-      }
+  // The least film of the guess becomes this one.
+  void lift_to(double least) {
+    now_ = state_of(now_.pressure, now_.separation + least - now_.film.minCoeff());
+  }
+
+  const State& state() const { return now_; }
+  void return_to(const State& state) { now_ = state; }
+
+  // Newton's method, in parts of its steps that bring it nearer.
+  void converge(const NewtonLimits& limits, const Watch& watch) {
+    result_.outcome = Outcome::not_converged;
+    for (int step = 0; step < limits.steps && goes_on(watch); ++step) {
       const double before = result_.last_change;
       const double part = make_step();
-      ++result_.steps;
-      if (!(result_.last_change < 1e6) || part == 0) break;
+      if (part == 0) return;
       // Steps that no longer shrink are rounding.
       const bool is_rounding =
           result_.last_change < rounding_change && step > 0 && result_.last_change > before / 2;
       if (part == 1 && (result_.last_change < limits.change || is_rounding)) {
         result_.outcome = Outcome::solved;
-        break;
+        return;
       }
     }
+  }
+
+  // The film in time, as it is squeezed and filled, in steps that grow until it is steady; then
+  // Newton's method. `reach`: of the contact, in half-widths.
+  void settle(double reach, const NewtonLimits& limits, const Watch& watch) {
+    result_.outcome = Outcome::not_converged;
+    double rate = first_rate / reach;
+    for (int step = 0; rate > last_rate / reach; ++step) {
+      if (step == most_steps_in_time || rate > greatest_rate || !goes_on(watch)) return;
+      if (make_step_in_time(rate, greatest_change_in_time / reach))
+        rate /= std::clamp(greatest_change_in_time / reach / result_.last_change, 2., 8.);
+      else
+        rate *= 4;
+    }
+    converge(limits, watch);
+  }
+
+  LineFilm result() {
     result_.mass_flow = flow_at_peak();
+    result_.pressure = std::move(now_.pressure);
+    result_.film = std::move(now_.film);
+    result_.separation = now_.separation;
     return std::move(result_);
   }
 
+  Outcome outcome() const { return result_.outcome; }
+
  private:
-  VectorXd film_of(const VectorXd& pressure, double separation) const {
-    VectorXd film = kernel_ * pressure + parabola_;
-    film.array() += separation;
-    return film;
+  // The equations at a state, to first order.
+  struct Linear {
+    Balance balance;
+    std::vector<char> is_free;
+    Jacobian jacobian;
+    VectorXd by_separation;  // what the pressures change by, for 1 of H₀
+  };
+
+  State state_of(VectorXd pressure, double separation) const {
+    State state{std::move(pressure), {}, separation};
+    state.film = kernel_ * state.pressure + parabola_;
+    state.film.array() += separation;
+    return state;
+  }
+
+  bool goes_on(const Watch& watch) {
+    if (!watch ||
+        watch({static_cast<int>(result_.x.size()) - 1, result_.steps, result_.last_change}))
+      return true;
+    result_.outcome = Outcome::stopped;
+    return false;
+  }
+
+  // How much of a node's balance its own pressure changes. Where the liquid is so viscous that
+  // pressure drives none of it, the film that the pressure lifts still does.
+  double own_part(const Balance& balance, Eigen::Index row, double rate) const {
+    const int node = static_cast<int>(row);
+    return balance.diffusion[row] + (1 + rate * weights_[row]) * kernel_.entry(node, node);
   }
 
   // A node is free if a step of its own would leave pressure there.
-  std::vector<char> free_nodes(const Balance& balance) const {
-    std::vector<char> is_free(result_.x.size(), 0);
-    for (std::size_t i = 1; i + 1 < is_free.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
-      // Where the liquid is so viscous that pressure drives none of it, the film that the pressure
-      // lifts still does.
-      const double own =
-          balance.diffusion[row] + kernel_.entry(static_cast<int>(i), static_cast<int>(i));
-      is_free[i] = result_.pressure[row] > balance.surplus[row] / own ? 1 : 0;
-    }
-    return is_free;
+  static bool is_free(const State& at, const Balance& balance, Eigen::Index row, double own) {
+    return at.pressure[row] > balance.surplus[row] / own;
   }
 
-  // Makes the part of a step that leaves the film positive; gives this part.
-  double make_step() {
-    const Balance balance = balance_of(contact_, result_.x, result_.pressure, result_.film);
-    const std::vector<char> is_free = free_nodes(balance);
+  // At a rate above 0 the film that a step in time adds is stored: ∂(ρ̄H)/∂T.
+  Linear linear_at(const State& at, double rate) {
+    Balance balance = balance_of(contact_, result_.x, at.pressure, at.film);
     const auto size = static_cast<Eigen::Index>(result_.x.size());
-    // Left: what the step has to remove. Right: how it changes with H₀.
-    Eigen::MatrixXd sides = Eigen::MatrixXd::Zero(size, 2);
-    for (Eigen::Index i = 0; i < size; ++i) {
+    std::vector<char> free(result_.x.size(), 0);
+    VectorXd side = VectorXd::Zero(size);
+    for (Eigen::Index i = 1; i + 1 < size; ++i) {
       const auto node = static_cast<std::size_t>(i);
-      if (is_free[node] == 0) {
-        sides(i, 0) = -result_.pressure[i];
-        continue;
-      }
-      sides(i, 0) = -balance.surplus[i];
-      for (const double slope : balance.slopes[node].by_film) sides(i, 1) += slope;
+      if (!is_free(at, balance, i, own_part(balance, i, rate))) continue;
+      free[node] = 1;
+      BalanceSlopes& slopes = balance.slopes[node];
+      for (const double slope : slopes.by_film) side[i] -= slope;
+      const double stored = rate * weights_[i], pressure = at.pressure[i];
+      side[i] -= stored * contact_.fluid.density(pressure);
+      slopes.by_film[2] += stored * contact_.fluid.density(pressure);
+      slopes.by_pressure[2] += stored * contact_.fluid.density_slope(pressure) * at.film[i];
     }
-    const Jacobian jacobian(kernel_, balance.slopes, is_free);
+    Jacobian jacobian(kernel_, balance.slopes, free);
     result_.bytes = std::max(result_.bytes, kernel_.bytes() + jacobian.bytes());
-    sides = jacobian.solve(std::move(sides));
-    const double missing_load =
-        std::numbers::pi / 2 - weights_.dot(result_.pressure + sides.col(0));
-    const double rise = -missing_load / weights_.dot(sides.col(1));
-    const VectorXd change = sides.col(0) - rise * sides.col(1);
-    result_.last_change = std::max(change.cwiseAbs().maxCoeff(), std::fabs(rise));
-    if (!std::isfinite(result_.last_change)) return 0;
+    VectorXd by_separation = jacobian.solve(std::move(side));
+    return {std::move(balance), std::move(free), std::move(jacobian), std::move(by_separation)};
+  }
 
-    const double least = result_.film.minCoeff();
-    double part = std::fmin(1, greatest_change / change.cwiseAbs().maxCoeff());
-    for (int halving = 0; halving < 12; ++halving, part /= 2) {
-      VectorXd pressure = (result_.pressure + part * change).cwiseMax(0);
-      const double separation = result_.separation + part * rise;
-      VectorXd film = film_of(pressure, separation);
-      if (film.minCoeff() <= 0.2 * least) continue;
-      result_.pressure = std::move(pressure);
-      result_.separation = separation;
-      result_.film = std::move(film);
+  // What removes, to first order, what the equations leave at a state that may be another than that
+  // of the linear equations: where the film has broken, the pressure; elsewhere the surplus.
+  Change change_for(const Linear& linear, const State& at, const Balance& balance,
+                    double rate) const {
+    VectorXd side = VectorXd::Zero(at.pressure.size());
+    for (Eigen::Index i = 1; i + 1 < side.size(); ++i) {
+      const double own = own_part(balance, i, rate);
+      const bool is_row_of_balance = linear.is_free[static_cast<std::size_t>(i)] != 0;
+      if (is_free(at, balance, i, own))
+        side[i] = -balance.surplus[i] / (is_row_of_balance ? 1 : own);
+      else
+        side[i] = -at.pressure[i] * (is_row_of_balance ? own : 1);
+    }
+    Change change{linear.jacobian.solve(side)};
+    const double missing_load = std::numbers::pi / 2 - weights_.dot(at.pressure + change.pressure);
+    change.separation = missing_load / weights_.dot(linear.by_separation);
+    change.pressure += change.separation * linear.by_separation;
+    // It is 0 at the ends, but for rounding.
+    change.pressure[0] = change.pressure[side.size() - 1] = 0;
+    return change;
+  }
+
+  double size_of(const Change& change) const {
+    return std::sqrt(weights_.dot(change.pressure.cwiseAbs2()) +
+                     change.separation * change.separation);
+  }
+
+  // Where a part of a change leads; nothing where it leaves no film.
+  std::optional<State> state_after(double part, const Change& change) const {
+    State next = state_of((now_.pressure + part * change.pressure).cwiseMax(0),
+                          now_.separation + part * change.separation);
+    if (!(next.film.minCoeff() > 0.2 * now_.film.minCoeff())) return {};
+    return next;
+  }
+
+  // Makes the greatest part, by halves, after which the same linear equations ask for less than
+  // before; gives this part, or 0 where there is none. That test is P. Deuflhard's: Newton methods
+  // for nonlinear problems (2004), section 3.3: it does not change with the scale of an equation.
+  double make_step() {
+    ++result_.steps;
+    const Linear linear = linear_at(now_, 0);
+    const Change change = change_for(linear, now_, linear.balance, 0);
+    result_.last_change = change.greatest();
+    if (!std::isfinite(result_.last_change)) return 0;
+    double part = std::fmin(1, greatest_change / change.pressure.cwiseAbs().maxCoeff());
+    for (; part > least_part; part /= 2) {
+      std::optional<State> next = state_after(part, change);
+      if (!next) continue;
+      if (result_.last_change > rounding_change) {
+        const Balance balance = balance_of(contact_, result_.x, next->pressure, next->film, false);
+        if (!(size_of(change_for(linear, *next, balance, 0)) <= (1 - part / 4) * size_of(change)))
+          continue;
+      }
+      now_ = std::move(*next);
       return part;
     }
     return 0;
+  }
+
+  // Returns false, and makes none, where the step is too long for what it changes.
+  bool make_step_in_time(double rate, double most) {
+    ++result_.steps;
+    const Linear linear = linear_at(now_, rate);
+    const Change change = change_for(linear, now_, linear.balance, rate);
+    result_.last_change = change.greatest();
+    if (!std::isfinite(result_.last_change) || change.pressure.cwiseAbs().maxCoeff() > most)
+      return false;
+    std::optional<State> next = state_after(1, change);
+    if (!next) return false;
+    now_ = std::move(*next);
+    return true;
   }
 
   // The flow is the same between all free nodes; where pressure is greatest it has no part that
   // the pressure drives.
   double flow_at_peak() const {
     Eigen::Index peak;
-    result_.pressure.maxCoeff(&peak);
-    const Balance balance = balance_of(contact_, result_.x, result_.pressure, result_.film, false);
+    now_.pressure.maxCoeff(&peak);
+    const Balance balance = balance_of(contact_, result_.x, now_.pressure, now_.film, false);
     return balance.flow[std::min(peak, balance.flow.size() - 1)];
   }
 
   LineContact contact_;
   FilmKernel kernel_;
   VectorXd weights_, parabola_;
+  State now_;
   LineFilm result_;
 };
 
-// The same liquid between bodies under another load, and with another rise of its viscosity.
-LineContact with_numbers(LineContact contact, double load_number, double material_number) {
-  const double pressure = std::sqrt(load_number / contact.load_number);  // as p₀
-  contact.fluid.exponent =
-      contact.material_number == 0
-          ? 0
-          : contact.fluid.exponent * pressure * (material_number / contact.material_number);
-  contact.fluid.roelands_pressure *= pressure;
-  contact.fluid.density_pressure *= pressure;
-  contact.load_number = load_number;
-  contact.material_number = material_number;
+// A liquid whose viscosity rises less.
+LineContact with_share_of_rise(LineContact contact, double share) {
+  contact.material_number *= share;
+  contact.fluid.exponent *= share;
   return contact;
 }
 
@@ -160,7 +276,9 @@ LineContact with_numbers(LineContact contact, double load_number, double materia
 
 LineFilm solve_from(const LineContact& contact, const Numbers& x, const VectorXd& guess,
                     double separation, const NewtonLimits& limits, const Watch& watch) {
-  return Newton(contact, x, guess, separation).run(limits, watch);
+  Newton newton(contact, x, guess, separation);
+  newton.converge(limits, watch);
+  return newton.result();
 }
 
 LineFilm solve_on(const LineContact& contact, const Numbers& x, const LineFilm& film,
@@ -168,61 +286,58 @@ LineFilm solve_on(const LineContact& contact, const Numbers& x, const LineFilm& 
   const std::span<const double> values(film.pressure.data(), film.x.size());
   Numbers pressure = interpolated(film.x, values, x);
   pressure.front() = pressure.back() = 0;
-  LineFilm solved = solve_from(
-      contact, x, Eigen::Map<const VectorXd>(pressure.data(), static_cast<Eigen::Index>(x.size())),
-      film.separation, {}, watch);
+  Newton newton(contact, x,
+                Eigen::Map<const VectorXd>(pressure.data(), static_cast<Eigen::Index>(x.size())),
+                film.separation);
+  const State start = newton.state();
+  newton.converge({}, watch);
+  if (newton.outcome() == Outcome::not_converged) {
+    newton.return_to(start);
+    newton.settle(scales_of(contact).reach, {}, watch);
+  }
+  LineFilm solved = newton.result();
   solved.steps += film.steps;
   return solved;
 }
 
 LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales& scales,
                             const Watch& watch) {
-  const NewtonLimits limits{.steps = 25, .change = 1e-8};
   const Numbers x = first_density(scales).nodes(cells);
   VectorXd guess(static_cast<Eigen::Index>(x.size()));
-  for (std::size_t i = 0; i < x.size(); ++i)
-    guess[static_cast<Eigen::Index>(i)] = std::sqrt(std::fmax(0, 1 - x[i] * x[i]));
-  double load_number = std::fmin(contact.load_number, 1);
-  LineContact now = with_numbers(contact, load_number, 0);
-  LineFilm film = solve_from(now, x, guess, expected_film(now) / now.film_number(1),
-                             {.steps = 60, .change = 1e-8}, watch);
-  if (film.outcome != Outcome::solved) return film;
-  int steps = film.steps;
-  // Each way is walked in strides that are halved where one fails and doubled where one succeeds.
-  const auto walk = [&](double& place, double end, double stride, auto&& next_of,
-                        auto&& contact_at) {
-    const double least = stride / 1024;
-    while (place != end) {
-      const double next = next_of(place, stride);
-      const LineContact there = contact_at(next);
-      LineFilm trial = solve_from(there, x, film.pressure, film.separation, limits, watch);
-      steps += trial.steps;
-      if (trial.outcome == Outcome::stopped ||
-          (trial.outcome != Outcome::solved && stride < least)) {
-        film.outcome = trial.outcome;
-        film.last_change = trial.last_change;
-        return false;
-      }
-      if (trial.outcome != Outcome::solved) {
-        stride /= 2;
-        continue;
-      }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double at = x[i] / scales.reach;
+    guess[static_cast<Eigen::Index>(i)] = std::sqrt(std::fmax(0, 1 - at * at)) / scales.reach;
+  }
+  // The greatest of these shares of the viscosity's rise with which the film comes to rest.
+  LineFilm film;
+  double share = 1;
+  int steps = 0;
+  for (const double next : {1., 0.5, 0.25, 0.1, 0.}) {
+    Newton newton(with_share_of_rise(contact, next), x, guess, 0);
+    newton.lift_to(expected_film(contact) / contact.film_number(1));
+    newton.settle(scales.reach, {}, watch);
+    film = newton.result();
+    steps += film.steps;
+    share = next;
+    if (film.outcome != Outcome::not_converged || contact.fluid.exponent == 0) break;
+  }
+  // From there in strides that are halved where one fails and doubled where one succeeds.
+  for (double stride = 0.1; film.outcome == Outcome::solved && share < 1;) {
+    const double next = std::fmin(1, share + stride);
+    LineFilm trial = solve_from(with_share_of_rise(contact, next), x, film.pressure,
+                                film.separation, {.steps = 25, .change = 1e-8}, watch);
+    steps += trial.steps;
+    if (trial.outcome == Outcome::solved) {
       film = std::move(trial);
-      place = next;
+      share = next;
       stride *= 2;
+    } else if (trial.outcome == Outcome::stopped || stride < least_stride) {
+      film.outcome = trial.outcome;
+      film.last_change = trial.last_change;
+    } else {
+      stride /= 2;
     }
-    return true;
-  };
-  double material_number = 0;
-  const bool is_there = walk(
-      load_number, contact.load_number, 1,
-      [&](double m, double stride) { return std::fmin(contact.load_number, m * (1 + stride)); },
-      [&](double m) { return with_numbers(contact, m, 0); });
-  if (is_there)
-    walk(
-        material_number, contact.material_number, 1,
-        [&](double l, double stride) { return std::fmin(contact.material_number, l + stride); },
-        [&](double l) { return with_numbers(contact, contact.load_number, l); });
+  }
   film.steps = steps;
   return film;
 }

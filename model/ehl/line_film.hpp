@@ -14,7 +14,7 @@ namespace tribo::ehl {
 
 enum class Outcome : std::uint8_t {
   solved,
-  not_converged,  // the greatest number of steps was made
+  not_converged,  // no part of a step helps, or the greatest number of steps was made
   stopped         // the caller said so
 };
 
@@ -24,14 +24,13 @@ struct LineFilm {
   Eigen::VectorXd pressure, film;  // P and H there
   double mass_flow = 0;            // ρ̄H where dP/dX = 0
   double separation = 0;           // H₀
-  int steps = 0;                   // of Newton's method, with those on the way to this contact
+  int steps = 0;                   // with those on the grids before, and those in time
   double last_change = 0;          // of the pressure, in the last step
   std::size_t bytes = 0;           // what the matrices took
 };
 
-// Told before every step of Newton's method; false: stop.
+// Told before every step; false: stop.
 struct Step {
-  LineContact contact;  // on the way: often another than the one asked for
   int cells;
   int step;
   double change;  // of the pressure in the step before
@@ -39,7 +38,7 @@ struct Step {
 using Watch = std::function<bool(const Step&)>;
 
 struct NewtonLimits {
-  int steps = 60;
+  int steps = 40;
   double change = 1e-10;  // of P and of H₀, that a converged step stays below
 };
 
@@ -47,12 +46,14 @@ struct NewtonLimits {
 LineFilm solve_from(const LineContact& contact, const Numbers& x, const Eigen::VectorXd& guess,
                     double separation, const NewtonLimits& limits, const Watch& watch);
 
-// From nothing: on a coarse grid by way of contacts of smaller load number with a liquid of
-// constant viscosity, and then of smaller material number.
+// From nothing: the pressure of dry contact over a film of the expected thickness, from which the
+// film goes on in time until it is steady. Where it does not come to rest, so does that of a liquid
+// whose viscosity rises less, and from there Newton's method follows the rise.
 LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales& scales,
                             const Watch& watch);
 
-// A solved film on other nodes.
+// A solved film on other nodes: by Newton's method from there, and where it does not converge as
+// the film goes on in time from there.
 LineFilm solve_on(const LineContact& contact, const Numbers& x, const LineFilm& film,
                   const Watch& watch);
 

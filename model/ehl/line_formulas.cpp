@@ -2,6 +2,7 @@
 #include "ehl/line_formulas.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "tribo/film_thickness.hpp"
 #include "tribo/moes_line.hpp"
@@ -16,7 +17,10 @@ std::string_view name(FitLiquid liquid) {
 
 double film_number(const LineFormula& formula, double load_number, double material_number,
                    double speed_number) {
-  if (formula.law == nullptr) return moes_line_number(load_number, material_number);
+  // Moes' formula has a limit at L = 0; the others are powers of L.
+  if (formula.law == nullptr)
+    return moes_line_number(load_number, std::fmax(material_number, 1e-30));
+  if (material_number == 0) return std::numeric_limits<double>::quiet_NaN();
   // A contact with these numbers: E* and R of 1, and so η₀u of 2U, F/L of 2M(2U)^{1/2} and α of
   // L(2U)^{−1/4}/2.
   const double root = std::sqrt(2 * speed_number);

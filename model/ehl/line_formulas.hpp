@@ -46,8 +46,9 @@ inline constexpr std::array<LineFormula, 6> line_formulas{{
 // "unknown", "barus, incompressible" or "roelands, compressible".
 std::string_view name(FitLiquid liquid);
 
-// (h/R)(2U)^{−1/2} by a formula, at M > 0, L > 0 and the speed number U = η₀u/(2E*R): Pan and
-// Hamrock's exponents leave −0.012 and −0.0085 of it; of the others it is of no matter.
+// (h/R)(2U)^{−1/2} by a formula, at M > 0, L ≥ 0 (NaN where it has no film at L = 0) and the speed
+// number U = η₀u/(2E*R): Pan and Hamrock's exponents leave −0.012 and −0.0085 of it; of the others
+// it is of no matter.
 double film_number(const LineFormula& formula, double load_number, double material_number,
                    double speed_number);
 

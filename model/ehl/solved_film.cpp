@@ -55,32 +55,48 @@ std::string refusal(const LineContact& contact) {
   return {};
 }
 
-// Why Newton's method did not converge: what it had reached at its last step.
-std::string why_not(const LineContact& contact, const Step& last) {
-  const double m = contact.load_number, l = contact.material_number;
-  const LineContact& there = last.contact;
-  std::string why = text(
-      "Newton's method did not converge at M = %.3g and L = %.3g, on the grid of %d cells: its "
-      "step %d still changed the pressure by %.2g of Hertz' peak",
-      there.load_number, there.material_number, last.cells, last.step, last.change);
-  if (there.load_number != m || there.material_number != l)
-    why += text("; this was on the way to M = %.3g and L = %.3g", m, l);
-  if (m > greatest_tried_load_number || l > greatest_tried_material_number)
-    why += text("; the solver was tried up to M = %g and L = %g", greatest_tried_load_number,
-                greatest_tried_material_number);
-  return why;
+// The contact by its own numbers.
+std::string name_of(const LineContact& contact) {
+  const Fluid& fluid = contact.fluid;
+  std::string name = text("M = %.3g and L = %.3g", contact.load_number, contact.material_number);
+  if (fluid.exponent > 0) name += text(", αp₀ = %.3g", fluid.exponent);
+  if (fluid.exponent > 0 && fluid.roelands_pressure > 0)
+    name += text(", Roelands' z = %.3g", fluid.roelands_index);
+  if (fluid.density_pressure > 0) name += ", a compressible liquid";
+  return name;
 }
 
-void estimate_all(SolvedFilm& solved, const std::vector<FilmFeatures>& grids) {
-  const auto estimate = [&](auto&& feature) {
-    Estimate e = estimate_of(over_grids(grids, feature));
+// Where a film was not found: what the last step had reached.
+std::string why_not(const Step& last) {
+  return text(
+      "on the grid of %d cells neither Newton's method nor the film in time came to rest: after %d "
+      "steps the pressure was still to change by %.2g of Hertz' peak",
+      last.cells, last.step + 1, last.change);
+}
+
+void estimate_all(SolvedFilm& solved, const LineContact& contact,
+                  const std::vector<FilmFeatures>& grids) {
+  const auto estimate = [&](auto&& feature, const Caution& caution) {
+    Estimate e = estimate_of(over_grids(grids, feature), caution);
     e.error += std::fabs(e.value) * solved.domain_error;
     return e;
   };
-  solved.central = estimate([](const FilmFeatures& f) { return f.central; });
-  solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; });
+  const bool is_compressible = contact.fluid.density_pressure > 0;
+  // What a spike that no grid shows moves the film in the middle by falls faster than the rest.
+  const Caution calm{.of_change =
+                         0.03 * std::pow(4, std::min(0., 4. - static_cast<double>(grids.size())))};
+  // The least film lies beside the spike, which in a compressible liquid takes film with it.
+  const Caution beside_spike = is_compressible ? Caution{1, 0.5, 0.2} : Caution{.of_change = 0.06};
+  solved.central = estimate([](const FilmFeatures& f) { return f.central; }, calm);
+  solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, beside_spike);
   solved.at_greatest_pressure =
-      estimate([](const FilmFeatures& f) { return f.at_greatest_pressure; });
+      estimate([](const FilmFeatures& f) { return f.at_greatest_pressure; }, calm);
+  // In a compressible liquid this film follows the pressure, which between two nodes is known no
+  // better than at the nodes.
+  const FilmFeatures& finest = grids.back();
+  const double ratio = contact.fluid.density(finest.greatest_pressure) /
+                       contact.fluid.density(finest.pressure_beside_greatest);
+  solved.at_greatest_pressure.error += std::fabs(ratio - 1) * solved.at_greatest_pressure.value;
   // A spike that coarse grids did not show is estimated from those that do.
   std::vector<FilmFeatures> with_spike;
   for (const FilmFeatures& f : grids) {
@@ -91,21 +107,22 @@ void estimate_all(SolvedFilm& solved, const std::vector<FilmFeatures>& grids) {
     solved.spike_pressure = solved.spike_place = {};
     return;
   }
-  solved.spike_pressure =
-      estimate_of(over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }));
-  solved.spike_place =
-      estimate_of(over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_place; }));
+  constexpr Caution of_spike{2, 1, 0.3};
+  solved.spike_pressure = estimate_of(
+      over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }), of_spike);
+  solved.spike_place = estimate_of(
+      over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_place; }), of_spike);
 }
 
 }  // namespace
 
-Estimate estimate_of(const std::vector<double>& values) {
+Estimate estimate_of(const std::vector<double>& values, const Caution& caution) {
   Estimate e;
   const std::size_t n = values.size();
   if (n < 3) return e;
   const double last = values[n - 1] - values[n - 2], before = values[n - 2] - values[n - 3];
   e.value = values[n - 1];
-  e.error = std::fmax(std::fabs(last), std::fabs(before));
+  e.error = 1.5 * (std::fabs(last) + std::fabs(before));
   if (last == 0 && before == 0) return e;
   const double order = std::log2(before / last);
   if (!(order > 1.5 && order < 2.6)) return e;
@@ -114,8 +131,11 @@ Estimate estimate_of(const std::vector<double>& values) {
     return values[i] + (values[i] - values[i - 1]) / 3;
   };
   e.value = richardson(n - 1);
-  e.error = std::fabs(richardson(n - 1) - richardson(n - 2));
-  if (n > 3) e.error = std::fmax(e.error, std::fabs(richardson(n - 2) - richardson(n - 3)) / 2);
+  e.error = std::fmax(caution.of_last * std::fabs(richardson(n - 1) - richardson(n - 2)),
+                      caution.of_change * std::fabs(last));
+  if (n > 3)
+    e.error =
+        std::fmax(e.error, caution.of_before * std::fabs(richardson(n - 2) - richardson(n - 3)));
   return e;
 }
 
@@ -133,13 +153,14 @@ CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales
   return coarse;
 }
 
-SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& options,
-                           const Watch& watch) {
-  SolvedFilm solved;
-  solved.reason = refusal(contact);
-  if (!solved.reason.empty()) return solved;
+namespace {
 
-  Step last{contact, options.first_cells, 0, 0};
+// Of one coarsest grid, and what it leads to. Nothing here depends on the tolerance but where it
+// ends, so that a contact solved to one is solved to each greater one, in fewer steps.
+SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const SolveOptions& options,
+                               const Watch& watch) {
+  SolvedFilm solved;
+  Step last{cells, 0, 0};
   const Watch noting = [&](const Step& step) {
     last = step;
     return !watch || watch(step);
@@ -147,22 +168,15 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
   const auto failed = [&](const LineFilm& film) {
     if (film.outcome == Outcome::solved) return false;
     solved.outcome = film.outcome;
-    solved.reason = film.outcome == Outcome::stopped
-                        ? text("stopped on the grid of %d cells, before step %d of Newton's method",
-                               last.cells, last.step + 1)
-                        : why_not(contact, last);
+    solved.reason =
+        film.outcome == Outcome::stopped
+            ? text("stopped on the grid of %d cells, before step %d", last.cells, last.step + 1)
+            : why_not(last);
     return true;
   };
 
-  // An inlet of the usual length costs up to 2e-5 of the film.
-  const Scales scales = scales_of(contact, std::fmax(1, std::sqrt(8e-5 / options.tolerance)));
-  // Thin films under great loads are not found on few cells.
-  int cells = options.first_cells;
-  CoarseFilm coarse = solve_coarse_film(contact, cells, scales, options.at_edge, noting);
-  while (coarse.film.outcome == Outcome::not_converged && cells < 8 * options.first_cells) {
-    cells *= 2;
-    coarse = solve_coarse_film(contact, cells, scales, options.at_edge, noting);
-  }
+  CoarseFilm coarse =
+      solve_coarse_film(contact, cells, scales_of(contact), options.at_edge, noting);
   if (failed(coarse.film)) return solved;
 
   LineFilm film;
@@ -180,23 +194,28 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
       if (failed(longer)) break;
       const FilmFeatures there = features_of(contact, longer);
       // Upstream the pressure falls with the third power of the distance, and the load that is left
-      // out there with the second.
-      solved.domain_error = 4. / 3 *
+      // out there with the second: 4/3 of the change, and a quarter more, as this grid is coarse.
+      solved.domain_error = 5. / 3 *
                             std::fmax(std::fabs(there.central / grids[0].central - 1),
                                       std::fabs(there.minimum / grids[0].minimum - 1));
     }
     if (grids.size() < 3) continue;
-    estimate_all(solved, grids);
+    estimate_all(solved, contact, grids);
     worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
                       solved.at_greatest_pressure.relative_error()});
     const bool is_of_domain = worst < 1.25 * solved.domain_error;  // no grid makes that less
     // Without a spike there is nothing to wait for.
     const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);
-    if (grids.size() > 3 && (worst <= options.tolerance || is_of_domain) && is_spike_met) break;
+    if ((worst <= options.tolerance || is_of_domain) && is_spike_met) break;
   }
   solved.grids = static_cast<int>(grids.size());
   solved.film = std::move(film);
-  if (grids.size() < 3) return solved;
+  if (grids.size() < 3) {
+    if (solved.reason.empty())
+      solved.reason = text("an error needs three grids, and %d cells at most leave %d",
+                           options.greatest_cells, solved.grids);
+    return solved;
+  }
   solved.outcome = Outcome::solved;
   if (worst <= options.tolerance) {
     solved.reason.clear();  // of a grid that was not needed
@@ -208,6 +227,35 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
   if (solved.domain_error > options.tolerance)
     met += text(", of which %.1g comes from an inlet that is not endless", solved.domain_error);
   solved.reason = met + (solved.reason.empty() ? "" : "; " + solved.reason);
+  return solved;
+}
+
+}  // namespace
+
+SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& options,
+                           const Watch& watch) {
+  SolvedFilm solved;
+  solved.reason = refusal(contact);
+  if (!solved.reason.empty()) return solved;
+  // Thin films under great loads are not found on few cells, nor are others where a spike draws so
+  // many of them that few are left.
+  constexpr int coarsest_grids = 5;
+  constexpr double least_at_edge = 0.05;
+  SolveOptions now = options;
+  std::string tried;
+  for (int i = 0, cells = options.first_cells; i < coarsest_grids; ++i, cells *= 2) {
+    solved = solve_from_coarsest(contact, cells, now, watch);
+    now.at_edge = std::max(now.at_edge / 2, std::min(now.at_edge, least_at_edge));
+    if (solved.outcome != Outcome::not_converged) return solved;
+    if (4 * cells > options.greatest_cells && i > 0) break;
+    tried += text(i == 0 ? "%d" : ", %d", cells);
+  }
+  solved.reason = text("no film was found at %s, from coarsest grids of %s cells; %s",
+                       name_of(contact).c_str(), tried.c_str(), solved.reason.c_str());
+  if (contact.load_number > greatest_tried_load_number ||
+      contact.material_number > greatest_tried_material_number)
+    solved.reason += text("; the solver was tried up to M = %g and L = %g",
+                          greatest_tried_load_number, greatest_tried_material_number);
   return solved;
 }
 

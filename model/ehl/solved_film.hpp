@@ -21,11 +21,18 @@ struct Estimate {
   double relative_error() const { return error / value; }
 };
 
+// Shares that make an error: of what Richardson's value changed by from the grid before the last to
+// the last (where errors are regular, a fifteenth of it is left), of its change before that, and of
+// the last change of the value itself, by which a spike that is not resolved makes it waver.
+struct Caution {
+  double of_last = 0.5, of_before = 0.125, of_change = 0.03;
+};
+
 // From the values on grids that halve the cells: at least three. Where the observed order is the
-// second (1.5 to 2.6), the value is Richardson's and the error what Richardson's value changed by,
-// or half of what it changed by before, if that is more: where a spike is not resolved these
-// changes are irregular. Else the value is the last one and the error what it changed by.
-Estimate estimate_of(const std::vector<double>& values);
+// second (1.5 to 2.6), the value is Richardson's and the error the greatest of the three shares.
+// Else the value is the last one and the error one and a half times the sum of its last two
+// changes.
+Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {});
 
 // Contacts of a smaller M, and with smaller films H than the second, are refused. Up to the other
 // two the solver was tried; beyond them it may do, and says so where it does not converge.
@@ -38,7 +45,7 @@ struct SolveOptions {
   double tolerance = 1e-4;  // relative, of the three films
   // Relative, of the spike's pressure.
   double spike_tolerance = std::numeric_limits<double>::infinity();
-  int first_cells = 128;      // of the coarsest grid
+  int first_cells = 64;       // of the coarsest grid
   int greatest_cells = 8192;  // of the finest
   double at_edge = 0.05;      // share of the nodes in the constriction: more resolve sharper spikes
 };

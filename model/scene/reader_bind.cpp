@@ -132,6 +132,7 @@ class SceneBinder {
     switch (info.type) {
       case FieldType::number:
       case FieldType::integer:
+        if (is_without_rise(info, value)) return store_of(field)(scene_, 0);
         if (const auto number = number_of(info, value, info.path)) {
           store_of(field)(scene_, *number);
           warn_if_implausible(info, *number, info.path);
@@ -334,6 +335,11 @@ class SceneBinder {
 
   // One set of the group is given, whole, and nothing of the others.
   bool is_of_line_film() const { return use_ == SceneUse::line_film; }
+  // The film is solved with a liquid of constant viscosity too, of which film formulas have none.
+  bool is_without_rise(const FieldInfo& info, const Value& value) const {
+    return is_of_line_film() && info.path == "lubricant.pressure_viscosity" &&
+           value.kind == ValueKind::number && value.fault == NumberFault::none && value.number == 0;
+  }
   // The film of a smooth line asks nothing of the surface.
   bool may_be_without(const GroupPlaces& group) const {
     return is_of_line_film() && !has_section("surface") &&

@@ -144,9 +144,10 @@ std::string header(const std::string& quantity, const std::string& liquid, const
       "# assumptions: isothermal, Newtonian, {}, smooth, fully flooded\n"
       "# units: none; each ..._error is absolute, in the unit of its number\n"
       "# generator: reference/generators/line_films.cpp, model/ehl\n"
-      "# method: second order in space; Richardson's value of four or more grids of 128, 256, ... "
+      "# method: second order in space; Richardson's value of grids of 64, 128, ... "
       "cells\n"
-      "# error: what Richardson's value changed by, and what a longer inlet would change\n"
+      "# error: shares of what Richardson's value and the value itself changed by, and what a "
+      "longer inlet would change\n"
       "{}# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
       quantity, liquid, more, fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
 }

@@ -35,15 +35,34 @@ struct FilmArguments {
   std::string picture;
 };
 
+// Roelands' z of oils is near 0.6, of synthetic liquids some 0.4 to 1. What lies outside these
+// bounds is more likely a wrong α or η₀ than a liquid.
+constexpr double least_roelands_index = 0.2, greatest_roelands_index = 1.2;
+
+void warn_of_index(const Scene& scene) {
+  const Lubricant& oil = scene.lubricant;
+  const double index = oil.pressure_viscosity * roelands_pressure<double>() /
+                       (std::log(oil.viscosity) + roelands_log_viscosity<double>());
+  if (index == 0 || (index >= least_roelands_index && index <= greatest_roelands_index)) return;
+  complain(fmt::format(
+      "{}: lubricant.pressure_viscosity: {} 1/Pa with a viscosity of {} Pa·s gives Roelands' z = "
+      "{:.3g}, which is implausible: usual are {} to {}; check both, or take --viscosity barus",
+      scene.id, readable(oil.pressure_viscosity), readable(oil.viscosity), index,
+      least_roelands_index, greatest_roelands_index));
+}
+
+bool follows_roelands(const Scene& scene, const FilmSettings& settings) {
+  return settings.viscosity.empty() ? scene.friction.viscosity == ViscosityLaw::roelands
+                                    : settings.viscosity == "roelands";
+}
+
 // What is wrong with a scene for these arguments; empty if nothing is.
 std::string fault_of(const Scene& scene, const FilmArguments& arguments) {
   if (scene.speeds.empty())
     return "speed: missing; allowed: a number above 0, in m/s, a list or a range of such numbers, "
            "or the option --speed in their place";
-  const bool is_roelands = arguments.settings.viscosity.empty()
-                               ? scene.friction.viscosity == ViscosityLaw::roelands
-                               : arguments.settings.viscosity == "roelands";
-  if (is_roelands && !(scene.lubricant.viscosity > least_roelands_viscosity))
+  if (follows_roelands(scene, arguments.settings) &&
+      !(scene.lubricant.viscosity > least_roelands_viscosity))
     return fmt::format(
         "lubricant.viscosity: {} is not allowed with --viscosity roelands; allowed: a number above "
         "{}, in Pa·s",
@@ -57,7 +76,10 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
   std::erase_if(loaded.scenes, [&](Scene& scene) {
     if (arguments.speed > 0) scene.speeds = {.list = {arguments.speed}};
     const std::string fault = fault_of(scene, arguments);
-    if (fault.empty()) return false;
+    if (fault.empty()) {
+      if (follows_roelands(scene, arguments.settings)) warn_of_index(scene);
+      return false;
+    }
     complain(scene.id + ": " + fault);
     loaded.all_good = false;
     return true;
@@ -173,6 +195,9 @@ it is from this contact's own film. Where no text tells which liquid that was, t
 Lengths in m, pressures in Pa. M and L are Moes' numbers of load and
 material; x is along the direction of entrainment, from the middle of Hertz' contact. A profile is
 that of the finest grid; the films are extrapolated from all grids, and so are nearer to the truth.
+
+With lubricant.pressure_viscosity = 0 the liquid's viscosity is constant; formulas without a film for
+such a liquid are empty. With --viscosity roelands a z outside 0.2 to 1.2 is said on stderr.
 
 A contact takes some tenths of a second, and less with a larger tolerance; a scene of 200 speeds is
 200 contacts. Ctrl-C stops at the next step, and what was solved is written.

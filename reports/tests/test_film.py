@@ -259,6 +259,30 @@ class Scenes(FilmTest):
         result = run("film", bad, self.write(line(10, 5)), "--format", "json")
         self.assertEqual((result.code, len(result.json()), len(result.error_lines)), (2, 1, 1))
 
+    def test_a_liquid_of_constant_viscosity_is_solved(self):
+        tree = line(10, 0)
+        self.assertEqual(tree["lubricant"]["pressure_viscosity"], 0)
+        found = self.film(tree)
+        for more in [(), ("--viscosity", "roelands")]:  # which has no z here, and nothing to warn of
+            result = run("film", self.write(tree), *more, "--format", "json")
+            self.assertEqual((result.code, result.err), (0, ""))
+            self.assertEqual(result.json()[0]["central_film"], found["central_film"])
+        formulas = {one["name"]: one["film"] for one in found["formulas"]}
+        self.assertIsNotNone(formulas.pop("moes_line"))
+        self.assertEqual(set(formulas.values()), {None})
+        self.assertIn("lubricant.pressure_viscosity: -1e-8 is not allowed", run("film", self.write(
+            line(10, 0, lubricant={"viscosity": 0.01, "pressure_viscosity": -1e-8}))).err)
+
+    def test_an_implausible_z_is_warned_of(self):
+        for viscosity, alpha, z in [(0.01, 4e-8, "1.55"), (0.9, 5e-9, "0.102"), (0.01, 2e-8, None)]:
+            tree = line(10, 5, lubricant={"viscosity": viscosity, "pressure_viscosity": alpha})
+            result = run("film", self.write(tree), "--viscosity", "roelands", "--tolerance", "1e-2")
+            self.assertEqual((result.code, len(result.error_lines)), (0, 0 if z is None else 1), result.err)
+            if z:
+                self.assertIn(f"line: lubricant.pressure_viscosity: {alpha:g} 1/Pa with a viscosity of {viscosity:g} Pa·s "
+                              f"gives Roelands' z = {z}, which is implausible", result.err)
+            self.assertEqual(run("film", self.write(tree), "--tolerance", "1e-2").err, "")  # Barus has none
+
     def test_roelands_law_needs_a_viscosity(self):
         tree = line(10, 5)
         tree["lubricant"]["viscosity"] = 6e-5

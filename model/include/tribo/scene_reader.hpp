@@ -76,8 +76,8 @@ enum class SceneUse : std::uint8_t {
   speeds,     // solve, curve: `speed` is required
   onset,      // `speed` is optional
   one_speed,  // stream: `speed` is one number
-  line_film,  // film: a line; `speed` is optional, and nothing is asked of [surface], [friction]
-              // and `outputs`; a supply is warned of, because it is not used
+  line_film,  // film: a line; `speed` is optional, α may be 0, and nothing is asked of [surface],
+              // [friction] and `outputs`; a supply is warned of, because it is not used
 };
 
 inline constexpr std::size_t max_scene_bytes = std::size_t{1} << 20;

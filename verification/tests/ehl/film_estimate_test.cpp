@@ -28,13 +28,17 @@ std::vector<double> sequence(int count, double limit, double second, double four
 TEST(EstimateOf, TakesRichardsonsValueOfTheSecondOrder) {
   const Estimate pure = ehl::estimate_of(sequence(4, 3, 1, 0));
   EXPECT_TRUE(is_within(pure.value, 3, 1e-15));
-  EXPECT_TRUE(is_within(pure.error, 0, 1e-15));
+  EXPECT_TRUE(is_within(pure.error, 0.03 * 3. / 64, 1e-15));  // the value changed by 3/64
+  EXPECT_TRUE(is_within(ehl::estimate_of(sequence(4, 3, 1, 0), {.of_change = 0}).error, 0, 1e-15));
   EXPECT_TRUE(is_within(pure.order, 2, 1e-13));
   // 3 + 1/16 + 0.5/256 and 3 + 1/64 + 0.5/4096 give 3 − 4 · 0.5/4096.
   const Estimate mixed = ehl::estimate_of(sequence(4, 3, 1, 0.5));
   EXPECT_TRUE(is_within(mixed.value, 3 - 4 * 0.5 / 4096, 1e-15));
-  // The values before changed by 15 · 4 · 0.5/256, of which half is more than the last change.
-  EXPECT_TRUE(is_within(mixed.error, 15 * 4 * 0.5 / 256 / 2, 1e-14));
+  // The values before changed by 15 · 4 · 0.5/256: an eighth of it is more than half of the last
+  // change.
+  EXPECT_TRUE(is_within(mixed.error, 15 * 4 * 0.5 / 256 / 8, 1e-14));
+  EXPECT_TRUE(is_within(ehl::estimate_of(sequence(4, 3, 1, 0.5), {1, 0, 0}).error,
+                        15 * 4 * 0.5 / 4096, 1e-14));
 }
 
 TEST(EstimateOf, ErrorHoldsWhateverTheCoefficients) {
@@ -59,13 +63,12 @@ TEST(EstimateOf, NoiseAddsNoMoreThanItsOwnSize) {
   }
 }
 
-TEST(EstimateOf, IrregularValuesKeepTheLastAndItsChange) {
+TEST(EstimateOf, IrregularValuesKeepTheLastAndItsChanges) {
   for (const std::vector<double>& values :
        {std::vector<double>{1, 2, 1.5}, {1, 2, 3}, {1, 1, 2}, {1, 1.5, 1.4999}}) {
     const Estimate got = ehl::estimate_of(values);
     EXPECT_EQ(got.value, values[2]);
-    EXPECT_EQ(got.error,
-              std::max(std::abs(values[2] - values[1]), std::abs(values[1] - values[0])));
+    EXPECT_EQ(got.error, 1.5 * (std::abs(values[2] - values[1]) + std::abs(values[1] - values[0])));
     EXPECT_EQ(std::isnan(got.order), true);
   }
   EXPECT_EQ(ehl::estimate_of({2, 2, 2}).value, 2);
