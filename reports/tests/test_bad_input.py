@@ -167,6 +167,15 @@ class Rules(BadInputTest):
             self.assert_field_refused("speed", scene(speed=speed))
         self.assert_field_refused("speed", scene(speed=[1, -1]), "-1")
 
+    def test_what_follows_from_legal_numbers_has_to_be_a_double_with_all_its_digits(self):
+        bodies = {"first_modulus": 3e-308, "first_poisson_ratio": 0.3, "second_modulus": 3e-308,
+                  "second_poisson_ratio": 0.3, "reduced_radius": 9.5e-3}
+        result = self.run_scene(scene(bodies=bodies), "json")
+        self.assertEqual((result.code, result.out), (2, ""))
+        self.assertIn("bodies.first_modulus: the effective modulus that follows is 1.65e-308", result.err)
+        bodies["first_modulus"] = bodies["second_modulus"] = 6e-308
+        self.assertEqual(self.run_scene(scene(bodies=bodies), "json").code, 0)
+
     def test_keys_given_twice(self):
         for text in [toml(scene()).replace("load = 50\n", "load = 50\nload = 60\n"),
                      toml(scene()) + "[surface]\nsummit_radius = 1\n"]:

@@ -114,6 +114,36 @@ TEST(ExtremeScenes, AreRightOrBeyondDouble) {
   EXPECT_GT(judged.next_to_zero, 40);
 }
 
+// The film ratio of this closure is about r⁻⁴: it is subnormal, or 0, where the film is neither.
+TEST(ExtremeScenes, FilmsThatFallAsTheFourthPowerKeepTheirDigits) {
+  Judged judged;
+  for (const FluidShear fluid : {FluidShear::eyring, FluidShear::limiting})
+    for (int decade = -19; decade <= 19; ++decade) {
+      Scene scene = paper_scene(PaperSurface::rough);
+      scene.closures.starvation = StarvationClosure::printed_exponents;
+      scene.friction.fluid = fluid;
+      scene.supply = {SupplyKind::inlet_flow, std::pow(10, decade)};
+      scene.speeds.list = {1e50};
+      judge(scene, MixedContact<double>(scene).solve(1e50), judged);
+    }
+  EXPECT_EQ(judged.compared, 78 * 9);
+}
+
+// F_2(41) is 1e-368 and its factor here 1e61; the engine sets F_n to 0 beyond 40.
+TEST(ExtremeScenes, MomentsFarOutAreNotNothingWhereTheirFactorIsLarge) {
+  Judged judged;
+  Scene scene = paper_scene(PaperSurface::rough);
+  scene.supply = {};
+  scene.surface.summit_density = 1e20;
+  scene.surface.summit_radius = 1e10;
+  scene.surface.summit_height_sd = 1;
+  for (const double film : {30.0, 39.0, 41.0, 42.0}) {
+    scene.speeds.list = {MixedContact<double>(scene).speed_at(film)};
+    judge(scene, MixedContact<double>(scene).solve(scene.speeds[0]), judged);
+  }
+  EXPECT_EQ(judged.ill_conditioned, 0);
+}
+
 // nβσ_s is 2e-160 here: its square is subnormal, K is not.
 TEST(ExtremeScenes, StiffnessHasAllItsDigitsWhereASquareInItIsSubnormal) {
   Scene scene = paper_scene(PaperSurface::rough);
