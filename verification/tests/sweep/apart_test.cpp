@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What crashes, hangs or grows in the child process is one line here.
+#include "sweep/apart.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <stdexcept>
+#include <string>
+
+#include "sweep/small_sweep.hpp"
+
+namespace tribo::sweep {
+namespace {
+
+TEST(Apart, GivesTheBytesOrTheErrorOfTheChild) {
+  const Bytes many(1'000'000, std::byte{7});
+  EXPECT_EQ(apart(0, [&] { return many; }), many);
+  EXPECT_EQ(apart(0, [] { return Bytes(); }), Bytes());
+  EXPECT_EQ(
+      error_of([] { apart(0, []() -> Bytes { throw std::runtime_error("no such thing"); }); }),
+      "no such thing");
+}
+
+TEST(Apart, SaysThatTheChildCrashed) {
+  for (const int signal : {SIGKILL, SIGTERM, SIGUSR1}) {
+    const auto crash = [signal]() -> Bytes {
+      std::raise(signal);
+      return {};
+    };
+    EXPECT_EQ(error_of([&] { apart(0, crash); }), "HDF5 crashes when it reads it");
+  }
+}
+
+TEST(Apart, EndsAChildThatDoesNotEnd) {
+  const auto never = []() -> Bytes {
+    for (volatile bool goes_on = true; goes_on;) {
+    }
+    return {};
+  };
+  EXPECT_EQ(error_of([&] { apart(0, never); }).find("reading it does not end"), 0U);
+}
+
+}  // namespace
+}  // namespace tribo::sweep
