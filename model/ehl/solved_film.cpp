@@ -110,7 +110,7 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
     solved.spike_pressure = solved.spike_place = {};
     return;
   }
-  constexpr Caution of_spike{2, 1, 0.3};
+  constexpr Caution of_spike{1, 0.5, 0};
   solved.spike_pressure = estimate_of(
       over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }), of_spike);
   solved.spike_place = estimate_of(
