@@ -67,11 +67,14 @@ std::string name_of(const LineContact& contact) {
 }
 
 // Where a film was not found: what the last step had reached.
-std::string why_not(const Step& last) {
-  return text(
-      "on the grid of %d cells neither Newton's method nor the film in time came to rest: after %d "
-      "steps the pressure was still to change by %.2g of Hertz' peak",
-      last.cells, last.step + 1, last.change);
+std::string why_not(const Step& last, const LineFilm& film) {
+  std::string why =
+      text("on the grid of %d cells neither Newton's method nor the film in time came to rest: ",
+           last.cells);
+  return why + (std::isfinite(film.last_change)
+                    ? text("step %d still changed the pressure by %.2g of Hertz' peak",
+                           last.step + 1, film.last_change)
+                    : text("the equations of step %d have no finite solution", last.step + 1));
 }
 
 void estimate_all(SolvedFilm& solved, const LineContact& contact,
@@ -107,7 +110,7 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
     solved.spike_pressure = solved.spike_place = {};
     return;
   }
-  constexpr Caution of_spike{2, 1, 0.3};
+  constexpr Caution of_spike{1, 0.5, 0};
   solved.spike_pressure = estimate_of(
       over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }), of_spike);
   solved.spike_place = estimate_of(
@@ -171,7 +174,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     solved.reason =
         film.outcome == Outcome::stopped
             ? text("stopped on the grid of %d cells, before step %d", last.cells, last.step + 1)
-            : why_not(last);
+            : why_not(last, film);
     return true;
   };
 
@@ -247,8 +250,8 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
     solved = solve_from_coarsest(contact, cells, now, watch);
     now.at_edge = std::max(now.at_edge / 2, std::min(now.at_edge, least_at_edge));
     if (solved.outcome != Outcome::not_converged) return solved;
-    if (4 * cells > options.greatest_cells && i > 0) break;
     tried += text(i == 0 ? "%d" : ", %d", cells);
+    if (4 * cells > options.greatest_cells) break;
   }
   solved.reason = text("no film was found at %s, from coarsest grids of %s cells; %s",
                        name_of(contact).c_str(), tried.c_str(), solved.reason.c_str());

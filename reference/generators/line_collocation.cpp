@@ -259,6 +259,7 @@ class Collocation {
     const double of_outlet = std::fabs(change[count]);
     const double room = (state.ends.back() - state.ends[state.ends.size() * 19 / 20 - 1]) / 3;
     double part = std::min({1.0, 0.3 / of_pressure, room / of_outlet});
+    if (!(part > 1e-4)) return std::numeric_limits<double>::infinity();  // no part to make
     State next;
     for (; part > 1e-4; part /= 2) {
       next = state;

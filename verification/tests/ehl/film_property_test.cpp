@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "ehl/film_kernel.hpp"
 #include "ehl/films.hpp"
 #include "ehl/line_conditions.hpp"
 #include "ehl/reynolds.hpp"
+#include "ehl/sampled_contact.hpp"
 #include "support/judge.hpp"
 
 namespace tribo::verification {
@@ -196,6 +198,55 @@ TEST(SolveLineFilm, SaysThatTheToleranceWasNotMet) {
   EXPECT_NE(film.reason.find("the tolerance of 1e-09 was not met"), std::string::npos)
       << film.reason;
   EXPECT_GT(film.central.relative_error(), 1e-9);
+}
+
+// By Newton's steps times cells.
+TEST(SolveLineFilm, SolvesToEachLooserToleranceInNoMoreWork) {
+  std::vector<ehl::LineContact> contacts;
+  ContactSampler sampler(32);
+  for (int i = 0; i < 8; ++i) contacts.push_back(sampler.next().contact);
+  // Steel at 3 and 2 GPa: refused to 1e-2 and solved to 3e-5 once.
+  for (const double index : {0.68, 1.0}) {
+    ehl::LineContact heavy = ehl::barus_contact(300, 25);
+    heavy.fluid.roelands_pressure = 15;
+    heavy.fluid.roelands_index = index;
+    heavy.fluid.density_pressure = 5;
+    contacts.push_back(heavy);
+  }
+  for (const ehl::LineContact& contact : contacts) {
+    double work_before = std::numeric_limits<double>::infinity();
+    bool was_met = false;
+    for (const double tolerance : {1e-4, 1e-3, 1e-2}) {
+      double work = 0;
+      const SolvedFilm film =
+          ehl::solve_line_film(contact, {.tolerance = tolerance}, [&](const ehl::Step& step) {
+            work += step.cells;
+            return true;
+          });
+      EXPECT_EQ(film.outcome, ehl::Outcome::solved) << film.reason;
+      EXPECT_LE(work, work_before);
+      EXPECT_GE(film.reason.empty(), was_met) << film.reason;
+      work_before = work;
+      was_met = film.reason.empty();
+    }
+  }
+}
+
+TEST(SolveLineFilm, SaysOfTheContactItselfWhyThereIsNoFilm) {
+  ehl::LineContact contact = ehl::barus_contact(10, 25);
+  contact.fluid.exponent = 1e7;
+  const SolvedFilm film = ehl::solve_line_film(contact, {.greatest_cells = 128});
+  EXPECT_EQ(film.outcome, ehl::Outcome::not_converged);
+  EXPECT_TRUE(
+      film.reason.starts_with("no film was found at M = 10 and L = 25, αp₀ = 1e+07, from "
+                              "coarsest grids of 64 cells; on the grid of "))
+      << film.reason;
+  // Too few grids are no silence either.
+  const SolvedFilm few = ehl::solve_line_film(ehl::barus_contact(10, 5), {.greatest_cells = 128});
+  EXPECT_EQ(few.outcome, ehl::Outcome::not_converged);
+  EXPECT_NE(few.reason.find("an error needs three grids, and 128 cells at most leave"),
+            std::string::npos)
+      << few.reason;
 }
 
 }  // namespace
