@@ -85,11 +85,12 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
     return e;
   };
   const bool is_compressible = contact.fluid.density_pressure > 0;
-  // What a spike that no grid shows moves the film in the middle by falls faster than the rest.
-  const Caution calm{.of_change =
-                         0.03 * std::pow(4, std::min(0., 4. - static_cast<double>(grids.size())))};
-  // The least film lies beside the spike, which in a compressible liquid takes film with it.
-  const Caution beside_spike = is_compressible ? Caution{1, 0.5, 0.2} : Caution{.of_change = 0.06};
+  // What a spike that no grid shows moves the film in the middle by falls faster than the rest, and
+  // more slowly so in a compressible liquid, whose spike takes film with it.
+  const double grids_more = std::max(0., static_cast<double>(grids.size()) - 4);
+  const Caution calm{.of_change = 0.03 * std::pow(is_compressible ? 0.5 : 0.25, grids_more)};
+  // The least film lies beside the spike.
+  const Caution beside_spike = is_compressible ? Caution{2, 1, 0.4} : Caution{.of_change = 0.06};
   solved.central = estimate([](const FilmFeatures& f) { return f.central; }, calm);
   solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, beside_spike);
   solved.at_greatest_pressure =
