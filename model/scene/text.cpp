@@ -94,17 +94,6 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   return form.length;
 }
 
-std::string without_controls(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  for (std::size_t at = 0; at < text.size();)
-    if (text[at] == '\n' || text[at] == '\t')
-      result += text[at++];
-    else
-      at += append_sign(result, text, at);
-  return result;
-}
-
 std::string number_text(double number) {
   std::array<char, 32> buffer{};
   char* const begin = buffer.data();
@@ -143,6 +132,18 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
 }
 
 }  // namespace scene_detail
+
+std::string without_controls(std::string_view text) {
+  using namespace scene_detail;
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();)
+    if (text[at] == '\n' || text[at] == '\t')
+      result += text[at++];
+    else
+      at += append_sign(result, text, at);
+  return result;
+}
 
 std::string printable(std::string_view text, std::size_t most) {
   using namespace scene_detail;

@@ -11,10 +11,6 @@ namespace tribo::scene_detail {
 // Bytes of the well-formed UTF-8 sequence that starts at text[at]; 0 if there is none.
 std::size_t utf8_length(std::string_view text, std::size_t at);
 
-// The text, with signs that would steer a terminal escaped as by printable(), but line ends and
-// tabs kept. JSON means the same after it.
-std::string without_controls(std::string_view text);
-
 // The shortest decimal that reads back to the same double.
 std::string number_text(double number);
 // With three digits.

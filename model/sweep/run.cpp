@@ -261,7 +261,8 @@ void write_shard(const std::string& path, const Shard& shard, const JournalSet& 
   try {
     PartFile part(path, is_start_of_journal);
     JournalHeader header = chunks.header();
-    header.arithmetic = chunks.arithmetics();
+    // A shard without chunks is of the arithmetic of the process that writes it.
+    if (chunks.count() > 0) header.arithmetic = chunks.arithmetics();
     header.replaces.clear();
     Journal journal =
         Journal::begin(Descriptor(::fcntl(part.file(), F_DUPFD_CLOEXEC, 0)), part.path(), header);

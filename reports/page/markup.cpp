@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "page/markup.hpp"
 
-#include "scene/text.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::report {
@@ -36,7 +35,7 @@ std::string escape_markdown(std::string_view text) {
 
 std::string escape_html(std::string_view text) {
   std::string escaped;
-  for (const char sign : scene_detail::without_controls(text)) escaped += html_sign(sign);
+  for (const char sign : without_controls(text)) escaped += html_sign(sign);
   return escaped;
 }
 

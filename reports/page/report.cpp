@@ -13,9 +13,9 @@
 
 #include "page/groups.hpp"
 #include "page/ledger_tables.hpp"
-#include "page/write_file.hpp"
 #include "page/rendering.hpp"
 #include "page/report_error.hpp"
+#include "page/write_file.hpp"
 #include "reproduction/ledger.hpp"
 #include "tribo/scene_reader.hpp"
 #include "tribo/version.hpp"

@@ -25,8 +25,8 @@
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "page/child_process.hpp"
-#include "page/write_file.hpp"
 #include "page/report_error.hpp"
+#include "page/write_file.hpp"
 #include "shell.hpp"
 
 namespace tribo::cli {

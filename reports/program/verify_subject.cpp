@@ -11,8 +11,8 @@
 #include "conformance_writers.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/write_file.hpp"
 #include "page/project_files.hpp"
+#include "page/write_file.hpp"
 #include "progress.hpp"
 #include "shell.hpp"
 

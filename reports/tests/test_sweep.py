@@ -182,6 +182,18 @@ class Files(SweepTest):
         missing = run("sweep", "merge", *shards[:2], "-o", self.path("half.h5"))
         self.assert_refused(missing, "chunks are in none of these")
 
+    def test_a_shard_without_chunks_merges(self):
+        # One chunk in all, so that only one of three shards has it.
+        text = self.TEXT.replace("3000", "16")
+        self.swept(text, out="whole.h5")
+        for part in (1, 2, 3):
+            self.swept(text, "--shard", f"{part}/3", out=f"{part}.shard")
+        for order in ((1, 2, 3), (3, 2, 1), (2, 1, 3)):
+            result = run("sweep", "merge", *(self.path(f"{part}.shard") for part in order), "-o", self.path("merged.h5"),
+                         "--force")
+            self.assertEqual(result.code, 0, result.err)
+            self.assertEqual(self.bytes_of("merged.h5"), self.bytes_of("whole.h5"))
+
     def test_shards_of_different_sweeps_do_not_merge(self):
         self.swept(self.TEXT, "--shard", "1/2", out="1.shard")
         self.swept(self.TEXT.replace("3000", "3001"), "--shard", "2/2", out="2.shard")

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "scene/text.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::protocol {
 namespace {
@@ -23,8 +24,7 @@ bool is_plain(std::string_view text) {
 void append_json_text(Text& to, std::string_view text) {
   if (!is_plain(text)) {
     using Json = nlohmann::json;
-    append(to, scene_detail::without_controls(
-                   Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)));
+    append(to, without_controls(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)));
     return;
   }
   to.push_back('"');

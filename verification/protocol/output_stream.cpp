@@ -5,7 +5,7 @@
 #include <string>
 
 #include "protocol/descriptors.hpp"
-#include "scene/text.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::protocol {
 
@@ -26,7 +26,7 @@ bool is_plain(const Text& text) {
 
 void OutputStream::flush() {
   if (!is_plain(text_)) {
-    const std::string safe = scene_detail::without_controls({text_.data(), text_.size()});
+    const std::string safe = without_controls({text_.data(), text_.size()});
     text_.clear();
     append(text_, safe);
   }

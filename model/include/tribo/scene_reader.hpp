@@ -64,6 +64,9 @@ struct InputProblem {
 // A text from an input as messages show it: control, formatting and broken signs are written as
 // escapes, and what is longer than `most` characters ends in "…".
 std::string printable(std::string_view text, std::size_t most = 60);
+// The text, with signs that would steer a terminal escaped as by printable(), but line ends and
+// tabs kept. JSON means the same after it.
+std::string without_controls(std::string_view text);
 
 struct SceneReading {
   std::optional<Scene> scene;          // set when `errors` is empty

@@ -414,12 +414,12 @@ TEST(Baseline, CountsABrokenProtocolAsWorse) {
   EXPECT_EQ(compare(result, baseline).worse.size(), 1U);
 }
 
-bool is_refused(const json& baseline, const ConformanceResult& result) {
+testing::AssertionResult is_refused(const json& baseline, const ConformanceResult& result) {
   try {
     compare(result, baseline);
-    return false;
+    return testing::AssertionFailure() << "it was compared with";
   } catch (const std::runtime_error&) {
-    return true;
+    return testing::AssertionSuccess();
   }
 }
 

@@ -3,6 +3,8 @@
 // shipped scene files hold the same inputs.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -69,7 +71,10 @@ TEST(PaperScenes, ShippedFilesHoldTableOne) {
         EXPECT_EQ(a.film, b.film);
         EXPECT_EQ(a.real_area_ratio, b.real_area_ratio);
         EXPECT_EQ(a.summit_count, b.summit_count);
-        EXPECT_EQ(a.friction, b.friction);
+        EXPECT_EQ(std::isnan(a.friction), std::isnan(b.friction));
+        if (!std::isnan(a.friction)) {
+          EXPECT_EQ(a.friction, b.friction);
+        }
       }
     }
 }
