@@ -22,7 +22,8 @@ constexpr double greatest_change = 0.5;   // of P in one step: Hertz' peak is 1
 constexpr double least_part = 1e-3;       // of a step of Newton's method that is still worth making
 constexpr double rounding_change = 1e-7;  // of P, at most
 
-// Of a film in time: rates are those of the steps, 1/ΔT, for a contact of half-width 1.
+// A film that is followed in time: rates are those of the steps, 1/ΔT, for a contact of half-width
+// 1.
 constexpr double first_rate = 100, last_rate = 0.05, greatest_rate = 1e9;
 constexpr double greatest_change_in_time = 0.3;
 constexpr int most_steps_in_time = 80;
@@ -47,7 +48,7 @@ struct State {
   double separation = 0;
 };
 
-// Of a state's pressure and separation.
+// The change of a state's pressure and separation.
 struct Change {
   VectorXd pressure;
   double separation = 0;
@@ -176,8 +177,9 @@ class Newton {
     return {std::move(balance), std::move(free), std::move(jacobian), std::move(by_separation)};
   }
 
-  // What removes, to first order, what the equations leave at a state that may be another than that
-  // of the linear equations: where the film has broken, the pressure; elsewhere the surplus.
+  // The change that removes, to first order, the residual of a state, which may be another state
+  // than that of the linear equations: where the film has broken, the pressure; elsewhere the
+  // surplus.
   Change change_for(const Linear& linear, const State& at, const Balance& balance,
                     double rate) const {
     VectorXd side = VectorXd::Zero(at.pressure.size());

@@ -85,8 +85,8 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
     return e;
   };
   const bool is_compressible = contact.fluid.density_pressure > 0;
-  // What a spike that no grid shows moves the film in the middle by falls faster than the rest, and
-  // more slowly so in a compressible liquid, whose spike takes film with it.
+  // A spike that no grid shows moves the film in the middle, by an amount that falls faster than
+  // the other errors, and more slowly so in a compressible liquid, whose spike takes film with it.
   const double grids_more = std::max(0., static_cast<double>(grids.size()) - 4);
   const Caution calm{.of_change = 0.03 * std::pow(is_compressible ? 0.5 : 0.25, grids_more)};
   // The least film lies beside the spike.
@@ -159,8 +159,8 @@ CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales
 
 namespace {
 
-// Of one coarsest grid, and what it leads to. Nothing here depends on the tolerance but where it
-// ends, so that a contact solved to one is solved to each greater one, in fewer steps.
+// The film by the grids that follow from one coarsest grid. The tolerance only says where they end,
+// so that a contact solved to one is solved to each greater one, in fewer steps.
 SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const SolveOptions& options,
                                const Watch& watch) {
   SolvedFilm solved;

@@ -59,7 +59,7 @@ struct SolvedFilm {
   int grids = 0;
   // H and P of film_features.hpp.
   Estimate central, minimum, at_greatest_pressure, spike_pressure, spike_place;
-  // Of films, relative: that of an inlet that is not endless. It is in the errors.
+  // Relative error of the films by an inlet that is not endless. It is in the errors.
   double domain_error = 0;
   int steps = 0;  // of Newton's method, on the way to the finest grid
 };

@@ -91,8 +91,8 @@ void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problem
                                         "or length in place of R_y, for a line");
 }
 
-// What follows from two bodies and from moments, which are legal numbers each, may lose its digits
-// next to 0, or overflow.
+// The numbers that follow from two bodies and from moments, each of which is legal, may lose their
+// digits next to 0, or overflow.
 void check_derived(const Scene& scene, const Numbers& numbers, Problems& problems) {
   const auto check = [&](bool is_derived, std::string_view field, std::string_view what,
                          double number) {

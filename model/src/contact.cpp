@@ -162,7 +162,7 @@ MixedContact<Wide> wide_contact(const ContactWords& words, const SceneNumbers<do
   return MixedContact<Wide>(words, numbers);
 }
 
-// Of a contact beyond the engine's range.
+// Sets the numbers of a contact beyond the engine's range.
 void set_numbers(const MixedContact<Wide>& exact, ContactNumbers<double>& contact) {
   const AsperityContact<Wide>& asperities = exact.asperities();
   const HertzContact<Wide>& hertz = exact.hertz();

@@ -271,7 +271,7 @@ HWY_INLINE hn::Mask<D> is_next_to_nothing(D d, const detail::ContactWords& words
   return hn::Lt(inlet.film_ratio, hn::Set(d, least_film_ratio));
 }
 
-// Likewise from λ₀ and its root λ. Returns the root; NaN where the point is beyond the kernels'
+// The same from λ₀ and its root λ. Returns the root; NaN where the point is beyond the kernels'
 // range.
 template <class D, class Counter, class V = hn::Vec<D>>
 HWY_INLINE V complete_root(D d, const detail::ContactWords& words,

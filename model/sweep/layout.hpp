@@ -10,7 +10,7 @@
 
 namespace tribo::sweep {
 
-// What became of a film that was to be solved: the words of the column `outcome`.
+// The outcome of a film that was to be solved: the words of the column `outcome`.
 enum class SolvedOutcome : std::uint8_t { solved, tolerance_missed, not_solved };
 inline constexpr std::array<std::string_view, 3> solved_outcome_words{"solved", "tolerance_missed",
                                                                       "not_solved"};

@@ -20,7 +20,7 @@
 
 namespace tribo::sweep {
 
-// What is there does not fit what was asked: bad usage, not a failure.
+// Files that are there do not fit what was asked: bad usage, not a failure.
 struct RunRefused : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
@@ -39,7 +39,7 @@ struct FileIdentity {
   friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
 };
 
-// What a file may replace when it takes its name: nothing, one certain file, or any file.
+// The files that a file may replace when it takes its name: no file, one certain file, or any file.
 struct Replaceable {
   bool any = false;
   std::optional<FileIdentity> only;
@@ -56,7 +56,7 @@ class FilePlace {
                      std::string_view beginning = "");
 
   const std::string& path() const { return path_; }
-  // What the name leads to; a symbolic link is not followed. Nothing: no file.
+  // The status of the file of that name, a symbolic link not followed; nullopt: there is no file.
   std::optional<struct stat> status() const;
   std::optional<FileIdentity> identity() const;
   bool leads_to(int file) const;

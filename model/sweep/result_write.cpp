@@ -333,8 +333,8 @@ Handle create_file(const std::string& path) {
   return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
 }
 
-// What is left of a killed process, and of each of its moments: only HDF5's head, as it is when the
-// file is made, or the result's format in the first bytes that follow.
+// A killed process leaves this, at whichever moment it was killed: only HDF5's head, as it is when
+// the file is made, or the result's format in the first bytes that follow.
 bool is_start_of_result(std::span<const std::byte> start) {
   constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
   constexpr std::size_t head = 48;

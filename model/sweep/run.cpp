@@ -116,7 +116,7 @@ std::vector<JournalReader> readable(const std::vector<std::string>& paths,
 struct Start {
   bool complete = false;               // the result is there
   std::vector<std::uint64_t> pending;  // chunks
-  // What may be at the output when the result takes its place.
+  // The file that may be at the output when the result takes its place.
   Replaceable replaceable = {};
 };
 

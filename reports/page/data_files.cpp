@@ -19,7 +19,7 @@ std::string header(std::string_view what, std::string_view made_from) {
   return fmt::format("# {}\n# tribocheck {}, from {}\n", what, version, made_from);
 }
 
-// What the columns are; what is undefined is NaN.
+// The meanings of the columns; undefined numbers are NaN.
 std::string notes() {
   std::string text = "# NaN: undefined\n";
   for (const OutputInfo& output : output_infos)

@@ -26,7 +26,7 @@ std::string against_the_paper(const reproduction::Item& item,
                               const reproduction::ItemResult& result);
 // With why there is no number, or that it is not decided.
 std::string verdict(const reproduction::ItemResult& result);
-// Of the verdict, with its numerical error: "0.282 ± 1e-13".
+// The margin of a verdict, with its numerical error: "0.282 ± 1e-13".
 std::string margin(const reproduction::ItemResult& result);
 std::string list(const std::vector<std::string>& names);
 // All claims are wanted where none is named.

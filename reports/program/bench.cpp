@@ -169,8 +169,8 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   }
 }
 
-// What --baseline says, before anything is measured; null: it is to be written. With --force a file
-// that cannot be used is taken for none.
+// The content of the file of --baseline, read before anything is measured; null: it is to be
+// written. With --force a file that cannot be used is taken for none.
 nlohmann::json usable_baseline(const BenchArguments& arguments) {
   try {
     nlohmann::json before = conformance::read_conformance_baseline(arguments.baseline);

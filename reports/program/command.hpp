@@ -14,7 +14,7 @@ namespace tribo::cli {
 struct Command {
   CLI::App* app;                          // owned by the program's
   std::function<int(OutputStream&)> run;  // gives the exit code
-  // What it would ignore of its options, once they are parsed; empty: none of them.
+  // The options that it would ignore, once they are parsed; empty: it ignores no option.
   std::function<std::vector<Ignored>()> ignored = {};
 };
 

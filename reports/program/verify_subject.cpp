@@ -157,8 +157,8 @@ std::runtime_error no_baseline(const SubjectArguments& arguments, const std::exc
                                         error.what(), renewal(arguments)));
 }
 
-// What the file of --baseline says, before anybody is asked; null where it is to be written. A file
-// that cannot be compared with is refused, or with --force taken for none.
+// The content of the file of --baseline, read before anybody is asked; null where it is to be
+// written. A file that cannot be compared with is refused, or with --force taken for none.
 nlohmann::json usable_baseline(const SubjectArguments& arguments, const Tolerance& tolerance) {
   if (arguments.baseline.empty()) return nullptr;
   nlohmann::json before;

@@ -9,7 +9,7 @@ import unittest
 from program import ENVIRONMENT, TIMEOUT, Folder, run
 from test_init import LANGUAGES
 
-# Of each language: what stands in the template's hertz_point, and what takes its place. {beyond} is what
+# The text of each language's template in hertz_point, and the text that takes its place. {beyond} is what
 # is done where `small` is false.
 RADIUS = "(0.75 * load * reduced_radius / effective_modulus)"
 FILLED = {

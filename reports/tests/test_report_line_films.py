@@ -95,7 +95,7 @@ class LineFilms(WrittenReport):
             self.assertLess(between["greatest"][quantity], most)
             self.assertLess(between["greatest_light"][quantity], most_light)
         self.assertLess(self.told["solved"]["greatest"]["error"], 2e-4)
-        # Of the compressible liquid formulas are held to the central and the minimum film alone.
+        # Formulas are held to the central and the minimum film alone where the liquid is compressible.
         for row in solved_films("compressible").values():
             for name in ("central", "minimum"):
                 self.assertLess(float(row[name + "_error"]), 5e-4 * float(row[name]), row)

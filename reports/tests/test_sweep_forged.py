@@ -290,7 +290,7 @@ class Forged(SweepTest):
         done.stderr = self.OF_HDF5.sub("", done.stderr)
         return done, time.monotonic() - start
 
-    # What AddressSanitizer says of libhdf5's own mistakes, in the child process that reads: 1.10.8 copies a text of
+    # Messages of AddressSanitizer about libhdf5's own mistakes, in the child process that reads: 1.10.8 copies a text of
     # the length that a forged heap says. Those of this program stay, and fail the test.
     OF_HDF5 = re.compile(r"=+\n==\d+==ERROR: AddressSanitizer(?:(?!#1 ).*\n)*.*#1 .* \(\S*libhdf5.*\n(?:(?!tribocheck: ).*\n)*")
 

@@ -90,8 +90,8 @@ json row_of(const QuantityVerdict& one) {
           {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
 }
 
-// Of a quantity that became better: what became worse meanwhile, but not by so much as to be red,
-// stays as it was, so that a baseline does not get worse step by step.
+// The row of a quantity that became better. Numbers of it that became worse meanwhile, but not by
+// so much as to be red, stay as they were, so that a baseline does not get worse step by step.
 json merged_row(const QuantityVerdict& now, const json& before) {
   json row = row_of(now);
   for (const FailedCase& one : now.failed_cases)

@@ -38,7 +38,7 @@ std::string shortened(std::string text) {
   return text.size() <= longest_answer ? text : printable(text, longest_answer);
 }
 
-// What was asked for, or why it is not there.
+// The part of an answer that was asked for, or why it is not there.
 json asked_part(const json& answer, const Case& asked) {
   json part{{"id", asked.id}};
   const auto keep = [&](const std::string& name) {

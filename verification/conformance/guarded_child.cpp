@@ -45,7 +45,7 @@ void lead(int from, int to, int mode) {
 
 // --- In the guard, which has one thread and never returns.
 
-// Of "12 (a name) S 7 …", 7.
+// The parent that a line of /proc/<pid>/stat names: 7 in "12 (a name) S 7 …".
 pid_t parent_of(const char* pid) {
   std::array<char, 512> text{};
   const int file = ::open((std::string("/proc/") + pid + "/stat").c_str(), O_RDONLY | O_CLOEXEC);

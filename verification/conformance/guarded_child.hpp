@@ -12,7 +12,7 @@
 
 namespace tribo::conformance {
 
-// What the program gets as its stdin, stdout and stderr; −1: /dev/null.
+// The files that the program gets as its stdin, stdout and stderr; −1: /dev/null.
 struct ChildStreams {
   int input = -1, output = -1, errors = -1;
 };

@@ -143,7 +143,7 @@ Verdict judge(const Item& item, const Observed& observed) {
     case Rule::number:
       return judge_number(item, value);
     case Rule::order:
-      // What is 1 but for its numerical error is not greater than 1.
+      // A ratio that is 1 but for its numerical error is not greater than 1.
       return value > 1 + observed.error && observed.part == 1 ? Verdict::reproduced : in_part;
     case Rule::equal:
       if (std::abs(std::log(value)) <= std::log1p(item.tolerance)) return Verdict::reproduced;

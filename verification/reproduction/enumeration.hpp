@@ -20,7 +20,7 @@ struct Enumeration {
   std::size_t films;             // how many of each stage were computed
   std::size_t inlets;
   std::size_t friction_curves;
-  // Of every reading: the items that the grid of speeds left open, and that were therefore computed
+  // For every reading the items that the grid of speeds left open, and that were therefore computed
   // between its speeds as well; and those whose margin is below the numerical error even so.
   std::vector<ItemMask> refined;
   std::vector<ItemMask> undecided;

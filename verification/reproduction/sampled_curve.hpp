@@ -88,7 +88,7 @@ class SampledCurve {
   }
 
  private:
-  // What the function times `sign` is at least within cell i, by the lines through the two nodes on
+  // A lower bound of the function times `sign` within cell i, by the lines through the two nodes on
   // its left and on its right; twice as far below the nodes, as the curvature may change.
   double lowest_possible(std::size_t i, double sign) const {
     const auto extended = [&](std::size_t from, std::size_t through, std::size_t to) {

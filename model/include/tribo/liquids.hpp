@@ -19,8 +19,8 @@ inline constexpr Contract barus_contract{4, 1};
 inline constexpr Contract roelands_contract{8, 4};
 inline constexpr Contract astm_d341_contract{8, 4};
 
-// Of Dowson and Higginson's law: the pressure in Pa at which the density has risen by half of what
-// it can.
+// The pressure in Pa at which the density by Dowson and Higginson's law has risen by half of its
+// greatest rise.
 inline constexpr double dowson_higginson_pressure = 5.9e8;
 
 // ρ/ρ₀ = (5.9·10⁸ + 1.34p)/(5.9·10⁸ + p), pressure p ≥ 0 in Pa: at most 1.34. Error:

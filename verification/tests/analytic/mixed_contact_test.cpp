@@ -121,7 +121,7 @@ TEST(MixedContact, EachOutputAskedAloneIsTheSameToTheLastBit) {
   }
 }
 
-// What is left of the contact where h_ff has reached h_oil: by closure, floor, and r = h_ff/h_oil.
+// The state of the contact where h_ff has reached h_oil: by closure, floor, and r = h_ff/h_oil.
 enum class Left { film, floor, nothing };
 
 void expect_left(Left left, const MixedContact<double>& contact, const OperatingPoint<double>& p) {

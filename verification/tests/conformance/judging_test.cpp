@@ -342,7 +342,7 @@ TEST(Baseline, ComparesTheErrorsOfWhatHeldBeforeAlone) {
   EXPECT_EQ(change(before, mended), Way::worse);
 }
 
-// What a subject did in a case, as the judge sees it.
+// The doings of a subject in a case, as the judge sees them.
 TEST(JudgedCase, ThatFailedIsToldWithItsError) {
   const auto how = [](const Expected& expected, Answer answer) {
     return verdict_on(expected, std::move(answer)).failed_cases.at(0);

@@ -533,7 +533,7 @@ Values<T> values_of(const Point& point) {
       const OperatingPoint<T> solved =
           MixedContact<T>(point.scene).solve(T(point.scene.speeds.list[0]));
       auto numbers = numbers_of(solved);
-      // What is undefined has to be NaN, and stands for 0 here, which compares.
+      // An undefined number has to be NaN, and 0 stands for it here, which compares.
       if (solved.regime == Regime::collapsed)
         for (const Output undefined :
              {Output::asperity_load_share, Output::fluid_load_share, Output::friction}) {

@@ -74,8 +74,8 @@ ehl::Estimate fitted_constant(const MatrixXd& columns, const VectorXd& values,
   return {fit[0], weights.cwiseAbs().dot(errors) + std::sqrt(variance * inverse(0, 0))};
 }
 
-// What the film number at the greatest pressure over its asymptote's power, M^{of_load}
-// L^{of_material}, tends to where all columns but the first, which is 1, go to 0.
+// The limit of the film number at the greatest pressure over its asymptote's power, M^{of_load}
+// L^{of_material}, where all columns but the first, which is 1, go to 0.
 // columns_of(contact, H): they.
 template <class Columns>
 ehl::Estimate fitted_limit(const std::vector<std::array<double, 2>>& contacts, double of_load,

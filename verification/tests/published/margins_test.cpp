@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the numbers of the ledger are off by, and how far its verdicts are from others: extremes,
+// The errors of the ledger's numbers, and how far its verdicts are from others: extremes,
 // ends of what is compared and parts of it against dense sweeps that share no code with them;
 // margins against a search for the nearest other verdict.
 #include <gtest/gtest.h>
@@ -454,7 +454,7 @@ TEST(Margins, OfAPartOfTheSpeedsAreFromOneHalf) {
   // Where the worst number is nearer to its threshold it is the margin.
   EXPECT_EQ(margin_of_verdict(item("C14"), {0.99, 1.2, 0.7, {}, 1e-12, 1e-3})->of,
             MarginOf::number);
-  // Of few numbers the one that at least half of them reach decides.
+  // Among few numbers the one that at least half of them reach decides.
   const Margin middle = *margin_of_verdict(item("C5"), {0.5, 1.01, 0.5, {}, 1e-12, {}, 1.01});
   EXPECT_TRUE(is_close(middle.distance, std::log(1.01), 1e-12, {}));
 }

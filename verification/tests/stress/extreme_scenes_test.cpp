@@ -15,7 +15,7 @@
 namespace tribo::verification {
 namespace {
 
-// Of each number of a scene, some or all, times 10^x, |x| ≤ decades.
+// A scene some or all of whose numbers are multiplied by 10^x, |x| ≤ decades.
 Scene extreme_scene(Sampler& sampler) {
   Scene scene = random_scene(sampler);
   const double decades = sampler.pick({5.0, 20.0, 60.0, 150.0, 300.0});

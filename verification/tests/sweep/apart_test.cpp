@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What crashes, hangs or grows in the child process is one line here.
+// A crash, a hang or too much memory in the child process is one line here.
 #include "sweep/apart.hpp"
 
 #include <gtest/gtest.h>
