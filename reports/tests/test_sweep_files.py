@@ -50,10 +50,12 @@ class Shared(SweepTest):
     def test_what_is_not_ours_is_left_as_it_is_and_named(self):
         commands = self.commands()
         self.put("precious", b"of somebody")
+        self.put("empty", b"")
         kinds = {"file": lambda path: self.put(path, b"of somebody"),
                  "link": lambda path: os.symlink(self.path("precious"), path),
                  "link to nothing": lambda path: os.symlink(self.path("nothing"), path),
                  "second name": lambda path: os.link(self.path("precious"), path),
+                 "second name of an empty file": lambda path: os.link(self.path("empty"), path),
                  "folder": os.mkdir, "pipe": os.mkfifo}
         if os.geteuid() == 0:
             def of_nobody(path):
