@@ -185,8 +185,8 @@ int solve_films(const FilmArguments& arguments, OutputStream& output) {
 
 constexpr const char* film_footer =
     R"(The contact is smooth and its inlet flooded, the liquid steady, isothermal and Newtonian. Of a scene
-the load, the bodies, the speed, lubricant.viscosity and lubricant.pressure_viscosity are needed; the
-other fields may be absent and are not used.
+the load, the bodies, the speed, lubricant.viscosity and lubricant.pressure_viscosity are needed, and
+friction.viscosity is taken where it is barus or roelands; the other fields may be absent and are not used.
 
 Each number is followed by what it may be off by (±, in CSV and JSON `error`), as grids that halve
 their cells show it. `deviation` is how far a formula's film is from the solved film that it stands

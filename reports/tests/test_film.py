@@ -107,6 +107,10 @@ class Numbers(FilmTest):
                 else:
                     self.assertAlmostEqual(one["deviation_percent"], off(liquids[one["fitted_to"]]), delta=1e-10)
                 self.assertEqual(one["fitted_to"] == "roelands, compressible", one["name"].startswith("pan_"))
+        # No text tells whose viscosity Pan and Hamrock took; their formulas are nearer to Roelands' films.
+        barus, roelands = ([abs(one["this_liquid_deviation_percent"]) for one in liquids[f"{law}, compressible"]["formulas"]
+                            if one["name"].startswith("pan_")] for law in ("barus", "roelands"))
+        self.assertTrue(all(near < far for near, far in zip(roelands, barus, strict=True)), (roelands, barus))
 
     def test_a_liquid_without_roelands_viscosity_leaves_his_deviations_out(self):
         tree = line(10, 5)
