@@ -88,13 +88,18 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
   // A spike that no grid shows moves the film in the middle, by an amount that falls faster than
   // the other errors, and more slowly so in a compressible liquid, whose spike takes film with it.
   const double grids_more = std::max(0., static_cast<double>(grids.size()) - 4);
-  const Caution calm{.of_change = 0.03 * std::pow(is_compressible ? 0.5 : 0.25, grids_more)};
+  const Caution calm = is_compressible ? Caution{0.65, 0.15, 0.025 * std::pow(0.5, grids_more)}
+                                       : Caution{.of_change = 0.022 * std::pow(0.4, grids_more)};
   // The least film lies beside the spike.
-  const Caution beside_spike = is_compressible ? Caution{2, 1, 0.4} : Caution{.of_change = 0.06};
+  const Caution beside_spike = is_compressible ? Caution{2.5, 0.35, 0.42} : Caution{0.6, 0.35, 0.1};
   solved.central = estimate([](const FilmFeatures& f) { return f.central; }, calm);
-  solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, beside_spike);
   solved.at_greatest_pressure =
       estimate([](const FilmFeatures& f) { return f.at_greatest_pressure; }, calm);
+  solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, beside_spike);
+  // A spike that makes the least film waver moves the others too, some hundred times less.
+  const double wavering = 0.005 * (solved.minimum.relative_error() - solved.domain_error);
+  for (Estimate* e : {&solved.central, &solved.at_greatest_pressure})
+    e->error = std::max(e->error, (wavering + solved.domain_error) * std::fabs(e->value));
   // In a compressible liquid this film follows the pressure, which between two nodes is known no
   // better than at the nodes.
   const FilmFeatures& finest = grids.back();
@@ -135,11 +140,10 @@ Estimate estimate_of(const std::vector<double>& values, const Caution& caution) 
     return values[i] + (values[i] - values[i - 1]) / 3;
   };
   e.value = richardson(n - 1);
-  e.error = std::fmax(caution.of_last * std::fabs(richardson(n - 1) - richardson(n - 2)),
-                      caution.of_change * std::fabs(last));
-  if (n > 3)
-    e.error =
-        std::fmax(e.error, caution.of_before * std::fabs(richardson(n - 2) - richardson(n - 3)));
+  e.error = caution.of_change * std::fabs(last);
+  double share = n == 3 ? 3 * caution.of_last : caution.of_last;
+  for (std::size_t i = n - 1; i >= 2 && i + 3 >= n; --i, share *= caution.falling)
+    e.error = std::fmax(e.error, share * std::fabs(richardson(i) - richardson(i - 1)));
   return e;
 }
 
@@ -207,6 +211,8 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     estimate_all(solved, contact, grids);
     worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
                       solved.at_greatest_pressure.relative_error()});
+    // Errors of three grids rest on one change; a fourth grid makes them several times less.
+    if (grids.size() == 3 && 2 * cells <= options.greatest_cells) continue;
     const bool is_of_domain = worst < 1.25 * solved.domain_error;  // no grid makes that less
     // Without a spike there is nothing to wait for.
     const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);

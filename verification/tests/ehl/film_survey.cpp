@@ -3,11 +3,14 @@
 // finer grids: is a contact that is solved to one tolerance solved to each looser one, in no more
 // work, and does its film lie within the stated error? Writes a row a contact and tolerance, and at
 // the end a line of JSON. The contacts may be done in parts; work is Newton's steps times cells.
+// The shares of the errors (ehl::Caution) were chosen on contacts of seed 2026, and no share on
+// those of `judging_seed`.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -19,6 +22,7 @@ namespace {
 
 using namespace tribo;
 
+constexpr std::uint64_t judging_seed = 43;
 constexpr std::array<double, 4> tolerances{1e-5, 1e-4, 1e-3, 1e-2};
 constexpr std::array<ehl::Estimate ehl::SolvedFilm::*, 3> films{
     &ehl::SolvedFilm::central, &ehl::SolvedFilm::minimum, &ehl::SolvedFilm::at_greatest_pressure};
@@ -54,10 +58,11 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-// film_survey [FIRST [END]]: of the contacts 0 to 299.
+// film_survey [FIRST [END [SEED]]]: of the contacts 0 to 299.
 int main(int argc, char** argv) {
   const int first = argc > 1 ? std::atoi(argv[1]) : 0, end = argc > 2 ? std::atoi(argv[2]) : 300;
-  verification::ContactSampler sampler(2026);
+  const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : judging_seed;
+  verification::ContactSampler sampler(seed);
   std::array<Totals, tolerances.size()> totals;
   for (int i = 0; i < end; ++i) {
     const verification::SampledContact drawn = sampler.next();
@@ -103,7 +108,8 @@ int main(int argc, char** argv) {
         t == 0 ? "" : ",", tolerances[t], totals[t].refused, totals[t].not_met,
         totals[t].violations, totals[t].cautions.size(), totals[t].outside,
         median(totals[t].cautions), totals[t].work / (end - first));
-  fmt::print("{{\"first\":{},\"end\":{},\"tolerances\":[{}]}}\n", first, end, rows);
+  fmt::print("{{\"seed\":{},\"first\":{},\"end\":{},\"tolerances\":[{}]}}\n", seed, first, end,
+             rows);
   int bad = 0;
   for (const Totals& total : totals)
     bad += total.violations + total.outside + (100 * total.refused > end - first ? 1 : 0);
