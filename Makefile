@@ -66,10 +66,11 @@ stress: ## hold ten million random points to long double: writes reference/basel
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" \
 	  --out reference/baselines/stress.json
 
-film-survey: build ## solve 300 random line contacts to four tolerances, hold them to finer films; some twenty minutes; PART="0 50"
+film-survey: build ## solve 300 random line contacts to four tolerances, judge the stated errors: half an hour, goes on where it was stopped
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON
 	cmake --build --preset release --target film_survey
-	build/release/verification/tests/film_survey $(PART)
+	verification/gates/film_survey.py build/release/verification/tests/film_survey \
+	  --out reference/baselines/film_survey.json
 
 ledger: build ## write today's verdicts on the paper's claims to reference/baselines/ledger.csv, for you to commit
 	build/release/tribocheck reproduce --ledger none --format csv > build/ledger.csv

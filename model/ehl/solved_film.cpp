@@ -97,7 +97,7 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
       estimate([](const FilmFeatures& f) { return f.at_greatest_pressure; }, calm);
   solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, beside_spike);
   // A spike that makes the least film waver moves the others too, some hundred times less.
-  const double wavering = 0.005 * (solved.minimum.relative_error() - solved.domain_error);
+  const double wavering = 0.015 * (solved.minimum.relative_error() - solved.domain_error);
   for (Estimate* e : {&solved.central, &solved.at_greatest_pressure})
     e->error = std::max(e->error, (wavering + solved.domain_error) * std::fabs(e->value));
   // In a compressible liquid this film follows the pressure, which between two nodes is known no
