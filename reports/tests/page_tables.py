@@ -102,6 +102,22 @@ def shown(page):
 
 # --- The ledger's items, as they are told in several tables.
 
+NUMBER = re.compile(r"−?(\d[\d\u202f]*(?:\.\d+)?)(?:e(-?\d+)| × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
+
+
+def alike(one, other):
+    """The same words, with the same numbers to the last digit of the coarser one."""
+    def split(text):
+        found = []
+        for match in NUMBER.finditer(text):
+            power = int(match[2] or (match[3] or "⁰").translate({ord(sign): digit for digit, sign in DIGITS.items()}))
+            digits = match[1].replace("\u202f", "")
+            found.append(((-1 if match[0][0] == "−" else 1) * float(digits) * 10.0**power, 10.0**(power - len(digits.partition(".")[2]))))
+        return NUMBER.sub("#", text), found
+    (words, mine), (others, theirs) = split(one), split(other)
+    return words == others and all(abs(a - b) <= 0.5001 * max(unit, last) for (a, unit), (b, last) in zip(mine, theirs, strict=True))
+
+
 def far(factor):
     if factor < 1.5:
         return f"{round(100 * abs(factor - 1))} % {'low' if factor < 1 else 'high'}"
@@ -260,8 +276,8 @@ def quantile(value, level):
     return next(one["value"] for one in value["quantiles"] if one["level"] == level)
 
 
-def uncertainty(report):
-    ledger, drawn = report["ledger"], report["onset_uncertainty"]
+def of_ledger(report):
+    ledger = report["ledger"]
     printed = {item["item"]: item["reported"] for item in ledger["items"]}
     rows = []
     for one in ledger["uncertainty"]:
@@ -278,6 +294,11 @@ def uncertainty(report):
     yield ("Film and Hertz contact beside another library", ["case", "number", "other library", "computed", "within its last digit"],
            [[one["case"], f"{one['quantity']}, {one['unit']}", sig(one["reported"], int(one["digits"])),
              sig(one["computed"], int(one["digits"])), yes(one["reproduced"])] for one in ledger["independent"]])
+
+
+def uncertainty(report):
+    yield from of_ledger(report)
+    drawn = report["onset_uncertainty"]
     scenes = {one["id"]: {column["name"]: column["values"][0] for column in one["columns"]} for one in drawn["sweep"]["scenes"]}
     cases = {one["id"]: one["cases"] for one in drawn["sweep"]["scenes"]}
     rows = []
