@@ -352,6 +352,7 @@ def differences(path, name, data):
         if plot.places["x"] != below.places["x"]:
             said.append(f"panel {at}: ticks stand elsewhere than in the panel below")
         said += [f"panel {at}: a tick's label is {axis.far:.2f} px from its place" for axis in (across, up) if axis.far > 0.05]
+        said += [f"panel {at}: {label!r} has a hyphen for a minus" for ticks in plot.labels.values() for label in ticks if "-" in label]
         for text, x, y in data.words.get(name, ()):  # beside their points, up to 95 px to the side where x is given
             if not any(text == one and (x is None or abs(a - across.place(x)) < 95) and abs(b - up.place(y)) < 25 for one, a, b in written):
                 said.append(f"panel {at}: {text!r} is not written at {x}, {y}")

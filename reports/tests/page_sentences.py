@@ -3,7 +3,7 @@
 
 A pair says what must not stand there: ("not", words).
 """
-from page_tables import CHOICES, SURFACES, against, commit, computed, ends, many, percent, quantile, sig, verdict, whole
+from page_tables import CHOICES, SURFACES, against, commit, computed, ends, many, percent, sig, whole
 
 
 def of_surfaces(texts):

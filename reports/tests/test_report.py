@@ -206,7 +206,15 @@ class Numbers(WrittenReport):
             printed = marks.get(("printed", one["surface"], one["model"]))
             if printed:
                 self.assert_close(printed["asperity_load_share"], one["contact_share"])
+
+    def test_slopes_of_figure_4_are_those_of_its_curves(self):
         two = json.loads((self.out / "report.json").read_text())["paper"]["two_slopes"]
+        guides = {}
+        for row in table(self.out / "data/figure_04_guides.tsv"):
+            guides.setdefault(row["slope of ln film in ln speed"], []).append((math.log(float(row["speed"])), math.log(float(row["film"]))))
+        self.assertEqual(list(guides), ["0.67", "-1"])
+        for slope, ((a, b), *_, (c, d)) in guides.items():
+            self.assertAlmostEqual((d - b) / (c - a), float(slope), delta=1e-9)
         for name, slopes in two["curves"].items():
             rows = table(self.out / ("data/curve_smooth.tsv" if name == "paper" else f"data/figure_04_{name}.tsv"))
             for key, (a, b) in (("first_slope", rows[:2]), ("last_slope", rows[-2:])):
@@ -337,42 +345,6 @@ class Numbers(WrittenReport):
             self.assertRegex(first, rf"\| {float(row['reported']):g} \| {float(row['computed']):#.3g} \| {shown}")
             self.assertRegex(self.done.stdout, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* "
                                                rf"{row['verdict']}$")
-
-    def test_verdicts_have_their_margins_and_say_what_they_rest_on(self):
-        ledger = json.loads((self.out / "report.json").read_text())["ledger"]
-        text = (self.out / "report.md").read_text()
-        tables = text.split("**The numbers and comparisons that decide, under the reading “")[1:]
-        told = {table.split("”")[0]: table.split("\n**")[0].split("\n## ")[0] for table in tables}
-        self.assertEqual(set(told), {one["name"] for one in ledger["readings"]})
-        for item in ledger["items"]:
-            for reading, got in item["readings"].items():
-                row, = re.findall(rf"(?m)^\| {re.escape(item['item'])} \|.*$", told[reading])
-                self.assertRegex(row, r"\| – \|$" if got["computed"] is None
-                                 else r"\| [\d.]+( of speeds)? ± (0|\d × 10⁻\S+|0\.\d+) \|$")
-                self.assertEqual("the margin is below the numerical error" in row, not got["decided"], row)
-                rests = f"{item['item']} rests on points beyond the film's collapse"
-                names = got.get("beyond_collapse")
-                self.assertEqual(rests in told[reading], names is not None, reading)
-                if names:
-                    self.assertIn(f"{rests} ({', '.join(names)})", told[reading])
-        for claim in ledger["claims"]:
-            row, = re.findall(rf"(?m)^\| {claim['claim']} \| .*$", text.split("whether it is reproduced under each")[1]
-                              .split("**The readings")[0])
-            self.assertEqual(row.count("(?)"), len(claim["undecided"]), row)
-
-    def test_captions_have_the_ledgers_numbers_and_verdicts(self):
-        ledger = json.loads((self.out / "report.json").read_text())["ledger"]
-        captions = (self.out / "report.md").read_text().split("### Figure 4 redrawn")[1].split("\n## ")[0]
-        told = re.findall(r"\((C\d+(?:\.\w+)?): ([^),]*)", captions)
-        items = {item["item"]: item for item in ledger["items"]}
-        self.assertLessEqual({"C7", "C9", "C10", "C11.boundary", "C11.mixed", "C13", "C14", "C15"}, dict(told).keys())
-        for item, verdict in told:
-            if item in items:
-                self.assertEqual(verdict, items[item]["readings"]["corrected"]["verdict"], item)
-        for item in ("C7", "C9", "C11.mixed", "C13", "C14"):
-            got = items[item]["readings"]["corrected"]
-            low, high = sorted((got["computed"], got["other_end"]))
-            self.assertIn(f"{low:#.3g} to {high:#.3g} times", captions, item)
 
     def test_the_least_friction_has_the_same_digits_everywhere(self):
         speeds = {row["surface"]: row["computed"] for row in table(self.out / "data/comparison.tsv")

@@ -3,6 +3,7 @@
 
 import datetime
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -122,6 +123,31 @@ class Page(WrittenReport):
             self.assertEqual(done.returncode, 0, done.stderr)
             with self.subTest(seed=seed):
                 self.assert_tells((out / "index.html").read_text(), told)
+
+    def test_summaries_are_of_their_rows(self):
+        """The fits' greatest errors are those of their table, to both ratios; what work is skipped adds up."""
+        told = json.loads((self.out / "report.json").read_text())
+        fits = told["ellipse_fits"]
+        names = {"ellipticity": "ellipticity", "semi_axis_x": "semi-axis a_x", "peak_pressure": "peak pressure", "approach": "approach"}
+        for one, (title, rows) in zip(fits["fits"], page_pictures.blocks(self.out / "data/ellipse_fits.blocks.tsv"), strict=True):
+            self.assertEqual(one["name"], title)
+            for to, ratio in (("moderate", fits["moderate_ratio"]), ("greatest", fits["greatest_ratio"])):
+                for key, column in names.items():
+                    self.assertEqual(one[to][key], max(abs(float(row[column])) for row in rows if float(row["R_y/R_x"]) <= ratio))
+        work = told["skipped_work"]
+        saved = [row["saved"] for row in work["rows"]]
+        self.assertEqual((work["least_saved"], work["greatest_saved"]), (min(saved), max(saved)))
+        speeds = {}
+        for row in work["rows"]:
+            collapsed = told["paper"]["scenes"][row["scene"]]["collapse"]
+            self.assertEqual(row["starvation_skipped"] > 0, collapsed is not None)
+            if collapsed:  # even in the logarithm, from the collapse to the end
+                low, high = (told["paper"]["scenes"][row["scene"]][end]["speed"] for end in ("slowest", "fastest"))
+                part = math.log(high / collapsed["speed"]) / math.log(high / low)
+                self.assertAlmostEqual(row["starvation_skipped"] / work["speeds"], part, delta=2 / work["speeds"])
+            both = row["roots_that_are_film"] + row["roots_that_are_floor"]
+            self.assertEqual(speeds.setdefault(row["scene"], (row["root_steps"], both)), (row["root_steps"], both))
+            self.assertEqual(row["shares_skipped"] > 0, row["asked"] in (["film"], ["real_area_ratio"]), row)
 
     def test_each_picture_draws_its_data_at_the_places_that_its_axes_tell(self):
         """Each series has the name, the colour and the points of its data, and nothing is drawn where no point is."""
