@@ -24,7 +24,9 @@ std::string number(const std::optional<double>& value, int digits) {
 std::string percent(double part) {
   if (part == 0) return "none";
   if (part < 0.001) return "< 0.1 %";
-  return fmt::format("{} %", part == 1 ? "100" : fmt::format("{:.1f}", 100 * part));
+  if (part == 1) return "100 %";
+  const std::string digits = fmt::format("{:.1f}", 100 * part);
+  return (part < 1 && digits == "100.0" ? "> 99.9" : digits) + " %";
 }
 
 std::string with_unit(const std::string& number, const std::string& unit) {

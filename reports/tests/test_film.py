@@ -14,6 +14,8 @@ import subprocess
 import unittest
 import xml.etree.ElementTree as xml
 
+import page_pictures
+import svg_plots
 from program import ENVIRONMENT, PROGRAM, Folder, read_terminal, run, scene, start, strict_json, toml
 from report_files import ROOT
 
@@ -364,6 +366,32 @@ class Pictures(FilmTest):
         for word in ("pressure p (GPa)", "film thickness h (µm)", "(µm)", "Moes", "Hertz"):
             self.assertIn(word, text)
         self.assertEqual(sorted(os.listdir(self.folder.name)), ["film.png", "film.svg", "scene.toml"])
+
+    def test_it_draws_the_profile_and_each_formula_at_its_film(self):
+        path, target = self.write(line(10, 5)), self.folder.path("film.svg")
+        run("film", path, "--picture", target)
+        found = self.film(line(10, 5), "--profile")
+        width, peak, x = found["half_width"], found["peak_pressure"], found["profile"]["x"]
+        hertz = [(1e6 * width * i / 200, 1e-9 * peak * math.sqrt(max(0, 1 - (i / 200)**2))) for i in range(-200, 201)]
+        wanted = [[("solved", 0x0072B2, [(1e6 * a, 1e-9 * p) for a, p in zip(x, found["profile"]["pressure"])], False),
+                   ("Hertz", 0x666666, hertz, False)],
+                  [("", None, [(0, 1e6 * one["film"]) for one in found["formulas"]], True),
+                   ("", 0x0072B2, [(1e6 * a, 1e6 * h) for a, h in zip(x, found["profile"]["film"])], False),
+                   ("film in the middle", None, [], False), ("least film", None, [], False)]]
+        plots, axes = svg_plots.read(target)
+        self.assertEqual(len(plots), 2)
+        across = svg_plots.Axis(plots[1].labels["x"], False)
+        for plot, one in zip(plots, wanted):
+            up = svg_plots.Axis(plot.labels["y"], False)
+            self.assertLess(max(across.far, up.far), 0.05)
+            self.assertEqual(list(page_pictures.differing(plot, plot.box(axes), across, up, one, True)), [])
+        self.assertEqual({place for place in plots[0].places["x"]}, plots[1].places["x"])
+        told = [text for text, *_ in sorted(svg_plots.texts(target), key=lambda one: -one[2]) if re.search(r"[+−]?[\d.]+ %$", text)]
+        names = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginson_minimum": "Dowson–Higginson",
+                 "dowson_toyoda_central": "Dowson–Toyoda"}
+        self.assertEqual(told, [
+            f"{names.get(one['name'], 'Pan–Hamrock')}{'' if one['fitted_to'] == 'barus, incompressible' else '*'} "
+            f"{one['this_liquid_deviation_percent']:+.1f} %".replace("-", "−") for one in sorted(found["formulas"], key=lambda one: one["film"])])
 
     def test_of_a_contact_without_a_spike_and_of_one_that_is_nearly_rigid(self):
         for numbers in [(1, 0.5), (0.02, 5), (50, 15)]:

@@ -17,7 +17,6 @@ from selenium.webdriver.common.keys import Keys
 
 from report_files import WrittenReport
 
-LABELS = r"\((ns|ulp|GB/s)\)|^threads$|^speed-up|points in a batch|^τ, times|^fraction|^CPU time a contact|relative error"
 WIDTHS = (390, 800, 1400)
 SCHEMES = ("light", "dark")
 SWITCHES = ("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
@@ -145,21 +144,6 @@ class Page(WrittenReport):
             for name, figure in self.figures().items():
                 with self.subTest(figure=name, width=width):
                     self.assertEqual((figure["cut"], figure["over"]), ([], []))
-
-    def test_diagrams_of_error_and_work_have_both_labels_and_all_series(self):
-        self.show()
-        figures = self.figures()
-        jobs = [name for name in figures if name.startswith("work_") and not name.endswith("_evaluations")]
-        self.assertGreaterEqual(len(jobs), 8)
-        for name in jobs:
-            table = (self.out / "data/work_precision" / f"{name.removeprefix('work_')}.blocks.tsv").read_text()
-            series = re.findall(r'^"(.+)"$', table, re.MULTILINE)
-            texts = [re.sub(r"\s+", " ", text) for text in figures[name]["texts"]]
-            with self.subTest(figure=name):
-                self.assertGreaterEqual(len(series), 4)
-                self.assertEqual([one for one in series if one not in texts], [])
-                labels = [text for text in texts if re.search(LABELS, text)]
-                self.assertEqual(len(labels), 2, texts)
 
     def run_script(self, script):
         return self.driver.execute_script(script)

@@ -3,10 +3,17 @@
 
 import datetime
 import json
+import math
 import pathlib
 import re
+import subprocess
+import sys
 import unittest
 
+import page_pictures
+import page_sentences
+import page_tables
+from page_perturbed import perturbed
 from report_files import FIGURES, ROOT, SECTIONS, WORK_FIGURES, PageReader, WrittenReport, report
 
 
@@ -78,6 +85,76 @@ class Page(WrittenReport):
         self.assertLessEqual({one["section"] for one in report["findings"]}, set(SECTIONS))
         self.assertEqual(len(re.findall('<div class="finding ', text)), len(report["findings"]))
         self.assertNotIn("It has no data.", text)
+
+    def assert_tells(self, page, told):
+        """Each cell of each table is its number of the JSON, in the order of the page, with the digits that its column
+        has, under its heading, and nothing else; and the prose has the numbers of the JSON."""
+        shown, promised = list(page_tables.shown(page)), list(page_tables.promised(told))
+        self.assertEqual([caption for caption, _, _ in shown], [caption for caption, _, _ in promised])
+        for (caption, head, rows), (_, names, cells) in zip(shown, promised):
+            with self.subTest(caption):
+                self.assertEqual(head, names)
+                if cells is not None:
+                    self.assertEqual([row for row in rows if "gnuplot was not found in PATH" not in row], cells)
+        page = re.sub(r"<(svg|script|style|table)\b.*?</\1>", "", page, flags=re.DOTALL)
+        text = re.sub("[ \n]+", " ", page_tables.read(page))
+        for sentence in page_sentences.promised(told):
+            with self.subTest(sentence):
+                if isinstance(sentence, tuple):
+                    self.assertNotIn(page_tables.plain(sentence[1]), text)
+                else:
+                    self.assertIn(page_tables.plain(sentence), text)
+        badges = re.findall(r'<div class="finding (\w+)">', page)
+        ranks = {"fails": 0, "missed": 1}
+        self.assertEqual(badges, [one["standing"] for about in ("paper", "software") for one in sorted(
+            (one for one in told["findings"] if one["about"] == about), key=lambda one: ranks.get(one["standing"], 2))])
+
+    def test_each_cell_and_each_number_of_the_prose_is_that_of_the_json(self):
+        self.assert_tells((self.out / "index.html").read_text(), json.loads((self.out / "report.json").read_text()))
+
+    def test_so_are_those_of_other_numbers(self):
+        """Where the real ones are alike, or never at a limit, exchanged fields and wrong thresholds would not show."""
+        out = pathlib.Path(self.folder.name) / "other"
+        out.mkdir()
+        for seed in (1, 2, 3):
+            told = perturbed(json.loads((self.out / "report.json").read_text()), seed)
+            (out / "report.json").write_text(json.dumps(told))
+            done = subprocess.run([sys.executable, "-B", ROOT / "reports/page/render/render.py", out], env={"PATH": ""}, capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with self.subTest(seed=seed):
+                self.assert_tells((out / "index.html").read_text(), told)
+
+    def test_summaries_are_of_their_rows(self):
+        """The fits' greatest errors are those of their table, to both ratios; what work is skipped adds up."""
+        told = json.loads((self.out / "report.json").read_text())
+        fits = told["ellipse_fits"]
+        names = {"ellipticity": "ellipticity", "semi_axis_x": "semi-axis a_x", "peak_pressure": "peak pressure", "approach": "approach"}
+        for one, (title, rows) in zip(fits["fits"], page_pictures.blocks(self.out / "data/ellipse_fits.blocks.tsv"), strict=True):
+            self.assertEqual(one["name"], title)
+            for to, ratio in (("moderate", fits["moderate_ratio"]), ("greatest", fits["greatest_ratio"])):
+                for key, column in names.items():
+                    self.assertEqual(one[to][key], max(abs(float(row[column])) for row in rows if float(row["R_y/R_x"]) <= ratio))
+        work = told["skipped_work"]
+        saved = [row["saved"] for row in work["rows"]]
+        self.assertEqual((work["least_saved"], work["greatest_saved"]), (min(saved), max(saved)))
+        speeds = {}
+        for row in work["rows"]:
+            collapsed = told["paper"]["scenes"][row["scene"]]["collapse"]
+            self.assertEqual(row["starvation_skipped"] > 0, collapsed is not None)
+            if collapsed:  # even in the logarithm, from the collapse to the end
+                low, high = (told["paper"]["scenes"][row["scene"]][end]["speed"] for end in ("slowest", "fastest"))
+                part = math.log(high / collapsed["speed"]) / math.log(high / low)
+                self.assertAlmostEqual(row["starvation_skipped"] / work["speeds"], part, delta=2 / work["speeds"])
+            both = row["roots_that_are_film"] + row["roots_that_are_floor"]
+            self.assertEqual(speeds.setdefault(row["scene"], (row["root_steps"], both)), (row["root_steps"], both))
+            self.assertEqual(row["shares_skipped"] > 0, row["asked"] in (["film"], ["real_area_ratio"]), row)
+
+    def test_each_picture_draws_its_data_at_the_places_that_its_axes_tell(self):
+        """Each series has the name, the colour and the points of its data, and nothing is drawn where no point is."""
+        data = page_pictures.Data(self.out, json.loads((self.out / "report.json").read_text()))
+        for figure in FIGURES + WORK_FIGURES:
+            with self.subTest(figure):
+                self.assertEqual(page_pictures.differences(self.out / f"figures/{figure}.svg", figure, data), [])
 
     def test_no_template_leaves_its_marks(self):
         """Neither Jinja's nor those of indices, nor a cell with a name of Python, nor a number with all its digits."""

@@ -7,11 +7,13 @@ import functools
 import io
 import os
 import pathlib
+import re
 import shutil
 import struct
 import termios
 import unittest
 
+import page_tables
 from program import Folder, read_terminal, run, start
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
@@ -299,6 +301,32 @@ class ReproduceTest(unittest.TestCase):
         for text in ["What the paper claims", "The readings", "The switches", "What each item tells apart", "How sure",
                      "The misprints", "beside another library", "C1 as a departure"]:
             self.assertIn(text, result.out)
+
+    def test_each_cell_of_the_markdown_is_that_of_the_json(self):
+        """By the page's tables, whose columns have other digits: each number is the same to the coarser one."""
+        ledger = reproduced("--format", "json").json()
+        text = run("reproduce", "--section", "all", "--format", "markdown").out
+        tables = {}
+        for caption, body in re.findall(r"(?m)^\*\*(.*?)\*\*\n\n((?:\|.*\n)+)", text):
+            head, _, *rows = [[page_tables.plain(cell) for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in body.splitlines()]
+            tables[page_tables.plain(caption)] = [dict(zip(head, row, strict=True)) for row in rows]
+        compared = 0
+        for make in (page_tables.claims, page_tables.readings, page_tables.requirements, page_tables.of_ledger, page_tables.misprints):
+            for caption, head, rows in make({"ledger": ledger}):
+                shown = tables.get(page_tables.plain(caption).partition(", onset by")[0])
+                if shown is None:  # of other readings than the first
+                    self.assertIn("decide, under the reading", caption)
+                    continue
+                self.assertEqual(len(shown), len(rows), caption)
+                for mine, row in zip(rows, shown):
+                    told = dict(zip(map(page_tables.plain, head), map(page_tables.plain, mine)))
+                    if "effect of +1 %, %" in told:
+                        told["effect of +1 %"] = re.sub(r"^(?=[\d.])", "+", told["effect of +1 %, %"]) + " %"
+                        told["input"] += "" if told["unit"] == "–" else f" ({told['unit']})"
+                    for name in row.keys() - {"where it departs from the corrected reading"}:
+                        compared += 1
+                        self.assertTrue(page_tables.alike(told[name], row[name]), (caption, name, told[name], row[name]))
+        self.assertGreater(compared, 1000)
 
     def test_bad_usage_gets_one_line_and_exits_with_2(self):
         missing = self.folder.path("none")

@@ -11,6 +11,9 @@ import struct
 import unittest
 import xml.etree.ElementTree as xml
 
+import svg_plots
+from page_pictures import differing, series
+from page_tables import quantile
 from program import ENVIRONMENT, run
 from report_files import ROOT
 from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
@@ -195,6 +198,45 @@ class Pictures(SweepTest):
         self.assertAlmostEqual(float(told["legend"].split()[-3]) / min(missing), 1, delta=6e-3)
         self.assertIn(told["legend"], self.svg_text("curve_band_friction"))
         self.assertEqual(self.blocks("curve_band_film")[1][0]["legend"], "smooth")  # it is 0 there, not missing
+
+    def test_bands_are_drawn_at_the_quantiles(self):
+        changes = {"lubricant.viscosity": UNIFORM, "speed": SPEEDS, "outputs": '["film", "friction"]'}
+        self.drawn(*(sweep({"id": f'"{id}"', **changes, **more}, draws=64) for id, more in
+                     (("rough", {}), ("other", {"surface.summit_height_sd": "5e-8"}))))
+        scenes = run("sweep", "show", self.path("out.h5"), "--format", "json").json()["scenes"]
+        for name, factor, label in (("film", 1e9, "film (nm)"), ("friction", 1, "friction (–)")):
+            values = [next(column for column in scene["columns"] if column["name"] == name)["values"] for scene in scenes]
+            bands = [{level: [(one["speed"], factor * quantile(one, level)) for one in of if one["undefined"] <= one["count"]]
+                      for level in (0.025, 0.5, 0.975)} for of in values]
+            colours = (0xD55E00, 0x0072B2)
+            wanted = [series("", colour, band[0.025] + band[0.975], True) for band, colour in zip(bands, colours)]
+            wanted += [series("", colour, band[level]) for band, colour in zip(bands, colours) for level in (0.025, 0.975)]
+            wanted += [series(None, colour, band[0.5]) for band, colour in zip(bands, colours)]
+            path = self.path(f"drawn/curve_band_{name}.svg")
+            (plot,), axes = svg_plots.read(path)
+            across, up = svg_plots.Axis(plot.labels["x"], True), svg_plots.Axis(plot.labels["y"], False)
+            self.assertLess(max(across.far, up.far), 0.05)
+            self.assertEqual(list(differing(plot, plot.box(axes), across, up, wanted, False)), [])
+            self.assertIn(label, self.svg_text(f"curve_band_{name}"))
+            for scene, one in zip(scenes, plot.series[-2:], strict=True):
+                self.assertEqual(one.title.split(":")[0], scene["id"])
+
+    def test_a_film_map_has_each_film_of_the_grid(self):
+        grid = "{ from = 1e-8, to = 1e-7, count = 12 }"
+        self.drawn(sweep({"surface.summit_height_sd": grid, "speed": SPEEDS}))
+        axes, rows, *_ = self.blocks("film_map")
+        cases = list(csv.DictReader(io.StringIO(run("sweep", "show", self.path("out.h5"), "--format", "csv", "--cases").out)))
+        films = sorted(tuple(factor * float(case[name]) for name, factor in (
+            ("surface.summit_height_sd [m]", 1e9), ("speed [m/s]", 1), ("film [m]", 1e9))) for case in cases)
+        drawn = sorted((float(row["field"]), float(row["speed"]), float(row["film_nm"])) for row in rows)
+        self.assertEqual(len(drawn), len(films))
+        for mine, other in zip(drawn, films):
+            for a, b in zip(mine, other):
+                self.assertTrue(math.isnan(a) and b == 0 or abs(a / b - 1) < 1e-9, (mine, other))
+        shown = [film for _, _, film in drawn if not math.isnan(film)]
+        ends = {"low": 1e-4, "high": 3, "bottom": 10, "top": 100, "least": min(shown), "greatest": max(shown)}
+        for name, value in ends.items():
+            self.assertAlmostEqual(float(axes[0][name]) / value, 1, delta=1e-9)
 
     def test_film_map_of_one_grid(self):
         grid = "{ from = 1e-8, to = 1e-7, count = 12 }"

@@ -35,12 +35,17 @@ def grouped(count):
 
 
 def percent(part, digits=3):
-    """A part as per cent; the ends are exact: 0 %, 100 %, and < 0.1 % for what is not 0."""
-    if part is None:
+    """A part as per cent; the ends are exact: 0 %, 100 %, < 0.1 % for what is not 0, and > 99.9 % for what is not 1."""
+    if part is None or not math.isfinite(part):
         return NO_ENTRY
     if part in (0, 1):
         return f"{100 * part:g} %"
-    return "< 0.1 %" if 0 < part < 0.001 else f"{rounded(100 * part, digits)} %"
+    if 0 < part < 0.001:
+        return "< 0.1 %"
+    text = rounded(100 * part, digits)
+    if text == rounded(100, digits):
+        text = "> 100" if part > 1 else "> " + rounded(100 - 10**(2 - digits), digits)
+    return text + " %"
 
 
 def interval(values, digits):

@@ -135,8 +135,9 @@ def environment(report, figures):
     made = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), undefined=jinja2.StrictUndefined,
                               trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, finalize=shown, autoescape=True)
     made.filters |= {function.__name__: as_markdown(function) for function in
-                     (numbers.rounded, numbers.unrounded, numbers.grouped, numbers.percent, numbers.interval)}
-    made.filters |= {"code": markup.code, "typeset": markup.typeset, "marked": markup.marked, "link": markup.link,
+                     (numbers.rounded, numbers.unrounded, numbers.grouped, numbers.interval)}
+    # A line that begins with > is a quotation.
+    made.filters |= {"percent": lambda *values: markup.escaped(numbers.percent(*values)), "code": markup.code, "typeset": markup.typeset, "marked": markup.marked, "link": markup.link,
                      "enhanced": drawing.enhanced, "md": markup.Markdown, "commit": sections.short_commit}
     made.globals |= {"figure": figures.figure, "sweep_figure": figures.sweep_figure,
                      "sweep_pictures": sweep_pictures, "provenance": sections.provenance, "measured": sections.measured,

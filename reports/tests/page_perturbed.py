@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""report.json with other numbers: each part of a whole also at its limits and beside them, each yes also as no.
+
+A page that is made of it shows which field stands in which cell where the real numbers are alike, and takes the
+ways that they do not.
+"""
+import random
+
+# Names that others refer to, and what a picture of the page is made of.
+KEPT = {"level", "edges", "digits", "least_load_number", "is_over_speeds", "is_counted", "counts"}
+DIVISORS = {"value", "reported", "computed", "ns"}  # never 0
+PARTS = (0.0, 1.0, 0.9996, 0.99951, 0.0004, 0.001, 0.05, 0.9, 0.91)
+FACTORS = (0.2, 0.93, 1.49, 1.7, 9.0, 1e-7, 1e6)
+WORDS = ("verdict", "reported_lies", "standing")
+
+
+def named(value, name=None):
+    """All values that are no group of others, with their names."""
+    if isinstance(value, dict):
+        for key, one in value.items():
+            yield from named(one, key)
+    elif isinstance(value, list):
+        for one in value:
+            yield from named(one, name)
+    else:
+        yield name, value
+
+
+def changed(value, draw, words=(), name=None):
+    """The value with other numbers in it; of names in `words` another of their words."""
+    if isinstance(value, dict):
+        made = {key: changed(one, draw, words, key) for key, one in value.items()}
+        if made.keys() == {"value", "error"} and value["error"]:
+            made["error"] = made["value"] * draw.choice((1e-5, 0.0199, 0.0201, 0.5))
+        return made
+    if name in KEPT or value is None:
+        return value
+    if isinstance(value, list):
+        return [changed(one, draw, words) for one in value]
+    if name in words and value:
+        return draw.choice(words[name])
+    if isinstance(value, bool):
+        return draw.random() < 0.6
+    if isinstance(value, int):
+        return value + draw.randint(0, 12000) if value > 3 else draw.randint(0, 3)
+    if name == "factor" and value != 0:
+        return draw.choice((0.4, 0.93, 1.04, 1.49, 1.51, 2.4, 40)) * draw.uniform(0.999, 1.001)
+    if isinstance(value, float):
+        is_part = 0 <= value <= 1 and name is not None and name not in DIVISORS and draw.random() < 0.5
+        return draw.choice(PARTS) if is_part else value * draw.uniform(0.7, 1.4) * (draw.choice(FACTORS) if draw.random() < 0.3 else 1)
+    return value
+
+
+def perturbed(report, seed):
+    """A report whose groups fit together: none, one and two findings fail, the last ones, by the seed."""
+    draw = random.Random(seed)
+    made = changed(report, draw, {name: sorted({value for key, value in named(report) if key == name and value}) for name in WORDS})
+    made["planted_faults"]["catalogue"] = len(made["planted_faults"]["faults"]) + seed - 1
+    for one in made["ledger"]["arguments"]:
+        one["agreeing"] = sum(way["agrees"] for way in one["candidates"])
+    software = [one for one in made["findings"] if one["about"] == "software"]
+    for i, one in enumerate(software):
+        one["standing"] = "fails" if len(software) - i < seed else draw.choice(("holds", "missed"))
+    return made

@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the prose of the report's page has to say of report.json, sentence by sentence; as page_tables.py for its tables.
+
+A pair says what must not stand there: ("not", words).
+"""
+from page_tables import CHOICES, SURFACES, against, commit, computed, ends, many, percent, sig, whole
+
+
+def of_surfaces(texts):
+    return ", ".join(f"{text} ({name})" for text, name in zip(texts, SURFACES))
+
+
+def measured(one):
+    return f"Measured on {one['date']} at commit {commit(one['commit'])}"
+
+
+def provenance(one):
+    took = f", in {one['seconds']:.0f} s" if "seconds" in one else ""
+    return f"{measured(one)}{took}; {one['environment']['cpu']}; {one['environment']['compiler']}."
+
+
+def paper(report):
+    scenes, flow, ledger = report["paper"]["scenes"], report["paper"]["two_slopes"], report["ledger"]
+    own, smooth, gw = [scenes[name] for name in SURFACES], scenes["smooth"], scenes["smooth_gw"]
+    items = {one["item"]: one for one in ledger["items"]}
+
+    def number(id):
+        return computed(items[id], items[id]["readings"]["corrected"])
+
+    def judged(id):
+        got = items[id]["readings"]["corrected"]
+        return (f"({id}: {got['verdict']}" + (f", {against(items[id], got)}" if items[id]["is_over_speeds"] else "") +
+                ("" if got["decided"] else ", the margin is below the numerical error") +
+                (", resting on points beyond the film's collapse" if "beyond_collapse" in got else "") + ")")
+
+    def told(key, digits, mark):
+        return of_surfaces(sig(one[mark] and one[mark][key], digits) for one in own)
+    reported = {id: whole(one["reported"]) for id, one in items.items()}
+    slow, fast = whole(smooth["slowest"]["speed"]), whole(smooth["fastest"]["speed"])
+    slopes = flow["curves"]
+    yield f"the slope is {number('C16.flooded')} {judged('C16.flooded')}; at {slow} m/s it is {sig(slopes['flooded']['first_slope'], 3)}, because"
+    yield (f"no u−1 range {judged('C16.starved')}: its slope falls from {sig(slopes['paper']['first_slope'], 3)} through 0 at "
+           f"{sig(smooth['onset']['speed'], 4)} m/s to −∞ at {sig(smooth['collapse']['speed'], 4)} m/s, where")
+    yield (f"with q = {sig(flow['inlet_flow'], 3)} m²/s, so that hoil meets the flooded film at {sig(flow['knee'], 3)} m/s, the slope at {fast} m/s is "
+           f"{sig(slopes['starved_inlet']['last_slope'], 3)} for starvedinlet and {sig(slopes['damiens']['last_slope'], 3)} for damiens.")
+    yield f"At {slow} m/s the area ratios with GT are {told('real_area_ratio', 3, 'slowest')} {judged('C8')}."
+    yield f"the rough surface has {number('C9')} times the area of the smooth one {judged('C9')}."
+    yield f"GW gives {number('C7')} times the area of GT {judged('C7')}, and its area falls at {number('C10')} times the speed"
+    yield f"the paper sees no difference {judged('C10')}."
+    yield f"At {slow} m/s {told('summit_count', 4, 'slowest')} summits are in contact with GT."
+    yield f"{number('C12')} times the summits of the next rougher one {judged('C12')}."
+    yield f"GT has {number('C11.boundary')} times the summits of GW at that speed, where the paper has fewer with GW {judged('C11.boundary')};"
+    yield f"GW has {number('C11.mixed')} times those of GT, and the paper has more with GW {judged('C11.mixed')}."
+    yield (f"the asperities carry {told('asperity_load_share', 4, 'slowest')}; the paper reports {reported['C4.rough']} on the rough surface "
+           f"{judged('C4.rough')} and {reported['C4.smooth']} on the smooth one {judged('C4.smooth')}.")
+    yield ("carry half each at " + of_surfaces(sig(one["equal_share_speed"], 3) + " m/s" for one in own) +
+           f": later on a rougher surface {judged('C5')}.")
+    yield (f"carry least at the onset, {told('asperity_load_share', 3, 'onset')}, and more again at {fast} m/s, "
+           f"{told('asperity_load_share', 3, 'fastest')} {judged('C6')}.")
+    yield "A(0), is " + of_surfaces(sig(one["contact_share"], 3) for one in own) + "."
+    yield "at the onset (●): " + of_surfaces(f"{sig(1e9 * one['onset']['film'], 3)} nm at {sig(one['onset']['speed'], 4)} m/s" for one in own) + "."
+    yield (f"{reported['C1.rough']}, {reported['C1.medium']} and {reported['C1.smooth']} m/s (C1: "
+           f"{next(one for one in ledger['claims'] if one['claim'] == 'C1')['verdicts']['corrected']}).")
+    yield f"the rough one last {judged('C3')}. The film collapses (○, hff ≥ hoil) " + of_surfaces(
+        f"at {sig(one['collapse']['speed'], 4)} m/s" if one["collapse"] else f"at no speed up to {whole(one['fastest']['speed'])} m/s" for one in own) + "."
+    yield f"with GW is {number('C13')} times that with GT; the paper sees no significant difference, which is taken as 10 % {judged('C13')}."
+    yield (f"lies at {number('C15')} times the speed of GT {judged('C15')}. The film collapses at {sig(smooth['collapse']['speed'], 5)} m/s with GT "
+           f"and at {sig(gw['collapse']['speed'], 5)} m/s with GW;")
+    yield (f"Friction at {slow} m/s is {told('friction', 3, 'slowest')}, and at its least " +
+           of_surfaces(sig(one["least_friction"], 3) for one in own) + ".")
+    yield f"GT gives {number('C14')} times the friction of GW, where the paper has more with GT {judged('C14')}."
+    yield f"λ at the onset (●) is {number('C2.smooth')}; the paper reports {reported['C2.smooth']} on all three surfaces (dashed line) {judged('C2.smooth')}."
+    yield f"falls {percent(report['paper']['departure'], 1)} below the flooded film."
+    for found in report["paper"]["comparisons"].values():
+        yield (": the paper gives no number." if found["counted"] == 0 else f": {found['agreeing']} of {found['counted']} values (on the paper's surfaces, by its two asperity models where it gives both) "
+               f"round to what it prints; they are {ends(found['factors'], 3)} times as large.")
+    for one in report["paper"]["comparisons"]["onset_speed"]["rows"]:
+        if "none" in one:
+            yield f"{one['surface']}, {one['model']}, {one['criterion']}: no onset: {one['none']}."
+
+
+def of_ledger(report):
+    ledger = report["ledger"]
+    ranking, counted = ledger["ranking"], len(ledger["claims"])
+    items = {one["item"]: one for one in ledger["items"]}
+    factors = [items["C1." + name]["readings"]["corrected"]["factor"] for name in SURFACES]
+    best = next(one for one in ledger["readings"] if one["name"] == "best 1")
+    film = [one for one in ("speed=sum", "speed_modulus=E*") if one in best["departures"].split(" ")]
+    met_by = ledger["claims"][0]["met_by"]
+    took = [CHOICES[one] for one in film + [one for one in best["departures"].split(" ") if one not in film]]
+    yield f"its author took {', '.join(took[:-1])} and {took[-1]}. Of all {many(ranking['readings'])} combinations of such choices, "
+    yield (f"this one and {many(ranking['best_ties'] - 1)} others, {best['score']} of {counted}; the choices that this page holds for right "
+           f"reproduce {ledger['readings'][0]['score']}.")
+    at = [f"{sig(items['C1.' + name]['readings']['best 1']['computed'], 3)} (paper: {whole(items['C1.' + name]['reported'])})" for name in SURFACES[::-1]]
+    yield f"Starvation then sets in at {at[0]}, {at[1]} and {at[2]} m/s." + ("" if met_by else " No combination gives all three speeds.")
+    yield f"Results: the paper {ledger['summary']}. A number is"
+    by = {word: ", ".join(one["claim"] for one in ledger["claims"] if (one["verdicts"]["corrected"] in word) or
+                          word == "partly" and one["verdicts"]["corrected"] not in ("reproduced", "not reproduced"))
+          for word in (("reproduced",), "partly", ("not reproduced",))}
+    yield "The paper's claims: reproduced: {}; partly: {}; not: {}. ".format(*(one or "none of them" for one in by.values())) + (
+        f"{percent(met_by)} of all combinations of interpretations give all three speeds." if met_by else
+        "No combination of interpretations gives all three speeds.")
+    yield f"how many of the {many(ranking['readings'])} reproduce the claim."
+    yield f"lies at {ends(factors, 3)} times the speeds that the paper reports"
+    yield f"of {many(ledger['uncertainty'][0]['draws'])} draws {ledger['uncertainty'][0]['all_onsets_as_reported']} have all three speeds as reported."
+    shares = [f"{sig(one['readings']['corrected']['factor'], 3)} on the {one['surface']} surface" for one in ledger["items"] if one["claim"] == "C4"]
+    yield f"computed/reported is {' and '.join(shares)}."
+    for item in ledger["items"]:
+        for reading in ledger["readings"]:
+            if "beyond_collapse" in item["readings"][reading["name"]]:
+                yield (f"{item['item']} rests on points beyond the film's collapse "
+                       f"({', '.join(item['readings'][reading['name']]['beyond_collapse'])}): there")
+    yield (f"of {many(ranking['readings'])} combinations the best reproduce {ranking['best_score']} claims; one drawn at random "
+           f"{sig(ranking['mean_score'], 2)}.")
+    alone = [f"{one['reported']}, by {next(way['name'] for way in one['candidates'] if way['agrees'])}" for one in ledger["arguments"]
+             if one["agreeing"] == 1 and any(way["agrees"] for way in one["candidates"])]
+    yield f"only one interpretation: {'; '.join(alone)}." if alone else "claims; one drawn at random"
+    yield f"reproduces {sig(ranking['mean_score'], 3)} claims (standard deviation {sig(ranking['score_standard_deviation'], 2)})."
+    yield f"{many(ranking['above_corrected'])} readings reproduce more than the corrected one, and {many(ranking['equal_to_corrected'] - 1)} others as many"
+    for one in ledger["arguments"]:
+        words = {0: "None of them agrees.", 1: "One agrees, and is identified."}.get(one["agreeing"], f"{one['agreeing']} agree.")
+        yield f"Reported: {one['reported']}, by print precision {ends([one['low'], one['high']], 5)}. {words}"
+    for item in ledger["items"]:
+        got, wanted = item["readings"]["corrected"], [one for one in ledger["requirements"] if one["item"] == item["item"]]
+        if got["verdict"] == "reproduced":
+            continue
+        found, without = [[one for one in wanted if (one["factor"] is None) == absent] for absent in (False, True)]
+        yield (f"Computed: {computed(item, got)}; the paper has: " if found else
+               f"{item['item']}: {item['statement']}. No change of a single input makes it hold. Computed: {computed(item, got)}; the paper has:")
+        if found and without:
+            yield (f"Values are those of the {found[0]['surface']} surface. No factor from 1/30 to 30 on "
+                   f"{', '.join(one['input'] for one in without)} makes it hold.")
+    speeds = [[items["C1." + name]["readings"]["corrected"]["computed"], items["C1." + name]["reported"]] for name in SURFACES]
+    yield f"The best common ε is {sig(ledger['common_departure']['common'], 4)}."
+    (a, b), (c, d), (e, f) = speeds
+    yield f"by {sig(c / e, 3)} from smooth to medium and by {sig(a / c, 3)} from medium to rough"
+    yield f"The reported ones rise by {sig(d / f, 3)} and by {sig(b / d, 3)}, the one less"
+    held = sum(one["reproduced"] for one in ledger["independent"])
+    yield f"Independent numbers: {held} of {len(ledger['independent'])} film and Hertz values"
+    yield " ".join(f"{words}: {many(one['draws'])} draws, of which {one['all_onsets_as_reported']} have all three onset speeds as reported."
+                   for words, one in zip(("Print precision", "Plausible ranges"), ledger["uncertainty"]))
+
+
+def drawn(report):
+    drawn, agreement = report["onset_uncertainty"], report["onset_uncertainty"]["agreement"]
+    scenes, greatest = drawn["sweep"]["scenes"], []
+    for scene in scenes:
+        column = next(one for one in scene["columns"] if one["name"] == agreement["column"])["values"][0]
+        totals = {name: one["total"]["value"] for name, one in column["sensitivity"]["variables"].items()}
+        most = max(totals, key=totals.get)
+        greatest.append(f"{most} on the {scene['id']} surface ({percent(totals[most], 2)})")
+        for one in scene["columns"]:
+            groups = one["values"][0]["sensitivity"]["groups"]
+            if groups >= scene["draws"]:
+                yield "not", f"{one['name']}, {scene['id']}: over the"
+            else:
+                yield f"{one['name']}, {scene['id']}: over the {many(groups)} of {many(scene['draws'])} groups of cases that all have an onset."
+    yield f"Most of the variance comes from {', '.join(greatest)}."
+    yield (f"differ by at most {percent(agreement['farthest'], 2)} from those of the ledger's {many(agreement['ledger_draws'])} draws by another "
+           f"generator. That is {sig(agreement['in_deviations'], 2)} standard deviations of sampling; up to {sig(agreement['most_deviations'], 2)} are allowed.")
+    yield f"Onset speeds drawn twice: two generators {'agree' if agreement['agree'] else 'do not agree'}."
+    lies = [(one["surface"], one["reported"], one["speeds"][0]) for one in drawn["surfaces"]]
+    yield "the paper's speed lies here: " + ", ".join(
+        f"{name} {whole(at['value'])} m/s: " + (percent(one["cases_below_reported"], 2) if one["reported_lies"] == "among them" else one["reported_lies"])
+        for name, at, one in lies) + "."
+    yield f"Here each of the {drawn['inputs_drawn']} inputs is drawn"
+    yield f"the onsets of {many(scenes[0]['cases'])} cases of each surface"
+
+
+def of_films(report):
+    found, profile = report["line_films"], report["line_films"]["profile"]
+    best = min(found["formulas"], key=lambda one: one["median_size"])
+
+    def signed(part):
+        return f"{'+' if part > 0 else ''}{sig(100 * part, 2)} %"
+
+    def place(one):
+        return f"(M = {whole(one['load_number'])}, L = {whole(one['material_number'])})"
+    yield f"{best['authors']}' is the closest ({signed(best['least']['error'])} to {signed(best['greatest']['error'])})."
+    for one in found["scenes"]:
+        if one["is_on_map"]:
+            yield f"The track {one['name']} is {one['file']} over its speeds, {whole(one['slowest'])} to {whole(one['fastest'])} m/s"
+    yield f"The table has {found['formulas'][0]['points']} solved contacts with L > 0"
+    one, two = found["solved"], found["solved_compressible"]
+    yield (f"may be off by {sig(one['median'], 2)} of themselves in the median and by {sig(one['greatest']['error'], 2)} at most "
+           f"{place(one['greatest'])}; {one['within_1e_4']} of {one['films']} are within 10−4.")
+    yield f"may be off by {sig(two['median'], 2)} in the median and {sig(two['greatest']['error'], 2)} at most {place(two['greatest'])}."
+    between = found["interpolation"]
+    most, light = ([f"{sig(100 * between[key][film], 2)} %" for film in ("at_greatest_pressure", "minimum", "central")]
+                   for key in ("greatest", "greatest_light"))
+    yield (f"at {between['points']} contacts between them the maps are off by at most {most[0]} in the film at the greatest pressure, {most[1]} in the "
+           f"minimum and {most[2]} in the central film; below M = {whole(between['heavy_from'])} by {light[0]}, {light[1]} and {light[2]}.")
+    law = {"barus": "Barus'", "roelands": "Roelands'"}[profile["viscosity"]]
+    off = max(profile[name]["error"] / profile[name]["value"] for name in ("central", "minimum"))
+    yield (f"{profile['file']} at {whole(profile['speed'])} m/s, its viscosity by {law} law: M = {sig(profile['load_number'], 3)}, "
+           f"L = {sig(profile['material_number'], 3)}, half-width b = {sig(1e6 * profile['half_width'], 3)} µm, p0 = {sig(1e-9 * profile['peak_pressure'], 3)} GPa. "
+           f"The film in the middle is {sig(1e9 * profile['central']['value'], 5)} nm, the least {sig(1e9 * profile['minimum']['value'], 5)} nm, "
+           f"each to {sig(off, 1)} of itself.")
+    spike, error = profile["spike_pressure"]["value"], profile["spike_pressure"]["error"]
+    unsure = (f"; how high it is, grids of double numbers do not resolve: {sig(spike, 2)} p0, give or take {sig(error, 1)}." if error > 0.02 * spike else ".")
+    yield f"a spike at x/b = {sig(profile['spike_place']['value'], 4)}, just before the film's constriction{unsure}"
+    titles = ("ball on a flat", "bearing's outer ring", "gear's flank")
+    yield "friction is least (●) at λ = " + ", ".join(f"{sig(one['least_friction']['film_parameter'], 3)} ({title})" for one, title in
+                                                     zip(report["contacts"]["scenes"].values(), titles)) + "."
+
+
+def software(report):
+    certified, stress, faults, wrong = (report[name] for name in ("certified", "stress", "planted_faults", "diagnosis"))
+    yield (f"{certified['held']} of {len(certified['quantities'])} quantities keep their declared accuracy on {many(certified['cases'])} certified values; "
+           f"the worst error takes {percent(certified['worst_part_of_bound'])} of its bound.")
+    yield "Before: " + provenance(certified["before"])
+    yield (f"{stress['held']} of {len(stress['outputs'])} outputs keep their declared accuracy at {many(stress['points'])} random points; the worst error "
+           f"takes {percent(stress['worst_part_of_bound'])} of its bound. {measured(stress)}.")
+    yield f"{many(stress['points'])} random points, seed {stress['seed']}: scenes as they are built, and scenes far beyond. {provenance(stress)}"
+    yield f"Planted faults: {faults['caught']} of {len(faults['faults'])} faults that were planted in the formulas"
+    more = f"The catalogue has {faults['catalogue']} faults; the others"
+    yield more if faults["catalogue"] > len(faults["faults"]) else ("not", more)
+    right = wrong["right_solvers"]
+    yield (f"of {wrong['named']} of {len(wrong['wrong_solvers'])} solvers with one, two or three known mistakes tribocheck verify --subject names all of "
+           f"them; it accuses {'some' if right['accused'] else 'none'} of {many(right['tries'])} right solvers. {measured(wrong)}.")
+    work, least = report["work_precision"], report["skipped_work"]
+    beside = work["alternatives"]
+    yield (f"slower, over {beside['jobs']} jobs; it is less exact in "
+           f"{'each of them' if beside['less_exact'] == beside['jobs'] else str(beside['less_exact']) + ' of them'}. {measured(work)}.")
+    yield f"without failures is {ends([beside['least_times_ours'], beside['greatest_times_ours']], 3)} times slower"
+    for job in work["jobs"]:
+        ours, other = job["ours"], job["fastest_alternative"]
+        if ours:
+            yield f"The fastest way of tribocheck, {ours['name']}, takes {sig(ours['ns'], 3)} ns a point; its greatest error is {sig(ours['max_ulp'], 3)} ulp."
+        if other:
+            times = f", {sig(other['times_ours'], 3)} times as long" if ours else ""
+            yield (f"{other['family']} {other['name']}, takes {sig(other['ns'], 3)} ns a point{times}; its greatest error is {sig(other['max_ulp'], 3)} ulp.")
+        counted = [f"{way['family']} {way['name']} {sig(way['evaluations'], 3)}" for way in job["ways"] if way["evaluations"] is not None]
+        if job["is_counted"] and counted:
+            yield f"of the fastest way of each family: {', '.join(counted)}."
+    films, ways = work["line_film"], {one["name"]: one for one in work["line_film"]["ways"]}
+    asked = [f"{sig(1e-9 * ways[name]['ns'], 2)} s with errors up to {sig(ways[name]['max_relative'], 2)}" for name in
+             ("to 1e-04", "dense LU, our grid 1024", "dense LU, uniform grid 1024")]
+    yield "ours takes {}, on one core. A dense matrix of 1024 cells on our grid takes {};".format(*asked)
+    yield f"before the contact, {asked[2]}, because it cuts the inlet of light loads. {measured(films)}."
+    yield f"fitted from {films['exponents'][0]['from_cells']} cells on" + "".join(
+        f"{';' if i else ', with their standard errors.'} {one['solver']}, {whole(one['cells'])} cells: {sig(1e-9 * one['step_ns'], 2)} s a step, "
+        f"{sig(1e-6 * one['bytes'], 3)} MB" for i, one in enumerate(films["largest"])) + "."
+    fastest = sorted(work["profile"], key=lambda one: one["fastest"])[-1]
+    settled = sum(one["within_greatest_factor"] >= 1 for one in work["profile"])
+    yield f"{fastest['solver']} is the fastest in {percent(fastest['fastest'])} of the cases. {settled} of {len(work['profile'])} solvers settle all cases"
+    yield "greatest throughput: " + ", ".join(f"{one['kernel']} {sig(one['gigabytes_per_second'], 3)} GB/s" for one in work["throughput"]) + "."
+    yield f"up to {work['most_threads']} threads; greatest speed-up: " + ", ".join(f"{one['kernel']} {sig(one['speedup'], 3)}" for one in work["speedup"]) + "."
+    yield (f"by what it asks for, a scene saves {percent(least['least_saved'], 2)} to {percent(least['greatest_saved'], 2)} of the evaluations of Fn.")
+    yield f"at {many(least['speeds'])} speeds over the range"
+    gates, speed = report["gates"], report["sweep_speed"]
+    proofs = len(gates["proofs"])
+    yield ("the gates passed the unchanged program and failed every slowed one." if proofs and gates["proved"] == proofs else
+           f"{proofs - gates['proved']} of {proofs} gates did not say what they had to")
+    yield f"took at most {sig(gates['greatest_time_of_the_same_program'], 4)} times its own time. {measured(gates)}."
+    yield f"the widest is {percent(gates['baseline']['widest_band'], 2)}."
+    targets, missed = speed["targets"], speed["targets_missed"]
+
+    def target(name, bound, unit=""):
+        one = targets[name]
+        return f"(target: {bound} {whole(next(one[key] for key in ('at_most', 'at_least', 'below') if key in one))}{unit}{'' if one['reached'] else ', missed'})"
+    yield {0: f"all {len(targets)} speed targets are reached.", 1: f"one of {len(targets)} speed targets is missed."}.get(
+        missed, f"{missed} of {len(targets)} speed targets are missed.")
+    yield (f"A point takes at most {sig(targets['times_alone']['is'], 3)} times as long as its scene and root alone {target('times_alone', 'at most')}; "
+           f"two threads are {sig(targets['two_threads']['is'], 3)} times as fast as one {target('two_threads', 'at least')}; a rank needs at most "
+           f"{sig(targets['mb_of_rank']['is'], 3)} MB {target('mb_of_rank', 'below', ' MB')}. {measured(speed)}.")
+    ranks, filled = speed["two_ranks"], speed["model"]
+    yield (f"Two ranks are {sig(ranks['speedup'], 3)} times as fast as one by the clock, and {sig(ranks['cpu_speedup'], 3)} times by their CPU time. With twice "
+           f"the points two ranks keep {percent(ranks['weak_efficiency'])} of their speed by the clock, and {percent(ranks['weak_cpu_efficiency'])} by their CPU "
+           f"time. Other processes disturb the clock: they used up to {sig(speed['others'], 2)} of {speed['processors']} processors meanwhile.")
+    yield (f"rank 0 saturates near {sig(filled['ranks_that_fill_rank_0'], 2)} ranks. Journals of points fill the disk from "
+           f"{sig(filled['ranks_whose_journals_fill_the_disk'], 2)} ranks on, and with {sig(filled['ranks_that_compute_as_long_as_points_are_written'], 2)} ranks")
+    for one in (faults, work, wrong, gates, gates["baseline"], speed):
+        yield provenance(one)
+    standings = [one["standing"] for one in report["findings"] if one["about"] == "software"]
+    fails, late = standings.count("fails"), standings.count("missed")
+    yield ({0: "Software checks pass", 1: "A software check fails"}.get(fails, f"{fails} software checks fail") +
+           {0: "", 1: "; one speed target is missed"}.get(late, f"; {late} speed targets are missed") + ".")
+
+
+def promised(report):
+    for section in (paper, of_ledger, drawn, of_films, software):
+        yield from section(report)

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers as the page and its pictures write them: for random values and at each limit, and one unit beside it."""
+
+import math
+import os
+import pathlib
+import random
+import sys
+import unittest
+
+import page_tables
+
+sys.path.insert(0, str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page/render"))
+import numbers_text  # noqa: E402
+
+
+def beside(value):
+    return math.nextafter(value, -math.inf), value, math.nextafter(value, math.inf)
+
+
+class Numbers(unittest.TestCase):
+    def setUp(self):
+        draw = random.Random(20261123)
+        self.values = [sign * draw.uniform(1, 10) * 10**draw.randint(-12, 12) for _ in range(2000) for sign in (1, -1)]
+        for power in range(-9, 10):  # where the number of digits, or the way of writing them, changes
+            for times in (1, 9.995, 9.9995, 9.5, 9.95):
+                self.values += beside(times * 10.0**power)
+
+    def test_rounded_is_the_nearest_decimal_number(self):
+        for value in [*self.values, 0.0, -0.0, math.nan, math.inf, -math.inf, None]:
+            for digits in (1, 2, 3, 4, 5, 13):
+                self.assertEqual(numbers_text.rounded(value, digits), page_tables.sig(value, digits), (value, digits))
+
+    def test_unrounded_reads_back(self):
+        for value in self.values:
+            text = numbers_text.unrounded(value)
+            self.assertEqual(text, page_tables.whole(value))
+            number = text.replace("−", "-").replace("\u202f", "").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+            self.assertEqual(float(number.replace(" × 10", "e")), value)
+
+    def test_grouped_has_three_digits_a_group_from_10000_on(self):
+        for count, text in ((0, "0"), (9999, "9999"), (10000, "10\u202f000"), (123456, "123\u202f456"), (1234567, "1\u202f234\u202f567")):
+            self.assertEqual(numbers_text.grouped(count), text)
+
+    def test_percent_has_exact_ends_and_is_the_nearest_between_them(self):
+        limits = [end for limit in (0.001, 0.0995, 0.995, 0.9995, 0.9996, 1, 1.005, 1.0005, 0.5, 1e-9) for end in beside(limit)]
+        for part in [*limits, *(random.Random(1).uniform(0, 1.2) for _ in range(2000)), 0, 5e-324, -0.0004, -0.3, 12.5]:
+            for digits in (2, 3):
+                text = numbers_text.percent(part, digits)
+                self.assertEqual(text, page_tables.percent(part, digits), part)
+                self.assertEqual((text == "0 %", text == "100 %"), (part == 0, part == 1), part)
+                self.assertEqual(text.startswith("<"), 0 < part < 0.001, part)
+        self.assertEqual([numbers_text.percent(one) for one in (None, math.nan, 0.9996, 1.0004)], ["–", "–", "> 99.9 %", "> 100 %"])
+
+    def test_an_interval_has_both_ends_or_one_number(self):
+        self.assertEqual(numbers_text.interval([3.664, 1.062], 3), "1.06 to 3.66")
+        self.assertEqual(numbers_text.interval([2.001, 1.999], 2), "2.0")
+
+
+if __name__ == "__main__":
+    unittest.main()
