@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/errors.hpp"
+#include "cases/measured.hpp"
 #include "contenders/ellipse_contender.hpp"
 
 namespace tribo::benchmarks {
@@ -15,5 +16,8 @@ std::vector<EllipseCase> random_ellipses(std::size_t count);
 
 // Over the semi-axis a_x and the peak pressure of the certified rows (reference/exact).
 Errors judge(const EllipseContender& contender);
+
+// Each contender at its job.
+std::vector<Measured> jobs_of(const std::vector<EllipseContender>& contenders);
 
 }  // namespace tribo::benchmarks

@@ -7,12 +7,12 @@
 
 namespace tribo::benchmarks {
 
-std::vector<Measured> ellipse_jobs(Settings settings) {
+std::vector<Measured> jobs_of(const std::vector<EllipseContender>& contenders) {
   constexpr std::size_t count = 1024;
   const auto cases = std::make_shared<const std::vector<EllipseCase>>(random_ellipses(count));
   const auto answers = std::make_shared<std::vector<EllipseAnswer>>(count);
   std::vector<Measured> all;
-  for (const EllipseContender& contender : ellipse_contenders(settings)) {
+  for (const EllipseContender& contender : contenders) {
     Measured measured{"hertz_ellipse",
                       contender.family,
                       contender.name,
@@ -29,6 +29,10 @@ std::vector<Measured> ellipse_jobs(Settings settings) {
     all.push_back(std::move(measured));
   }
   return all;
+}
+
+std::vector<Measured> ellipse_jobs(Settings settings) {
+  return jobs_of(ellipse_contenders(settings));
 }
 
 }  // namespace tribo::benchmarks

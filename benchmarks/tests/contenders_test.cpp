@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cases/curve_cases.hpp"
@@ -21,6 +23,8 @@
 #include "tribo/batch.hpp"
 #include "tribo/gaussian_moment.hpp"
 #include "tribo/hertz_ellipse.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "work_precision/timing.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -270,6 +274,182 @@ TEST(ErrorTally, AllowsSoMuchTimesTheConditionAndSkipsWhatIsNotOffered) {
   ErrorTally tally;
   tally.add(not_offered, 2, 0);
   EXPECT_EQ(tally.errors().judged, 0U);
+}
+
+TEST(ErrorTally, ItsFiguresAreThoseOfAllAnswers) {
+  for (const std::size_t count : {1U, 2U, 99U, 100U, 101U, 102U, 1000U}) {
+    ErrorTally tally;
+    for (std::size_t i = 0; i < count; ++i)  // 0, 1, 2 … ulp, in some order
+      tally.add(1 + 0x1p-52 * static_cast<double>(i * 7919 % count), 1, 0);
+    const Errors errors = tally.errors();
+    const auto greatest = static_cast<double>(count - 1);
+    EXPECT_EQ(errors.judged, count);
+    EXPECT_EQ(errors.max_ulp, greatest);
+    EXPECT_EQ(errors.p99_ulp, std::floor(0.99 * greatest));
+    EXPECT_EQ(errors.mean_ulp, greatest / 2);
+  }
+}
+
+// As the README says them: all within the range, and up to its ends.
+TEST(Cases, FillTheRangesOfTheirJobs) {
+  const auto fill = [](std::vector<double> points, double from, double to, double unit) {
+    std::sort(points.begin(), points.end());
+    EXPECT_TRUE(is_within(points.front(), from + unit / 2, unit / 2)) << from;
+    EXPECT_TRUE(is_within(points.back(), to - unit / 2, unit / 2)) << to;
+  };
+  const auto logarithms = [](std::vector<double> points) {
+    for (double& point : points) point = std::log(point);
+    return points;
+  };
+  fill(moment_arguments(2048), 0, 6, 0.003);
+  for (const RootJob job : {RootJob::wide, RootJob::one_surface}) {
+    const StoredRootCases cases = random_root_cases(job, 1024);
+    fill(logarithms(cases.flooded), std::log(1e-4), std::log(100), 0.06);
+    if (job == RootJob::one_surface) continue;
+    fill(logarithms(cases.stiffness), std::log(1e-6), std::log(10), 0.06);
+    fill(cases.offset, 0, 3, 0.01);
+  }
+  EXPECT_TRUE(is_within(curve_speeds(200).front(), 1e-4, 1e-18));
+  EXPECT_TRUE(is_within(curve_speeds(200).back(), 3, 1e-14));
+  std::vector<double> ratios;
+  for (const EllipseCase& one : random_ellipses(1024))
+    ratios.push_back(one.radius_y / one.radius_x);
+  fill(logarithms(ratios), 0, std::log(1e4), 0.04);
+}
+
+// --- Bookkeeping: contenders that count what they are given, and what they answer.
+
+struct Counts {
+  std::size_t points = 0, judged = 0, failures = 0, no_numbers = 0;
+  double sum = 0;  // of the points, which tells which they are
+
+  // The answers number 0, 3, 6 … are off by 1/1000, 1, 10 … are no number, 2, 11 … not offered.
+  double answer(double point, double right) {
+    const std::size_t kind = points++ % 9;
+    sum += point;
+    judged += kind == 2 ? 0 : 1;
+    failures += kind % 3 == 0 || kind == 1 ? 1 : 0;
+    no_numbers += kind == 1 ? 1 : 0;
+    Counted::one();
+    return kind == 1       ? std::numeric_limits<double>::quiet_NaN()
+           : kind == 2     ? not_offered
+           : kind % 3 == 0 ? 1.001 * right
+                           : right;
+  }
+};
+
+// Each job of contenders a, b … in turn, which all add to the same counts.
+void expect_counted(const std::vector<Measured>& jobs, Counts& counts,
+                    const std::vector<std::pair<std::size_t, double>>& points_and_sums) {
+  ASSERT_EQ(jobs.size(), points_and_sums.size());
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    const Measured& one = jobs[k];
+    counts = {};
+    one.run();
+    EXPECT_EQ(one.points, points_and_sums[k].first) << one.job;
+    EXPECT_EQ(counts.points, one.points) << one.job << ' ' << one.name;
+    EXPECT_TRUE(is_within(counts.sum, points_and_sums[k].second, 1e-12 * counts.sum)) << one.job;
+    EXPECT_EQ(one.evaluations ? one.evaluations() : 1, 1) << one.job;
+    counts = {};
+    const Errors errors = one.judge();
+    EXPECT_GT(errors.judged, 20U);
+    EXPECT_EQ(errors.judged, counts.judged) << one.job;
+    EXPECT_EQ(errors.failures, counts.failures) << one.job;
+    EXPECT_EQ(errors.no_numbers, counts.no_numbers) << one.job;
+  }
+}
+std::pair<std::size_t, double> of(const std::vector<double>& points) {
+  return {points.size(), std::accumulate(points.begin(), points.end(), 0.0)};
+}
+
+// All contenders of a job solve the points that it counts, and the same ones, those that are slow
+// the first of them; what is off, no number or not offered is judged as that.
+TEST(Jobs, CountThePointsAndTheAnswersOfEachContender) {
+  Counts counts;
+  const MomentBatch moments = [&](std::span<const double> d, std::span<double> answers) {
+    for (std::size_t i = 0; i < d.size(); ++i)
+      answers[i] = counts.answer(d[i], gaussian_moment(Order::two, d[i]));
+  };
+  const auto of_moments = of(moment_arguments(2048));
+  expect_counted(
+      jobs_of(std::vector<MomentContender>{{"a", "", Order::two, moments, {}, {}, {}},
+                                           {"b", "", Order::two, moments, moments, {}, {}}}),
+      counts, {of_moments, of_moments});
+
+  for (const RootJob job : {RootJob::wide, RootJob::one_surface}) {
+    const RootRun run = [&](const RootCases& cases, std::span<double> films) {
+      for (std::size_t i = 0; i < cases.size(); ++i)
+        films[i] = counts.answer(cases[i].flooded,
+                                 film_parameter(AsperityModel::greenwood_tripp, cases[i].stiffness,
+                                                cases[i].offset, cases[i].flooded));
+    };
+    const auto prepare = [&](const RootCases&) { return run; };
+    const auto count = [](const RootCases& cases) { return static_cast<double>(cases.size()); };
+    std::vector<double> flooded = random_root_cases(job, 1024).flooded;
+    const auto all = of(flooded);
+    flooded.resize(256);
+    expect_counted(
+        jobs_of(
+            {{"a", "", prepare, count}, {"b", "", prepare, count, true}, {"c", "", prepare, {}}},
+            job),
+        counts, {all, of(flooded), all});
+  }
+
+  const auto curve = [&](const Scene& scene, std::span<const double> speeds,
+                         OperatingPoints& points) {
+    solve(MixedContact<double>(scene), speeds, curve_outputs(), points);
+    // A film that has collapsed is 0, and is not judged.
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+      if (points.film[i] > 0)
+        points.film[i] = counts.answer(speeds[i], points.film[i]);
+      else
+        ++counts.points, counts.sum += speeds[i];
+  };
+  std::vector<std::pair<std::size_t, double>> of_curves;
+  for (const std::size_t size : {200U, 200U, 200U, 1000000U, 100000U, 1000U})
+    of_curves.push_back(of(curve_speeds(size)));
+  expect_counted(
+      jobs_of(std::vector<CurveContender>{
+          {"tribocheck", "", curve, false}, {"a", "", curve, false}, {"b", "", curve, true}}),
+      counts, of_curves);
+
+  const EllipseBatch ellipses = [&](std::span<const EllipseCase> cases,
+                                    std::span<EllipseAnswer> answers) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const EllipseCase& one = cases[i];
+      const auto right = hertz_ellipse(one.load, one.effective_modulus, one.radius_x, one.radius_y);
+      answers[i].semi_axis_x = counts.answer(one.radius_y, right.semi_axis_x);
+      answers[i].peak_pressure = right.peak_pressure;
+      ++counts.judged;
+    }
+  };
+  std::vector<double> radii;
+  for (const EllipseCase& one : random_ellipses(1024)) radii.push_back(one.radius_y);
+  expect_counted(jobs_of(std::vector<EllipseContender>{{"a", "", ellipses, {}},
+                                                       {"b", "", ellipses, ellipses}}),
+                 counts, {of(radii), of(radii)});
+}
+
+TEST(MedianSeconds, AreTheMedianOfEachContendersOwnRounds) {
+  for (const int rounds : {1, 3, 5, 9}) {
+    std::vector<Timed> timed;
+    for (int k = 0; k < 3; ++k)  // seconds 10 + k, 20 + k …, in another order
+      timed.push_back(
+          {[] {},
+           [k, rounds, i = 0]() mutable { return 10.0 * (1 + (i++ * 7 + k) % rounds) + k; }});
+    const double middle = 10.0 * (rounds + 1) / 2;
+    EXPECT_EQ(median_seconds(timed, rounds, 0),
+              (std::vector<double>{middle, middle + 1, middle + 2}));
+  }
+}
+
+TEST(PartWithin, CountsWhatIsSolvedAgainstTheLeastTimeOfAll) {
+  const double never = std::numeric_limits<double>::infinity();
+  const std::vector<std::vector<double>> times{{1, 2, never, never}, {2, 1, 3, never}};
+  for (const double within : {1.0, 1.99, 2.0, 1e9}) {
+    EXPECT_EQ(part_within(times, 0, within), within < 2 ? 0.25 : 0.5);
+    EXPECT_EQ(part_within(times, 1, within), within < 2 ? 0.5 : 0.75);
+  }
 }
 
 }  // namespace

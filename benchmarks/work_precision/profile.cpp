@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "work_precision/profile.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,20 +48,13 @@ Rows performance_profile(const Effort& effort, const std::vector<RootContender>&
   });
   solvers.insert(solvers.end(), others.begin(), others.end());
   const Times times = times_by_case(solvers, effort);
-  const std::size_t cases = times.front().size();
-  std::vector<double> best(cases, infinity);
-  for (const std::vector<double>& of_solver : times)
-    for (std::size_t c = 0; c < cases; ++c) best[c] = std::min(best[c], of_solver[c]);
   Rows rows;
   for (std::size_t s = 0; s < solvers.size(); ++s)
     for (int step = 0; step <= 40; ++step) {
       const double tau = std::pow(10, step / 10.0);
-      std::size_t within = 0;
-      for (std::size_t c = 0; c < cases; ++c) within += times[s][c] <= tau * best[c] ? 1 : 0;
-      rows.push_back(
-          {{"solver", solvers[s].family + ": " + solvers[s].name},
-           {"tau", four_digits(tau)},
-           {"fraction", four_digits(static_cast<double>(within) / static_cast<double>(cases))}});
+      rows.push_back({{"solver", solvers[s].family + ": " + solvers[s].name},
+                      {"tau", four_digits(tau)},
+                      {"fraction", four_digits(part_within(times, s, tau))}});
     }
   return rows;
 }

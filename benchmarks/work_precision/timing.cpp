@@ -2,6 +2,7 @@
 #include "work_precision/timing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <ctime>
 #include <numeric>
@@ -54,6 +55,18 @@ std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, do
     medians.push_back(*middle);
   }
   return medians;
+}
+
+double part_within(const std::vector<std::vector<double>>& times, std::size_t contender,
+                   double times_the_least) {
+  const std::vector<double>& own = times[contender];
+  std::size_t within = 0;
+  for (std::size_t c = 0; c < own.size(); ++c) {
+    double least = own[c];
+    for (const std::vector<double>& others : times) least = std::min(least, others[c]);
+    within += std::isfinite(own[c]) && own[c] <= times_the_least * least ? 1 : 0;
+  }
+  return static_cast<double>(within) / static_cast<double>(own.size());
 }
 
 }  // namespace tribo::benchmarks

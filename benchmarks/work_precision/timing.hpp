@@ -2,6 +2,7 @@
 // CPU time of many calls, interleaved, so that what disturbs one disturbs all.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -15,6 +16,11 @@ struct Timed {
 // CPU seconds a call of each: the median of so many rounds. In a round each is called, in a new
 // random order, until `least` seconds have passed.
 std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least);
+
+// The part of the cases that a contender solves within so many times the least time of all
+// contenders; times[contender][case], ∞ where it does not solve the case.
+double part_within(const std::vector<std::vector<double>>& times, std::size_t contender,
+                   double times_the_least);
 
 double cpu_seconds();   // of this process
 double wall_seconds();  // since some time

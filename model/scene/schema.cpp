@@ -37,7 +37,9 @@ constexpr Row modulus_row(std::string_view path, std::string_view meaning, Store
           store};
 }
 constexpr Row ratio_row(std::string_view path, std::string_view meaning, Store store) {
-  return {{.path = path, .minimum = -1, .maximum = 0.5, .meaning = meaning}, store};
+  return {
+      {.path = path, .minimum = -1, .maximum = 0.5, .plausible_maximum = 0.5, .meaning = meaning},
+      store};
 }
 constexpr Row face_row(std::string_view path, std::string_view meaning, Store store) {
   return {{.path = path,

@@ -31,7 +31,7 @@ Ranks ranks_of(double n, double p) {
   // Cornish and Fisher's expansion to the skewness, with the correction for continuity.
   const double centre = n * p - 0.5 + (two_sided_95 * two_sided_95 - 1) * (1 - 2 * p) / 6;
   const double reach = two_sided_95 * std::sqrt(variance);
-  return {std::floor(centre - reach), std::ceil(centre + reach)};
+  return {std::ceil(centre - reach), std::ceil(centre + reach)};
 }
 
 // use(lane, value) of each value, with so many lanes side by side that an addition need not wait

@@ -36,7 +36,7 @@ made = []
 for number, (row, values) in enumerate(rows.items()):
     if (re.search(pattern, row) is not None) == (name.startswith("-") and name != ""):
         continue
-    run = {"run_name": row, "family_index": number, "points": 1}
+    run = {"run_name": row, "family_index": number, "points": values.pop("points", 1)}
     if "error" in values:
         made.append({**run, "error_occurred": True, "error_message": values["error"]})
         continue
@@ -148,6 +148,18 @@ class Gate(unittest.TestCase):
         for field, worse, better in (("evaluations", 7.500001, 7.4), ("failures", 3, 1), ("judged", 99, 101)):
             self.assert_fails(self.gate(self.with_row(**{field: worse})), f"worse than the baseline: {MINE}: ")
             self.assert_passes(self.gate(self.with_row(**{field: better})))
+
+    def test_rows_have_the_median_a_point_over_our_least_and_all_counts(self):
+        rows = {MINE: row(300.0, 100.0, points=4, failures=3, judged=50, p99_ulp=1.5, mean_ulp=0.5),
+                OURS: row(200.0, 40.0, points=8), "moment_5_2/tribocheck/AVX2": row(120.0, 60.0, points=8)}
+        (self.folder / "rows.json").write_text(json.dumps([rows]))
+        (self.folder / "asked").unlink(missing_ok=True)
+        found = {f"{one['job']}/{one['family']}/{one['name']}": one
+                 for one in self.bench("--format", "json").json()}
+        self.assertEqual({name: (one["ns"], one["ratio"]) for name, one in found.items()},
+                         {MINE: (75.0, 5.0), OURS: (25.0, 25 / 15), "moment_5_2/tribocheck/AVX2": (15.0, 1.0)})
+        self.assertEqual([found[MINE][name] for name in ("judged", "failures", "max_ulp", "p99_ulp", "mean_ulp",
+                                                         "evaluations")], [50, 3, 2.0, 1.5, 0.5, 7.5])
 
     def test_what_is_no_longer_told_is_worse(self):
         for field in ("evaluations", "failures", "judged", "max_ulp"):

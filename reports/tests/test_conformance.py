@@ -54,6 +54,29 @@ class RightSolvers(unittest.TestCase):
         self.assertRegex(required.json()["summary"],
                          "^FAILED: .*; required, but not held: operating_point.film [(]")
 
+    def test_what_is_required_is_held_in_every_case(self):
+        # Each way in which one case of a quantity may fall short, but for the first, which is none.
+        for change, held, status in (("pass", True, "held"),
+                                     ("if case == 'e0003': answer = {'id': case, 'skip': 'no'}", False, "held in part"),
+                                     ("if name == 'effective_modulus': answer = {'id': case, 'skip': 'no'}", False,
+                                      "not offered"),
+                                     ("if case == 'e0003': answer['value'] *= 1.1", False, "FAILED")):
+            with self.subTest(status=status):
+                folder = Folder()
+                self.addCleanup(folder.cleanup)
+                command = altered(folder, change.replace("e0003", self.modulus_case()))
+                result = verify("--subject", command, "--sample", "9", "--require", "effective_modulus",
+                                "--require", "hertz_point")
+                self.assertEqual(result.code, 0 if held else 1, result.err)
+                told = f"required, but {status}: effective_modulus"
+                self.assertEqual(told in result.err, not held, result.err)
+                self.assertNotIn("hertz_point", result.err)
+
+    def modulus_case(self):
+        """The last case of the sample, so that others of it are held."""
+        lines = run("verify", "--save-cases", "-", "--sample", "9").json_lines()
+        return [one["id"] for one in lines if one.get("function") == "effective_modulus"][-1]
+
     def test_a_sample_is_a_part_of_the_cases(self):
         quantities = verify("--subject", f"{PROGRAM} stream", "--sample", "7").json()["quantities"]
         self.assertEqual({one["asked"] for one in quantities if "operating_point" not in one["quantity"]}, {7})

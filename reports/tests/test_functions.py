@@ -86,6 +86,8 @@ class Listed(unittest.TestCase):
             for one in entry["parameters"]:
                 least, greatest = one.get("physical", (0, 1))
                 self.assertLess(least, greatest, (name, one["name"]))
+                if one["name"] != "order":  # rough: numbers of one digit
+                    self.assertEqual([float(f"{end:.0e}") for end in (least, greatest)], [least, greatest])
 
     def test_one_is_told_with_its_source_and_an_example_that_is_answered(self):
         for name in GOOD:
@@ -260,6 +262,22 @@ class Mistakes(unittest.TestCase):
         bad += ["0.5000000000000001"] if name in POISSON else []
         for text in bad:
             yield replaced(text), name, "; allowed: "
+
+    def test_each_range_ends_where_it_says(self):
+        least = 5e-324
+        ends = {"a number above 0": ([least], [0, -least]), "a number not below 0": ([0, least], [-least]),
+                "a number other than 0": ([least, -least], [0]), "a number": ([0, least, -least], []),
+                "a number above -1 and at most 0.5": ([math.nextafter(-1, 0), 0, 0.5], [-1, math.nextafter(0.5, 1)]),
+                "0, 0.5, 1, 1.5, 2 or 2.5": ([0, 0.5, 1, 1.5, 2, 2.5],
+                                             [-0.5, math.nextafter(0.5, 0), math.nextafter(2.5, 3), 3])}
+        asked = [(entry["name"], one, number, is_refused)
+                 for entry in json.loads(run("functions", "--format", "json").out)
+                 for one in entry["parameters"] if "words" not in one
+                 for is_refused in (False, True) for number in ends[one["allowed"]][is_refused]]
+        answers = ask(*(call(name, {**GOOD[name], one["name"]: number}) for name, one, number, _ in asked))
+        for (name, one, number, is_refused), answer in zip(asked, answers, strict=True):
+            with self.subTest(function=name, parameter=one["name"], number=number):
+                self.assertEqual(f"allowed: {one['allowed']}" in answer.get("error", {}).get("message", ""), is_refused)
 
     def test_faces_that_do_not_meet_at_a_point(self):
         for direction in "xy":

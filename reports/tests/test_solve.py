@@ -51,6 +51,21 @@ class Numbers(SolveTest):
         self.assertEqual([p["speed"] for p in self.points(scene(speed=[2, 0.1, 0.5]))],
                          [2, 0.1, 0.5])
 
+    def test_each_of_many_points_is_that_of_its_speed_alone(self):
+        # More than two of the chunks in which the program solves, and more than each thread's part.
+        tree = scene(speed={"from": 1e-4, "to": 3, "count": 140_000}, outputs=["film", "friction"])
+        texts = [self.solved(tree, "--format", "csv", "--threads", str(count)).out for count in (1, 3)]
+        self.assertTrue(texts[0] == texts[1])
+        rows = texts[0].splitlines()[1:]
+        speeds = [float(row.split(",")[1]) for row in rows]
+        self.assertEqual((len(rows), speeds[0], speeds[-1]), (140_000, 1e-4, 3))
+        self.assertTrue(all(one < other for one, other in zip(speeds, speeds[1:])))
+        chosen = sorted({place for size in (512, 2048, 65_536) for end in range(0, 140_000, size)
+                         for place in (end - 1, end, end + 1) if 0 <= place < 140_000})
+        tree["speed"] = [speeds[place] for place in chosen]
+        alone = self.solved(tree, "--format", "csv").out.splitlines()[1:]
+        self.assertEqual([rows[place] for place in chosen], alone)
+
     def test_only_the_outputs_that_are_asked_for(self):
         point = self.points(scene(speed=1, outputs=["inlet", "film"]))[0]
         self.assertEqual(list(point), ["id", "speed", "film", "inlet"])

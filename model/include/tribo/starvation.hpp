@@ -237,11 +237,15 @@ T starvation_deficit(StarvationClosure closure, const T& flooded_over_inlet,
                      const T& damiens_exponent) {
   using std::atan;
   using std::expm1;
+  using std::log;
   using std::log1p;
   using std::pow;
   const T& r = flooded_over_inlet;
-  if (closure == StarvationClosure::damiens)
-    return -expm1(T(-log1p(pow(r, damiens_exponent)) / damiens_exponent));
+  if (closure == StarvationClosure::damiens) {
+    const T& gamma = damiens_exponent;
+    if (r <= 1) return -expm1(T(-log1p(pow(r, gamma)) / gamma));
+    return -expm1(T(-log1p(pow(T(1 / r), gamma)) / gamma - log(r)));
+  }
   if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(1);
   const T psi = InletCurve<T>{closure}.inlet_length(r);
   return two_over_pi<T>() * atan(T(1 / (wolveridge_factor<T>() * psi)));

@@ -11,6 +11,7 @@
 #include "support/point_bits.hpp"
 #include "support/scenes.hpp"
 #include "support/textbook.hpp"
+#include "support/threshold.hpp"
 #include "tribo/operating_points.hpp"
 
 namespace tribo::verification {
@@ -47,35 +48,34 @@ TEST(MixedContact, AgreesWithASecondImplementationOnGsl) {
 }
 
 // boundary where the fluid carries under 1 %, elastohydrodynamic where the asperities do; flooded
-// where h* ≥ 0.95 h_ff. The sweeps pass each threshold in steps of 1e-3 of it.
-TEST(MixedContact, RegimeAndInletChangeAtTheirThresholds) {
-  double nearest_boundary = 1, nearest_film = 1, nearest_flooded = 1;
-  for (const PaperSurface surface : paper_surfaces) {
-    Scene scene = paper_scene(surface);
-    scene.surface.summit_density *= 1.3;  // a floor, so that the fluid's share falls to 0
-    scene.supply = {SupplyKind::inlet_film_ratio, 60};
-    const MixedContact<double> contact(scene);
-    for (double u = 1e-12; u < 30; u *= 1.002) {
-      const OperatingPoint<double> p = contact.solve(u);
-      const double kept = p.film / p.film_flooded;
-      EXPECT_EQ(p.regime, p.fluid_load_share < 0.01      ? Regime::boundary
-                          : p.asperity_load_share < 0.01 ? Regime::elastohydrodynamic
-                                                         : Regime::mixed)
-          << describe({{"u", u}, {"A", p.asperity_load_share}, {"1-A", p.fluid_load_share}});
-      if (std::abs(kept - 0.95) > 1e-12) {
-        EXPECT_EQ(p.inlet, p.film == 0   ? Inlet::collapsed
-                           : kept > 0.95 ? Inlet::flooded
-                                         : Inlet::starved)
-            << describe({{"u", u}, {"h*/h_ff", kept}});
-      }
-      nearest_boundary = std::min(nearest_boundary, std::abs(p.fluid_load_share / 0.01 - 1));
-      nearest_film = std::min(nearest_film, std::abs(p.asperity_load_share / 0.01 - 1));
-      nearest_flooded = std::min(nearest_flooded, std::abs(kept / 0.95 - 1));
-    }
-  }
-  EXPECT_LT(nearest_boundary, 1e-2);
-  EXPECT_LT(nearest_film, 1e-2);
-  EXPECT_LT(nearest_flooded, 1e-3);
+// where h* ≥ 0.95 h_ff.
+template <class T>
+void hold_limits_of_regimes(double slack) {
+  Scene scene = paper_scene(PaperSurface::rough);
+  const MixedContact<T> starved(scene);
+  scene.supply = {};
+  const MixedContact<T> contact(scene);
+  const auto regime = [&](double asperity, double fluid) {
+    const FloodedFilm<T> film{T(1), {T(2), T(asperity), T(fluid), 0}};
+    return contact.complete(film, {T(1), T(0), false}, OutputSet::all()).regime;
+  };
+  const auto inlet = [&](double film_ratio) {
+    const FloodedFilm<T> film{T(1), {T(2), T(0.5), T(0.5), 0}};
+    return starved.complete(film, {T(film_ratio), T(0.5), false}, OutputSet::all()).inlet;
+  };
+  for (const Threshold& one : std::initializer_list<Threshold>{
+           {"boundary", 0.01, True::below,
+            [&](double fluid) { return regime(1 - fluid, fluid) == Regime::boundary; }, slack},
+           {"elastohydrodynamic", 0.01, True::below,
+            [&](double share) { return regime(share, 1 - share) == Regime::elastohydrodynamic; },
+            slack},
+           {"flooded", 0.95, True::from, [&](double y) { return inlet(y) == Inlet::flooded; },
+            slack}})
+    EXPECT_TRUE(changes_at_its_limit(one));
+}
+TEST(MixedContact, RegimesAndInletsChangeAtTheirLimits) {
+  hold_limits_of_regimes<double>(0);
+  hold_limits_of_regimes<long double>(3e-16);
 }
 
 TEST(MixedContact, SharesAreAPartitionAndFilmsAreOrdered) {

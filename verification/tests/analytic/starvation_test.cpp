@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "support/judge.hpp"
+#include "support/scenes.hpp"
+#include "tribo/mixed_contact.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -52,6 +54,44 @@ TEST(Starvation, RatioSatisfiesItsDefiningEquation) {
                                     ? Reference(y + crook)
                                     : Reference(y + crook / pow(y, Reference("1.25")));
       EXPECT_LT(abs(inverse * r - 1), Reference("1e-40")) << text;
+    }
+}
+
+// About each border between two ways of computing it, and far from it; by the formula text and by
+// the engine; exponents that are legal, though nobody has them.
+TEST(Starvation, KeepsItsContractOnBothSidesOfEachBranch) {
+  std::vector<double> ratios{std::nextafter(1.0, 0.0), 1, std::nextafter(1.0, 2.0)};
+  for (double off = 1e-12; off < 1; off *= 7) {
+    ratios.push_back(1 - off);
+    ratios.push_back(1 + off);
+  }
+  for (double r = 1.5; r < 1e20; r *= 1.9) {
+    ratios.push_back(r);
+    ratios.push_back(1 / r);
+  }
+  Scene scene = paper_scene(PaperSurface::rough);
+  scene.supply = {SupplyKind::inlet_film_ratio, 1};
+  for (const auto closure : closures)
+    for (const double gamma : {0.1, 1.0, 3.0, 20.0, 1e3, 1e5}) {
+      if (closure != damiens && gamma != 3) continue;
+      scene.closures.starvation = closure;
+      scene.closures.damiens_exponent = gamma;
+      const MixedContact<double> engine(scene);
+      for (const double r : ratios) {
+        const Reference exact_r(r), exact_gamma(gamma);
+        const Reference y = starvation_ratio(closure, exact_r, exact_gamma);
+        const bool has_slope = closure != flooded_inlet || r < 1;
+        const double condition = 1 + (has_slope ? std::abs(static_cast<double>(starvation_slope(
+                                                      closure, exact_r, exact_gamma)))
+                                                : 0);
+        const auto by_engine = engine.inlet({1, {r, 0.5, 0.5, 0}}).film_ratio;
+        for (const double got : {starvation_ratio(closure, r, gamma), by_engine})
+          EXPECT_TRUE(is_close(got, y, 16 * 0x1p-52, {{"r", r}, {"gamma", gamma}}, condition));
+        const Reference deficit = starvation_deficit(closure, exact_r, exact_gamma);
+        EXPECT_LT(abs(deficit - (1 - y)), Reference("1e-45"));
+        EXPECT_TRUE(is_within(starvation_deficit(closure, r, gamma), static_cast<double>(deficit),
+                              16 * 0x1p-52 * condition));
+      }
     }
 }
 

@@ -13,6 +13,7 @@
 
 #include "accuracy/accuracy.hpp"
 #include "accuracy/reference_table.hpp"
+#include "catalogue/catalogue.hpp"
 #include "support/judge.hpp"
 #include "support/temporary_folder.hpp"
 #include "tribo/load_sharing.hpp"
@@ -86,6 +87,43 @@ TEST(QuantityResult, HasPassedOnlyWithCasesAllWithinTheirBound) {
   EXPECT_EQ(passed(1, 1 + 0x1p-52), false);
   EXPECT_EQ(passed(1, std::nan("")), false);
   EXPECT_EQ(passed(0, 0), false);
+}
+
+// The figures of each function, counted anew, row by row.
+TEST(QuantityResult, HasTheWorstOfAllRowsOfItsTable) {
+  for (const QuantityResult& got : check_accuracy(exact.string())) {
+    const catalogue::Function* const function = catalogue::find(got.quantity);
+    if (function == nullptr) continue;
+    std::vector<double> errors, per_condition, parts;
+    const auto rows = read_reference_table((exact / (got.quantity + ".csv")).string());
+    for (const ReferenceRow& row : rows) {
+      catalogue::Arguments arguments{};
+      catalogue::Results results{};
+      for (std::size_t i = 0; i < function->parameters.size(); ++i) {
+        const catalogue::Parameter& one = function->parameters[i];
+        arguments[i] = one.words.empty() ? row.number(one.name)
+                                         : catalogue::place_of(row.text(one.name), one).value();
+      }
+      function->value(arguments, results);
+      std::size_t place = 0;
+      while (function->results.size() > 1 && function->results[place].name != row.text("output"))
+        ++place;
+      const double condition = std::max(1.0, row.number("condition"));
+      const Contract& contract = function->contract;
+      errors.push_back(row.error_in_ulp(results[place]));
+      per_condition.push_back(errors.back() / condition);
+      parts.push_back(errors.back() /
+                      std::max(contract.ulp, contract.ulp_per_condition * condition));
+    }
+    const auto worst = std::max_element(parts.begin(), parts.end());
+    EXPECT_EQ(got.cases, rows.size()) << got.quantity;
+    EXPECT_EQ(got.worst_ulp, *std::max_element(errors.begin(), errors.end())) << got.quantity;
+    EXPECT_EQ(got.worst_ulp_per_condition,
+              *std::max_element(per_condition.begin(), per_condition.end()))
+        << got.quantity;
+    EXPECT_EQ(got.worst_part_of_bound, *worst) << got.quantity;
+    EXPECT_EQ(got.worst_row, rows[static_cast<std::size_t>(worst - parts.begin())].text("id"));
+  }
 }
 
 // The certified tables, one of them changed.

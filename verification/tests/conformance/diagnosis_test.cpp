@@ -5,11 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <random>
+
+#include "support/threshold.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -230,6 +234,192 @@ TEST(Said, OfSinglePrecisionIsThat) {
                 return results;
               }),
       {"in single precision"});
+}
+
+// --- Limits, with made cases and made mistakes: films that differ in their speed alone, 1 + i.
+
+using Times = std::function<double(std::size_t)>;
+
+// What is said of so many films, of which number i is answered as its right value times times(i);
+// in single precision but for one of them, where that is given.
+std::vector<Diagnosis> told_of(std::size_t count, const Times& times,
+                               const std::vector<Mistake>& mistakes = {},
+                               const Tolerance& tolerance = engineering_tolerance(),
+                               std::optional<std::size_t> single_but_for = {}) {
+  static const Case usual = cases_of("hamrock_dowson_central").front();
+  std::vector<Case> cases(count, usual);
+  Conversation conversation;
+  for (std::size_t i = 0; i < count; ++i) {
+    cases[i].id = std::to_string(i);
+    cases[i].inputs["speed"] = 1 + static_cast<double>(i);
+    const double right = right_numbers(question_of(cases[i]))[0];
+    cases[i].expected = {{"value", right, 0, 1, false, {}}};
+    double got = right * times(i);
+    if (single_but_for && i != *single_but_for) got = static_cast<float>(got);
+    conversation.answers.push_back({Outcome::answered, {{"value", got}}, {}});
+  }
+  return diagnose(cases, conversation, tolerance, mistakes);
+}
+std::vector<std::string> named_of(std::size_t count, const Times& times,
+                                  const std::vector<Mistake>& mistakes) {
+  std::vector<std::string> names;
+  for (const Diagnosis& one : told_of(count, times, mistakes))
+    names.insert(names.end(), one.mistakes.begin(), one.mistakes.end());
+  return names;
+}
+bool says(const std::vector<Diagnosis>& told, const std::string& words) {
+  return std::any_of(told.begin(), told.end(), [&](const Diagnosis& one) {
+    return one.text.find(words) != std::string::npos;
+  });
+}
+
+// A mistake that gives `times` the right value of the films from number `first` to `end`.
+Mistake times_of(double times, std::size_t first, std::size_t end, const std::string& name = "m") {
+  const auto applies = [=](const Question& question) {
+    const double i = question.arguments[0] - 1;
+    return i >= static_cast<double>(first) && i < static_cast<double>(end);
+  };
+  return {.function = "hamrock_dowson_central",
+          .name = name,
+          .text = name,
+          .touches = {},
+          .applies = applies,
+          .after = [=](const Question&, Numbers& numbers) { numbers[0] *= times; }};
+}
+// The first films twice the right value, then some wrong in a way that nothing explains, no two
+// alike, then right ones.
+Times twice_then_odd(std::size_t twice, std::size_t odd_to) {
+  return [=](std::size_t i) {
+    return i < twice ? 2 : i < odd_to ? 1.3 + 0.01 * static_cast<double>(i * i % 89) : 1;
+  };
+}
+
+TEST(Limits, OfCountsAreWhereTheyArePromised) {
+  // Of the answers that a mistake changes 98 in 100 are to be as it gives them, and three at least.
+  const auto with_met = [](std::size_t changed, std::size_t met) {
+    return named_of(changed + 20, twice_then_odd(met, changed), {times_of(2, 0, changed)}).size();
+  };
+  // It has to explain a tenth of what is wrong.
+  const auto beside = [](std::size_t explained, std::size_t others) {
+    return named_of(400, twice_then_odd(explained, explained + others), {times_of(2, 0, explained)})
+        .size();
+  };
+  for (const std::size_t i : {1U, 2U, 3U}) {
+    EXPECT_EQ(with_met(100 * i, 98 * i), 1U);
+    EXPECT_EQ(with_met(100 * i, 98 * i - 1), 0U);
+    EXPECT_EQ(with_met(i, i), i < 3 ? 0U : 1U);
+    EXPECT_EQ(beside(10 * i, 90 * i), 1U);
+    EXPECT_EQ(beside(10 * i, 90 * i + 1), 0U);
+  }
+  // After a named mistake up to 3 in 100 others that are wrong are no news.
+  for (const std::size_t rest : {6U, 7U})
+    EXPECT_EQ(says(told_of(300, twice_then_odd(200, 200 + rest), {times_of(2, 0, 200)}),
+                   "None of the known mistakes gives these others"),
+              rest == 7);
+  // Three causes are told, and three choices of each.
+  std::vector<Mistake> causes, choices;
+  for (std::size_t k = 0; k < 5; ++k) {
+    causes.push_back(times_of(2 + static_cast<double>(k), 20 * k, 20 * k + 20, std::to_string(k)));
+    choices.push_back(times_of(2, 0, 20, std::to_string(k)));
+  }
+  const std::vector<std::string> three{"0", "1", "2"};
+  const Times of_causes = [](std::size_t i) { return 2 + static_cast<double>(i / 20); };
+  EXPECT_EQ(named_of(100, of_causes, causes), three);
+  EXPECT_EQ(named_of(40, twice_then_odd(20, 20), choices), three);
+  // Where the answers are wrong is told of eight cases, three of them right, with two in a hundred
+  // and a tenth of the fewer on the other side of the border.
+  const auto is_place_told = [](std::size_t count, std::size_t right, std::size_t strays) {
+    const Times times = [=](std::size_t i) {
+      const bool is_stray = i % 10 == 4 && i / 10 < strays;
+      return i < right && !is_stray ? 1 : twice_then_odd(0, count)(i);
+    };
+    return says(told_of(count, times), "right up to u = ");
+  };
+  EXPECT_TRUE(is_place_told(100, 50, 2) && is_place_told(100, 22, 2) && is_place_told(8, 3, 0));
+  EXPECT_FALSE(is_place_told(100, 50, 3) || is_place_told(100, 21, 2));
+  EXPECT_FALSE(is_place_told(7, 3, 0) || is_place_told(9, 2, 0));
+}
+
+TEST(Limits, OfNumbersAreWhereTheyArePromised) {
+  using enum verification::True;
+  constexpr std::size_t count = 24;
+  const auto all = [](double times) { return [=](std::size_t) { return times; }; };
+  std::vector<verification::Threshold> limits;
+  // Factors are named within a millionth.
+  const auto add_factor = [&](double value, const std::string& sentence) {
+    const auto is_named = [=](double x) {
+      return says(told_of(count, all(value * (1 + x))), sentence);
+    };
+    limits.push_back({sentence, 1e-6, below, is_named, 2e-8});
+    limits.push_back({sentence, -1e-6, above, is_named, 2e-8});
+  };
+  const double pi = std::numbers::pi;
+  const std::vector<double> factors{
+      2,   pi,  std::sqrt(2), 1.5, 4.0 / 3, std::sqrt(2 * pi), std::sqrt(pi), 1e3,
+      1e6, 1e9, 100,          4,   2 * pi};
+  const std::vector<std::string> names{"2.",
+                                       "π.",
+                                       "√2.",
+                                       "3/2.",
+                                       "4/3.",
+                                       "√(2π).",
+                                       "√π.",
+                                       "1000, as between m and mm.",
+                                       "10⁶, as between m and µm.",
+                                       "10⁹, as between m and nm.",
+                                       "100, as with percent.",
+                                       "4.",
+                                       "2π."};
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    add_factor(factors[k], "too large by a factor of " + names[k]);
+    add_factor(1 / factors[k], "too small by a factor of " + names[k]);
+  }
+  add_factor(-1, "another sign convention");
+  // One factor, and one pattern, are those that all answers have.
+  const auto half_off = [&](double by, const char* words) {
+    return [=](double x) {
+      return says(told_of(count, [=](std::size_t i) { return i % 2 == 0 ? 2 : 2 + by * x; }),
+                  words);
+    };
+  };
+  limits.push_back({"one factor", 1e-9, below, half_off(2, "by a factor of 2."), 1e-6});
+  limits.push_back(
+      {"one pattern", (2e-3 + 1e-9) / (1 - 2e-3), above, half_off(1, ", between "), 1e-11});
+  const auto words = [&](const char* said) {
+    return [=](double times) { return says(told_of(count, all(times)), said); };
+  };
+  limits.push_back({"times too large", 3, above, words("times too large"), 1e-15});
+  limits.push_back({"times too small", 1.0 / 3, below, words("times too small"), 1e-15});
+  // Rounding, in double (which only the strict tolerance minds) and in single precision.
+  limits.push_back({"rounding", 1e-12, below,
+                    [&](double x) {
+                      return says(told_of(count, all(1 + x), {}, strict_tolerance()),
+                                  "rounding, and no wrong formula");
+                    },
+                    1e-3});
+  const auto few_digits = [&](double x, std::size_t but_for) {
+    return says(told_of(count, all(1 + x), {}, engineering_tolerance(), but_for),
+                "in single precision");
+  };
+  limits.push_back(
+      {"single precision", 1e-5, below, [&](double x) { return few_digits(x, count); }, 2e-2});
+  // A mistake is met to 1/500 of its change, two together to 1e-5 of it; less than five times what
+  // is allowed is too little to tell.
+  const auto is_met = [&](double of_one, double of_two) {
+    return [=](double x) {
+      return !named_of(count, all(of_one * of_two * (1 + x)),
+                       {times_of(of_one, 0, count), times_of(of_two, 0, count)})
+                  .empty();
+    };
+  };
+  limits.push_back({"closeness of one", 1e-3, up_to, is_met(2, 1), 1e-10});
+  limits.push_back({"closeness of two", 5e-5 / 6, up_to, is_met(2, 3), 1e-9});
+  limits.push_back(
+      {"change", 5e-6, above,
+       [&](double x) { return !named_of(count, all(1 + x), {times_of(1 + x, 0, count)}).empty(); },
+       1e-9});
+  for (const auto& one : limits) EXPECT_TRUE(changes_at_its_limit(one));
+  EXPECT_FALSE(few_digits(3e-6, 7));
 }
 
 // Right answers with noise up to 1e-9, in other units and by other formulas inside.

@@ -6,18 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "conformance/conformance_baseline.hpp"
-#include "conformance/diagnosis.hpp"
 #include "support/judge.hpp"
+#include "support/threshold.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 using nlohmann::json;
+using verification::changes_at_its_limit;
 using verification::is_close;
+using verification::True;
 
 constexpr Contract contract{4, 0.5};  // 4 ulp, or half an ulp times the condition
 
@@ -81,10 +84,23 @@ Status status_of(const Expected& expected, json value) {
 
 TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
   const Expected expected = number(2, 10);  // 2e-5 is allowed
-  for (const double side : {-1.0, 1.0}) {
-    EXPECT_EQ(status_of(expected, 2 + side * 1.99e-5), Status::held);
-    EXPECT_EQ(status_of(expected, 2 + side * 2.01e-5), Status::failed);
-  }
+  const auto holds = [](const Expected& of, double got) {
+    return status_of(of, got) == Status::held;
+  };
+  for (const double side : {-1.0, 1.0})
+    EXPECT_TRUE(
+        changes_at_its_limit({"of a number", 2e-5, True::up_to,
+                              [&](double x) { return holds(expected, 2 + side * x); }, 1e-10}));
+  // Of 0, and of what plays no part in engineering.
+  EXPECT_TRUE(changes_at_its_limit(
+      {"of nothing", 1e-30, True::up_to, [&](double x) { return holds(number(0), x); }}));
+  EXPECT_TRUE(
+      changes_at_its_limit({"of a tiny number", 1e-30, True::up_to,
+                            [&](double x) { return holds(number(1e-27), 1e-27 + x); }, 1e-12}));
+  const auto plays_a_part = [](double value) {
+    return verdict_on(number(value), with({{"value", value * (1 + 1e-7)}})).held_cases[0].error > 0;
+  };
+  EXPECT_TRUE(changes_at_its_limit({"of a part", 1e-24, True::above, plays_a_part, 1e-15}));
   const QuantityVerdict verdict = verdict_on(expected, with({{"value", 2 + 1e-5}}));
   EXPECT_TRUE(is_close(verdict.worst_part_of_bound, 0.5, 1e-9, {}));
   EXPECT_TRUE(is_close(verdict.worst_relative, 5e-6, 1e-9, {}));
@@ -140,9 +156,90 @@ TEST(JudgedQuantity, CountsEachOfItsCases) {
   EXPECT_EQ(all.status, Status::failed);
   EXPECT_EQ(all.worst_case, "c");
   EXPECT_TRUE(all.first_reason.starts_with("c: ")) << all.first_reason;
-  EXPECT_EQ(judged(cases, {right, right, skipped, right}).quantities[0].status,
-            Status::partly_held);
+  const QuantityVerdict part = judged(cases, {right, right, skipped, right}).quantities[0];
+  EXPECT_EQ(part.status, Status::partly_held);
+  EXPECT_EQ(part.first_reason, "why");
   EXPECT_EQ(judged(cases, {right, right, right, right}).quantities[0].status, Status::held);
+}
+
+const std::vector<Case>& all_cases() {
+  const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
+  static const std::vector<Case> cases =
+      read_cases({reference + "/exact", reference + "/published"});
+  return cases;
+}
+
+// The strict tolerance asks all, the others all but what is beyond engineering; in their order.
+TEST(Cases, AreAllWhereTheToleranceIsStrict) {
+  const std::vector<Case>& all = all_cases();
+  const auto ids = [](const std::vector<Case>& cases) {
+    std::vector<std::string> made;
+    for (const Case& one : cases) made.push_back(one.id);
+    return made;
+  };
+  std::vector<Case> usual;
+  for (const Case& one : all)
+    if (!one.is_extreme) usual.push_back(one);
+  EXPECT_GT(usual.size(), all.size() / 2);
+  EXPECT_LT(usual.size(), all.size());
+  EXPECT_EQ(ids(cases_for(all, strict_tolerance())), ids(all));
+  EXPECT_EQ(ids(cases_for(all, engineering_tolerance())), ids(usual));
+  EXPECT_EQ(ids(cases_for(all, own_tolerance())), ids(usual));
+}
+
+// A word is asked of a point unless it lies at the border of two, or nothing balances its load.
+TEST(Cases, OfPointsAskForEachWordAwayFromItsBorder) {
+  std::size_t points = 0;
+  for (const Case& one : all_cases()) {
+    if (!is_operating_point(one.function)) continue;
+    std::map<std::string, double> value;
+    std::map<std::string, std::string> word;
+    for (const Expected& of : one.expected)
+      if (of.word.empty())
+        value[of.field] = of.high;
+      else
+        word[of.field] = of.word;
+    const auto is_at = [](double x, double border) { return std::abs(x / border - 1) < 1e-6; };
+    const double asperity = value["asperity_load_share"], fluid = value["fluid_load_share"];
+    const double kept = value["film"] / value["film_flooded"];
+    EXPECT_EQ(word["regime"], asperity + fluid == 0 || is_at(asperity, 0.01) || is_at(fluid, 0.01)
+                                  ? ""
+                              : fluid < 0.01    ? "boundary"
+                              : asperity < 0.01 ? "elastohydrodynamic"
+                                                : "mixed")
+        << one.id;
+    EXPECT_EQ(word["inlet"], is_at(kept, 0.95) ? ""
+                             : kept == 0       ? "collapsed"
+                             : kept > 0.95     ? "flooded"
+                                               : "starved")
+        << one.id;
+    ++points;
+  }
+  EXPECT_GT(points, 400U);
+}
+
+TEST(Cases, OfASampleAreSoManyOfEachFunctionTheFirstAlways) {
+  std::vector<Case> all;
+  std::map<std::string, std::size_t> sizes{{"a", 1}, {"b", 10}, {"c", 23}, {"d", 100}};
+  for (std::size_t i = 0; i < 100; ++i)
+    for (const auto& [function, size] : sizes)
+      if (i < size) {
+        all.push_back(asked_for({}, std::to_string(i)));
+        all.back().function = function;
+      }
+  for (const std::size_t most : {1U, 2U, 7U, 10U, 22U, 23U, 99U, 100U, 1000U}) {
+    std::map<std::string, std::vector<std::size_t>> kept;
+    for (const Case& one : sampled(all, most)) kept[one.function].push_back(std::stoul(one.id));
+    for (const auto& [function, size] : sizes) {
+      const std::vector<std::size_t>& ids = kept[function];
+      ASSERT_EQ(ids.size(), std::min(size, most)) << function << ' ' << most;
+      EXPECT_EQ(ids.front(), 0U);
+      for (std::size_t i = 1; i < ids.size(); ++i) {  // evenly
+        EXPECT_GE(ids[i] - ids[i - 1], size / ids.size());
+        EXPECT_LE(ids[i] - ids[i - 1], (size + ids.size() - 1) / ids.size());
+      }
+    }
+  }
 }
 
 TEST(JudgedSubject, IsCompleteOnlyWhereAllOfItIsHeldAndNoRuleBroken) {
@@ -462,54 +559,6 @@ TEST(Baseline, MadeAnewKeepsWhatWasBetter) {
   const json old = baseline_of(before, nullptr);
   EXPECT_EQ(baseline_of(worse, old), old);
   EXPECT_EQ(baseline_of(before, baseline_of(worse, nullptr)), old);
-}
-
-// --- When a mistake is named.
-
-const std::vector<Case>& film_cases() {
-  static const std::vector<Case> films = [] {
-    const std::string reference = std::string(TRIBOCHECK_SOURCE_DIR) + "/reference";
-    std::vector<Case> cases = read_cases({reference + "/exact", reference + "/published"});
-    std::erase_if(cases, [](const Case& one) {
-      return one.function != "hamrock_dowson_central" || one.is_extreme;
-    });
-    return cases;
-  }();
-  return films;
-}
-
-// The mistakes that are named where so many of the films are those of R/2, and the others wrong in
-// another way each.
-std::vector<std::string> named_where(std::size_t with_mistake) {
-  const std::vector<Mistake> mistakes =
-      read_mistakes(TRIBOCHECK_SOURCE_DIR "/reference/mistakes.toml");
-  const auto half = std::find_if(mistakes.begin(), mistakes.end(), [](const Mistake& one) {
-    return one.name == "film-radius-halved";
-  });
-  Conversation conversation;
-  for (std::size_t i = 0; i < film_cases().size(); ++i) {
-    const Case& asked = film_cases()[i];
-    const double wrong = asked.expected[0].high * (1.1 + 0.01 * static_cast<double>(i));
-    const Mistake* const one = &*half;
-    const double value =
-        i < with_mistake ? numbers_with({&one, 1}, question_of(asked)).value()[0] : wrong;
-    conversation.answers.push_back(with({{"value", value}}));
-  }
-  std::vector<std::string> named;
-  for (const Diagnosis& one :
-       diagnose(film_cases(), conversation, engineering_tolerance(), mistakes))
-    named.insert(named.end(), one.mistakes.begin(), one.mistakes.end());
-  return named;
-}
-
-TEST(Diagnosed, IsAMistakeThatGivesNearlyAllTheAnswers) {
-  const std::size_t all = film_cases().size();
-  ASSERT_EQ(all, 60U);
-  const std::vector<std::string> half{"film-radius-halved"};
-  EXPECT_EQ(named_where(all), half);
-  EXPECT_EQ(named_where(all - 1), half);  // 98.3 % of them
-  for (const std::size_t too_few : {all - 2, all - 3, all - 10, all / 3, std::size_t{3}})
-    EXPECT_EQ(named_where(too_few), std::vector<std::string>{}) << too_few;
 }
 
 }  // namespace

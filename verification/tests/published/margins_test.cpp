@@ -15,15 +15,19 @@
 #include "sampling/sampler.hpp"
 #include "support/judge.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/threshold.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::reproduction {
 namespace {
 
+using verification::changes_at_its_limit;
 using verification::is_close;
 using verification::is_within;
 using verification::Sampler;
+using verification::Threshold;
+using verification::True;
 
 const std::string published = std::string(TRIBOCHECK_SOURCE_DIR) + "/reference/published";
 
@@ -403,15 +407,41 @@ TEST(Margins, AreTheDistanceToTheNearestOtherVerdict) {
     }
 }
 
+TEST(Verdicts, ChangeAtTheLimitsOfTheirRules) {
+  const auto verdict = [](std::string_view id, double value, double part = 0) {
+    return judge(item(id), {value, value, part});
+  };
+  const auto is = [&](std::string_view id, Verdict least) {
+    return [=](double value) { return verdict(id, value, value > 1) <= least; };
+  };
+  const Item &film = item("C2.rough"), &equal = item("C13"), &at_least = item("C6");
+  const double half = film.last_digit / 2 * (1 + 1e-9), ten = std::sqrt(10);
+  const Verdict printed = Verdict::reproduced, near_by = Verdict::within_ten_percent;
+  for (const Threshold& one : std::initializer_list<Threshold>{
+           {"printed", film.reported - half, True::from, is("C2.rough", printed), 1e-15, 0.01},
+           {"printed", film.reported + half, True::up_to, is("C2.rough", printed), 1e-15, 0.01},
+           {"within 10 %", 0.9 * film.reported, True::from, is("C2.rough", near_by), 1e-15},
+           {"within 10 %", 1.1 * film.reported, True::up_to, is("C2.rough", near_by), 1e-15},
+           {"order", film.reported / ten, True::from, is("C2.rough", Verdict::order_only), 1e-15},
+           {"order", film.reported * ten, True::up_to, is("C2.rough", Verdict::order_only), 1e-15},
+           {"greater", 1, True::above, is("C14", printed)},
+           {"equal", 1 + equal.tolerance, True::up_to, is("C13", printed), 1e-15},
+           {"equal to 10 %", 0.9, True::from, is("C8", near_by), 1e-15},
+           {"at least", at_least.tolerance, True::from, is("C6", printed)},
+           {"in part", 0.5, True::from,
+            [&](double part) { return verdict("C14", 0.7, part) == Verdict::in_part; }}})
+    EXPECT_TRUE(changes_at_its_limit(one));
+}
+
 // At each threshold of each rule: half a unit of error from it the verdict is not decided, two
 // units from it it is, and the verdicts of the two sides differ.
 TEST(Margins, BelowTheNumericalErrorAreNotDecided) {
-  struct Threshold {
+  struct Place {
     std::string_view id;
     double at;
   };
   const Item &speed = item("C1.rough"), &film = item("C2.rough"), &transition = item("C10");
-  std::vector<Threshold> thresholds{{"C14", 1}, {"C6", item("C6").tolerance}};
+  std::vector<Place> thresholds{{"C14", 1}, {"C6", item("C6").tolerance}};
   const double half = 0.05 * (1 + 1e-9);  // of the last digit, and of the decimals' rounding
   for (const double side : {-1.0, 1.0}) {
     thresholds.push_back({"C2.rough", film.reported + side * half});

@@ -258,5 +258,31 @@ TEST(BrokenText, RandomChangesNeverCrashAndNeverGiveBothSceneAndError) {
   }
 }
 
+// All signs are shown as they are but those that move the cursor, hide, or turn the text around.
+TEST(Printable, IsEachSignButForTheRangesThatWouldHarm) {
+  const auto utf8 = [](unsigned code) {
+    std::string text;
+    const auto add = [&](unsigned byte) { text += static_cast<char>(byte); };
+    if (code >= 0x10000) add(0xF0 | code >> 18);
+    if (code >= 0x800) add(code >= 0x10000 ? 0x80 | (code >> 12 & 63) : 0xE0 | code >> 12);
+    add(code >= 0x800 ? 0x80 | (code >> 6 & 63) : 0xC0 | code >> 6);
+    add(0x80 | (code & 63));
+    return text;
+  };
+  const std::pair<unsigned, unsigned> harmful[] = {
+      {0x80, 0x9F}, {0x200B, 0x200F}, {0x2028, 0x202E}, {0x2060, 0x206F}, {0xFEFF, 0xFEFF}};
+  std::vector<unsigned> codes{0x7FF, 0x800, 0xD7FF, 0xE000, 0xFFFF, 0x10000, 0x10FFFF};
+  for (const auto& [first, last] : harmful)
+    for (const unsigned code : {first - 1, first, last, last + 1}) codes.push_back(code);
+  for (unsigned code = 0xA0; code <= 0x10FFFF; code += 61) codes.push_back(code);
+  for (const unsigned code : codes) {
+    if (code < 0x80 || (code >= 0xD800 && code <= 0xDFFF)) continue;  // surrogates are no signs
+    const bool harms = std::any_of(std::begin(harmful), std::end(harmful), [&](const auto& range) {
+      return code >= range.first && code <= range.second;
+    });
+    EXPECT_EQ(printable(utf8(code)) == utf8(code), !harms) << code;
+  }
+}
+
 }  // namespace
 }  // namespace tribo::scene_test

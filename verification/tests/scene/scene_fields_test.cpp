@@ -4,9 +4,13 @@
 #include <cmath>
 
 #include "scene/scene_text.hpp"
+#include "support/threshold.hpp"
 
 namespace tribo::scene_test {
 namespace {
+
+using verification::changes_at_its_limit;
+using verification::True;
 
 bool is_number(const FieldInfo& field) {
   return field.type == FieldType::number || field.type == FieldType::integer ||
@@ -238,23 +242,37 @@ TEST(SceneFields, EachGivenTwiceIsRefused) {
   }
 }
 
-TEST(SceneFields, ImplausibleNumbersGetAWarningAndAScene) {
+// Each end of each range, also where the number stands in a list of speeds.
+TEST(SceneFields, ImplausibleNumbersGetAWarningFromTheFirstBeyondTheRangeOn) {
   for (const FieldInfo& field : scene_fields()) {
     if (!is_number(field) || field.type == FieldType::integer) continue;
-    SceneText text = SceneText::good_with(field);
-    const auto is_warned = [&](Format format) {
-      return has_problem(read(format, text).warnings, field.path, "is legal");
-    };
-    for (const Format format : formats) {
-      if (field.plausible_minimum > 0 && field.path != "speed.to") {
-        text.set(field.path, decimal(0.5 * field.plausible_minimum));
-        EXPECT_EQ(is_warned(format), true) << text.written(format);
+    for (const Format format : formats)
+      for (const bool in_list : {false, true}) {
+        if (in_list && field.type != FieldType::speeds) continue;
+        const std::string name = std::string(field.path) + (in_list ? "[1]" : "");
+        const auto is_warned = [&](double value) {
+          SceneText text = SceneText::good_with(field);
+          text.set(field.path, in_list ? "[1, " + decimal(value) + "]" : decimal(value));
+          return has_problem(read(format, text).warnings, name, "usual are") ||
+                 has_problem(read(format, text).warnings, name, "Hertz's contact stays");
+        };
+        const double least = field.plausible_minimum, greatest = field.plausible_maximum;
+        if (least == greatest) {
+          EXPECT_FALSE(is_warned(least));
+          for (const double beside : {std::nextafter(least, 0), std::nextafter(least, 2 * least)})
+            EXPECT_TRUE(is_warned(beside)) << name;
+          continue;
+        }
+        if (least == 0 && field.minimum < 0) {
+          EXPECT_FALSE(is_warned(0)) << name;
+          EXPECT_TRUE(is_warned(-std::numeric_limits<double>::min())) << name;
+        } else if (least > field.minimum) {
+          EXPECT_TRUE(changes_at_its_limit({name, least, True::below, is_warned}));
+        }
+        if (std::isfinite(greatest) && greatest != field.maximum) {
+          EXPECT_TRUE(changes_at_its_limit({name, greatest, True::above, is_warned}));
+        }
       }
-      if (std::isfinite(field.plausible_maximum) && field.path != "speed.from") {
-        text.set(field.path, decimal(2 * field.plausible_maximum));
-        EXPECT_EQ(is_warned(format), true) << text.written(format);
-      }
-    }
   }
 }
 
@@ -263,6 +281,16 @@ TEST(SceneFields, PlausibleRangesLieWithinTheLegalOnes) {
     if (field.type == FieldType::integer) continue;
     EXPECT_LE(field.minimum, field.plausible_minimum) << field.path;
     EXPECT_LE(field.plausible_minimum, field.plausible_maximum) << field.path;
+    // They are rough: a power of ten, twice one, or half of one.
+    for (const double end : {field.plausible_minimum, field.plausible_maximum}) {
+      if (end == 0 || std::isinf(end)) continue;
+      const auto is_power_of_ten = [](double number) {
+        const double power = std::log10(std::abs(number));
+        return std::abs(power - std::round(power)) < 1e-12;
+      };
+      EXPECT_TRUE(is_power_of_ten(end) || is_power_of_ten(2 * end) || is_power_of_ten(end / 2))
+          << field.path << ' ' << end;
+    }
     EXPECT_FALSE(field.meaning.empty()) << field.path;
   }
 }

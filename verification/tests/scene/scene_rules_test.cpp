@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a good scene becomes, and the rules that look at more than one field.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "scene/scene_text.hpp"
+#include "support/threshold.hpp"
+#include "tribo/hertz_ellipse.hpp"
+#include "tribo/spectral_moments.hpp"
 
 namespace tribo::scene_test {
 namespace {
@@ -416,6 +422,13 @@ TEST(SceneRoelands, NeedsAViscosityAboveItsPole) {
       EXPECT_TRUE(refused(format, text.set("lubricant.viscosity", viscosity), "lubricant.viscosity",
                           "friction.viscosity = \"roelands\""));
     EXPECT_TRUE(accepted(format, text.set("lubricant.viscosity", "6.3151e-5")));
+    // One error, and no second one of the law.
+    for (const char* wrong : {"0", "-1"})
+      EXPECT_TRUE(refused(format, text.set("lubricant.viscosity", wrong), "lubricant.viscosity",
+                          "is not allowed; allowed: a number above 0"));
+    EXPECT_TRUE(
+        refused(format, text.remove("lubricant.viscosity"), "lubricant.viscosity", "missing"));
+    text.set("lubricant.viscosity", "1");
   }
   for (const Format format : formats)
     EXPECT_TRUE(accepted(format, good().set("lubricant.viscosity", "6e-5")));
@@ -502,21 +515,12 @@ TEST(SceneShapes, TakeOnlyFilmLawsOfTheirKind) {
   }
 }
 
-TEST(SceneShapes, OddOnesAreWarnedOf) {
+TEST(SceneShapes, OfAnyEllipticityAreOrdinaryToASoftLaw) {
   for (const Format format : formats) {
-    EXPECT_TRUE(warned(format, ellipse().set("bodies.radius_y", "5e-3"), "bodies.radius_y",
-                       "was fitted to k from 1 to 8"));
-    EXPECT_TRUE(warned(format, ellipse().set("bodies.radius_y", "5"), "bodies.radius_y",
-                       "was fitted to k from 1 to 8"));
-    const SceneText soft = ellipse()
-                               .set("bodies.radius_y", "5")
-                               .set("closures.film", "\"hamrock_dowson_soft_central\"");
-    EXPECT_EQ(has_problem(read(format, soft).warnings, "bodies.radius_y", "was fitted to"), false);
-    EXPECT_TRUE(warned(format, line().set("bodies.length", "1e-5"), "bodies.length",
-                       "the contact is wider"));
-    EXPECT_TRUE(warned(format,
-                       ellipse().set("bodies.radius_x", "1e-5").set("bodies.radius_y", "2e-5"),
-                       "bodies.radius_x", "Hertz's semi-axis along x"));
+    SceneText soft = ellipse().set("bodies.radius_y", "5");
+    EXPECT_TRUE(warned(format, soft, "bodies.radius_y", "was fitted to k from 1 to 8"));
+    soft.set("closures.film", "\"hamrock_dowson_soft_central\"");
+    EXPECT_FALSE(has_problem(read(format, soft).warnings, "bodies.radius_y", "was fitted to"));
   }
 }
 
@@ -534,6 +538,78 @@ TEST(SceneShapes, OfAProfileGiveTheSummits) {
     EXPECT_TRUE(warned(format, profile("2e7"), "surface", "m0 · m4/m2² = 1.25"));
     EXPECT_TRUE(refused(format, profile("3e8").remove("surface.m2"), "surface.m2",
                         "missing beside surface.m0"));
+  }
+}
+
+// Each rule on more than one field, asked with numbers that make what it judges the one asked at.
+TEST(SceneThresholds, ChangeTheVerdictAtTheirLimit) {
+  using enum verification::True;
+  struct Rule {
+    double limit;
+    verification::True side;
+    SceneText base;
+    std::string path;  // of the number
+    std::string field, part;
+    double slack = 0;
+  };
+  // n·1·1 is the roughness, and (D_d/σ_s)·1·1·1 the product of the four.
+  SceneText ones = good(), profile = good(), ball = without_shape();
+  for (const char* field : {"summit_density", "summit_radius", "summit_height_sd"})
+    ones.set(std::string("surface.") + field, "1");
+  const SceneText level = SceneText(ones).set("surface.summit_plane_offset", "0");
+  profile.remove_section("surface").set("surface.m2", "1").set("surface.m4", "1");
+  for (const char* face :
+       {"first_radius_x", "second_radius_x", "first_radius_y", "second_radius_y"})
+    ball.set(std::string("bodies.") + face, "1");
+  // Loads at which an axis is half a radius: a³ = 3FR/(4E*), b² = 4FR/(πE*L), and of an ellipse a³
+  // goes as F; α = (k²E − K)/(K − E) at k = 8.
+  const auto with = [](SceneText text, const char* path, const char* value) {
+    return text.set(std::string("bodies.") + path, value);
+  };
+  const auto line_of = [&](const char* radius, const char* length, const char* modulus) {
+    return with(with(with(line(), "radius_x", radius), "length", length), "effective_modulus",
+                modulus);
+  };
+  const SceneText circle = with(with(good(), "reduced_radius", "1"), "effective_modulus", "6");
+  const SceneText of_k = with(ellipse(), "radius_x", "1");
+  const SceneText oval = with(with(of_k, "radius_y", "2"), "effective_modulus", "1");
+  const HertzEllipse<double> unit = hertz_ellipse(1.0, 1.0, 1.0, 2.0);
+  const double at_x = std::pow(0.5 / unit.semi_axis_x, 3), at_y = std::pow(1 / unit.semi_axis_y, 3);
+  const double K = std::comp_ellint_1(std::sqrt(63) / 8), E = std::comp_ellint_2(std::sqrt(63) / 8);
+  const double pi = std::numbers::pi, product = offset_times_roughness;
+  const std::string n = "surface.summit_density", offset = "surface.summit_plane_offset";
+  const std::string x = "bodies.radius_x", y = "bodies.radius_y";
+  const std::string face_x = "bodies.first_radius_x", face_y = "bodies.first_radius_y";
+  for (const Rule& one : std::initializer_list<Rule>{
+           {1e-3, below, level, n, "surface", "usual are 0.03"},
+           {1, above, level, n, "surface", "usual are 0.03"},
+           {0.9 * product, up_to, ones, offset, "surface", "isotropic Gaussian", 1e-15},
+           {1.1 * product, from, ones, offset, "surface", "isotropic Gaussian", 1e-15},
+           {1.5 * (1 - 1e-9), below, profile, "surface.m0", "surface", "m0 · m4/m2²"},
+           {0.8968, up_to, profile, "surface.m0", "surface.m4", "m0 · m4/m2²", 1e-15},
+           {1, above, circle, "load", "bodies.reduced_radius", "contact radius", 1e-14},
+           {4 * pi, above, line_of("1", "4", "16"), "load", x, "half-width", 1e-14},
+           {at_x, above, oval, "load", x, "semi-axis along x", 1e-14},
+           {at_y, above, oval, "load", y, "semi-axis along y", 1e-14},
+           {pi, above, line_of("4", "1", "64"), "load", "bodies.length", "is wider", 1e-14},
+           {(64 * E - K) / (K - E), above, of_k, y, y, "was fitted to k", 1e-13},
+           {1 - 1.5e-9, below, of_k, y, y, "was fitted to k", 1e-12},
+           {1e20, from, with(ball, "second_radius_x", "inf"), face_x, face_x, "do not meet"},
+           {1e20, from, with(ball, "second_radius_y", "inf"), face_y, face_y, "do not meet"},
+           {1, from, with(ball, "second_radius_x", "-1"), face_x, face_x, "do not meet"},
+           {1, from, with(ball, "second_radius_y", "-1"), face_y, face_y, "do not meet"},
+           {6.315e-5, up_to, good().set("friction.viscosity", "\"roelands\""),
+            "lubricant.viscosity", "lubricant.viscosity", "roelands"},
+           {3, up_to, good().remove("speed").set("speed.from", "3"), "speed.to", "speed.to",
+            "above speed.from"}}) {
+    const auto is_told = [&](double number) {
+      SceneText text = one.base;
+      const SceneReading got = read(Format::toml, text.set(one.path, fmt::format("{}", number)));
+      return has_problem(got.warnings, one.field, one.part) ||
+             has_problem(got.errors, one.field, one.part);
+    };
+    EXPECT_TRUE(
+        verification::changes_at_its_limit({one.part, one.limit, one.side, is_told, one.slack}));
   }
 }
 

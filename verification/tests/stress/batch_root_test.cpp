@@ -11,6 +11,7 @@
 #include "support/film_laws.hpp"
 #include "support/instruction_sets.hpp"
 #include "support/scenes.hpp"
+#include "support/threshold.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::verification {
@@ -162,6 +163,29 @@ TEST(BatchRoot, IsRarelyLeftToNewtonsMethodWithinTheRangeOfTheKernels) {
       }
     });
   }
+}
+
+TEST(BatchRoot, IsLeftToNewtonsMethodBeyondTheLimitsOfTheKernelsAndNotBefore) {
+  for (const AsperityModel model : models)
+    on_each_instruction_set([&] {
+      const auto is_left = [&](double k, double delta, double film0) {
+        Points one;
+        one.add(k, delta, film0);
+        const std::size_t newton = roots_of(model, one).work.by_newton;
+        const LoadSharing<double> surface(model, k, delta);
+        EXPECT_EQ(roots_of(surface, one.flooded).work.by_newton, newton);
+        return newton == 1;
+      };
+      const auto stiffness = [&](double k) { return is_left(k, 1, 2); };
+      const auto film = [&](double film0) { return is_left(0.3, 1, film0); };
+      for (const Threshold& one : std::initializer_list<Threshold>{
+               {"K", 1e-300, True::below, stiffness},
+               {"K", 1e300, True::above, stiffness},
+               {"delta", 40, True::above, [&](double delta) { return is_left(0.3, delta, 2); }},
+               {"lambda0", 1e-280, True::below, film},
+               {"lambda0", 1e280, True::above, film}})
+        EXPECT_TRUE(changes_at_its_limit(one));
+    });
 }
 
 // λ = λ₀ to half an ulp from film_from on, and no step is taken there.

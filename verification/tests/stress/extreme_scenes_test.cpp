@@ -10,6 +10,7 @@
 #include "support/condition.hpp"
 #include "support/point_bits.hpp"
 #include "support/scenes.hpp"
+#include "support/threshold.hpp"
 #include "tribo/mixed_contacts.hpp"
 
 namespace tribo::verification {
@@ -112,6 +113,60 @@ TEST(ExtremeScenes, AreRightOrBeyondDouble) {
   EXPECT_LT(judged.ill_conditioned, judged.compared / 100);
   EXPECT_GT(judged.beyond_double, 50);
   EXPECT_GT(judged.next_to_zero, 40);
+}
+
+// Each number of a scene and each product, and each speed, at the ends of the engine's range.
+TEST(ExtremeScenes, TheEngineComputesUpToItsLimitsAndNotBeyond) {
+  Scene ordinary = paper_scene(PaperSurface::rough, AsperityModel::greenwood_williamson);
+  ordinary.load = 1;
+  ordinary.surface = {1e-10, 1, 1, 0, 1};  // so that no product comes near to 1e24
+  ordinary.bodies = {1, 1, 1};
+  ordinary.lubricant = {1, 1, 1};
+  ordinary.speeds.list = {1};
+  const auto is_left = [](const Scene& scene) {
+    return std::isnan(MixedContact<double>(scene).numbers().surface.film_at_unit_speed);
+  };
+  std::vector<Threshold> limits;
+  const auto names = numbers_of(ordinary);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string name(names[k].first);
+    if (name == "speed" || name == "summit_plane_offset" || name == "boundary_coefficient" ||
+        name == "damiens_exponent")
+      continue;
+    const auto is_left_at = [=](double at) {
+      Scene scene = ordinary;
+      *numbers_of(scene)[k].second = at;
+      return is_left(scene);
+    };
+    limits.push_back({name, 1e-20, True::below, is_left_at});
+    limits.push_back({name, 1e20, True::above, is_left_at});
+  }
+  const auto of_density = [&](Scene scene) {
+    return [=](double density) mutable {
+      scene.surface.summit_density = density;
+      return is_left(scene);
+    };
+  };
+  Scene stiff = ordinary, wide = ordinary;
+  stiff.bodies.effective_modulus = 1e15;
+  wide.load = 1e18;
+  wide.surface.summit_radius = 1e-19;
+  const auto& of_stiff = MixedContact<double>(stiff).numbers();
+  const auto& of_wide = MixedContact<double>(wide).numbers();
+  limits.push_back(
+      {"K", 1e24 * 1e-10 / of_stiff.surface.stiffness, True::above, of_density(stiff), 1e-14});
+  limits.push_back(
+      {"summits", 1e24 * 1e-10 / of_wide.count_factor, True::above, of_density(wide), 1e-14});
+  const auto is_slow_or_fast = [contact = MixedContact<double>(ordinary)](double speed) {
+    OperatingPoints points;
+    points.resize(1, OutputSet::all());
+    WorkCounts work;
+    solve(contact, std::span(&speed, 1), OutputSet::all(), points, work);
+    return work[Work::root_by_newton] == 1;
+  };
+  limits.push_back({"speed", 1e-60, True::below, is_slow_or_fast});
+  limits.push_back({"speed", 1e60, True::above, is_slow_or_fast});
+  for (const Threshold& one : limits) EXPECT_TRUE(changes_at_its_limit(one));
 }
 
 // The film ratio of this closure is about r⁻⁴: it is subnormal, or 0, where the film is neither.

@@ -141,46 +141,99 @@ TEST(OperatingPoints, ThatWereNotAskedForReadAsNothing) {
   EXPECT_EQ(none.size(), 0u);
 }
 
-// Parts of one structure, filled in any order, and one point in a call of its own.
+// Parts of one structure, filled in any order, in sizes about the engine's blocks of 512, and one
+// point in a call of its own. Every 37th point is beyond the engine's range.
 TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
-  const std::vector<double> speeds = speeds_between(1e-5, 100, 10000);
-  for (const Scene& scene : {paper_scene(PaperSurface::rough), paper_scene(PaperSurface::smooth),
-                             random_scenes(9).back()}) {
+  std::vector<double> speeds = speeds_between(1e-5, 100, 2100);
+  for (std::size_t i = 0; i < speeds.size(); i += 37) speeds[i] = i % 2 == 0 ? 1e-70 : 1e70;
+  std::size_t left_to_newton = 0;
+  std::vector<Scene> scenes{paper_scene(PaperSurface::rough), paper_scene(PaperSurface::smooth),
+                            random_scenes(9).back(), paper_scene(PaperSurface::rough)};
+  scenes.back().surface.summit_plane_offset = 50;  // all points are beyond
+  for (const Scene& scene : scenes) {
     const MixedContact<double> contact(scene);
+    const bool is_beyond = scene.surface.summit_plane_offset == 50;
+    const auto all = std::span(speeds).first(is_beyond ? 1100 : speeds.size());
     on_each_instruction_set([&] {
       OperatingPoints whole;
-      whole.resize(speeds.size(), OutputSet::all());
+      whole.resize(all.size(), OutputSet::all());
       WorkCounts whole_work;
-      solve(contact, speeds, OutputSet::all(), whole, whole_work);
-      for (const std::size_t size : {1, 7, 512, 777, 10000}) {
+      solve(contact, all, OutputSet::all(), whole, whole_work);
+      left_to_newton += whole_work[Work::root_by_newton];
+      std::size_t differing = 0;
+      for (std::size_t i = 0; i < all.size(); i += is_beyond ? 7 : 1)
+        differing += bits_of(contact.solve(all[i])) != bits_of(whole[i]) ? 1 : 0;
+      EXPECT_EQ(differing, 0u) << "alone";
+      for (const std::size_t size : {1, 7, 511, 512, 513, 777, 1025}) {
+        if (is_beyond && size % 512 > 1) continue;
         OperatingPoints parts;
-        parts.resize(speeds.size(), OutputSet::all());
+        parts.resize(all.size(), OutputSet::all());
         WorkCounts work;
-        const std::size_t count = (speeds.size() + size - 1) / size;
+        const std::size_t count = (all.size() + size - 1) / size;
         for (std::size_t part = count; part-- > 0;) {
           const std::size_t first = part * size;
-          solve(contact, std::span(speeds).subspan(first, std::min(size, speeds.size() - first)),
-                OutputSet::all(), parts, work, first);
+          solve(contact, all.subspan(first, std::min(size, all.size() - first)), OutputSet::all(),
+                parts, work, first);
         }
         EXPECT_EQ(work, whole_work) << size;
-        std::size_t differing = 0;
-        for (std::size_t i = 0; i < speeds.size(); ++i)
+        differing = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
           differing += bits_of(parts[i]) != bits_of(whole[i]) ? 1 : 0;
         EXPECT_EQ(differing, 0u) << size;
       }
       // Nothing outside a part is touched, and counting changes nothing.
       OperatingPoints part;
       part.resize(30, OutputSet::all());
-      solve(contact, std::span(speeds).subspan(5000, 10), OutputSet::all(), part, 10);
+      solve(contact, all.subspan(1000, 10), OutputSet::all(), part, 10);
       for (std::size_t i = 0; i < 30; ++i) {
         const bool is_inside = i >= 10 && i < 20;
         if (is_inside)
-          EXPECT_EQ(bits_of(part[i]), bits_of(whole[5000 + i - 10]));
+          EXPECT_EQ(bits_of(part[i]), bits_of(whole[1000 + i - 10]));
         else
           EXPECT_EQ(part.speed[i] + part.friction[i] + part.film[i], 0);
       }
     });
   }
+  EXPECT_GT(left_to_newton, 1100u);
+}
+
+// Parts of a range from anywhere in it, in sizes about those of blocks and chunks.
+TEST(Speeds, OfARangeDoNotDependOnParts) {
+  constexpr std::size_t count = 140000;
+  for (const auto& [from, to] : {std::pair{1e-4, 3.0}, {1e-300, 1e300}})
+    for (const Spacing spacing : {Spacing::log, Spacing::lin}) {
+      const Speeds range{{}, from, to, count, spacing};
+      std::vector<double> whole(count);
+      range.fill(0, whole);
+      EXPECT_EQ(whole.front(), from);
+      EXPECT_EQ(whole.back(), to);
+      std::size_t not_above = 0, not_even = 0, differing = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double t = static_cast<double>(i) / (count - 1);
+        const double even = spacing == Spacing::lin
+                                ? from * (1 - t) + to * t
+                                : std::pow(10, (1 - t) * std::log10(from) + t * std::log10(to));
+        not_above += i > 0 && !(whole[i] > whole[i - 1]) ? 1 : 0;
+        not_even += std::abs(whole[i] / even - 1) <= 1e-12 ? 0 : 1;
+        differing += i % 101 == 0 && range[i] != whole[i] ? 1 : 0;
+      }
+      EXPECT_EQ(not_above, 0u);
+      EXPECT_EQ(not_even, 0u);
+      for (const std::size_t size : {511, 512, 513, 2048, 65535, 65536, 65537})
+        for (std::size_t first = 0; first < count; first += size) {
+          std::vector<double> part(std::min(size, count - first));
+          range.fill(first, part);
+          differing += std::equal(part.begin(), part.end(),
+                                  whole.begin() + static_cast<std::ptrdiff_t>(first))
+                           ? 0
+                           : 1;
+        }
+      EXPECT_EQ(differing, 0u);
+    }
+  const Speeds list{{3, 1, 2}, 0, 0, 0, Spacing::log};
+  std::vector<double> part(2);
+  list.fill(1, part);
+  EXPECT_EQ(part, (std::vector<double>{1, 2}));
 }
 
 TEST(OperatingPointWork, WithoutASupplyHasNoStarvationRatios) {

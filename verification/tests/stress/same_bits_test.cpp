@@ -4,7 +4,10 @@
 // without it; the prepared contact has them too.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
+#include <random>
 #include <vector>
 
 #include "support/instruction_sets.hpp"
@@ -77,11 +80,16 @@ std::vector<Bits> by_contact(const Points& all) {
   return bits;
 }
 
-// `size` points in one call.
+// `size` points in one call, of contacts that are prepared in two lots, after others.
 std::vector<Bits> among_others(const Points& all, std::size_t size) {
   MixedContacts contacts;
-  for (const Scene& scene : all.scenes) contacts.add(scene);
+  contacts.add(all.scenes.back());
   contacts.prepare();
+  contacts.clear();
+  for (std::size_t i = 0; i < all.scenes.size(); ++i) {
+    contacts.add(all.scenes[i]);
+    if (i % 3 == 0 || i + 1 == all.scenes.size()) contacts.prepare();
+  }
   std::vector<Bits> bits;
   for (std::size_t first = 0; first < all.speeds.size(); first += size) {
     const std::size_t some = std::min(size, all.speeds.size() - first);
@@ -104,6 +112,15 @@ void hold(const char* way, const std::vector<Bits>& got, const std::vector<Bits>
 
 TEST(SameBits, ComeFromEachWayToAPointOnEachInstructionSet) {
   const Points all = points();
+  // The same points in another order: neighbours are of other contacts, and of other kinds.
+  std::vector<std::size_t> order(all.speeds.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::mt19937_64(233));
+  Points shuffled{all.scenes, {}, {}};
+  for (const std::size_t i : order) {
+    shuffled.contact_of.push_back(all.contact_of[i]);
+    shuffled.speeds.push_back(all.speeds[i]);
+  }
   std::map<bool, std::vector<Bits>> first;  // by fused multiply-add
   on_each_instruction_set([&] {
     const std::vector<Bits> expected = alone(all);
@@ -112,6 +129,10 @@ TEST(SameBits, ComeFromEachWayToAPointOnEachInstructionSet) {
     hold("in a batch of the contact", by_contact(all), expected, all);
     for (const std::size_t size : {1, 3, 8, 511, 513, 5000})
       hold("among other contacts", among_others(all, size), expected, all);
+    std::vector<Bits> expected_shuffled;
+    for (const std::size_t i : order) expected_shuffled.push_back(expected[i]);
+    for (const std::size_t size : {8, 512, 5000})
+      hold("in another order", among_others(shuffled, size), expected_shuffled, shuffled);
   });
 }
 

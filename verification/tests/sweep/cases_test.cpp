@@ -7,7 +7,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
 #include <set>
+#include <utility>
 
 #include "support/judge.hpp"
 #include "sweep/case_solver.hpp"
@@ -113,12 +117,23 @@ TEST(Cases, OfAGroupWithSensitivityDifferFromAInOneVariableThatBHas) {
 }
 
 TEST(Cases, AreTheSameInBlocksFromAnywhere) {
+  // Draws that begin again with each value of a grid.
+  const SceneSweep of_a_grid =
+      read("speed = 1\nload = [10, 20, 30, 40, 50, 60, 70, 80]\n" + std::string(start) + R"(
+summit_height_sd = { distribution = "uniform", from = 1e-8, to = 1e-7 }
+[lubricant]
+viscosity = 0.02
+pressure_viscosity = 2e-8
+[sweep]
+draws = 70
+)");
   for (const char* const settings :
-       {"draws = 1000\n", "draws = 1000\ndesign = \"latin_hypercube\"\nseed = 9\n",
+       {"draws = 70\n", "draws = 1000\n", "draws = 1000\ndesign = \"latin_hypercube\"\nseed = 9\n",
         "draws = 500\ndesign = \"monte_carlo\"\nsensitivity = true\n",
         "draws = 1000\ncorrelated = [\"lubricant.viscosity\", \"surface.summit_height_sd\"]\n"
         "correlation = [[1, 0.7], [0.7, 1]]\n"}) {
-    const SceneSweep sweep = drawn(settings);
+    const SceneSweep sweep =
+        std::string_view(settings).starts_with("draws = 70") ? of_a_grid : drawn(settings);
     const std::vector<double> whole = all_values(sweep);
     const std::size_t group = sweep.cases_per_group() * sweep.variables.size();
     CaseGenerator generator(sweep);
@@ -190,41 +205,140 @@ TEST(CaseSolver, OfManySpeedsAndOfFewAgree) {
 
 std::uint64_t bits(double number) { return std::bit_cast<std::uint64_t>(number); }
 
-TEST(CaseSolver, OfCasesThatDifferInSpeedAloneGivesTheBitsOfEachByItself) {
-  const SceneSweep sweep = read("load = 50\n" + std::string(start) + R"(
-summit_height_sd = 2.5e-8
-[lubricant]
-viscosity = 0.02
-pressure_viscosity = 2e-8
-[sweep]
-draws = 200
-[speed]
-distribution = "log_uniform"
-from = 1e-3
-to = 1
-)");
-  const std::vector<double> values = all_values(sweep);
-  std::vector<double> together(200 * sweep.width()), alone(sweep.width());
-  CaseSolver(sweep).solve(values, together);
-  for (std::size_t i = 0; i < 200; ++i) {
-    CaseSolver(sweep).solve(std::span(values).subspan(i, 1), alone);
-    for (std::size_t c = 0; c < alone.size(); ++c)
-      EXPECT_EQ(bits(together[i * alone.size() + c]), bits(alone[c]))
-          << sweep.columns[c].name << ' ' << i;
+// Sweeps of each kind that the solver tells apart; each has cases beyond one of its blocks of 256.
+std::vector<std::pair<const char*, SceneSweep>> sweeps_of_each_kind() {
+  const std::string liquid = "[lubricant]\nviscosity = 0.02\npressure_viscosity = 2e-8\n";
+  const std::string speed_drawn = "[speed]\ndistribution = \"log_uniform\"\nfrom = 1e-3\nto = 1\n";
+  const std::string sd_drawn =
+      "summit_height_sd = { distribution = \"log_uniform\", from = 1e-8, to = 1e-7 }\n";
+  return {
+      {"few speeds", drawn("draws = 600\n", "speed = [0.02, 0.1, 0.7]\n")},
+      {"curves", drawn("draws = 300\n", "speed = { from = 1e-3, to = 1, count = 20 }\n")},
+      {"the speed alone", read("load = 50\n" + std::string(start) + "summit_height_sd = 2.5e-8\n" +
+                               liquid + "[sweep]\ndraws = 1100\n" + speed_drawn)},
+      {"the speed and others", read("load = [10, 20, 30]\n" + std::string(start) + sd_drawn +
+                                    liquid + "[sweep]\ndraws = 200\n" + speed_drawn)},
+      {"sensitivity", drawn("sensitivity = true\ndraws = 150\n")},
+      {"words", read("speed = 0.1\nload = 50\n" + std::string(start) + sd_drawn + liquid +
+                     "[closures]\nasperity = [\"greenwood_tripp\", \"greenwood_williamson\"]\n"
+                     "starvation = [\"damiens\", \"starved_inlet\", \"flooded_inlet\"]\n"
+                     "[sweep]\ndraws = 100\nonset = [\"film_departure\"]\n")},
+      {"onsets",
+       read("outputs = [\"film\"]\nspeed = { from = 1e-4, to = 3, count = 3 }\nload = 50\n" +
+            std::string(start) + "summit_height_sd = 2.5e-8\n" + liquid +
+            "[closures]\nstarvation = [\"damiens\", \"flooded_inlet\"]\n"
+            "damiens_exponent = { distribution = \"uniform\", from = 2, to = 4 }\n"
+            "[sweep]\ndraws = 140\n"
+            "onset = [\"film_maximum\", \"film_departure\"]\n")}};
+}
+
+// All at once, by itself, and by a solver that had others before it, in another order.
+TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
+  for (const auto& [kind, sweep] : sweeps_of_each_kind()) {
+    const std::vector<double> values = all_values(sweep);
+    const std::size_t count = sweep.variables.size(), width = sweep.width();
+    const std::size_t cases = values.size() / count;
+    ASSERT_GT(cases, 256u) << kind;
+    std::vector<double> together(cases * width), row(width);
+    CaseSolver(sweep).solve(values, together);
+    std::vector<std::size_t> order(cases);
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), std::mt19937_64(7));
+    std::vector<double> shuffled, of_shuffled(cases * width);
+    for (const std::size_t i : order)
+      shuffled.insert(shuffled.end(), &values[i * count], &values[i * count] + count);
+    CaseSolver again(sweep);
+    again.solve(shuffled, of_shuffled);
+    const auto bits_of_row = [&](const std::vector<double>& from, std::size_t i) {
+      std::vector<std::uint64_t> found;
+      for (std::size_t c = 0; c < width; ++c) found.push_back(bits(from[i * width + c]));
+      return found;
+    };
+    for (std::size_t k = 0; k < cases; ++k) {
+      const std::size_t i = order[k];
+      const auto expected = bits_of_row(together, i);
+      EXPECT_EQ(bits_of_row(of_shuffled, k), expected) << kind << ", case " << i;
+      const auto alone = std::span(values).subspan(i * count, count);
+      again.solve(alone, row);
+      EXPECT_EQ(bits_of_row(row, 0), expected) << kind << ", case " << i;
+      if (k % 7 != 0) continue;
+      CaseSolver(sweep).solve(alone, row);
+      EXPECT_EQ(bits_of_row(row, 0), expected) << kind << ", case " << i;
+    }
   }
 }
 
-// Neighbours in a group share all fields but one or two.
-TEST(CaseSolver, OfAGroupWithSensitivityGivesTheBitsOfEachByItself) {
-  const SceneSweep sweep = drawn("sensitivity = true\ndraws = 100\n");
-  const std::vector<double> values = all_values(sweep);
-  const std::size_t width = sweep.width(), cases = values.size() / 2;
-  std::vector<double> together(cases * width), alone(width);
-  CaseSolver(sweep).solve(values, together);
-  for (std::size_t i = 0; i < cases; ++i) {
-    CaseSolver(sweep).solve(std::span(values).subspan(2 * i, 2), alone);
-    for (std::size_t c = 0; c < width; ++c) {
-      EXPECT_EQ(bits(together[i * width + c]), bits(alone[c])) << i << ' ' << c;
+// What a chunk keeps, at each place, what it sums up, and its groups' sums by their blocks; chunks
+// and their parts in hand end anywhere.
+TEST(ChunkSolver, KeepsTheValuesOfEachCaseInItsPlace) {
+  for (auto& of_kind : sweeps_of_each_kind()) {
+    const char* const kind = of_kind.first;
+    std::vector<SceneSweep> scenes;
+    scenes.push_back(std::move(of_kind.second));
+    SweepPlan plan = make_plan(std::move(scenes));
+    SceneSweep& scene = plan.scenes.front();
+    scene.chunk_groups = 111;
+    scene.chunks = (scene.groups + 110) / 111;
+    const std::vector<double> values = all_values(scene);
+    const std::size_t count = scene.variables.size(), width = scene.width();
+    std::vector<double> results(values.size() / count * width);
+    CaseSolver(scene).solve(values, results);
+    ChunkSolver solver(plan);
+    for (std::uint64_t number = scene.chunks; number-- > 0;) {
+      const Chunk chunk = solver.solve(number);
+      const std::uint64_t first = number * 111,
+                          groups = std::min(first + 111, scene.groups) - first;
+      const std::size_t rows = scene.cases_per_group(), kept = scene.cases_kept_per_group();
+      // Of a column of so many numbers a case, the kept cases of the chunk, 0 beyond the last.
+      const auto expected_of = [&](const std::vector<double>& all, std::size_t of_case,
+                                   std::size_t at, std::size_t wide) {
+        std::vector<double> expected(scene.chunk_cases() * wide);
+        for (std::uint64_t g = 0; g < groups; ++g)
+          for (std::size_t r = 0; r < kept; ++r)
+            std::copy_n(&all[((first + g) * rows + r) * of_case + at], wide,
+                        &expected[(g * kept + r) * wide]);
+        return expected;
+      };
+      const auto expect_kept = [&](std::size_t place, bool words, std::vector<double> expected) {
+        const PackedValues packed =
+            words ? pack(std::vector<std::uint8_t>(expected.begin(), expected.end()))
+                  : pack(std::span<const double>(expected));
+        EXPECT_EQ(chunk.values[place].bytes, packed.bytes) << kind << ' ' << place;
+      };
+      for (std::size_t v = 0; v < count; ++v)
+        expect_kept(v, !scene.variables[v].words.empty(), expected_of(values, count, v, 1));
+      for (std::size_t c = 0, at = 0; c < scene.columns.size(); at += scene.columns[c++].width) {
+        expect_kept(count + c, !scene.columns[c].words.empty(),
+                    expected_of(results, width, at, scene.columns[c].width));
+        for (std::size_t j = 0; j < scene.columns[c].width; ++j) {
+          std::vector<double> all = expected_of(results, width, at + j, 1);
+          all.resize(groups * kept);
+          ValueSummary expected;
+          expected.add(all);
+          const ValueSummary& got = chunk.summaries[c][j];
+          Bytes bytes, expected_bytes;
+          got.sketch.write(bytes);
+          expected.sketch.write(expected_bytes);
+          EXPECT_EQ(bytes, expected_bytes) << kind << ' ' << scene.columns[c].name;
+          EXPECT_EQ(got.undefined, expected.undefined);
+          EXPECT_EQ(got.moments.least, expected.moments.least);
+          EXPECT_EQ(got.moments.greatest, expected.moments.greatest);
+          EXPECT_TRUE(is_within(got.moments.mean, expected.moments.mean,
+                                1e-12 * std::abs(expected.moments.mean)));
+        }
+        if (!scene.sensitivity) continue;
+        std::map<std::uint32_t, SensitivitySums> blocks;
+        for (std::uint64_t g = first; g < first + groups; ++g) {
+          std::vector<double> of_group;
+          for (std::size_t r = 0; r < rows; ++r)
+            of_group.push_back(results[(g * rows + r) * width + at]);
+          blocks[static_cast<std::uint32_t>(block_of(g, scene.groups))].add(of_group, 0);
+        }
+        const auto& got = chunk.sensitivities[c][0];
+        ASSERT_EQ(got.size(), blocks.size());
+        for (const auto& [block, sums] : blocks)
+          EXPECT_EQ(got.at(block).total, sums.total) << block;
+      }
     }
   }
 }
@@ -243,31 +357,6 @@ TEST(ChunkSolver, ComesToTheSameBytesInAnyOrder) {
   ChunkSolver other(plan);
   for (std::uint64_t chunk = plan.chunks(); chunk-- > 0;)
     EXPECT_EQ(other.solve(chunk).bytes(), forward[chunk]) << chunk;
-}
-
-TEST(ChunkSolver, SumsUpEveryCaseOnce) {
-  std::vector<SceneSweep> scenes;
-  scenes.push_back(drawn("draws = 5000\n"));
-  const SweepPlan plan = make_plan(std::move(scenes));
-  const SceneSweep& sweep = plan.scenes.front();
-  std::vector<double> results(5000 * sweep.width());
-  CaseSolver(sweep).solve(all_values(sweep), results);
-  ChunkSolver solver(plan);
-  for (std::size_t c = 0, at = 0; c < sweep.columns.size(); at += sweep.columns[c++].width)
-    for (std::size_t j = 0; j < sweep.columns[c].width; ++j) {
-      ValueSummary merged, expected;
-      for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk)
-        merged.merge(solver.solve(chunk).summaries[c][j]);
-      std::vector<double> values;
-      for (std::size_t i = 0; i < 5000; ++i) values.push_back(results[i * sweep.width() + at + j]);
-      expected.add(values);
-      EXPECT_EQ(merged.moments.count, expected.moments.count);
-      EXPECT_EQ(merged.undefined, expected.undefined);
-      EXPECT_EQ(merged.moments.least, expected.moments.least);
-      EXPECT_EQ(merged.moments.greatest, expected.moments.greatest);
-      EXPECT_TRUE(is_within(merged.moments.mean, expected.moments.mean,
-                            1e-12 * std::abs(expected.moments.mean)));
-    }
 }
 
 TEST(PlanReader, TakesHalfALastDigitFromWhatIsPrinted) {

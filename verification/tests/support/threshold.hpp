@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Thresholds asked at their limit: an answer that changes between two neighbouring doubles has to
+// change there, and at the limit itself it has to be the one that is promised.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <string>
+
+#include "support/case_count.hpp"
+
+namespace tribo::verification {
+
+// On which side of the limit the answer is true, and whether it is true at the limit.
+enum class True { above, from, below, up_to };
+
+struct Threshold {
+  std::string name;
+  double limit;  // not 0
+  True side;
+  std::function<bool(double)> answer;
+  // Relative: how far from the limit the answer may change, where it is about a number that is
+  // computed from the one asked at, and so is rounded. 0: it changes at the limit itself.
+  double slack = 0;
+  double reach = 0.125;  // relative: within it the answer changes once
+};
+
+// So far to each side of the limit the answers differ, and they change at the limit.
+inline testing::AssertionResult changes_at_its_limit(const Threshold& one) {
+  const auto failed = [&](const std::string& what) {
+    return testing::AssertionFailure() << one.name << ", limit " << one.limit << ": " << what;
+  };
+  const bool is_true_above = one.side == True::above || one.side == True::from;
+  const double reach = std::abs(one.limit) * one.reach;
+  double low = one.limit - reach, high = one.limit + reach;
+  if (one.answer(low) == is_true_above) return failed(fmt::format("wrong at {}", low));
+  if (one.answer(high) != is_true_above) return failed(fmt::format("wrong at {}", high));
+  while (std::nextafter(low, high) < high) {
+    const double middle = low + (high - low) / 2;
+    (one.answer(middle) == is_true_above ? high : low) = middle;
+  }
+  // It is as below the limit up to `low`, and as above it from `high` on.
+  const bool is_with_those_above = one.side == True::from || one.side == True::below;
+  const double found = is_with_those_above ? high : low;
+  record_part_of_bound(one.slack == 0 ? 0 : std::abs(found / one.limit - 1) / one.slack);
+  if (!(std::abs(found - one.limit) <= one.slack * std::abs(one.limit)))
+    return failed(fmt::format("the answer changes between {} and {}", low, high));
+  return testing::AssertionSuccess();
+}
+
+}  // namespace tribo::verification
