@@ -15,6 +15,7 @@ stopped loses nothing, and --oldest goes on with what was not planted for longes
   verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
   verification/gates/faults/plant.py --oldest 50 --out reference/baselines/planted_faults.json
   verification/gates/faults/plant.py --only E3 --keep    one, and leave its scratch copy
+  verification/gates/faults/plant.py --mutants 10        ten of the mutants that their ledger calls caught, instead
 """
 import argparse
 import concurrent.futures
@@ -40,6 +41,7 @@ sys.path.insert(0, str(ROOT / "verification/gates"))
 import inventory  # noqa: E402
 import scratch  # noqa: E402
 CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
+MUTANTS = ROOT / "reference/baselines/mutants.json"
 FIELDS = {"id", "fault", "file", "find", "replace", "check"}
 INVENTORY = "inventory:"
 # The engine is compiled anew for nearly each fault of the model: here for AVX2, SSE4 and the plain processor
@@ -65,6 +67,13 @@ def read_catalogue():
             sys.exit(f"{CATALOGUE}: {fault.get('id')}: needs the fields {sorted(FIELDS)}, and an id of its own")
         seen.add(fault["id"])
     return faults
+
+
+def caught_mutants(text):
+    """Of the mutants' ledger those that a check caught, as faults."""
+    rows = [row for one in json.loads(text)["samples"] for row in one["mutants"] if row.get("verdict") == "caught"]
+    return [{"id": row["id"], "fault": f"{row['operator']}: {row['original']} → {row['replacement']}", "file": row["file"],
+             "find": row["find"], "replace": row["replace"], "check": row["by"]} for row in rows]
 
 
 def digest(fault):
@@ -241,6 +250,8 @@ def main():
     parser.add_argument("--sample", type=int, metavar="N", help="N of them, chosen by the seed")
     parser.add_argument("--oldest", type=int, metavar="N",
                         help="N of them, whose verdict in the ledger is missing or oldest")
+    parser.add_argument("--mutants", type=int, metavar="N", help="N mutants that reference/baselines/mutants.json calls caught, "
+                        "chosen by the seed, in place of the catalogue; those that do not apply any more are passed over")
     parser.add_argument("--seed", help="any text; the commit's hash if not given")
     parser.add_argument("--only", metavar="ID", action="append", help="this fault; may be given again")
     parser.add_argument("--green", type=pathlib.Path, default=ROOT / "build/release/ctest.xml", metavar="FILE",
@@ -251,17 +262,24 @@ def main():
     parser.add_argument("--keep", action="store_true", help="leave the scratch copies, and say where")
     arguments = parser.parse_args()
 
-    catalogue = faults = read_catalogue()
-    for fault in faults:
-        targets_of(fault["check"])
-    red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
+    catalogue = faults = read_catalogue() if arguments.mutants is None else caught_mutants(MUTANTS.read_text())
     try:
         green = green_checks(arguments.green)
     except (OSError, inventory.ElementTree.ParseError) as error:
         print(f"plant.py: --green: {error}; `make test` writes it", file=sys.stderr)
         return 2
+    red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
     red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"
             for fault in faults if test_of(fault["check"]) not in green]
+    if arguments.mutants is not None:  # what changed since it was caught says nothing of today's tests
+        gone = {line.split(":")[0] for line in red}
+        faults = [fault for fault in faults if fault["id"] not in gone]
+        print(f"{len(catalogue) - len(faults)} of {len(catalogue)} caught mutants do not apply to today's text, or their check is not there")
+        red = [] if len(faults) >= arguments.mutants else [f"{len(faults)} mutants apply, {arguments.mutants} are wanted: "
+                                                           "draw a new sample (make mutants)"]
+        arguments.sample = arguments.mutants
+    for fault in faults:
+        targets_of(fault["check"])
     if arguments.only:
         faults = [fault for fault in faults if fault["id"] in arguments.only]
         if len(faults) != len(set(arguments.only)):
