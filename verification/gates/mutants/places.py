@@ -54,19 +54,19 @@ def changed_number(text, dice):
 class Cpp:
     """The places of one source, and of the headers it includes that were not seen yet."""
 
-    def __init__(self, root, seen, fields):
+    def __init__(self, root):
         import clang.cindex
         self.kinds = clang.cindex.CursorKind
         self.index = clang.cindex.Index.create()
-        self.root, self.seen, self.fields = str(root) + "/", seen, fields
-        self.places = []
+        self.root, self.seen, self.places = str(root) + "/", set(), []
 
     def read(self, command, file):
         words = iter(shlex.split(command)[1:])
         kept = [word for word in words if not (word in ("-o", "-include", "-c") and next(words)) and word != "-Winvalid-pch"]
         unit = self.index.parse(file, [*kept, "-w", "-I" + CLANG_HEADERS])
-        self.bad = {str(one.location.file) for one in unit.diagnostics if one.severity >= 3}
         self.texts, fresh = {}, set()
+        self.fields = Fields()
+        self.fields.read(unit.cursor, self.root, self.kinds)
         self.top(unit.cursor, fresh)
         self.seen |= fresh
 
@@ -83,7 +83,6 @@ class Cpp:
                 self.texts[path] = pathlib.Path(self.root + path).read_bytes()
                 fresh.add(path)
             self.file, self.text = path, self.texts[path]
-            # A draw that hangs on nothing but the text: a place has the same mutants in every run.
             if child.kind in (self.kinds.NAMESPACE, self.kinds.LINKAGE_SPEC, self.kinds.UNEXPOSED_DECL):
                 self.top(child, fresh)
                 continue
@@ -139,7 +138,7 @@ class Cpp:
 
     def walk(self, cursor, above, variable):
         kinds, kind = self.kinds, cursor.kind
-        if kind in (kinds.STATIC_ASSERT, kinds.ENUM_DECL, kinds.LAMBDA_EXPR) and kind != kinds.LAMBDA_EXPR:
+        if kind in (kinds.STATIC_ASSERT, kinds.ENUM_DECL):
             return
         children = list(cursor.get_children())
         span = self.span(cursor)
@@ -149,6 +148,7 @@ class Cpp:
             variable = None
         if span is not None:
             parent = above[-1] if above else None
+            # It hangs on nothing but the text: a place has the same mutants in every run.
             self.dice = random.Random(f"{self.file}:{span}:{self.cut(span)}")
             if kind == kinds.BINARY_OPERATOR and len(children) == 2:
                 self.binary(cursor, span, children, above, variable)
@@ -162,10 +162,8 @@ class Cpp:
                 self.member(cursor, span, parent, variable)
             elif kind == kinds.COMPOUND_STMT:
                 self.block(span, children, above)
-        case = kind == kinds.CASE_STMT
-        for i, child in enumerate(children):
-            if not (case and i == 0):
-                self.walk(child, [*above, cursor], variable)
+        for child in children[kind == kinds.CASE_STMT:]:
+            self.walk(child, [*above, cursor], variable)
 
     def is_early(self, cursor, above):
         """Whether the variable may get its value while compiling."""
@@ -231,6 +229,8 @@ class Cpp:
             a, b = spans[i], spans[i + 1]
             if not a or not b or a[1] > b[0] or types[i].spelling.removeprefix("const ") != types[i + 1].spelling.removeprefix("const "):
                 continue
+            if "=" in re.sub(rb"[=!<>]=", b"", self.text[a[1]:b[0]]).decode():
+                continue  # an assignment to what would be a copy
             one, two = self.cut(a), self.cut(b)
             if one == two or " = " in one + two or re.match(r'["{\[]', one) or re.match(r'["{\[]', two) or "lambda" in types[i].spelling:
                 continue
@@ -304,19 +304,9 @@ class Fields:
                 self.read(child, root, kinds)
 
 
-class OneSource(Cpp):
-    """Reads the records of its source first."""
-
-    def top(self, cursor, fresh):
-        if cursor.kind == self.kinds.TRANSLATION_UNIT:
-            self.fields.read(cursor, self.root, self.kinds)
-        super().top(cursor, fresh)
-
-
 def cpp_part(root, commands):
-    found = OneSource(root, set(), Fields())
+    found = Cpp(root)
     for command, file in commands:
-        found.fields.records.clear()
         found.read(command, file)
     return found.places
 
@@ -451,6 +441,15 @@ def text_places(file, text):
     return places
 
 
+def decides_while_compiling(text, begin):
+    """Whether a place stands in the brackets of what is decided while compiling: there no switch is on."""
+    for found in re.finditer(r"\b(if constexpr|requires|static_assert|noexcept|sizeof|alignas)\s*\(", text[max(0, begin - 300):begin].decode(errors="replace")):
+        after = found.string[found.end():]
+        if after.count("(") >= after.count(")") and all(after[:i].count("(") >= after[:i].count(")") for i in range(len(after))):
+            return True
+    return False
+
+
 def planted_places(root):
     """Of what needs no compiler: Python, templates, gnuplot, JavaScript."""
     readers = {".py": python_places, ".md": template_places, ".gp": text_places, ".js": text_places}
@@ -470,7 +469,9 @@ def all_places(root, build):
     cache = build / "mutant_places.json"
     if cache.is_file() and (kept := json.loads(cache.read_text()))["state"] == state:
         return kept["places"]
-    places = cpp_places(root, build) + planted_places(root)
+    texts = {path.relative_to(root).as_posix(): path.read_bytes() for path in files}
+    places = [one for one in cpp_places(root, build) if not decides_while_compiling(texts[one["file"]], one["begin"])]
+    places += planted_places(root)
     for one in places:
         one["room"] = room_of(one["file"])
     cache.write_text(json.dumps({"state": state, "places": places}))

@@ -56,13 +56,18 @@ class Copy:
             return set()
         found = set()
         for output in re.split(r"^FAILED: ", done.stdout, flags=re.MULTILINE)[1:]:
-            mine = self.blamed(output, re.findall(r"^(/[^:\n]+):(\d+):(?:\d+:)? (?:fatal )?error", output, re.MULTILINE), 0)
-            found |= mine or self.blamed(output, PLACE.findall(output), 3)
+            mine = self.blamed(re.findall(r"^(/[^:\n]+):(\d+):(?:\d+:)? (?:fatal )?error", output, re.MULTILINE), 0)
+            found |= mine or self.blamed(PLACE.findall(output), 3) or self.no_constants(PLACE.findall(output))
         if not found:
             sys.exit("the copy does not build, and no mutant is to blame:\n" + done.stdout[-3000:])
         return found
 
-    def blamed(self, output, lines, around):
+    def no_constants(self, lines):
+        """Mutants that made a constexpr variable of these files a const one, which something else needs while compiling."""
+        texts = [path.read_text() for path in {pathlib.Path(file).resolve() for file, _ in lines} if self.tree in path.parents]
+        return {int(number) for text in texts for number in re.findall(r"::late_\w+(?:<[^()]*?>)?\((\d+)", text)}
+
+    def blamed(self, lines, around):
         """Mutants that stand on the lines told of, or near them."""
         found = set()
         for file, line in lines:

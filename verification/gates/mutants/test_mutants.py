@@ -125,6 +125,10 @@ class Texts(unittest.TestCase):
         self.assertEqual({one for one in found if one[0] == "exchanged columns"}, {("exchanged columns", "1:2", "2:1")})
         self.assertFalse([one for one in found if one[1] in ("3", "4")])
 
+    def test_brackets_of_what_is_decided_while_compiling_are_known(self):
+        for text, is_so in ((b"if constexpr (f(1) && ", True), (b"if constexpr (f(1)) return ", False), (b"if (a && ", False)):
+            self.assertEqual(places.decides_while_compiling(text, len(text)), is_so, text)
+
     def test_tests_are_never_mutated(self):
         for file in ("verification/tests/analytic/x.cpp", "reports/tests/test_x.py", "benchmarks/gates/test_rules.py",
                      "verification/gates/inventory.py", "verification/conformance/subjects/fakes/fake.py"):

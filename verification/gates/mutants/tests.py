@@ -38,7 +38,7 @@ def all_units(copy, tree):
         unit = {"name": test["name"], "test": test["name"], "command": test["command"], "folder": properties.get("WORKING_DIRECTORY", str(copy.build)),
                 "environment": dict(one.split("=", 1) for one in properties.get("ENVIRONMENT", [])),
                 "fails": properties.get("FAIL_REGULAR_EXPRESSION", []), "skips": properties.get("SKIP_REGULAR_EXPRESSION", []),
-                "timeout": properties.get("TIMEOUT", 600), "needs": sorted(set(properties.get("FIXTURES_REQUIRED", [])))}
+                "timeout": properties.get("TIMEOUT", 600)}
         if len(test["command"]) == 1 and test["command"][0].endswith("_test"):
             units += [{**unit, "name": f"{test['name']}:{case}", "case": case} for case in cases_of(test["command"][0])]
         elif test["command"][1:4] == ["-B", "-m", "unittest"]:
@@ -101,14 +101,16 @@ class Tree:
         for program in copy.build.iterdir():
             if program.is_file() and os.access(program, os.X_OK):
                 os.link(program, build / program.name)
+            elif program.is_dir():
+                (build / program.name).symlink_to(program)
 
     def moved(self, text):
         """A path of the built copy as one of this tree; the libraries and programs of tests stay where they were built."""
-        inside = f"{self.copy.build}/"
-        if str(text).startswith(inside):
-            name = str(text).removeprefix(inside)
-            return str(self.folder / "build/release" / name) if "/" not in name and (self.folder / "build/release" / name).is_file() else str(text)
-        return re.sub(rf"^{re.escape(str(self.copy.tree))}(?=/|$)", str(self.folder), str(text))
+        path = pathlib.Path(text)
+        if path.is_absolute() and path.is_relative_to(self.copy.build):
+            here = self.folder / "build/release" / path.name
+            return str(here if path.parent == self.copy.build and here.is_file() else path)
+        return str(self.folder / path.relative_to(self.copy.tree) if path.is_absolute() and path.is_relative_to(self.copy.tree) else text)
 
     def environment(self, unit):
         return {name: self.moved(value) for name, value in unit["environment"].items()}
@@ -129,7 +131,8 @@ class Tree:
 
     def start(self, unit, more, seconds):
         """green, red or hung, and the last of what was said. Nothing that was started is left."""
-        command = [self.moved(word) for word in unit["command"]]
+        # A mutant that asks for all memory is ended before anything else is.
+        command = ["choom", "-n", "1000", "--", *(self.moved(word) for word in unit["command"])]
         cases = unit.get("cases") or ([unit["case"]] if "case" in unit else [])
         if cases:
             command += ["--gtest_filter=" + ":".join(cases), "--gtest_fail_fast"]
