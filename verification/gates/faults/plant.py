@@ -47,7 +47,8 @@ INVENTORY = "inventory:"
 # The engine is compiled anew for nearly each fault of the model: here for AVX2, SSE4 and the plain processor
 # alone, so for four lanes, two and one.
 LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
-MOST_COMPILED = 12  # files, by the sample of mutants
+# What a sample of mutants may take: files to compile, and seconds of tests as they took without a mutant.
+MOST_COMPILED, MOST_TESTED = 12, 60
 CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
 
 
@@ -71,8 +72,9 @@ def read_catalogue():
 
 
 def caught_mutants(text):
-    """Of the mutants' ledger those that a check caught, as faults."""
-    rows = [row for one in json.loads(text)["samples"] for row in one["mutants"] if row.get("verdict") == "caught"]
+    """Of the mutants' ledger those that a check caught, as faults; its targets have to be known."""
+    rows = [row for one in json.loads(text)["samples"] for row in one["mutants"] if row.get("verdict") == "caught"
+            and (row["by"].startswith(("program.", "gates.")) or row["by"].count(".") == 2)]
     return [{"id": row["id"], "fault": f"{row['operator']}: {row['original']} → {row['replacement']}", "file": row["file"],
              "find": row["find"], "replace": row["replace"], "check": row["by"]} for row in rows]
 
@@ -117,6 +119,16 @@ def targets_of(check):
 def green_checks(junit):
     """The checks that passed in a CTest run of the tree without faults."""
     return {name for name, _, ended in inventory.endings(junit) if ended == "OK"}
+
+
+def seconds_of(junit):
+    return {test.get("name"): float(test.get("time")) for test in inventory.ElementTree.parse(junit).iter("testcase")}
+
+
+def whole_test(check):
+    """The CTest test that has a check, in a build that does not part the programs of GoogleTest."""
+    whole = check.startswith(("program.", "gates.", "stress.model_"))
+    return check if whole else f"{check.split('.')[0]}.{targets_of(check)[0]}"
 
 
 class Scratch:
@@ -209,7 +221,7 @@ class Above:
             shutil.rmtree(self.folder)
 
     def look(self, check):
-        test = check if check.startswith(("program.", "gates.", "stress.model_")) else f"{check.split('.')[0]}.{targets_of(check)[0]}"
+        test = whole_test(check)
         done = self.inside("ctest", "--test-dir", "build/release", "-R", f"^{re.escape(test)}$", "--timeout", str(CHECK_SECONDS))
         if "No tests were found" in done.stdout:
             raise Red(f"{test} is not there to run")
@@ -218,12 +230,14 @@ class Above:
         return "timed out" if "***Timeout" in done.stdout else "failed"
 
 
-def plant_above(faults, count, seed, folder):
-    """The first `count` mutants, in an order that the seed gives, with no more to compile than MOST_COMPILED files together."""
-    left, rows = MOST_COMPILED, []
+def plant_above(faults, count, seed, folder, seconds):
+    """The first `count` mutants, in an order that the seed gives, that take together no more than a sample may."""
+    left, time_left, rows = MOST_COMPILED, MOST_TESTED, []
     for fault in random.Random(seed).sample(faults, len(faults)):
         if len(rows) == count:
             break
+        if (takes := seconds.get(whole_test(fault["check"]), MOST_TESTED)) > time_left:
+            continue
         start, above = time.monotonic(), Above(folder / fault["id"])
         row = {key: fault[key] for key in ("id", "fault", "file", "check")}
         try:
@@ -233,7 +247,7 @@ def plant_above(faults, count, seed, folder):
             row |= {"caught": True, "said": said}
         except Red as red:
             row |= {"caught": False, "said": str(red)}
-        left -= above.cost
+        left, time_left = left - above.cost, time_left - takes
         row["seconds"] = round(time.monotonic() - start, 1)
         tell(row)
         rows.append(row)
@@ -385,7 +399,7 @@ def main():
         if arguments.mutants is None:
             rows = plant(faults, arguments.workers, folder, keep)
         else:
-            rows = plant_above(faults, arguments.mutants, arguments.seed or head, folder)
+            rows = plant_above(faults, arguments.mutants, arguments.seed or head, folder, seconds_of(arguments.green))
             if len(rows) < arguments.mutants:
                 red.append(f"{len(rows)} mutants were planted, {arguments.mutants} are wanted")
                 print(f"RED       {red[-1]}")

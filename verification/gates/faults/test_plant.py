@@ -14,7 +14,7 @@ import plant
 
 FAULT = {"id": "one", "fault": "1 is 2", "file": "formula.txt", "find": "= 1;", "replace": "= 2;",
          "check": "program.test_formula"}
-GREEN = '<testsuite><testcase name="program.test_formula" status="{}"/></testsuite>'
+GREEN = '<testsuite><testcase name="program.test_formula" status="{}" time="1.5"/></testsuite>'
 
 
 def finished(code, text=""):
@@ -119,6 +119,13 @@ class OfMutants(Tree):
             self.above((0, ""), (0, ""), (0, ""))
         with self.assertRaisesRegex(plant.Red, "does not build"):
             self.above((0, ""), (1, ""))
+
+    def test_one_whose_test_takes_longer_than_is_left_is_passed_over(self):
+        faults = [FAULT | {"id": str(i)} for i in range(5)]
+        with mock.patch.object(plant.Above, "try_fault", lambda above, *_: setattr(above, "cost", 0) or "failed"), \
+                contextlib.redirect_stdout(io.StringIO()):
+            for takes, planted in ((plant.MOST_TESTED / 3, 3), (plant.MOST_TESTED + 1, 0)):
+                self.assertEqual(len(plant.plant_above(faults, 5, "x", self.folder, {"program.test_formula": takes})), planted)
 
     def test_one_with_more_to_compile_than_is_left_is_passed_over(self):
         self.assertEqual(self.above((0, "[1/2] Building CXX x\n[2/2] Building CXX y\n"), most=1), (None, ["ninja"]))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Switches of mutants, in generated copies of the tree only. TRIBOCHECK_MUTANT is the number of the one that is on;
-// TRIBOCHECK_MUTANTS_REACHED names a file in which byte n becomes 1 where mutant n is reached, and 2 where it would change a value.
+// Switches of mutants, in generated copies of the tree only. TRIBOCHECK_MUTANT is the number of the
+// one that is on; TRIBOCHECK_MUTANTS_REACHED names a file in which byte n becomes 1 where mutant n
+// is reached, and 2 where it would change a value.
 #ifndef TRIBOCHECK_MUTANTS_SWITCH_HPP
 #define TRIBOCHECK_MUTANTS_SWITCH_HPP
 #include <fcntl.h>
@@ -87,12 +88,12 @@ struct ValueOf {
   using type = std::remove_cvref_t<T>;
 };
 template <class T>
-  requires requires { typename std::remove_cvref_t<T>::result_type; }
+requires requires { typename std::remove_cvref_t<T>::result_type; }
 struct ValueOf<T> {
   using type = typename std::remove_cvref_t<T>::result_type;
 };
 template <class T>
-  requires requires { typename std::remove_cvref_t<T>::PlainObject; }
+requires requires { typename std::remove_cvref_t<T>::PlainObject; }
 struct ValueOf<T> {
   using type = typename std::remove_cvref_t<T>::PlainObject;
 };
