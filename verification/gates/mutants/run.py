@@ -20,6 +20,7 @@ import pathlib
 import queue
 import random
 import re
+import signal
 import sys
 import threading
 import time
@@ -232,14 +233,12 @@ class Prepared:
         return tests.together(sorted(can, key=lambda unit: unit["seconds"])), reach
 
 
-def verdict_on(prepared, mutant, tree, ended):
+def verdict_on(prepared, mutant, tree):
     able, reach = prepared.who_can_notice(mutant)
     start = time.monotonic()
     row = {"tests": len(able), "reach_without_change": reach}
     with tree.planted(mutant):
         for unit in able:
-            if ended.is_set():
-                return None
             end, check = tree.run(unit, prepared.numbers[mutant["id"]] if mutant["switched"] else None)
             if end != "green":
                 return {**row, "verdict": "hung" if end == "hung" else "caught", "by": check, "seconds": round(time.monotonic() - start, 1)}
@@ -260,20 +259,18 @@ def take_sample(arguments):
     rows = {row["id"]: row for row in mine["mutants"]}
     waiting = [one for one in prepared.mutants if "verdict" not in rows[one["id"]]]
     random.Random(arguments.seed).shuffle(waiting)
-    free, lock, ended = queue.SimpleQueue(), threading.Lock(), threading.Event()
+    free, lock = queue.SimpleQueue(), threading.Lock()
     for tree in prepared.trees:
         free.put(tree)
 
     def one(mutant):
-        if ended.is_set() or arguments.minutes and time.monotonic() - started > 60 * arguments.minutes:
+        if arguments.minutes and time.monotonic() - started > 60 * arguments.minutes:
             return
         tree = free.get()
         try:
-            row = verdict_on(prepared, mutant, tree, ended)
+            row = verdict_on(prepared, mutant, tree)
         finally:
             free.put(tree)
-        if row is None:
-            return
         with lock:
             rows[mutant["id"]].update(row)
             write_ledger(arguments.out, ledger)
@@ -284,12 +281,8 @@ def take_sample(arguments):
                           json.dumps(mutant["replacement"]), row["verdict"], able, mutant["id"], sep="\t", file=out)
         print(f"{row['verdict']:12}{row['seconds']:7.1f} s  {mutant['id']}  {mutant['file']}:{mutant['line']}  {mutant['operator']}  {row.get('by', '')}", flush=True)
 
-    try:
-        with concurrent.futures.ThreadPoolExecutor(arguments.workers) as pool:
-            list(pool.map(one, waiting))
-    except KeyboardInterrupt:
-        ended.set()
-        raise
+    with concurrent.futures.ThreadPoolExecutor(arguments.workers) as pool:
+        list(pool.map(one, waiting))
     print_scores(ledger)
     left = sum("verdict" not in row for row in mine["mutants"])
     if left:
@@ -316,6 +309,8 @@ def main():
     equivalent.add_argument("reason")
     arguments = parser.parse_args()
     if arguments.command == "sample":
+        for one in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(one, tests.stop)
         return take_sample(arguments)
     ledger = read_ledger(arguments.out)
     if arguments.command == "score":

@@ -17,6 +17,7 @@ import schemata
 from plant import scratch
 
 LEAST_SECONDS = 15  # that any test may take: other work on the machine is not the mutant's
+RUNNING = set()  # marks of tests that run
 CLASSES = """
 import sys, unittest
 def flat(one):
@@ -92,8 +93,9 @@ class Tree:
 
     def __init__(self, root, copy, folder):
         self.root, self.copy, self.folder = root, copy, folder
-        if not folder.is_dir():
-            scratch.copy_tree(root, folder)
+        is_new = not folder.is_dir()
+        scratch.copy_tree(root, folder)  # again, because a run that was stopped may have left a mutant planted
+        if is_new:
             schemata.with_history(root, folder)
         build = folder / "build/release"
         shutil.rmtree(build, ignore_errors=True)
@@ -137,6 +139,7 @@ class Tree:
         if cases:
             command += ["--gtest_filter=" + ":".join(cases), "--gtest_fail_fast"]
         mark = uuid.uuid4().hex
+        RUNNING.add(mark)
         with tempfile.TemporaryDirectory(prefix="tribocheck-mutant-", ignore_cleanup_errors=True) as folder:
             environment = {**os.environ, **self.environment(unit), **more, "TMPDIR": folder, "TRIBOCHECK_MUTANT_RUN": mark}
             with open(pathlib.Path(folder) / "said", "w+b") as said:
@@ -152,6 +155,7 @@ class Tree:
                     process.wait()
                     if code != 0:
                         end_marked(mark)
+                    RUNNING.discard(mark)
                 said.seek(0)
                 text = said.read().decode(errors="replace")
         if code is None:
@@ -181,6 +185,13 @@ class Tree:
         return {"seconds": round(seconds, 2), "red": end != "green", "output": output,
                 "reached": [n for n, how in enumerate(found) if how == 1], "differs": [n for n, how in enumerate(found) if how == 2],
                 "read": [file for file in files if (self.folder / file).stat().st_atime_ns != 0]}
+
+
+def stop(*_):
+    """Ends the run and its tests at once; what was found is in the ledger."""
+    for mark in list(RUNNING):
+        end_marked(mark)
+    os._exit(130)
 
 
 def end_marked(mark):
