@@ -6,7 +6,7 @@ SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest faults diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest mutants faults diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -86,6 +86,12 @@ baseline: build ## write the accuracy that the ratchet holds: reference/baseline
 
 manifest: ## write verification/gates/manifest.tsv anew, from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write
+
+# Names of seeds are dates; SAMPLE is a count for references-check, where it is 8 if nothing is said.
+mutants: ## draw SAMPLE=20261123 (a date) of wrong changes, see how many the tests notice; the copy half an hour, then parts of MINUTES=60 that add up
+	@.ci/deps build test bench check
+	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON -DTRIBOCHECK_BUILD_BENCHMARKS=ON
+	verification/gates/mutants/run.py sample $(if $(filter-out 8,$(SAMPLE)),--seed $(SAMPLE)) --minutes $(or $(MINUTES),60)
 
 faults: ## plant every fault of verification/gates/faults, see it caught; an hour and a half; OLDEST=N: the N oldest verdicts
 	@.ci/deps build test

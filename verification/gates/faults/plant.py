@@ -15,6 +15,7 @@ stopped loses nothing, and --oldest goes on with what was not planted for longes
   verification/gates/faults/plant.py --sample 6          a sample, another one for each commit
   verification/gates/faults/plant.py --oldest 50 --out reference/baselines/planted_faults.json
   verification/gates/faults/plant.py --only E3 --keep    one, and leave its scratch copy
+  verification/gates/faults/plant.py --mutants 10        ten of the mutants that their ledger calls caught, instead
 """
 import argparse
 import concurrent.futures
@@ -40,11 +41,14 @@ sys.path.insert(0, str(ROOT / "verification/gates"))
 import inventory  # noqa: E402
 import scratch  # noqa: E402
 CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
+MUTANTS = ROOT / "reference/baselines/mutants.json"
 FIELDS = {"id", "fault", "file", "find", "replace", "check"}
 INVENTORY = "inventory:"
 # The engine is compiled anew for nearly each fault of the model: here for AVX2, SSE4 and the plain processor
 # alone, so for four lanes, two and one.
 LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
+# What a sample of mutants may take: files to compile, and seconds of tests as they took without a mutant.
+MOST_COMPILED, MOST_TESTED = 12, 60
 CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
 
 
@@ -65,6 +69,14 @@ def read_catalogue():
             sys.exit(f"{CATALOGUE}: {fault.get('id')}: needs the fields {sorted(FIELDS)}, and an id of its own")
         seen.add(fault["id"])
     return faults
+
+
+def caught_mutants(text):
+    """Of the mutants' ledger those that a check caught, as faults; its targets have to be known."""
+    rows = [row for one in json.loads(text)["samples"] for row in one["mutants"] if row.get("verdict") == "caught"
+            and (row["by"].startswith(("program.", "gates.")) or row["by"].count(".") == 2)]
+    return [{"id": row["id"], "fault": f"{row['operator']}: {row['original']} → {row['replacement']}", "file": row["file"],
+             "find": row["find"], "replace": row["replace"], "check": row["by"]} for row in rows]
 
 
 def digest(fault):
@@ -107,6 +119,16 @@ def targets_of(check):
 def green_checks(junit):
     """The checks that passed in a CTest run of the tree without faults."""
     return {name for name, _, ended in inventory.endings(junit) if ended == "OK"}
+
+
+def seconds_of(junit):
+    return {test.get("name"): float(test.get("time")) for test in inventory.ElementTree.parse(junit).iter("testcase")}
+
+
+def whole_test(check):
+    """The CTest test that has a check, in a build that does not part the programs of GoogleTest."""
+    whole = check.startswith(("program.", "gates.", "stress.model_"))
+    return check if whole else f"{check.split('.')[0]}.{targets_of(check)[0]}"
 
 
 class Scratch:
@@ -161,6 +183,80 @@ class Scratch:
         if gate.returncode != 1:
             raise Red("survived")
         return gate.stdout.splitlines()[0]
+
+
+class Above:
+    """The built tree with a layer above it, which takes what a mutant changes: only what it touches is built again, and the
+    tree stays as it is. Nobody but the commands that are started so sees the layer."""
+    MOUNT = 'mount -t overlay overlay -o "lowerdir=$1,upperdir=$2/upper,workdir=$2/work" "$1" && cd "$1" && shift 2 && exec "$@"'
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def inside(self, *command):
+        return run(["unshare", "--map-root-user", "--mount", "sh", "-c", self.MOUNT, "sh", ROOT, self.folder, *command])
+
+    def try_fault(self, fault, most=None):
+        """What the check said; None where more than `most` files would be compiled. Raises Red where the mutant was not caught."""
+        path = self.folder / "upper" / fault["file"]
+        path.parent.mkdir(parents=True)
+        (self.folder / "work").mkdir()
+        try:
+            path.write_text((ROOT / fault["file"]).read_text().replace(fault["find"], fault["replace"]))
+            shutil.copymode(ROOT / fault["file"], path)
+            build = ["ninja", "-C", "build/release", "-j1", *targets_of(fault["check"])]
+            if fault["file"].endswith("pp"):
+                steps = self.inside(*build, "-n")
+                if steps.returncode != 0:
+                    sys.exit(f"--mutants needs a built tree, `unshare` and overlays: {steps.stdout[-300:]}")
+                self.cost = steps.stdout.count(" Building CXX")
+                if most is not None and self.cost > most:
+                    return None
+                if self.inside(*build).returncode != 0:
+                    raise Red("does not build")
+            else:
+                self.cost = 0
+            return self.look(fault["check"])
+        finally:
+            shutil.rmtree(self.folder)
+
+    def look(self, check):
+        test = whole_test(check)
+        done = self.inside("ctest", "--test-dir", "build/release", "-R", f"^{re.escape(test)}$", "--timeout", str(CHECK_SECONDS))
+        if "No tests were found" in done.stdout:
+            raise Red(f"{test} is not there to run")
+        if done.returncode == 0:
+            raise Red("survived")
+        return "timed out" if "***Timeout" in done.stdout else "failed"
+
+
+def plant_above(faults, count, seed, folder, seconds):
+    """The first `count` mutants, in an order that the seed gives, that take together no more than a sample may."""
+    left, time_left, rows = MOST_COMPILED, MOST_TESTED, []
+    for fault in random.Random(seed).sample(faults, len(faults)):
+        if len(rows) == count:
+            break
+        if (takes := seconds.get(whole_test(fault["check"]), MOST_TESTED)) > time_left:
+            continue
+        start, above = time.monotonic(), Above(folder / fault["id"])
+        row = {key: fault[key] for key in ("id", "fault", "file", "check")}
+        try:
+            said = above.try_fault(fault, left)
+            if said is None:
+                continue
+            row |= {"caught": True, "said": said}
+        except Red as red:
+            row |= {"caught": False, "said": str(red)}
+        left, time_left = left - above.cost, time_left - takes
+        row["seconds"] = round(time.monotonic() - start, 1)
+        tell(row)
+        rows.append(row)
+    return rows
+
+
+def tell(row):
+    verdict = "caught" if row["caught"] else "RED"
+    print(f"{verdict:8}  {row['seconds']:5.1f} s  {row['id']:28}  {row['check']}  ({row['said']})", flush=True)
 
 
 def environment():
@@ -241,6 +337,8 @@ def main():
     parser.add_argument("--sample", type=int, metavar="N", help="N of them, chosen by the seed")
     parser.add_argument("--oldest", type=int, metavar="N",
                         help="N of them, whose verdict in the ledger is missing or oldest")
+    parser.add_argument("--mutants", type=int, metavar="N", help="N mutants that reference/baselines/mutants.json calls caught, "
+                        "chosen by the seed, in place of the catalogue; those that do not apply any more are passed over")
     parser.add_argument("--seed", help="any text; the commit's hash if not given")
     parser.add_argument("--only", metavar="ID", action="append", help="this fault; may be given again")
     parser.add_argument("--green", type=pathlib.Path, default=ROOT / "build/release/ctest.xml", metavar="FILE",
@@ -251,17 +349,23 @@ def main():
     parser.add_argument("--keep", action="store_true", help="leave the scratch copies, and say where")
     arguments = parser.parse_args()
 
-    catalogue = faults = read_catalogue()
-    for fault in faults:
-        targets_of(fault["check"])
-    red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
+    catalogue = faults = read_catalogue() if arguments.mutants is None else caught_mutants(MUTANTS.read_text())
     try:
         green = green_checks(arguments.green)
     except (OSError, inventory.ElementTree.ParseError) as error:
         print(f"plant.py: --green: {error}; `make test` writes it", file=sys.stderr)
         return 2
+    red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
     red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"
             for fault in faults if test_of(fault["check"]) not in green]
+    if arguments.mutants is not None:  # what changed since it was caught says nothing of today's tests
+        gone = {line.split(":")[0] for line in red}
+        faults = [fault for fault in faults if fault["id"] not in gone]
+        print(f"{len(catalogue) - len(faults)} of {len(catalogue)} caught mutants do not apply to today's text, or their check is not there")
+        red = [] if len(faults) >= arguments.mutants else [f"{len(faults)} mutants apply, {arguments.mutants} are wanted: "
+                                                           "draw a new sample (make mutants)"]
+    for fault in faults:
+        targets_of(fault["check"])
     if arguments.only:
         faults = [fault for fault in faults if fault["id"] in arguments.only]
         if len(faults) != len(set(arguments.only)):
@@ -286,14 +390,19 @@ def main():
 
     head, one_at_a_time = commit(), threading.Lock()
 
-    def tell(row):
+    def keep(row):
         with one_at_a_time:
             ledger.add(row, head)
-        verdict = "caught" if row["caught"] else "RED"
-        print(f"{verdict:8}  {row['seconds']:5.1f} s  {row['id']:28}  {row['check']}  ({row['said']})", flush=True)
+        tell(row)
 
     try:
-        rows = plant(faults, arguments.workers, folder, tell)
+        if arguments.mutants is None:
+            rows = plant(faults, arguments.workers, folder, keep)
+        else:
+            rows = plant_above(faults, arguments.mutants, arguments.seed or head, folder, seconds_of(arguments.green))
+            if len(rows) < arguments.mutants:
+                red.append(f"{len(rows)} mutants were planted, {arguments.mutants} are wanted")
+                print(f"RED       {red[-1]}")
     finally:
         if arguments.keep:
             print(f"scratch copies: {folder}")

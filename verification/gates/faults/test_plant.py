@@ -14,7 +14,7 @@ import plant
 
 FAULT = {"id": "one", "fault": "1 is 2", "file": "formula.txt", "find": "= 1;", "replace": "= 2;",
          "check": "program.test_formula"}
-GREEN = '<testsuite><testcase name="program.test_formula" status="{}"/></testsuite>'
+GREEN = '<testsuite><testcase name="program.test_formula" status="{}" time="1.5"/></testsuite>'
 
 
 def finished(code, text=""):
@@ -93,6 +93,57 @@ class Look(Tree):
         self.assertEqual(self.look("inventory:program.test_formula", (0, ""), (1, "9 cases\nmore")), "9 cases")
         self.assert_red("survived", "inventory:program.test_formula", (0, ""), (0, ""))
         self.assert_red("itself failed", "inventory:program.test_formula", (8, ""), (1, ""))
+
+
+class OfMutants(Tree):
+    """Mutants that the ledger calls caught, planted in a layer above the built tree."""
+
+    def above(self, *ends, check="program.test_formula", most=None):
+        layer, seen = plant.Above(self.folder / "layer"), []
+
+        def inside(*command):
+            seen.append(command[0])
+            self.assertEqual((self.folder / "layer/upper/formula.hpp").read_text(), "y = 2;\n")
+            return finished(*ends[len(seen) - 1])
+        (self.folder / "formula.hpp").write_text("y = 1;\n")
+        with mock.patch.object(layer, "inside", inside), mock.patch.object(plant, "targets_of", return_value=["formula_test"]):
+            try:
+                return layer.try_fault(FAULT | {"file": "formula.hpp", "check": check}, most), seen
+            finally:
+                self.assertFalse((self.folder / "layer").exists())
+                self.assertEqual((self.folder / "formula.hpp").read_text(), "y = 1;\n")
+
+    def test_a_red_test_has_caught_it_and_a_green_one_has_not(self):
+        self.assertEqual(self.above((0, "[1/1] Building CXX x\n"), (0, ""), (8, "")), ("failed", ["ninja", "ninja", "ctest"]))
+        with self.assertRaisesRegex(plant.Red, "survived"):
+            self.above((0, ""), (0, ""), (0, ""))
+        with self.assertRaisesRegex(plant.Red, "does not build"):
+            self.above((0, ""), (1, ""))
+
+    def test_one_whose_test_takes_longer_than_is_left_is_passed_over(self):
+        faults = [FAULT | {"id": str(i)} for i in range(5)]
+        with mock.patch.object(plant.Above, "try_fault", lambda above, *_: setattr(above, "cost", 0) or "failed"), \
+                contextlib.redirect_stdout(io.StringIO()):
+            for takes, planted in ((plant.MOST_TESTED / 3, 3), (plant.MOST_TESTED + 1, 0)):
+                self.assertEqual(len(plant.plant_above(faults, 5, "x", self.folder, {"program.test_formula": takes})), planted)
+
+    def test_one_with_more_to_compile_than_is_left_is_passed_over(self):
+        self.assertEqual(self.above((0, "[1/2] Building CXX x\n[2/2] Building CXX y\n"), most=1), (None, ["ninja"]))
+
+    def test_only_what_is_called_caught_is_planted_and_what_changed_since_is_not(self):
+        row = {"id": "m", "operator": "constant", "original": "1", "replacement": "2", "file": "formula.txt", "find": "= 1;", "replace": "= 2;",
+               "by": "program.test_formula"}
+        text = json.dumps({"samples": [{"mutants": [{**row, "verdict": "caught"}, {**row, "verdict": "survived"}, row]}]})
+        one, = plant.caught_mutants(text)
+        self.assertEqual(one | {"fault": ""}, FAULT | {"id": "m", "fault": ""})
+        for content, code in (("y = 1;\n", 0), ("y = 3;\n", 1)):
+            (self.folder / "formula.txt").write_text(content)
+            (self.folder / "mutants.json").write_text(text)
+            with mock.patch.object(plant, "MUTANTS", self.folder / "mutants.json"), mock.patch.object(plant, "commit", return_value="c"), \
+                    mock.patch.object(plant.Above, "try_fault", lambda above, *_: setattr(above, "cost", 0) or "failed"), \
+                    mock.patch.object(sys, "argv", ["plant.py", "--mutants", "1", "--green", str(self.green)]), \
+                    contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(plant.main(), code)
 
 
 class Try(Tree):

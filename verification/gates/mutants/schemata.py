@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A generated copy of the tree in which each mutant of C++ stands behind a switch, and its build."""
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+
+SWITCH = pathlib.Path(__file__).with_name("switch.hpp")
+NUMBER = re.compile(r"tribocheck_mutants::\w+(?:<[^()]*?>)?\((\d+)")
+PLACE = re.compile(r"^(?:In file included from |\s+from )?(/[^:\n]+):(\d+)[:,]", re.MULTILINE)
+LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
+
+
+def switched(text, mutants, numbers):
+    """The text with the mutants behind switches. Edits that several share are made once."""
+    edits = {(begin, end, new.replace("{n}", str(numbers[one["id"]]))) for one in mutants for begin, end, new in one["edits"]}
+    whole = text.encode()
+    for begin, end, new in sorted(edits, reverse=True):
+        # What is put before a statement leaves the statement where it is.
+        whole = whole[:begin] + new.encode() + whole[end:]
+    return f'#include "{SWITCH}"\n' + whole.decode()
+
+
+class Copy:
+    def __init__(self, root, tree, build):
+        self.root, self.tree, self.build = root, tree, build
+
+    def write(self, mutants, numbers):
+        """Only files whose text is another are written, so that a build after a draw anew is short."""
+        by_file = collections.defaultdict(list)
+        for one in mutants:
+            if one.get("edits"):
+                by_file[one["file"]].append(one)
+        for path in [*self.tree.glob("model/**/*.?pp"), *self.tree.glob("reports/**/*.?pp"),
+                     *self.tree.glob("verification/**/*.?pp"), *self.tree.glob("benchmarks/**/*.?pp")]:
+            file = path.relative_to(self.tree).as_posix()
+            if not (self.root / file).is_file():
+                continue
+            text = (self.root / file).read_text()
+            new = switched(text, by_file[file], numbers) if file in by_file else text
+            if path.read_text() != new:
+                path.write_text(new)
+
+    def configure(self):
+        done = subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTRIBOCHECK_BUILD_TESTS=ON",
+                               "-DTRIBOCHECK_BUILD_BENCHMARKS=ON", "-DCMAKE_CXX_FLAGS=-O1 -w", f"-DTRIBOCHECK_TARGETS_LEFT_OUT={LEFT_OUT}",
+                               "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=6"], capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(done.stdout + done.stderr)
+
+    def failing(self, *targets):
+        """Numbers of the mutants that do not compile; empty: the copy is built."""
+        done = subprocess.run(["ninja", "-C", self.build, "-k", "6", *targets], capture_output=True, text=True)
+        if done.returncode == 0:
+            return set()
+        found = set()
+        for output in re.split(r"^FAILED: ", done.stdout, flags=re.MULTILINE)[1:]:
+            mine = self.blamed(re.findall(r"^(/[^:\n]+):(\d+):(?:\d+:)? (?:fatal )?error", output, re.MULTILINE), 0)
+            found |= mine or self.blamed(PLACE.findall(output), 3) or self.no_constants(PLACE.findall(output))
+        if not found:
+            sys.exit("the copy does not build, and no mutant is to blame:\n" + done.stdout[-3000:])
+        return found
+
+    def no_constants(self, lines):
+        """Mutants that made a constexpr variable of these files a const one, which something else needs while compiling."""
+        texts = [path.read_text() for path in {pathlib.Path(file).resolve() for file, _ in lines} if self.tree in path.parents]
+        return {int(number) for text in texts for number in re.findall(r"::late_\w+(?:<[^()]*?>)?\((\d+)", text)}
+
+    def blamed(self, lines, around):
+        """Mutants that stand on the lines told of, or near them."""
+        found = set()
+        for file, line in lines:
+            path = pathlib.Path(file).resolve()
+            if self.tree in path.parents:
+                text = path.read_text().splitlines()
+                for reach in range(around + 3):
+                    near = text[max(0, int(line) - 1 - reach):int(line) + reach]
+                    if here := {int(number) for one in near for number in NUMBER.findall(one)}:
+                        found |= here
+                        break
+        return found
+
+
+def with_history(root, tree):
+    """Gives a copy the commits of the tree: some tests compare what the program says of its commit."""
+    subprocess.run(["git", "clone", "--quiet", "--shared", "--no-checkout", root, tree / "history"], check=True)
+    (tree / "history/.git").rename(tree / ".git")
+    (tree / "history").rmdir()
+    subprocess.run(["git", "reset", "--quiet"], cwd=tree, check=True)

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tool that makes mutants, on a tree of its own: what it finds, draws, switches, and what its verdicts mean."""
+import collections
+import contextlib
+import io
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import types
+import unittest
+import unittest.mock
+
+import run  # noqa: F401  puts the folders of its modules in front
+import places
+import sample
+import schemata
+import tests
+
+SOURCE = """\
+struct Film { double central, minimum; };
+struct Counter { int calls = 0; };
+double thinner(const Film& film) {
+  if (film.central < 2.0) return film.minimum;
+  return film.central - film.minimum;
+}
+int calls_until(int end) {
+  Counter counter;
+  for (int i = 0; i < end; i++) counter.calls += 1;
+  return counter.calls;
+}
+constexpr int twice(int x) { return 2 * x; }
+static_assert(twice(3) == 6);
+"""
+MAIN = '#include <cstdio>\nint main() { std::printf("%g %d %d", thinner({1, 3}), calls_until(4), twice(5)); }\n'
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name).resolve()
+
+
+class Cpp(Folder):
+    """Mutants of one source: found, put behind switches, built, and turned on one after the other."""
+
+    def setUp(self):
+        super().setUp()
+        self.source = self.folder / "model/src/film.cpp"
+        self.source.parent.mkdir(parents=True)
+        self.source.write_text(SOURCE + MAIN)
+        self.places = [{**one, "id": sample.name_of(one), "room": "engine"}
+                       for one in places.cpp_part(self.folder, [(f"c++ -std=c++20 -c {self.source}", str(self.source))])]
+
+    def built(self, mutants):
+        numbers = {one["id"]: n for n, one in enumerate(mutants)}
+        changed = self.folder / "changed.cpp"
+        changed.write_text(schemata.switched(SOURCE + MAIN, mutants, numbers))
+        subprocess.run(["c++", "-std=c++20", "-w", changed, "-o", self.folder / "film"], check=True)
+        return numbers
+
+    def says(self, **environment):
+        return subprocess.run([self.folder / "film"], env={**os.environ, **environment}, capture_output=True, text=True, timeout=20).stdout
+
+    def test_each_operator_finds_its_places_and_types_have_none(self):
+        found = collections.Counter(one["operator"] for one in self.places)
+        for operator in ("boundary", "comparison", "condition", "arithmetic", "constant", "field", "statement", "early return", "end"):
+            self.assertGreater(found[operator], 0, operator)
+        self.assertFalse([one for one in self.places if "static_assert" in SOURCE[one["begin"] - 25:one["begin"]]])
+
+    def test_every_mutant_compiles_behind_its_switch_as_well_as_planted(self):
+        for one in self.places:
+            with self.subTest(one["operator"], at=one["begin"]):
+                self.built([one])
+                patch = sample.patch(one, SOURCE + MAIN)
+                self.assertEqual((SOURCE + MAIN).count(patch["find"]), 1)
+
+    def test_a_mutant_changes_what_the_program_says_only_while_it_is_on(self):
+        drawn = sample.draw(self.places, {"engine": 6}, 1)
+        numbers = self.built(drawn)
+        self.assertEqual(self.says(), "3 4 10")
+        self.assertEqual(self.says(TRIBOCHECK_MUTANT="1000"), "3 4 10")
+        self.assertTrue(any(self.says(TRIBOCHECK_MUTANT=str(n)) != "3 4 10" for n in numbers.values()))
+
+    def test_a_mutant_that_is_reached_and_changes_no_value_is_told_apart(self):
+        boundary = next(one for one in self.places if one["operator"] == "boundary" and "central" in one["replacement"])
+        twice = next(one for one in self.places if one["operator"] == "comparison" and "central" in one["replacement"])
+        for one, how in ((boundary, 1), (twice, 2)):  # 1 < 2 and 1 <= 2 are the same; 1 >= 2 is not
+            self.built([one])
+            reached = self.folder / "reached"
+            reached.write_bytes(bytes(4))
+            self.says(TRIBOCHECK_MUTANTS_REACHED=str(reached))
+            self.assertEqual(reached.read_bytes(), bytes([how, 0, 0, 0]))
+
+    def test_what_is_computed_while_compiling_is_the_original(self):
+        one = next(one for one in self.places if one["operator"] == "constant" and (SOURCE + MAIN)[one["begin"] - 7:one["begin"]] == "return ")
+        self.built([one])  # with its static_assert
+        self.assertNotEqual(self.says(TRIBOCHECK_MUTANT="0"), "3 4 10")
+
+
+class Texts(unittest.TestCase):
+    def changes(self, reader, text):
+        return {(one["operator"], text.encode()[one["begin"]:one["end"]].decode(), one["replacement"]) for one in reader("x", text)}
+
+    def test_of_python(self):
+        found = self.changes(places.python_places, "def f(a, b):\n    g(a, b)\n    return a < b and not 2.0\n")
+        self.assertIn(("boundary", " < ", " <= "), found)
+        self.assertIn(("logic", " and ", " or "), found)
+        self.assertIn(("arguments", "a, b", "b, a"), found)
+        self.assertIn(("statement", "g(a, b)", "pass"), found)
+
+    def test_cells_of_a_table_are_exchanged_and_dropped_and_a_filter_bar_parts_none(self):
+        found = self.changes(places.template_places, "ä\n| {{ one.a | code }} | {{ one.b }} |\n")
+        self.assertIn(("exchanged cells", " {{ one.a | code }} | {{ one.b }} ", " {{ one.b }} | {{ one.a | code }} "), found)
+        self.assertIn(("dropped cell", " {{ one.b }} ", " – "), found)
+        self.assertIn(("field", "a", "b"), found)
+        self.assertEqual(sum(operator == "dropped cell" for operator, *_ in found), 2)
+
+    def test_columns_of_gnuplot_are_exchanged_and_comments_are_left(self):
+        found = self.changes(places.text_places, "# using 3:4\nplot data using 1:2 linewidth 1.5\n")
+        self.assertEqual({one for one in found if one[0] == "exchanged columns"}, {("exchanged columns", "1:2", "2:1")})
+        self.assertFalse([one for one in found if one[1] in ("3", "4")])
+
+    def test_brackets_of_what_is_decided_while_compiling_are_known(self):
+        for text, is_so in ((b"if constexpr (f(1) && ", True), (b"if constexpr (f(1)) return ", False), (b"if (a && ", False)):
+            self.assertEqual(places.decides_while_compiling(text, len(text)), is_so, text)
+
+    def test_tests_are_never_mutated(self):
+        for file in ("verification/tests/analytic/x.cpp", "reports/tests/test_x.py", "benchmarks/gates/test_rules.py",
+                     "verification/gates/inventory.py", "verification/conformance/subjects/fakes/fake.py"):
+            self.assertIsNone(places.room_of(file), file)
+        self.assertEqual(places.room_of("reports/page/render/render.py"), "page's templates and pictures")
+
+
+class Draw(unittest.TestCase):
+    PLACES = [{"room": "film", "file": "a", "begin": 10 * i, "end": 10 * i + 4, "operator": "abcdef"[i % 6 if i < 60 else 0],
+               "replacement": "x"} for i in range(200)]
+
+    def test_hangs_on_the_seed_alone_and_no_operator_has_more_than_a_fifth(self):
+        one, two = (sample.draw(self.PLACES[::step], {"film": 20}, 7) for step in (1, -1))
+        self.assertEqual(one, two)
+        self.assertNotEqual(one, sample.draw(self.PLACES, {"film": 20}, 8))
+        self.assertEqual(len(one), 20)
+        self.assertLessEqual(max(collections.Counter(row["operator"] for row in one).values()), 4)
+
+    def test_mutants_of_the_same_text_are_not_drawn_together(self):
+        both = [{**self.PLACES[0], "operator": name, "replacement": name} for name in "abcde"]
+        self.assertEqual(len(sample.draw(both, {"film": 20}, 1)), 1)
+
+    def test_one_that_was_dropped_leaves_its_place_to_another(self):
+        first = sample.draw(self.PLACES, {"film": 20}, 7)
+        again = sample.draw(self.PLACES, {"film": 20}, 7, {first[3]["id"]})
+        self.assertEqual(len(again), 20)
+        self.assertNotIn(first[3]["id"], {row["id"] for row in again})
+
+
+class Verdicts(Folder):
+    """What the ends of tests say."""
+
+    def tree(self):
+        tree = tests.Tree.__new__(tests.Tree)
+        tree.root = tree.folder = self.folder
+        tree.copy = types.SimpleNamespace(tree=self.folder / "none", build=self.folder / "none/build")
+        return tree
+
+    def unit(self, code, **more):
+        return {"name": "one", "command": [sys.executable, "-c", code], "folder": str(self.folder), "environment": {}, "fails": [],
+                "skips": [], "timeout": 5, "seconds": 0.01, **more}
+
+    def test_green_red_and_hung(self):
+        self.assertEqual(self.tree().start(self.unit("pass"), {}, 10)[0], "green")
+        self.assertEqual(self.tree().start(self.unit("1 / 0"), {}, 10)[0], "red")
+        self.assertEqual(self.tree().start(self.unit("print('Ran 0 tests')", fails=["Ran 0"]), {}, 10)[0], "red")
+        self.assertEqual(self.tree().start(self.unit("import time; time.sleep(60)"), {}, 0.3)[0], "hung")
+
+    def test_a_test_that_hangs_leaves_no_process(self):
+        code = ("import subprocess, sys, time; child = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(60)'], "
+                f"start_new_session=True); open({str(self.folder / 'id')!r}, 'w').write(str(child.pid)); time.sleep(60)")
+        self.assertEqual(self.tree().start(self.unit(code), {}, 2)[0], "hung")
+        state = pathlib.Path("/proc", (self.folder / "id").read_text(), "stat")
+        for _ in range(100):  # until the system has ended it
+            if not state.exists() or state.read_text().split()[2] == "Z":
+                return
+            time.sleep(0.05)
+        self.fail("a child still runs")
+
+    def test_the_file_is_whole_again_after_a_mutant_that_was_planted(self):
+        path = self.folder / "cells.md"
+        path.write_text("a b")
+        with contextlib.suppress(ZeroDivisionError), self.tree().planted({"switched": False, "file": "cells.md", "find": "a b", "replace": "b a"}):
+            self.assertEqual(path.read_text(), "b a")
+            1 / 0
+        self.assertEqual(path.read_text(), "a b")
+
+    def test_a_test_that_is_red_without_a_mutant_ends_the_run_with_its_name(self):
+        tree = self.tree()
+        prepared = run.Prepared.__new__(run.Prepared)
+        prepared.workers, prepared.trees, prepared.copy, prepared.mutants, prepared.numbers = 1, [tree], None, [], {}
+        prepared.kept, prepared.file = {"coverage": {}}, self.folder / "prepared.json"
+        with unittest.mock.patch.object(tests, "all_units", return_value=[self.unit("1 / 0", name="sick")]), \
+                contextlib.redirect_stdout(io.StringIO()), self.assertRaisesRegex(SystemExit, "sick"):
+            prepared.cover(None)
+        self.assertNotIn("covered", json.loads(prepared.file.read_text()))
+
+
+class Score(unittest.TestCase):
+    def row(self, verdict, room="film"):
+        return {"room": room, "verdict": verdict}
+
+    def test_of_wilson(self):
+        low, high = run.wilson(90, 100)
+        self.assertAlmostEqual(low, 0.8256, 4)
+        self.assertAlmostEqual(high, 0.9448, 4)
+        self.assertEqual(run.wilson(0, 0), (0, 1))
+
+    def test_hung_is_noticed_and_what_no_test_reaches_is_not_and_equivalents_are_counted_apart(self):
+        rows = [self.row(verdict) for verdict in ("caught", "hung", "survived", "not reached", "equivalent")] + [{"room": "film"}]
+        row, = run.scores({"samples": [{"rooms": {"film": 9}, "mutants": rows}]})
+        self.assertEqual((row["ran"], row["score"], row["with_equivalents"]), (5, 2 / 4, 2 / 5))
+
+    def test_the_last_sample_of_a_room_counts(self):
+        ledger = {"samples": [{"rooms": {"film": 9, "scene": 9}, "mutants": [self.row("survived"), self.row("caught", "scene")]},
+                              {"rooms": {"film": 9}, "mutants": [self.row("caught")]}]}
+        self.assertEqual({row["room"]: row["score"] for row in run.scores(ledger)}, {"film": 1, "scene": 1})
+
+
+if __name__ == "__main__":
+    unittest.main()

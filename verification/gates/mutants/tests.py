@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tests of a built copy in small parts, and one run of a part with a mutant or without."""
+import contextlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import uuid
+
+import schemata
+from plant import scratch
+
+LEAST_SECONDS = 15  # that any test may take: other work on the machine is not the mutant's
+RUNNING = set()  # marks of tests that run
+CLASSES = """
+import sys, unittest
+def flat(one):
+    for part in one:
+        yield from flat(part) if isinstance(part, unittest.TestSuite) else [part]
+suite = unittest.defaultTestLoader.loadTestsFromName(sys.argv[1])
+print(*dict.fromkeys(type(one).__name__ for one in flat(suite)))
+"""
+
+
+def all_units(copy, tree):
+    """Parts of CTest's tests: the TESTs of a program of GoogleTest, the classes of a Python file, or the whole test."""
+    said = subprocess.run(["ctest", "--test-dir", copy.build, "--show-only=json-v1"], capture_output=True, text=True, check=True).stdout
+    units = []
+    for test in json.loads(said)["tests"]:
+        properties = {one["name"]: one["value"] for one in test.get("properties", [])}
+        if "command" not in test:
+            continue
+        unit = {"name": test["name"], "test": test["name"], "command": test["command"], "folder": properties.get("WORKING_DIRECTORY", str(copy.build)),
+                "environment": dict(one.split("=", 1) for one in properties.get("ENVIRONMENT", [])),
+                "fails": properties.get("FAIL_REGULAR_EXPRESSION", []), "skips": properties.get("SKIP_REGULAR_EXPRESSION", []),
+                "timeout": properties.get("TIMEOUT", 600)}
+        if len(test["command"]) == 1 and test["command"][0].endswith("_test"):
+            units += [{**unit, "name": f"{test['name']}:{case}", "case": case} for case in cases_of(test["command"][0])]
+        elif test["command"][1:4] == ["-B", "-m", "unittest"]:
+            done = subprocess.run([test["command"][0], "-B", "-c", CLASSES, test["command"][4]], cwd=tree.moved(unit["folder"]),
+                                  env={**os.environ, **tree.environment(unit)}, capture_output=True, text=True)
+            if done.returncode:
+                sys.exit(f"{test['name']}: {done.stderr}")
+            module = test["command"][4]
+            units += [{**unit, "name": f"{test['name']}:{name}", "command": [*test["command"][:4], f"{module}.{name}"]}
+                      for name in done.stdout.split()]
+        else:
+            units.append(unit)
+    return units
+
+
+def cases_of(program):
+    said = subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout
+    suite = ""
+    for line in said.splitlines():
+        name = line.split("#")[0].strip()
+        if line.startswith("  "):
+            if "DISABLED_" not in suite + name:
+                yield suite + name
+        elif name.endswith("."):
+            suite = name
+
+
+def together(units):
+    """TESTs of one program as one part; what is quick first."""
+    joined = {}
+    for unit in units:
+        if "case" not in unit:
+            joined[unit["name"]] = {**unit}
+            continue
+        whole = joined.setdefault(unit["test"], {**unit, "name": unit["test"], "seconds": 0, "cases": []})
+        whole["cases"].append(unit["case"])
+        whole["seconds"] += unit["seconds"]
+    return sorted(joined.values(), key=lambda unit: unit["seconds"])
+
+
+def check_of(unit, said):
+    """The check, as the manifest calls it, at which the part ended."""
+    if "cases" not in unit:
+        return unit["test"]
+    last = re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE)
+    return f"{unit['test'].split('.')[0]}.{last[-1]}" if last else unit["test"]
+
+
+class Tree:
+    """A copy of the tree without switches, beside the built one, for the tests that read files of it."""
+
+    def __init__(self, root, copy, folder):
+        self.root, self.copy, self.folder = root, copy, folder
+        is_new = not folder.is_dir()
+        scratch.copy_tree(root, folder)  # again, because a run that was stopped may have left a mutant planted
+        if is_new:
+            schemata.with_history(root, folder)
+        build = folder / "build/release"
+        shutil.rmtree(build, ignore_errors=True)
+        build.mkdir(parents=True)
+        for program in copy.build.iterdir():
+            if program.is_file() and os.access(program, os.X_OK):
+                os.link(program, build / program.name)
+            elif program.is_dir():
+                (build / program.name).symlink_to(program)
+
+    def moved(self, text):
+        """A path of the built copy as one of this tree; the libraries and programs of tests stay where they were built."""
+        path = pathlib.Path(text)
+        if path.is_absolute() and path.is_relative_to(self.copy.build):
+            here = self.folder / "build/release" / path.name
+            return str(here if path.parent == self.copy.build and here.is_file() else path)
+        return str(self.folder / path.relative_to(self.copy.tree) if path.is_absolute() and path.is_relative_to(self.copy.tree) else text)
+
+    def environment(self, unit):
+        return {name: self.moved(value) for name, value in unit["environment"].items()}
+
+    @contextlib.contextmanager
+    def planted(self, mutant):
+        """The mutant in this tree, where no switch has it."""
+        if mutant["switched"]:
+            yield
+            return
+        path = self.folder / mutant["file"]
+        text = (self.root / mutant["file"]).read_text()
+        path.write_text(text.replace(mutant["find"], mutant["replace"]))
+        try:
+            yield
+        finally:
+            path.write_text(text)
+
+    def start(self, unit, more, seconds):
+        """green, red or hung, and the last of what was said. Nothing that was started is left."""
+        # A mutant that asks for all memory is ended before anything else is.
+        command = ["choom", "-n", "1000", "--", *(self.moved(word) for word in unit["command"])]
+        cases = unit.get("cases") or ([unit["case"]] if "case" in unit else [])
+        if cases:
+            command += ["--gtest_filter=" + ":".join(cases), "--gtest_fail_fast"]
+        mark = uuid.uuid4().hex
+        RUNNING.add(mark)
+        with tempfile.TemporaryDirectory(prefix="tribocheck-mutant-", ignore_cleanup_errors=True) as folder:
+            environment = {**os.environ, **self.environment(unit), **more, "TMPDIR": folder, "TRIBOCHECK_MUTANT_RUN": mark}
+            with open(pathlib.Path(folder) / "said", "w+b") as said:
+                process = subprocess.Popen(command, cwd=self.moved(unit["folder"]), env=environment, stdin=subprocess.DEVNULL,
+                                           stdout=said, stderr=subprocess.STDOUT, start_new_session=True)
+                try:
+                    code = process.wait(seconds)
+                except subprocess.TimeoutExpired:
+                    code = None
+                finally:
+                    with contextlib.suppress(ProcessLookupError):
+                        os.killpg(process.pid, signal.SIGKILL)
+                    process.wait()
+                    if code != 0:
+                        end_marked(mark)
+                    RUNNING.discard(mark)
+                said.seek(0)
+                text = said.read().decode(errors="replace")
+        if code is None:
+            return "hung", text[-20000:]
+        skipped = any(re.search(one, text) for one in unit["skips"])
+        wrong = code != 0 or any(re.search(one, text) for one in unit["fails"])
+        if cases and f"[  PASSED  ] {len(cases)} test" not in text and "SKIPPED" not in text:
+            wrong = True  # a program that ended early
+        return "red" if wrong and not skipped else "green", text[-20000:]
+
+    def run(self, unit, number):
+        more = {} if number is None else {"TRIBOCHECK_MUTANT": str(number)}
+        end, said = self.start(unit, more, min(max(10 * unit["seconds"], LEAST_SECONDS), max(unit["timeout"], 300)))
+        return end, check_of(unit, said)
+
+    def cover(self, unit, size, files):
+        """What the test reaches: numbers of mutants, and files of this tree that it reads."""
+        for file in files:
+            path = self.folder / file
+            os.utime(path, ns=(0, path.stat().st_mtime_ns))
+        with tempfile.NamedTemporaryFile(prefix="tribocheck-reached-") as reached:
+            reached.truncate(size)
+            start = time.monotonic()
+            end, output = self.start(unit, {"TRIBOCHECK_MUTANTS_REACHED": reached.name}, 3 * unit["timeout"])
+            seconds = time.monotonic() - start
+            found = pathlib.Path(reached.name).read_bytes()
+        return {"seconds": round(seconds, 2), "red": end != "green", "output": output,
+                "reached": [n for n, how in enumerate(found) if how == 1], "differs": [n for n, how in enumerate(found) if how == 2],
+                "read": [file for file in files if (self.folder / file).stat().st_atime_ns != 0]}
+
+
+def stop(*_):
+    """Ends the run and its tests at once; what was found is in the ledger."""
+    for mark in list(RUNNING):
+        end_marked(mark)
+    os._exit(130)
+
+
+def end_marked(mark):
+    """Ends what a test started in sessions of its own, by id; the test gave each its mark."""
+    for folder in pathlib.Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if mark.encode() in (folder / "environ").read_bytes():
+                os.kill(int(folder.name), signal.SIGKILL)
