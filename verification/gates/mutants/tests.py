@@ -84,7 +84,7 @@ def check_of(unit, said):
     """The check, as the manifest calls it, at which the part ended."""
     if "cases" not in unit:
         return unit["test"]
-    last = re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE)
+    last = re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE) or re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
     return f"{unit['test'].split('.')[0]}.{last[-1]}" if last else unit["test"]
 
 
