@@ -18,11 +18,10 @@ struct BaselineKind {
   std::string_view what;
 };
 
-inline constexpr std::array<BaselineKind, 8> baseline_kinds{{
+inline constexpr std::array<BaselineKind, 7> baseline_kinds{{
     {"accuracy.json", "baseline", "accuracy that later versions have to keep"},
     {"stress.json", "stress", "random points against long double"},
     {"planted_faults.json", "faults", "planted faults and what caught them"},
-    {"mutants.json", "mutants", "mutants made by machine and how many the tests notice"},
     {"work_precision.json", "work-precision", "error against work, and throughput"},
     {"performance.json", "gate-baseline", "work and time that the gates hold"},
     {"gates.json", "gate-proof", "proof that the gates turn red"},

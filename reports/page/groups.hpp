@@ -29,7 +29,6 @@ Group certified_group(const ReportPlaces& places);
 // What the slow targets of make left in reference/baselines.
 Group stress_group(const ReportPlaces& places);
 Group planted_faults_group(const ReportPlaces& places);
-Group mutants_group(const ReportPlaces& places);
 Group diagnosis_group(const ReportPlaces& places);
 Group work_precision_group(const ReportPlaces& places);
 Group gates_group(const ReportPlaces& places);

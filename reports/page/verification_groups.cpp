@@ -106,51 +106,6 @@ Group planted(const Json& baseline) {
   return group;
 }
 
-// Numbers that the ledger may have as null: a share of nothing.
-void copy_numbers(const Json& from, std::initializer_list<const char*> keys, Json& to) {
-  for (const char* const key : keys) to[key] = number_or_null(from.at(key));
-}
-
-Json room_json(const Json& from) {
-  Json room;
-  copy<std::string>(from, {"room"}, room);
-  copy<std::size_t>(
-      from, {"drawn", "ran", "caught", "hung", "survived", "not_reached", "equivalent"}, room);
-  copy<double>(from, {"goal", "low", "high"}, room);
-  copy_numbers(from, {"score", "with_equivalents"}, room);
-  return room;
-}
-
-// Of mutants drawn at random how many the tests notice, by the last sample of each room.
-Group measured_by_mutants(const Json& baseline) {
-  const Json& score = baseline.at("score");
-  Group group{run_of(baseline)};
-  copy<std::size_t>(score, {"noticed", "of"}, group.data);
-  copy<double>(score, {"low", "high"}, group.data);
-  copy<bool>(score, {"goals_reached"}, group.data);
-  group.data["rooms"] = group.data["unnoticed"] = Json::array();
-  std::size_t waiting = 0;
-  for (const Json& one : score.at("rooms")) {
-    group.data["rooms"].push_back(room_json(one));
-    const Json& room = group.data["rooms"].back();
-    waiting += room["drawn"].get<std::size_t>() - room["ran"].get<std::size_t>();
-  }
-  for (const Json& one : score.at("unnoticed")) {
-    Json mutant;
-    copy<std::string>(
-        one, {"id", "room", "operator", "place", "original", "replacement", "verdict", "reason"},
-        mutant);
-    group.data["unnoticed"].push_back(std::move(mutant));
-  }
-  const bool reached = group.data["goals_reached"].get<bool>();
-  group.findings = {
-      {"mutants", "planted-faults", About::software, reached ? Standing::holds : Standing::missed}};
-  if (waiting > 0)
-    group.not_run = {
-        {"mutants", fmt::format("{} that were drawn were not run yet", waiting), "`make mutants`"}};
-  return group;
-}
-
 // What `verify --subject` said of wrong solvers, and whether it accused right ones.
 Group diagnosed(const Json& baseline) {
   Json solvers = Json::array();
@@ -205,10 +160,6 @@ Group stress_group(const ReportPlaces& places) {
 
 Group planted_faults_group(const ReportPlaces& places) {
   return from_baseline(places, "planted_faults.json", planted);
-}
-
-Group mutants_group(const ReportPlaces& places) {
-  return from_baseline(places, "mutants.json", measured_by_mutants);
 }
 
 Group diagnosis_group(const ReportPlaces& places) {

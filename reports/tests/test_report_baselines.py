@@ -18,12 +18,12 @@ from report_files import FIGURES, FITS_FIGURES, ROOT, PageReader, report
 class Baselines(unittest.TestCase):
     """A project of its own, whose reference/exact and reference/baselines are as a test leaves them."""
     FILES = {"accuracy.json": "verification", "stress.json": "worst-inputs",
-             "planted_faults.json": "planted-faults", "mutants.json": "planted-faults", "diagnosis.json": "diagnosis",
+             "planted_faults.json": "planted-faults", "diagnosis.json": "diagnosis",
              "work_precision.json": "work-precision",
              "performance.json": "gates", "gates.json": "gates",
              "sweep.json": "sweep-speed"}
     GROUPS = {"accuracy.json": "certified", "performance.json": "gates", "sweep.json": "sweep_speed"} | {
-        f"{name}.json": name for name in ("stress", "planted_faults", "mutants", "diagnosis", "work_precision", "gates")}
+        f"{name}.json": name for name in ("stress", "planted_faults", "diagnosis", "work_precision", "gates")}
     TITLES = {"verification": "Accuracy, quantity by quantity",
               "worst-inputs": "Accuracy at random inputs", "planted-faults": "Planted faults: do the checks find errors?",
               "diagnosis": "Wrong solvers: are their mistakes named?",
@@ -42,12 +42,6 @@ class Baselines(unittest.TestCase):
         path = self.project / "reference/baselines/planted_faults.json"
         ledger = json.loads(path.read_text())
         path.write_text(json.dumps(ledger | {"catalogue": len(ledger["faults"])}))
-        # A sample grows by parts of an hour.
-        path = self.project / "reference/baselines/mutants.json"
-        ledger = json.loads(path.read_text())
-        for one in ledger["score"]["rooms"]:
-            one["drawn"] = one["ran"]
-        path.write_text(json.dumps(ledger))
         (self.project / "empty").mkdir()
 
     def page(self, sections=None):
@@ -220,33 +214,6 @@ class Baselines(unittest.TestCase):
         self.changed("planted_faults.json", more)
         self.page()
         self.assertEqual([row[0] for row in self.missing], ["planted faults"])
-
-    def test_mutants_that_were_not_run_are_said_to_be_and_a_goal_that_is_not_reached_is_missed(self):
-        def more(content):
-            content["score"]["rooms"][1]["drawn"] += 7
-
-        def reached(content):
-            content["score"]["goals_reached"] = not content["score"]["goals_reached"]
-        words = {True: "holds", False: "missed"}
-        is_reached = json.loads((self.project / "reference/baselines/mutants.json").read_text())["score"]["goals_reached"]
-        self.assertEqual(self.page()["findings"] and self.findings["mutants"]["standing"], words[is_reached])
-        self.changed("mutants.json", reached)
-        self.assertEqual(self.page()["findings"] and self.findings["mutants"]["standing"], words[not is_reached])
-        self.changed("mutants.json", more)
-        self.page()
-        self.assertEqual([row[:2] for row in self.missing], [["mutants", "7 that were drawn were not run yet"]])
-
-    def test_each_room_of_mutants_and_each_survivor_has_its_row(self):
-        def survivor(content):
-            content["score"]["unnoticed"].append({"id": "x", "room": "film", "operator": "logic", "place": "a.cpp:3", "original": "a || `b`",
-                                                  "replacement": "<b>|", "verdict": "equivalent", "reason": "a | b_c is never true"})
-        self.changed("mutants.json", survivor)
-        score = self.page(["planted-faults", "environment"])["mutants"]
-        rows = {row[0]: row for row in self.rows(self.TITLES["planted-faults"]) if len(row) == 12}
-        for one in score["rooms"]:
-            self.assertEqual(rows[one["room"]][1:7], [str(one[key]) for key in ("drawn", "ran", "caught", "hung", "survived", "not_reached")])
-        places = [row[1] for row in self.rows(self.TITLES["planted-faults"]) if len(row) == 7]
-        self.assertEqual(places, [f"`{one['place']}`" for one in score["unnoticed"]])
 
     def test_a_gate_that_was_not_held_did_not_run(self):
         path = self.project / "reference/baselines/gates.json"

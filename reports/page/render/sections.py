@@ -33,7 +33,7 @@ SECTIONS = {
     "film-solved": Section("The film solved, and what formulas are worth", True),
     "verification": Section("Accuracy, quantity by quantity", True),
     "worst-inputs": Section("Accuracy at random inputs", True),
-    "planted-faults": Section("Planted faults: do the checks find errors?", True, further=("mutants",)),
+    "planted-faults": Section("Planted faults: do the checks find errors?", True),
     "diagnosis": Section("Wrong solvers: are their mistakes named?", True),
     "work-precision": Section("Run time against error", further=("ellipse-fits",)),
     "skipped-work": Section("Work that is skipped", True),
