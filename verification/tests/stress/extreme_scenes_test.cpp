@@ -151,8 +151,8 @@ TEST(ExtremeScenes, TheEngineComputesUpToItsLimitsAndNotBeyond) {
   stiff.bodies.effective_modulus = 1e15;
   wide.load = 1e18;
   wide.surface.summit_radius = 1e-19;
-  const auto& of_stiff = MixedContact<double>(stiff).numbers();
-  const auto& of_wide = MixedContact<double>(wide).numbers();
+  const auto of_stiff = MixedContact<double>(stiff).numbers();
+  const auto of_wide = MixedContact<double>(wide).numbers();
   limits.push_back(
       {"K", 1e24 * 1e-10 / of_stiff.surface.stiffness, True::above, of_density(stiff), 1e-14});
   limits.push_back(
