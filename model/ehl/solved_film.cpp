@@ -80,9 +80,7 @@ std::string why_not(const Step& last, const LineFilm& film) {
 void estimate_all(SolvedFilm& solved, const LineContact& contact,
                   const std::vector<FilmFeatures>& grids) {
   const auto estimate = [&](auto&& feature, const Caution& caution) {
-    Estimate e = estimate_of(over_grids(grids, feature), caution);
-    e.error += std::fabs(e.value) * solved.domain_error;
-    return e;
+    return estimate_of(over_grids(grids, feature), caution);
   };
   const bool is_compressible = contact.fluid.density_pressure > 0;
   // A spike that no grid shows moves the film in the middle, by an amount that falls faster than
@@ -97,9 +95,11 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
       estimate([](const FilmFeatures& f) { return f.at_greatest_pressure; }, calm);
   solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, beside_spike);
   // A spike that makes the least film waver moves the others too, some hundred times less.
-  const double wavering = 0.015 * (solved.minimum.relative_error() - solved.domain_error);
+  const double wavering = 0.015 * solved.minimum.relative_error();
   for (Estimate* e : {&solved.central, &solved.at_greatest_pressure})
-    e->error = std::max(e->error, (wavering + solved.domain_error) * std::fabs(e->value));
+    e->error = std::max(e->error, wavering * std::fabs(e->value));
+  for (Estimate* e : {&solved.central, &solved.minimum, &solved.at_greatest_pressure})
+    e->error += solved.domain_error * std::fabs(e->value);
   // In a compressible liquid this film follows the pressure, which between two nodes is known no
   // better than at the nodes.
   const FilmFeatures& finest = grids.back();

@@ -189,9 +189,10 @@ TEST(CollocatedFilm, DoesNotDependOnItsStart) {
 }
 
 TEST(SolvedFilm, LongerInletMovesItByNoMoreThanStated) {
-  for (const auto& [m, l] : {std::array<double, 2>{0.1, 0}, {1, 0}, {1, 5}, {2, 2}}) {
+  for (const auto& [m, l] : {std::array<double, 2>{0.01, 0}, {0.1, 0}, {1, 0}, {2, 2}}) {
     const ehl::LineContact contact = ehl::barus_contact(m, l);
-    const SolvedFilm film = solved(contact);
+    // Grids so fine that the inlet is what is left of the error.
+    const SolvedFilm film = solved(contact, {.tolerance = 1e-9});
     ehl::Numbers x = film.film.x;
     const double growth = x[0] / x[1];
     ehl::Numbers upstream;
