@@ -2,7 +2,6 @@
 # A thin face on CMake's presets: each target sets up what it needs, and no more.
 PURPOSE ?= build report test
 FUZZ_SECONDS ?= 900
-SAMPLE ?= 8
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
@@ -87,11 +86,10 @@ baseline: build ## write the accuracy that the ratchet holds: reference/baseline
 manifest: ## write verification/gates/manifest.tsv anew, from what the last `make test` ran
 	python3 verification/gates/inventory.py build/release/ctest.xml --write
 
-# Names of seeds are dates; SAMPLE is a count for references-check, where it is 8 if nothing is said.
 mutants: ## draw SAMPLE=20261123 (a date) of wrong changes, see how many the tests notice; the copy half an hour, then parts of MINUTES=60 that add up
 	@.ci/deps build test bench check
 	cmake --preset release -DTRIBOCHECK_BUILD_TESTS=ON -DTRIBOCHECK_BUILD_BENCHMARKS=ON
-	verification/gates/mutants/run.py sample $(if $(filter-out 8,$(SAMPLE)),--seed $(SAMPLE)) --minutes $(or $(MINUTES),60)
+	verification/gates/mutants/run.py sample $(if $(SAMPLE),--seed $(SAMPLE)) --minutes $(or $(MINUTES),60)
 
 faults: ## plant every fault of verification/gates/faults, see it caught; an hour and a half; OLDEST=N: the N oldest verdicts
 	@.ci/deps build test
@@ -183,8 +181,8 @@ references-check: ## make SAMPLE rows of each table again (default 8), and compa
 	@.ci/deps build references
 	cmake --preset release -DTRIBOCHECK_BUILD_REFERENCES=ON
 	cmake --build --preset release --target generate_references generate_line_films
-	build/release/reference/generators/generate_references reference/exact --sample $(SAMPLE) --seed 1
-	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv --sample $(SAMPLE) --seed 1
+	build/release/reference/generators/generate_references reference/exact --sample $(or $(SAMPLE),8) --seed 1
+	build/release/reference/generators/generate_line_films reference/ehl/line_films.csv --sample $(or $(SAMPLE),8) --seed 1
 
 pieces: ## make the polynomials of the moment kernels anew, with their proven error; two or three minutes
 	@.ci/deps build references

@@ -11,7 +11,7 @@
 
 namespace tribo::benchmarks {
 
-// Of R_y/R_x log-uniform in 1…1e4.
+// Random ellipses with R_y/R_x log-uniform in 1…1e4.
 std::vector<EllipseCase> random_ellipses(std::size_t count);
 
 // Over the semi-axis a_x and the peak pressure of the certified rows (reference/exact).

@@ -22,7 +22,7 @@ struct Measured {
   std::function<void()> run;  // all of it is timed
   std::function<Errors()> judge;
   std::function<double()> evaluations;  // a point; empty: none
-  std::function<double()> own_seconds;  // of the last run, if it was in another process
+  std::function<double()> own_seconds;  // CPU time of the last run, if in another process
 };
 
 std::vector<Measured> moment_jobs(Settings settings);
@@ -30,10 +30,10 @@ std::vector<Measured> root_jobs(Settings settings);
 std::vector<Measured> curve_jobs(Settings settings);
 std::vector<Measured> ellipse_jobs(Settings settings);
 std::vector<Measured> all_jobs(Settings settings);
-// What a plug-in offers, at every job.
+// The plug-in at each job that it offers.
 std::vector<Measured> plugin_jobs(const conformance::Plugin& plugin);
 
-// What each job is, for people.
+// The name of each job and its title for readers.
 const std::vector<std::pair<std::string, std::string>>& job_titles();
 
 }  // namespace tribo::benchmarks

@@ -22,7 +22,7 @@ constexpr std::string_view name(RootJob job) {
 
 struct StoredRootCases {
   std::vector<double> stiffness, offset, flooded;
-  std::vector<double> high, low, condition;  // of λ; empty where it is not known
+  std::vector<double> high, low, condition;  // λ's; empty where λ is not known
   void add(double k, double delta, double lambda0);
   RootCases view(std::size_t first, std::size_t count) const;
   RootCases view() const { return view(0, flooded.size()); }

@@ -21,7 +21,7 @@ class DenseNewton {
   double step();
   // Steps until one changes less than 1e-8, at most 60.
   ehl::LineFilm run();
-  std::size_t bytes() const;  // of both matrices
+  std::size_t bytes() const;  // size of both matrices
 
  private:
   Eigen::VectorXd film_of(const Eigen::VectorXd& pressure, double separation) const;

@@ -16,12 +16,12 @@ struct LineFilmAnswer {
   double central = std::numeric_limits<double>::quiet_NaN();
   double minimum = std::numeric_limits<double>::quiet_NaN();
   double at_greatest_pressure = std::numeric_limits<double>::quiet_NaN();
-  int steps = 0;  // of Newton's method
+  int steps = 0;  // Newton steps
 };
 
 struct LineFilmWay {
   std::string family;
-  std::string series;  // what is joined by a line in a diagram
+  std::string series;  // a diagram joins its ways by a line
   std::string name;
   // The one number that a formula stands for; none: a solver, judged by the first two.
   double LineFilmAnswer::*quantity;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Somebody's solver in a shared library (verification/conformance/tribocheck_plugin.h), as a
-// contender for what it offers. What is timed is its function, with a look at each status; a case
-// without the status TRIBOCHECK_DONE has no number.
+// contender for the quantities that it offers. Its function is timed, with a look at each status; a
+// case without the status TRIBOCHECK_DONE has no number.
 #pragma once
 
 #include <vector>

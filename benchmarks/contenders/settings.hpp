@@ -9,7 +9,7 @@
 namespace tribo::benchmarks {
 
 enum class Settings : std::uint8_t {
-  usual,  // what people write
+  usual,  // settings that people write
   swept,  // from coarse to fine, for error against work
 };
 

@@ -34,7 +34,7 @@ ENVIRONMENT_OF = {"counters": (), "instructions": ("compiler", "libc", "valgrind
 
 
 class Verdict:
-    """What a gate found; it prints as it goes."""
+    """The findings of a gate, printed as they come."""
 
     def __init__(self, gate, say=print):
         self.gate = gate

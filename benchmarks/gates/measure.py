@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What tribocheck_gate_kernels has to say, and valgrind of it."""
+"""Reads what tribocheck_gate_kernels measures, and what valgrind counts of that program."""
 import datetime
 import os
 import pathlib
@@ -13,10 +13,10 @@ import rules
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 VALGRIND_SET = "AVX2"  # valgrind 3.19 has no AVX-512
-# What the C library is told to leave alone, and with it the model.
+# Instruction sets that the C library, and with it the model, is told to leave unused.
 WITHOUT_FMA = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA"}
 PASS = "tribocheck_gate_pass"
-ROUNDS = (4, 16)       # of each program in a run of times, in turn: the least, and the most
+ROUNDS = (4, 16)       # least and most rounds of each program in a run of times, in turn
 REPETITIONS = 5        # in a round
 
 
@@ -40,7 +40,7 @@ def rows(command, environment=None):
 
 
 def environment(program):
-    """Of this machine and of how the program was built."""
+    """Describes this machine and the build of the program."""
     found = {"cpu": platform.machine(), "valgrind": valgrind_version()}
     for line in open("/proc/cpuinfo"):
         if line.startswith("model name"):

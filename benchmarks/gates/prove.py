@@ -72,7 +72,7 @@ class Scratch:
 
 
 def row(expected, verdict):
-    """What a gate said, for the ledger; proved: as it had to be."""
+    """The ledger's row of a gate's verdict; proved: the verdict is the expected one."""
     proved = verdict.name == expected
     return {"gate": verdict.gate, "expected": expected, "verdict": verdict.name, "proved": proved,
             "workloads": verdict.compared, "greatest_ratio": verdict.worst and float(f"{verdict.worst:.5g}"),

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """When a gate is red. Pure functions: measure.py measures, gate.py prints.
 
-What is measured is a dict by key: "workload set", set being an instruction set.
+Measurements are a dict by key: "workload set", set being an instruction set.
 """
 import statistics
 import typing
 
-INSTRUCTION_TOLERANCE = 0.01  # of callgrind's counts, which repeat to 0.004 %
-TIME_RATIO = 1.10             # of a median to the base's
-REPETITIONS = 9               # of a time, at least
-QUIET = 1.15                  # of the control kernel's time to the best of it
+INSTRUCTION_TOLERANCE = 0.01  # relative change of callgrind's counts, which repeat to 0.004 %
+TIME_RATIO = 1.10             # a median over the base's
+REPETITIONS = 9               # the fewest for a time
+QUIET = 1.15                  # the control kernel's time over its best
 
 
 def workload_of(key):
@@ -54,7 +54,7 @@ class Repetition(typing.NamedTuple):
 
 
 class Interval(typing.NamedTuple):
-    """Of a time over the control kernel's in the same repetition."""
+    """Least and median of a time over the control kernel's in the same repetition."""
     minimum: float
     median: float
 

@@ -18,7 +18,7 @@ struct Workload {
   std::string name;
   bool is_vector;                   // goes by the instruction set of batch.hpp
   std::function<void()> run;        // one pass: some ten to some hundred microseconds
-  std::function<Counters()> count;  // of one pass; empty where the text fixes the work
+  std::function<Counters()> count;  // work of one pass; empty where the source fixes it
 };
 using Workloads = std::vector<Workload>;
 

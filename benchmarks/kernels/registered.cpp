@@ -13,7 +13,7 @@
 namespace tribo::benchmarks {
 namespace {
 
-// What holds for all repetitions is found once, outside of the timed loop.
+// Values that hold for all repetitions, found once outside of the timed loop.
 class Known {
  public:
   explicit Known(const Measured& measured) {

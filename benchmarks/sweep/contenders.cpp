@@ -37,8 +37,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
 constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins and ends with
-constexpr std::uint64_t chunks_in_turn = 8;        // that contenders of one thread go through
-constexpr std::uint64_t chunks_on_threads = 256;   // of an iteration
+constexpr std::uint64_t chunks_in_turn = 8;        // chunks of contenders of one thread
+constexpr std::uint64_t chunks_on_threads = 256;   // chunks of an iteration
 
 class NewJournal {
  public:
@@ -79,7 +79,7 @@ class Subject {
   std::span<const double> block() const {
     return inputs(0).first(Alone::block_cases * scene().variables.size());
   }
-  std::span<const double> results() const { return results_; }  // of the first chunk
+  std::span<const double> results() const { return results_; }  // the first chunk's
 
  private:
   const Workload& workload_;
@@ -225,7 +225,7 @@ double seconds_kept_waiting() {
   return 1e-9 * waiting;
 }
 
-// What threads that share work take by the clock, without what other processes made them wait.
+// The time by the clock of threads that share work, less their waits for other processes.
 class UndisturbedTime {
  public:
   void begin() {

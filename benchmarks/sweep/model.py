@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the measured constants of sweep.json say of more ranks than are here.
+"""Predicts sweeps on more ranks than are here, from the measured constants of sweep.json.
 
   T(P) = start + max(computing, journals) + writing
     computing  ⌈C/P⌉ chunks on the rank that has the most of the C, each with the way to rank 0 and back once
@@ -7,7 +7,7 @@
     journals   all their bytes at the speed of one file system
     writing    the result, by rank 0 alone: of summaries by the chunk, of points by the point
 
-The start is that of one rank here: what a cluster takes to start processes comes on top.
+The start is that of one rank here: the time in which a cluster starts processes comes on top.
 """
 import math
 
@@ -111,7 +111,7 @@ time ranks would reach without any:
 
 
 def page_block(page):
-    """What of a page page_text() replaces."""
+    """The part of a page that page_text() replaces."""
     return page[page.index(BEGIN):page.index(END) + len(END)]
 
 

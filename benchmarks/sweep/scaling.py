@@ -43,9 +43,9 @@ import measure  # noqa: E402
 BASELINE = ROOT / "reference/baselines/sweep.json"
 PAGE = pathlib.Path(__file__).with_name("README.md")
 PARTS = ("ratios", "threads", "ranks", "messages", "files", "chunks", "memory")
-REPETITIONS = 21  # of a contender, interleaved with those of all others
-ROUNDS = 7       # of times by the clock
-KEPT = 3         # of these, those with the least done by others
+REPETITIONS = 21  # runs of a contender, interleaved with those of all others
+ROUNDS = 7       # timings by the clock
+KEPT = 3         # the timings kept, with the least work of others meanwhile
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 SCENE = """id = "rough"
@@ -112,7 +112,7 @@ class Sweeps:
 
 
 def busy_seconds():
-    """Of all processors and processes, since the machine was started."""
+    """CPU seconds of all processors and processes, since the machine was started."""
     with open("/proc/stat") as file:
         user, nice, system, _, _, irq, softirq, *_ = map(int, file.readline().split()[1:])
     return (user + nice + system + irq + softirq) / os.sysconf("SC_CLK_TCK")
@@ -148,7 +148,7 @@ def quietest(runs):
             "others": max(run[1] for run in kept)}
 
 
-# --- What is measured.
+# --- Measurements.
 
 def ratios(sweeps):
     """Workload → contender → ns a point; by CPU time, runs and those on threads by the clock."""
@@ -210,7 +210,7 @@ def ranks(sweeps):
 
 
 def messages(sweeps):
-    """Of the least busy of some runs, for both numbers of ranks."""
+    """Medians over five runs of an answer's CPU time and of a way there and back, for 2 and for 8 ranks."""
     found = {}
     for count in (2, 8):
         answers, trips = [], []
@@ -293,7 +293,7 @@ def run_and_note_memory(prefix, command):
     return os.waitstatus_to_exitcode(status)
 
 
-# --- What is told.
+# --- Output.
 
 def tables(found):
     for workload, times in found.get("ratios", {}).items():

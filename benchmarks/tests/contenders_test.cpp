@@ -68,7 +68,7 @@ const EllipseContender& ellipse_named(const std::string& name) {
   throw std::runtime_error("no contender " + name);
 }
 
-// What each family promises at d = 1, relative; 0: it promises nothing.
+// The relative error that each family promises at d = 1; 0: the family promises nothing.
 double promised(const MomentContender& contender) {
   if (contender.family == "tribocheck") return 4e-16;
   if (contender.family == "fixed rule") return contender.name.starts_with("gen") ? 1e-5 : 1e-2;
@@ -123,7 +123,7 @@ TEST(PublishedFits, AreOffByWhatIsKnown) {
   struct Known {
     const char* name;
     double percent[4];    // at d = 0, 1, 2, 3
-    double half_unit[4];  // of the last digit printed
+    double half_unit[4];  // half the last printed digit
   };
   const Known all[] = {
       {"4.4086e-5 (4-d)^6.804", {-10.7, -3.5, -9.2, -74}, {0.05, 0.05, 0.05, 0.5}},
@@ -192,7 +192,7 @@ TEST(CurveContenders, DrawOneCurve) {
   });
 }
 
-// Of each fit the percent of the semi-axis a_x and of the peak pressure that it is off at R_y/R_x.
+// The error of each fit at R_y/R_x, in percent of the semi-axis a_x and of the peak pressure.
 TEST(EllipseFits, AreOffByWhatIsKnown) {
   struct Known {
     const char* name;
@@ -321,7 +321,7 @@ TEST(Cases, FillTheRangesOfTheirJobs) {
 
 struct Counts {
   std::size_t points = 0, judged = 0, failures = 0, no_numbers = 0;
-  double sum = 0;  // of the points, which tells which they are
+  double sum = 0;  // sum of the points, by which they are known
 
   // The answers number 0, 3, 6 … are off by 1/1000, 1, 10 … are no number, 2, 11 … not offered.
   double answer(double point, double right) {

@@ -12,7 +12,7 @@ namespace tribo::benchmarks {
 // One row a JSON object, all with the same keys; null: nothing to say.
 using Rows = std::vector<nlohmann::ordered_json>;
 
-// What a measured number is worth: four digits.
+// Rounds to four digits: a measured number holds no more.
 double four_digits(double x);
 
 // Columns under their names, null empty.

@@ -18,7 +18,7 @@ struct KernelRoom {
 
 struct ThroughputKernel {
   std::string name;
-  std::size_t bytes;  // that a point reads and writes
+  std::size_t bytes;  // read and written for a point
   std::function<KernelRoom(std::size_t points)> make;
 };
 

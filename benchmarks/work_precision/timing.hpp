@@ -10,7 +10,7 @@ namespace tribo::benchmarks {
 
 struct Timed {
   std::function<void()> run;
-  std::function<double()> own_seconds;  // of the last call, where it was in another process
+  std::function<double()> own_seconds;  // CPU time of the last call, if in another process
 };
 
 // CPU seconds a call of each: the median of so many rounds. In a round each is called, in a new
@@ -22,7 +22,7 @@ std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, do
 double part_within(const std::vector<std::vector<double>>& times, std::size_t contender,
                    double times_the_least);
 
-double cpu_seconds();   // of this process
+double cpu_seconds();   // used by this process
 double wall_seconds();  // since some time
 
 }  // namespace tribo::benchmarks

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be asked, as data: each function of the model by its name, with its parameters and
-// results, what it promises of its error, and where it comes from. The lines of `tribocheck
-// stream`, `tribocheck functions`, the model's own check against certified values, the cases that
-// other solvers are asked, how these register what they have, and what `tribocheck init` writes for
-// them follow from it.
+// The catalogue of functions: each function of the model by its name, with its parameters and
+// results, the bound on its error, and its source. The catalogue determines the lines of
+// `tribocheck stream`, `tribocheck functions`, the model's own check against certified values, the
+// cases that other solvers are asked, the functions that solvers can register, and the files of
+// `tribocheck init`.
 //
 // A function is added by its header in include/tribo, one entry in the file of its family
 // (families.hpp), and one function of reference/generators that makes its certified values,
@@ -42,14 +42,14 @@ struct Parameter {
   std::string_view meaning;
   std::string_view unit = "";       // SI; empty: dimensionless
   Range range = Range::above_zero;  // of numbers
-  // Of numbers: what contacts on earth have, generously. Nothing is refused beyond these.
+  // The range of a number in contacts on earth, generously. A number outside it is not refused.
   double least = 0, greatest = 0;
   // Not empty: the argument is one of these words, in the order of their enumeration in scene.hpp.
   std::span<const std::string_view> words = {};
   std::optional<double> default_value = {};
 };
-// Of a parameter with words: the place of one of them, as Arguments has it; empty: it is none of
-// them.
+// The place of a word among the words of a parameter, as Arguments has it; empty: the parameter has
+// no such word.
 std::optional<double> place_of(std::string_view word, const Parameter& parameter);
 // "a number above 0", or the words
 std::string allowed_text(const Parameter& parameter);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the inlet leaves of a film.
+// Films behind a starved inlet.
 #include "catalogue/families.hpp"
 #include "catalogue/parameters.hpp"
 #include "tribo/scene.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What entries of several families take.
+// Parameters that functions of several families take.
 #pragma once
 
 #include "catalogue/catalogue.hpp"
@@ -26,7 +26,7 @@ inline constexpr Parameter reduced_radius{.name = "reduced_radius",
                                           .least = 1e-6,
                                           .greatest = 10};
 
-// Of elliptical contacts: x is the direction of entrainment.
+// Parameters of elliptical contacts: x is the direction of entrainment.
 inline constexpr Parameter radius_x{.name = "radius_x",
                                     .meaning =
                                         "R_x, 1/R_x = 1/R₁x + 1/R₂x, of a ball on a flat "
@@ -40,14 +40,14 @@ inline constexpr Parameter radius_y{.name = "radius_y",
                                     .least = 1e-6,
                                     .greatest = 1e3};
 
-// Of line contacts.
+// Parameters of line contacts.
 inline constexpr Parameter load_per_length{.name = "load_per_length",
                                            .meaning = "F/L, the load over the length of the line",
                                            .unit = "N/m",
                                            .least = 1e-3,
                                            .greatest = 1e8};
 
-// Of lubricants.
+// The speed, and parameters of lubricants.
 inline constexpr Parameter speed{.name = "speed",
                                  .meaning = "u, entrainment: the mean of the two surfaces' speeds",
                                  .unit = "m/s",

@@ -13,7 +13,7 @@ struct Extremum {
   double place, value;
 };
 
-// Of the parabola through a node and its neighbours.
+// The extremum of the parabola through a node and its two neighbours.
 Extremum vertex(std::span<const double> x, std::span<const double> y, std::size_t i) {
   const double left = (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
   const double right = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
@@ -22,7 +22,8 @@ Extremum vertex(std::span<const double> x, std::span<const double> y, std::size_
   return {place, y[i - 1] + left * (place - x[i - 1]) + bend * (place - x[i - 1]) * (place - x[i])};
 }
 
-// Of the polynomial through a node and two neighbours on either side: the film is smooth enough.
+// The extremum of the polynomial through a node and two neighbours on either side: the film is
+// smooth enough for five nodes.
 Extremum smooth_extremum(std::span<const double> x, std::span<const double> y, std::size_t i) {
   Extremum best = vertex(x, y, i);
   if (i < 2 || i + 2 >= x.size()) return best;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is read off a solved film.
+// Numbers that are read off a solved film.
 #pragma once
 
 #include "ehl/line_film.hpp"

@@ -11,7 +11,7 @@
 
 namespace tribo::ehl {
 
-// Of a block: left · rightᵀ.
+// A block of K as the product left · rightᵀ.
 struct ThinProduct {
   Eigen::MatrixXd left, right;
 };
@@ -26,15 +26,16 @@ struct KernelPart {
   Eigen::MatrixXd dense;
   // Rows of the first half and columns of the second; and the other way round.
   ThinProduct upper, lower;
-  // Of the nodes begin − 2, begin − 1 and middle: the columns of the second half; of middle − 2,
-  // middle − 1 and end: the columns of the first. Zeros for nodes that are not there.
+  // upper_rows: the rows of the nodes begin − 2, begin − 1 and middle, in the columns of the second
+  // half. lower_rows: those of middle − 2, middle − 1 and end, in the columns of the first half. A
+  // node that is not there has zeros.
   Eigen::MatrixXd upper_rows, lower_rows;
 };
 
 class FilmKernel {
  public:
-  // Of pressure that is linear between the nodes x and 0 at the first and the last. Entries of K
-  // are met to 1e-12 of the block's greatest.
+  // K for pressure that is linear between the nodes x, and 0 at the first and the last node.
+  // Entries of K are met to 1e-12 of the greatest entry of their block.
   explicit FilmKernel(std::span<const double> x);
 
   // K P: the film that the pressure adds. pressure.size() is that of x.

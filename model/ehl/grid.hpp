@@ -26,7 +26,7 @@ class NodeDensity {
   Numbers place_, share_;
 };
 
-// What the lengths of a contact follow from before it is solved.
+// Lengths of a contact, in X, estimated before it is solved.
 struct Scales {
   double edge;        // the width of the inlet and of the constriction, in X
   double inlet_end;   // where the liquid's pressure starts, far from the contact: below −1

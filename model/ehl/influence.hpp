@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a pressure raises the film by, of an elastic half-plane: −(1/π) ∫ P(t) ln|x − t| dt,
-// exactly, for pressure that is linear from node to node.
+// The film that a pressure adds on an elastic half-plane: −(1/π) ∫ P(t) ln|x − t| dt, exactly, for
+// pressure that is linear from node to node.
 #pragma once
 
 #include <cmath>

@@ -25,9 +25,10 @@ class Jacobian {
   std::size_t bytes() const;
 
  private:
-  // Of a leaf: its block, factored. Of another part: the small system that joins its halves,
-  // factored; and the two blocks between them as products left · rightᵀ, kept as the first half's
-  // inverse times upper's left and the second's times lower's.
+  // A leaf has its block, factored, in `lu`. Another part has there the small system that joins its
+  // halves, factored; and the two blocks between the halves as products left · rightᵀ: the inverse
+  // of the first half times the left of the upper block is in first_left, that of the second half
+  // times the left of the lower block in second_left.
   struct Factor {
     Eigen::PartialPivLU<Eigen::MatrixXd> lu;
     Eigen::MatrixXd upper_right, lower_right, first_left, second_left;

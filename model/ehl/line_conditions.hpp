@@ -23,7 +23,7 @@ struct LineConditions {
   LineDensity density_law = LineDensity::incompressible;
 };
 
-// What turns H, P and X into SI.
+// Factors that turn H, P and X into SI units.
 struct LineScale {
   double half_width;     // b, m
   double peak_pressure;  // p₀, Pa

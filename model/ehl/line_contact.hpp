@@ -29,7 +29,7 @@ struct LineContact {
   double theta() const {
     return 3 * std::numbers::pi * std::numbers::pi / (8 * load_number * load_number);
   }
-  // Of a film H: (h/R)(2U)^{−1/2}.
+  // The film number of a film H: (h/R)(2U)^{−1/2}.
   double film_number(double film) const { return 8 * load_number / std::numbers::pi * film; }
 };
 

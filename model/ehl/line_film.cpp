@@ -29,7 +29,7 @@ constexpr double greatest_change_in_time = 0.3;
 constexpr int most_steps_in_time = 80;
 constexpr double least_stride = 1e-3;  // in the share of the viscosity's rise
 
-// What a grid's nodes weigh in ∫ P dX.
+// The weights of a grid's nodes in ∫ P dX.
 VectorXd load_weights(const Numbers& x) {
   VectorXd weights = VectorXd::Zero(static_cast<Eigen::Index>(x.size()));
   for (std::size_t i = 1; i + 1 < x.size(); ++i)
@@ -86,7 +86,7 @@ class Newton {
       // Steps that no longer shrink are rounding.
       const bool is_rounding =
           result_.last_change < rounding_change && step > 0 && result_.last_change > before / 2;
-      if (part == 1 && (result_.last_change < limits.change || is_rounding)) {
+      if (part == 1 && (change_left_ < limits.change || is_rounding)) {
         result_.outcome = Outcome::solved;
         return;
       }
@@ -216,6 +216,7 @@ class Newton {
   // Makes the greatest part, by halves, after which the same linear equations ask for less than
   // before; gives this part, or 0 where there is none. That test is P. Deuflhard's: Newton methods
   // for nonlinear problems (2004), section 3.3: it does not change with the scale of an equation.
+  // After a whole step, what they ask for is what is left, to second order.
   double make_step() {
     ++result_.steps;
     const Linear linear = linear_at(now_, 0);
@@ -226,11 +227,12 @@ class Newton {
     for (; part > least_part; part /= 2) {
       std::optional<State> next = state_after(part, change);
       if (!next) continue;
-      if (result_.last_change > rounding_change) {
-        const Balance balance = balance_of(contact_, result_.x, next->pressure, next->film, false);
-        if (!(size_of(change_for(linear, *next, balance, 0)) <= (1 - part / 4) * size_of(change)))
-          continue;
-      }
+      const Balance balance = balance_of(contact_, result_.x, next->pressure, next->film, false);
+      const Change left = change_for(linear, *next, balance, 0);
+      if (result_.last_change > rounding_change &&
+          !(size_of(left) <= (1 - part / 4) * size_of(change)))
+        continue;
+      change_left_ = left.greatest();
       now_ = std::move(*next);
       return part;
     }
@@ -264,6 +266,7 @@ class Newton {
   FilmKernel kernel_;
   VectorXd weights_, parabola_;
   State now_;
+  double change_left_ = 0;  // after the last step of Newton's method
   LineFilm result_;
 };
 

@@ -39,7 +39,7 @@ using Watch = std::function<bool(const Step&)>;
 
 struct NewtonLimits {
   int steps = 40;
-  double change = 1e-10;  // of P and of H₀, that a converged step stays below
+  double change = 1e-10;  // of P and of H₀, that is left after a converged step, at most
 };
 
 // From a guess: pressures ≥ 0 at the nodes, 0 at both ends, and H₀.

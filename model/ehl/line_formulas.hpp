@@ -15,9 +15,9 @@ namespace tribo::ehl {
 enum class FilmQuantity : std::uint8_t { central, minimum, at_greatest_pressure };
 
 // The liquid of the films that a formula was fitted to, or derived for; unknown where no text that
-// could be seen tells. Of Pan and Hamrock's, two books of Hamrock's tell that it was compressible;
-// that its viscosity followed Roelands is told by the solved films, to which their formulas are
-// nearer with Roelands' law than with Barus' (held by test_film).
+// could be seen tells. Two books of Hamrock's tell that Pan and Hamrock's liquid was compressible.
+// The solved films tell that its viscosity followed Roelands: with Roelands' law they are nearer to
+// Pan and Hamrock's formulas than with Barus' (held by test_film).
 enum class FitLiquid : std::uint8_t { unknown, barus_incompressible, roelands_compressible };
 
 struct LineFormula {

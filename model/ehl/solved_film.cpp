@@ -77,29 +77,31 @@ std::string why_not(const Step& last, const LineFilm& film) {
                     : text("the equations of step %d have no finite solution", last.step + 1));
 }
 
+// Shares of the films' errors. A spike that no grid shows moves them, more so in a compressible
+// liquid, whose spike takes film with it; the least film lies beside the spike.
+struct FilmCautions {
+  Caution away_from_spike, beside_spike;
+};
+FilmCautions cautions_of(bool is_compressible, std::size_t grids) {
+  const double less_by_grids = std::pow(0.35, std::max(0., static_cast<double>(grids) - 4));
+  if (is_compressible) return {{1.1, 0.125, 0.0055, 36}, {1.45, 0.5, 0.58 * less_by_grids, 10.5}};
+  return {{0.36, 0.2, 0.019 * less_by_grids, 25.5}, {1, 0.125, 0.084, 8}};
+}
+
 void estimate_all(SolvedFilm& solved, const LineContact& contact,
-                  const std::vector<FilmFeatures>& grids) {
+                  const std::vector<FilmFeatures>& grids, const FilmFeatures& beside,
+                  double cells_ratio) {
+  const FilmCautions cautions = cautions_of(contact.fluid.density_pressure > 0, grids.size());
   const auto estimate = [&](auto&& feature, const Caution& caution) {
-    return estimate_of(over_grids(grids, feature), caution);
+    Estimate e = estimate_of(over_grids(grids, feature), caution, {feature(beside), cells_ratio});
+    e.error += solved.domain_error * std::fabs(e.value);
+    return e;
   };
-  const bool is_compressible = contact.fluid.density_pressure > 0;
-  // A spike that no grid shows moves the film in the middle, by an amount that falls faster than
-  // the other errors, and more slowly so in a compressible liquid, whose spike takes film with it.
-  const double grids_more = std::max(0., static_cast<double>(grids.size()) - 4);
-  const Caution calm = is_compressible ? Caution{0.65, 0.15, 0.025 * std::pow(0.5, grids_more)}
-                                       : Caution{.of_change = 0.022 * std::pow(0.4, grids_more)};
-  // The least film lies beside the spike.
-  const Caution beside_spike = is_compressible ? Caution{2.5, 0.35, 0.42} : Caution{0.6, 0.35, 0.1};
-  solved.central = estimate([](const FilmFeatures& f) { return f.central; }, calm);
-  solved.at_greatest_pressure =
-      estimate([](const FilmFeatures& f) { return f.at_greatest_pressure; }, calm);
-  solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, beside_spike);
-  // A spike that makes the least film waver moves the others too, some hundred times less.
-  const double wavering = 0.015 * solved.minimum.relative_error();
-  for (Estimate* e : {&solved.central, &solved.at_greatest_pressure})
-    e->error = std::max(e->error, wavering * std::fabs(e->value));
-  for (Estimate* e : {&solved.central, &solved.minimum, &solved.at_greatest_pressure})
-    e->error += solved.domain_error * std::fabs(e->value);
+  solved.central =
+      estimate([](const FilmFeatures& f) { return f.central; }, cautions.away_from_spike);
+  solved.at_greatest_pressure = estimate(
+      [](const FilmFeatures& f) { return f.at_greatest_pressure; }, cautions.away_from_spike);
+  solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, cautions.beside_spike);
   // In a compressible liquid this film follows the pressure, which between two nodes is known no
   // better than at the nodes.
   const FilmFeatures& finest = grids.back();
@@ -125,7 +127,8 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
 
 }  // namespace
 
-Estimate estimate_of(const std::vector<double>& values, const Caution& caution) {
+Estimate estimate_of(const std::vector<double>& values, const Caution& caution,
+                     const Beside& beside) {
   Estimate e;
   const std::size_t n = values.size();
   if (n < 3) return e;
@@ -141,7 +144,13 @@ Estimate estimate_of(const std::vector<double>& values, const Caution& caution) 
   };
   e.value = richardson(n - 1);
   e.error = caution.of_change * std::fabs(last);
-  double share = n == 3 ? 3 * caution.of_last : caution.of_last;
+  const bool is_beside = !std::isnan(beside.value);
+  if (is_beside) {
+    const double second_order =
+        e.value + (values[n - 1] - e.value) * beside.cells_ratio * beside.cells_ratio;
+    e.error = std::fmax(e.error, caution.of_waver * std::fabs(beside.value - second_order));
+  }
+  double share = n == 3 && !is_beside ? 3 * caution.of_last : caution.of_last;
   for (std::size_t i = n - 1; i >= 2 && i + 3 >= n; --i, share *= caution.falling)
     e.error = std::fmax(e.error, share * std::fabs(richardson(i) - richardson(i - 1)));
   return e;
@@ -194,6 +203,14 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     LineFilm finer = grids.empty() ? std::move(coarse.film)
                                    : solve_on(contact, coarse.density.nodes(cells), film, noting);
     if (failed(finer)) break;
+    // A second look at the finest grid, from as many cells less an eighth.
+    const int cells_beside = cells - cells / 8;
+    FilmFeatures beside;
+    if (grids.size() >= 2) {
+      const LineFilm other = solve_on(contact, coarse.density.nodes(cells_beside), finer, noting);
+      if (failed(other)) break;
+      beside = features_of(contact, other);
+    }
     solved.steps = finer.steps;
     film = std::move(finer);
     grids.push_back(features_of(contact, film));
@@ -208,11 +225,9 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
                                       std::fabs(there.minimum / grids[0].minimum - 1));
     }
     if (grids.size() < 3) continue;
-    estimate_all(solved, contact, grids);
+    estimate_all(solved, contact, grids, beside, static_cast<double>(cells) / cells_beside);
     worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
                       solved.at_greatest_pressure.relative_error()});
-    // Errors of three grids rest on one change; a fourth grid makes them several times less.
-    if (grids.size() == 3 && 2 * cells <= options.greatest_cells) continue;
     const bool is_of_domain = worst < 1.25 * solved.domain_error;  // no grid makes that less
     // Without a spike there is nothing to wait for.
     const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);

@@ -21,21 +21,30 @@ struct Estimate {
   double relative_error() const { return error / value; }
 };
 
-// Shares that make an error: of what Richardson's value changed by from the grid before the last to
-// the last (where errors are regular, a fifteenth of it is left); of its two changes before that,
-// each counting the less by the second share, and where there are none before, the last counts
-// three times; and of the last change of the value itself, by which a spike that is not resolved
-// makes it waver. The shares of films (solved_film.cpp) are chosen, not derived: so that the error
-// held for 200 random contacts, and then judged by 300 others
-// (verification/tests/ehl/film_survey.cpp).
+// A value on one grid more, of fewer cells than the last of a sequence.
+struct Beside {
+  double value = std::numeric_limits<double>::quiet_NaN();  // NaN: there is no such grid
+  double cells_ratio = 1;                                   // cells of the last over its cells
+};
+
+// Shares that make an error: of what the grid beside differs by from what the second order says of
+// it, which shows how much a spike that is not resolved makes the values waver; of what
+// Richardson's value changed by from the grid before the last to the last (where errors are
+// regular, a fifteenth of it is left); of its two changes before that, each counting the less by
+// the share `falling`; and of the last change of the value itself. The shares of films
+// (solved_film.cpp) are chosen, not derived: so that the error held for 330 random contacts, and
+// then judged by 300 others (verification/tests/ehl/film_survey.cpp).
 struct Caution {
-  double of_last = 0.5, falling = 0.125, of_change = 0.022;
+  double of_last = 0.5, falling = 0.125, of_change = 0.022, of_waver = 0;
 };
 
 // From the values on grids that halve the cells: at least three. Where the observed order is the
-// second (1.5 to 2.6), the value is Richardson's and the error the greatest of the shares. Else the
-// value is the last one and the error one and a half times the sum of its last two changes.
-Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {});
+// second (1.5 to 2.6), the value is Richardson's and the error the greatest of the shares; the last
+// change of Richardson's value counts three times where it is the only one and no grid stands
+// beside. Else the value is the last one and the error one and a half times the sum of its last
+// two changes.
+Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {},
+                     const Beside& beside = {});
 
 // Contacts of a smaller M, and with smaller films H than the second, are refused. Up to the other
 // two the solver was tried; beyond them it may do, and says so where it does not converge.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the fields of a contact are to each other: rules on the faces, the film law, the profile and
-// the ellipse, and warnings of what is legal but implausible.
+// Rules on several fields of a contact: on the faces, the film law, the profile and the ellipse;
+// and warnings of values that are legal but implausible.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace tribo::scene_detail {
 std::optional<detail::SceneNumbers<double>> check_contact(const Scene& scene, SceneUse use,
                                                           bool film_is_given, Problems& problems);
 
-// Of a scene that has the summits and the E* of these numbers.
+// Warns of implausible values in a scene that has the summits and the E* of these numbers.
 void warn_of_contact(const Scene& scene, SceneUse use, const detail::SceneNumbers<double>& numbers,
                      Problems& problems);
 

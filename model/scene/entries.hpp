@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What both parsers make of a text, and what the binder makes a scene of: a flat list of entries.
+// The flat list of entries that both parsers make of a text, and from which the binder makes a
+// scene.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +26,9 @@ struct Value {
 };
 
 // `path` is "load" or "surface.summit_radius". Tables of a known section have an entry of their own
-// and one for each of their fields. What other tables hold, and lists in lists, is in `inner`, by
-// its keys ("[0]", "[1]" …), from TOML alone: scenes have none, sweeps (model/sweep) do.
+// and one for each of their fields. The content of other tables and of lists in lists is in
+// `inner`, by its keys ("[0]", "[1]" …), from TOML alone: scenes have no such tables, sweeps
+// (model/sweep) do.
 struct Entry {
   std::string path;
   Value value;
@@ -60,7 +62,7 @@ class Problems {
 // A key as a part of a path: quoted where it could be taken for something else, and shortened.
 std::string path_part(std::string_view key);
 
-// What to say of text over 1 MiB; "" for less.
+// The message on text over 1 MiB; "" for less.
 std::string too_large_text(std::size_t bytes);
 extern const std::string_view too_many_fields_text;
 extern const std::string_view too_deep_text;

@@ -46,8 +46,8 @@ std::string refusal_of(const std::string& path) {
   return {};
 }
 
-// What the file is by its first bytes, if it is no text in UTF-8; empty if the first bytes do not
-// tell. `what` was expected.
+// The message on a file that is no text in UTF-8, by its first bytes; empty if these do not tell
+// its kind. `what` was expected.
 std::string other_kind(std::string_view text, std::string_view what) {
   constexpr std::string_view hdf5 = "\x89HDF\r\n\x1a\n";
   constexpr std::string_view journal = "\x93TBSJ1\r\n";  // model/sweep/journal_record.hpp

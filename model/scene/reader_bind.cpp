@@ -401,8 +401,8 @@ class SceneBinder {
                     "missing beside " + std::string(first) + "; allowed: " + sets_text(group));
   }
 
-  // What follows from two bodies, or from spectral moments, stands in the scene as if it had been
-  // given.
+  // Puts the numbers that follow from two bodies, or from spectral moments, into the scene, as if
+  // they had been given.
   void complete(const detail::SceneNumbers<double>& numbers) {
     Surface& surface = scene_.surface;
     surface.summit_density = numbers.summit_density;

@@ -31,7 +31,7 @@ class EntryCollector {
     entries_.reserve(32);
   }
 
-  // What the text is worth, once it is parsed.
+  // The results, once the text is parsed.
   std::vector<Entry>& entries() { return entries_; }
   const std::string& complaint() const { return complaint_; }
   std::size_t complaint_position() const { return position_; }

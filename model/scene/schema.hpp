@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the reader needs of the schema beyond the public table: look-up by name, and where a value
-// goes.
+// The parts of the schema that the reader needs beyond the public table: look-up by name, and the
+// place of a value in the scene.
 #pragma once
 
 #include <bitset>
@@ -38,7 +38,7 @@ struct GroupPlaces {
   std::vector<SetPlaces> sets;
   FieldPlaces fields, optional;  // of all sets
 };
-// Of scene_field_groups().
+// The groups of scene_field_groups(), by places.
 const std::vector<GroupPlaces>& group_places();
 
 // "surface", "bodies" …: the tables of a scene. `speed` is one of them, as it may be a table.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an input's value is called in messages.
+// Words for an input's value in messages.
 #pragma once
 
 #include <string>

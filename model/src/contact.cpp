@@ -32,7 +32,7 @@ LoadSharing<Wide> wide(AsperityModel model, const FilmLaw& film,
   return {model, Wide(surface.stiffness), Wide(surface.offset), film};
 }
 
-// Of a surface beyond the engine's range.
+// Sets the numbers about the floor of a surface beyond the engine's range.
 void set_floor(const LoadSharing<Wide>& sharing, detail::SurfaceNumbers<double>& surface) {
   surface.floor = narrow(sharing.floor());
   surface.floor_argument = sharing.has_floor() ? narrow(sharing.floor() - sharing.offset()) : 0;

@@ -37,8 +37,8 @@ struct Kernels {
   double (*logarithm)(double x);
   void (*logarithms)(const double* x, double* result, std::size_t count);
   double (*power)(double x, const Exponent& exponent);
-  // Of a surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the distance of a fluid
-  // share, a root with its steps, the shares at a root.
+  // Kernels of one surface: its floor, A at λ − δ, the shares at λ = λ_b + distance, the distance
+  // of a fluid share, a root with its steps, the shares at a root.
   SurfaceNumbers<double> (*surface)(Order order, const FilmLaw& law, double stiffness,
                                     double offset);
   double (*share)(Order order, double stiffness, double argument);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // F_n and S_n in double (gaussian_moment.hpp), once for each instruction set, for one lane and for
 // vectors: polynomials in pieces (gaussian_moment_pieces.inc), and e^{−d²/2} from d² unrounded.
-// What is rounded is carried along as a second double until the last operation, so that the result
+// Rounding errors are carried along as a second double until the last operation, so that the result
 // is off by little more than half a unit.
 #include <hwy/highway.h>
 

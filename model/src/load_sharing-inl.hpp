@@ -206,9 +206,9 @@ HWY_INLINE Step<D> sharing_step(D d, V film_power, V flooded, const Iterate<V>& 
       hn::Min(hn::Max(step, hn::Set(d, sharing_least_step)), hn::Set(d, sharing_greatest_step));
   const V rise = hn::Max(hn::Add(from.log_rise, bounded), zero);
   const auto is_near = hn::Lt(rise, hn::Set(d, sharing_near_rise));
-  // What is left out begins with |5t₂³ − 5t₂t₃ + t₄| newton, which is of this size unless the terms
-  // of t₄ cancel: each derivative of v and of ln(1 − e^{−v}) is at most some (1 + s) times the one
-  // before it.
+  // The rest of the series begins with |5t₂³ − 5t₂t₃ + t₄| newton, which is of the size of
+  // `estimate` unless the terms of t₄ cancel: each derivative of v and of ln(1 − e^{−v}) is at most
+  // some (1 + s) times the one before it.
   const V reach = hn::Mul(newton, hn::Add(one, s)), reach2 = hn::Mul(reach, reach);
   const V bends = hn::Mul(hn::MulAdd(r, hn::Add(v2, s_v1), u2), inverse);
   const V estimate = hn::Mul(hn::Mul(reach2, hn::Mul(newton, newton)), bends);

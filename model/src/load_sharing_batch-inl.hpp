@@ -51,7 +51,7 @@ HWY_INLINE hn::Mask<D> in_range(D d, const SharingInputs<hn::Vec<D>>& in) {
 }
 
 #if HWY_TARGET == HWY_AVX2
-// Of each mask of four lanes, the halves of those that are in it, in order.
+// The halves (32 bits) of the lanes in each mask of four lanes, in order.
 struct CompressTable {
   alignas(32) std::int32_t halves[16][8];
 };
@@ -254,7 +254,7 @@ class Travellers {
   HWY_ALIGN std::uint8_t is_last_[room];
 };
 
-// What is known of a root beforehand.
+// Roots, or starts of the search for them.
 template <class D>
 struct RootStart {
   Iterate<hn::Vec<D>> at;  // the root, or a start; NaN where it is left to Newton's method

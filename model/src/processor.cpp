@@ -4,7 +4,8 @@
 #include <hwy/targets.h>
 
 #if defined(__x86_64__) && __has_include(<sys/platform/x86.h>)
-// Of the GNU C library, from 2.33 on, and written in C: clang does not know _Bool in C++.
+// This header is of the GNU C library, from 2.33 on, and written in C: clang does not know _Bool in
+// C++.
 #define _Bool bool  // NOLINT(bugprone-reserved-identifier)
 #include <sys/platform/x86.h>
 #undef _Bool

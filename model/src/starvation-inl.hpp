@@ -93,8 +93,8 @@ HWY_INLINE V inlet_length(D d, StarvationClosure closure, V r) {
   return hn::Mul(root, root);
 }
 
-// What the inlet does to the flooded film: y, 1 − y without its cancellation, and whether the film
-// has collapsed.
+// The effect of the inlet on the flooded film: y, 1 − y without its cancellation, and whether the
+// film has collapsed.
 template <class D>
 struct Starvation {
   hn::Vec<D> film_ratio, deficit;

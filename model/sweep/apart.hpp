@@ -12,8 +12,8 @@ namespace tribo::sweep {
 
 // Runs `work` in a child process and gives the bytes that it returns there. The child has some
 // seconds of the processor, more for a larger file, twice as long in all, and 2 GB of memory more
-// than this process. What `work` throws is thrown here as std::runtime_error with its text; so is
-// the end of a child that crashed or was ended at a limit.
+// than this process. An exception of `work` is thrown here as std::runtime_error with its text; so
+// is the end of a child that crashed or was ended at a limit.
 Bytes apart(std::uint64_t file_size, const std::function<Bytes()>& work);
 
 }  // namespace tribo::sweep

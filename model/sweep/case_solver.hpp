@@ -47,9 +47,9 @@ class CaseSolver {
   const SceneSweep& sweep_;
   std::function<bool()> stopped_;
   Scene scene_;
-  // What a contact needs of the scene, and the place of each variable among the numbers (not used
-  // for the speed). places_ is empty where some variable is more than one of these numbers (a
-  // closure, say); then all variables go through the scene.
+  // The words and numbers of the scene that a contact needs, and the place of each variable among
+  // the numbers (not used for the speed). places_ is empty where some variable is more than one of
+  // these numbers (a closure, say); then all variables go through the scene.
   detail::ContactWords words_;
   detail::SceneNumbers<double> numbers_;
   std::vector<std::size_t> places_;

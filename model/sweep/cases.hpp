@@ -25,7 +25,7 @@ class CaseGenerator {
  private:
   void draw(std::uint64_t group, std::size_t count);
   void take_from_grids(std::uint64_t group, std::span<double> values) const;
-  // Of a case of each group, the drawn variables from their unit numbers.
+  // Fills in the drawn variables of one case of each group, from their unit numbers.
   void quantiles(Rows<const double> unit, Rows<double> values, std::size_t count);
   void mix(std::span<double> group) const;  // AB_i of a group whose A and B are there
 

@@ -54,7 +54,7 @@ double normal_of_middle(double from_middle) {
   return from_middle * (2.75 + value_at(near_above, r) / value_at(near_below, r));
 }
 
-// Of the upper tail; r = √(−ln P(Z > z)).
+// This function is for the upper tail; r = √(−ln P(Z > z)).
 double normal_of_tail(double r) {
   constexpr std::array far_above{
       -0.37656288925031642266,  -0.19040708179142058347,   0.44216394716236580198,

@@ -16,7 +16,7 @@
 namespace tribo::sweep {
 namespace {
 
-// What random words are for; no two purposes share any.
+// The purposes of random words; no two purposes share a word.
 enum class Stream : std::uint32_t { monte_carlo, sobol_shift, permutation, place_in_cell };
 
 class RandomWords {

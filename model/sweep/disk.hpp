@@ -39,7 +39,7 @@ class Descriptor {
 
 inline std::string error_text(int code) { return std::generic_category().message(code); }
 
-// Opens a regular file; a FIFO does not hang it. What fails is thrown as std::runtime_error, whose
+// Opens a regular file; a FIFO does not hang it. A failure is thrown as std::runtime_error, whose
 // text begins with `what`: "cannot read sweep.h5".
 inline Descriptor open_file(const std::string& path, int flags, const std::string& what) {
   Descriptor file(::open(path.c_str(), flags | O_NONBLOCK | O_CLOEXEC, 0666));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a varied field is drawn from, by its quantile function: numbers in (0, 1) to values.
+// The distribution that a varied field is drawn from, by its quantile function: numbers in (0, 1)
+// to values.
 #pragma once
 
 #include <cstddef>
@@ -79,7 +80,7 @@ class Distribution {
   double second_rest_ = 0;  // what rounding took from ln(to/from)
   double from_ = 0;
   double to_ = 1;
-  // Of the whole normal: P(Z < z(from)), P(Z > z(to)), and what lies between.
+  // Parts of the whole normal: P(Z < z(from)), P(Z > z(to)), and the part between.
   double below_from_ = 0;
   double above_to_ = 0;
   double between_ = 1;

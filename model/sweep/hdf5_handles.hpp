@@ -42,8 +42,8 @@ class QuietErrors {
   void* data_ = nullptr;
 };
 
-// What HDF5 says of the last call that failed: the system's word for it ("No space left on device")
-// where there is one, else the innermost message.
+// HDF5's message on the last call that failed: the system's words ("No space left on device") where
+// there are any, else the innermost message.
 std::string last_error();
 
 struct Error : std::runtime_error {

@@ -22,13 +22,14 @@
 
 namespace tribo::sweep {
 
-// What a journal says of itself. Chunks of two journals go together if version, digest and
+// The origin of the chunks of a journal. Chunks of two journals go together if version, digest and
 // arithmetic are the same.
 struct JournalHeader {
   std::string version;     // of tribocheck
   std::string digest;      // of the plan
   std::string arithmetic;  // "FMA" or "no FMA"
-  // What the plan was made of: names and texts, so that a journal is enough to make the result.
+  // The files that the plan was made of: names and texts, so that a journal is enough to make the
+  // result.
   std::vector<std::pair<std::string, std::string>> files;
   // Which file (FileIdentity) at the output --force has allowed this sweep to replace; empty: none.
   std::string replaces = {};
@@ -54,8 +55,8 @@ class Journal {
   static Journal create(const std::string& path, const JournalHeader& header);
   // Begins one in a new open file of this name.
   static Journal begin(Descriptor file, const std::string& path, const JournalHeader& header);
-  // Opens a journal to go on behind its last whole record. What follows that record is cut off.
-  // Damage before it is left as it is, so that no whole record behind the damage is lost.
+  // Opens a journal to go on behind its last whole record. The bytes behind that record are cut
+  // off. Damage before it is left as it is, so that no whole record behind the damage is lost.
   static Journal resume(const std::string& path);
 
   // Any thread may call.

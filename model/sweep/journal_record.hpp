@@ -85,7 +85,7 @@ inline std::uint64_t checksum(const Head& head, std::span<const std::byte> bytes
   return sum.value();
 }
 
-// What one pass through a file finds.
+// The findings of one pass through a file.
 struct Found {
   JournalHeader header;
   std::uint64_t seed = 0;

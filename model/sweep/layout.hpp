@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows from a sweep's settings: its columns, and how its cases are cut into chunks.
+// The layout of a sweep, from its settings: its columns, and how its cases are cut into chunks.
 #pragma once
 
 #include <array>

@@ -21,7 +21,7 @@
 namespace tribo::sweep {
 namespace {
 
-// Of the processor, so that what else the machine does is not counted.
+// The time of the processor, so that other work of the machine is not counted.
 double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Values a case of the widest column.
@@ -184,9 +184,9 @@ Sample chunk_sample(const SceneSweep& scene) {
   return sample;
 }
 
-// --- What is known without a sample. Numbers with the word "measured" were measured with HDF5
-// 1.10.8. test_sweep.Estimates checks that the sums of all this are within 1.5 times of what a
-// sweep takes.
+// --- Needs that are known without a sample. Numbers with the word "measured" were measured with
+// HDF5 1.10.8. test_sweep.Estimates checks that the sums of all these are within 1.5 times of what
+// a sweep takes.
 
 constexpr double program_memory = 25e6;  // before it does anything, with its libraries; measured
 
@@ -198,7 +198,7 @@ double numbers_of_sensitivity(const SceneSweep& scene) {
   return scene.sensitivity ? 6 * static_cast<double>(scene.drawn()) + 2 : 0;
 }
 
-// Of HDF5's groups, datasets and attributes, measured.
+// The bytes of HDF5's groups, datasets and attributes, measured.
 double file_overhead(const SceneSweep& scene) {
   constexpr double a_scene = 10e3, a_column = 33e3, a_sensitivity = 22e3, an_input = 0.4e3;
   return a_scene + an_input * static_cast<double>(scene.variables.size()) +
@@ -212,7 +212,7 @@ double summary_bytes(const SceneSweep& scene) {
          (numbers_of_summary + numbers_of_sensitivity(scene));
 }
 
-// Of what a result has beside its points while it is read and told.
+// The memory of a result, beside its points, while it is read and told.
 double reading_memory(const SceneSweep& scene) {
   const auto width = static_cast<double>(scene.width());
   const double value =
@@ -262,7 +262,7 @@ Phases phases_of(const SceneSweep& scene, const Sample& sample, double merged, d
   return phases;
 }
 
-// --- What there is.
+// --- Free memory and disk.
 
 // The numbers of a line "Name:   123 kB" of a file of the system, in bytes.
 double number_in(const char* path, std::string_view name, double unit) {

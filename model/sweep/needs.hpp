@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sweep will take, from its plan and a few cases at some of its speeds: in constant memory,
-// and in less than a second for each scene.
+// The time, memory and disk that a sweep will take, from its plan and a few cases at some of its
+// speeds. The estimate takes constant memory, and less than a second for each scene.
 #pragma once
 
 #include <string>

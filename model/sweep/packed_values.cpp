@@ -92,7 +92,8 @@ Method method_for(std::span<const std::byte> plane, bool may_repeat) {
   return is_even ? Method::stored : Method::huffman;
 }
 
-// What packing needs besides its input: kept by each thread, as zlib takes a while to set up.
+// The buffers and the zlib stream for packing: kept by each thread, as zlib takes a while to set
+// up.
 class Packer {
  public:
   Packer() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // An array of numbers or words as HDF5's filters `shuffle` and `deflate` would leave it, made here
-// so that all threads pack and one need only write. Of a double's eight byte planes those that look
+// so that all threads pack and one need only write. Doubles make eight byte planes; those that look
 // random (the low digits) are stored as they are: zlib would take most of its time to gain nothing.
 #pragma once
 

@@ -82,7 +82,7 @@ constexpr std::array<std::string_view, 2> roelands{"lubricant.viscosity", "frict
 constexpr std::array<std::span<const std::string_view>, 4> fields_of_rules{faces, radii, moments,
                                                                            roelands};
 
-// What the scene reader says before it tells of other fields, on which such a rule rests.
+// The text before the reason, in the scene reader's messages about a rule on several fields.
 constexpr std::string_view because = " is not allowed: ";
 
 // A variable, and the place of its field in the list of entries.
@@ -275,7 +275,7 @@ class SweepBinder {
 
   // If these values are legal, so are all others of the variable: legal numbers have no gaps but
   // that of the radii of faces at 0, and 1/R, which the rule of two faces adds up, falls on both
-  // sides of it. Of whole numbers and words all values are looked at.
+  // sides of 0. All values of whole numbers and words are looked at.
   static std::vector<double> values_to_check(const Variable& variable) {
     const FieldInfo& field = scene_fields()[scene_detail::field_at(variable.path)];
     if (variable.is_drawn()) {
@@ -360,7 +360,8 @@ class SweepBinder {
   }
 
   // "this normal distribution reaches −0.062; viscosity must be a number above 0, in Pa·s: truncate
-  // it with `from`". What must be is behind the last "; allowed: " of the scene reader's message.
+  // it with `from`". The legal values are behind the last "; allowed: " of the scene reader's
+  // message.
   static std::string reach_text(const Variable& variable, double value, const std::string& fault) {
     constexpr std::string_view link = "; allowed: ";
     const std::size_t allowed = fault.rfind(link);
@@ -449,7 +450,7 @@ class SweepBinder {
     return matrix;
   }
 
-  // --- What does not go together.
+  // --- Settings that do not go together.
 
   void check_combinations() {
     const bool drawn = sweep_.drawn() > 0;

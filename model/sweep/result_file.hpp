@@ -99,10 +99,10 @@ struct SweepResult {
   std::vector<SceneResult> scenes;
 };
 
-// A result, open for reading. What another process has written is read in a child process with
-// limits of time and memory (apart.hpp), for a forged file may crash or hang HDF5. All throw
-// std::runtime_error, with a text that names the file, where it is not a whole result of
-// `tribocheck sweep`.
+// A result, open for reading. A file that another process has written is read in a child process
+// with limits of time and memory (apart.hpp), for a forged file may crash or hang HDF5. All
+// functions throw std::runtime_error, with a text that names the file, where it is not a whole
+// result of `tribocheck sweep`.
 class ResultFile {
  public:
   explicit ResultFile(const std::string& path);

@@ -327,7 +327,7 @@ Handle create_file(const std::string& path) {
   hdf5::without_times(creation);
   checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  // What HDF5 1.8 can read, whatever library writes it.
+  // The file is one that HDF5 1.8 can read, whatever version writes it.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
   checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
   return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));

@@ -111,7 +111,7 @@ std::vector<JournalReader> readable(const std::vector<std::string>& paths,
   return readers;
 }
 
-// --- What is there before the run.
+// --- Files that are there before the run.
 
 struct Start {
   bool complete = false;               // the result is there

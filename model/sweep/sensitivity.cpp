@@ -19,7 +19,7 @@ Values values_of(const SensitivitySums& sums) {
   Values values{sums.first_order, sums.total};
   const double groups = static_cast<double>(sums.both.count) / 2;
   const double variance = sums.both.sd() * sums.both.sd();
-  // What varies by no more than its rounding is a constant.
+  // A result that varies by no more than its rounding is a constant.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   const double unit = sums.both.sd() > rounding * std::abs(sums.both.mean)
                           ? groups * variance

@@ -153,8 +153,8 @@ Quantile quantile_of(const ValueSummary& summary, double p) {
     return sketch.value_at_rank(
         std::min(static_cast<std::uint64_t>(std::max(rank, 0.0)), count - 1));
   };
-  // Of values in order, x₁ ≤ x₂ …, x_l is above the quantile if K < l, and x_h is not if K ≥ h; so
-  // l = low and h = high + 1.
+  // The values in order are x₁ ≤ x₂ …: x_l is above the quantile if K < l, and x_h is not if K ≥ h;
+  // so l = low and h = high + 1.
   const Ranks ranks = ranks_of(n, p);
   Quantile quantile{within(at(std::ceil(n * p) - 1)), -infinity, infinity};
   if (ranks.low >= 1) {

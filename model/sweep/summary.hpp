@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is known of a column of values without keeping them.
+// The summary of a column of values, which are not kept.
 #pragma once
 
 #include <cmath>
@@ -27,7 +27,7 @@ struct Moments {
   void merge(const Moments& other);
   void write(Bytes& to) const;
   static Moments read(ByteReader& from);
-  // Of a sample; NaN for fewer than two values.
+  // The standard deviation of a sample; NaN for fewer than two values.
   double sd() const {
     if (count < 2) return std::numeric_limits<double>::quiet_NaN();
     return std::sqrt(squares / static_cast<double>(count - 1));

@@ -149,7 +149,7 @@ class VariableReader {
     problem_ = problem_ || !table.good();
   }
 
-  // Of the fields that a table may have, those that this kind knows.
+  // Refuses the fields of the table that this kind of variation does not have.
   bool only(TableReader& table, std::initializer_list<std::string_view> names) {
     for (const Entry& entry : entry_.inner) {
       if (std::find(names.begin(), names.end(), entry.path) != names.end()) continue;

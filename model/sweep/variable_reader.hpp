@@ -17,7 +17,7 @@ bool varies(const scene_detail::Entry& entry);
 std::optional<Variable> read_variable(const scene_detail::Entry& entry, const FieldInfo& field,
                                       scene_detail::Problems& problems);
 
-// What to put in the place of the field to get a scene with one value of the variable.
+// The value of the field in a scene with one value of the variable.
 scene_detail::Value value_for(const Variable& variable, double value);
 
 }  // namespace tribo::sweep

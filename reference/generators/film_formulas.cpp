@@ -49,7 +49,7 @@ Ball moes_film_by_logarithms(const Balls& x) {
 constexpr std::array regimes{"isoviscous_rigid", "viscous_rigid_barus", "viscous_rigid_roelands",
                              "isoviscous_elastic", "viscous_elastic"};
 
-// Of g_V, g_E, alpha and k.
+// Inputs: g_V, g_E, alpha and k.
 Ball regime_film(std::size_t regime, const Balls& x) {
   const auto bracket = [](int n, const Ball& of) { return 1 - exp(-fraction(n, 10000) * of); };
   if (regime == 0)
@@ -80,7 +80,7 @@ Ball regime_film_by_roots(std::size_t regime, const Balls& x) {
   return powers(49, 17, 100) * bracket(6800, x[3]) * 342 / 100;
 }
 
-// Of p0, E*, S, beta, eta0, u and k_f.
+// Inputs: p0, E*, S, beta, eta0, u and k_f.
 Ball thermal(const Balls& x) {
   const Ball l = x[3] * x[4] * x[5] * x[5] / x[6];
   const Ball sliding = x[2] == 0 ? Ball(1) : 1 + fraction(223, 100) * pow(x[2], fraction(83, 100));

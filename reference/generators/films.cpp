@@ -41,7 +41,7 @@ Row row_of(const Law& law, const Contact& x, const std::string& id, const char* 
         return excess < 0 ? -1 : excess > 0 ? 1 : 0;
       },
       Ball(1e-25), Ball(1e8));
-  // of u, eta0, alpha, F, E*, R and k
+  // The condition in u, eta0, alpha, F, E*, R and k.
   const int by_radius = law.q - law.a - (law.is_of_lines ? 1 : 2) * law.c;
   const Ball condition =
       fraction(2 * law.a + law.b - law.c + std::abs(law.b - law.a - law.c) + std::abs(by_radius),
@@ -93,7 +93,7 @@ Table film_table(const std::string& name) {
                   law.is_of_lines ? "" : ",ellipticity")};
   Sampler sampler(law.seed);
   for (int i = 0; i < law.rows; ++i) {
-    const bool usual = i < (is_first ? 60 : 40);  // of steel and oil, or of rubber
+    const bool usual = i < (is_first ? 60 : 40);  // steel and oil, or rubber
     const auto pick = [&](double low, double high, double lowest, double highest) {
       return usual ? sampler.log_uniform(low, high) : sampler.log_uniform(lowest, highest);
     };

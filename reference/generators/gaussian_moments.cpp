@@ -28,7 +28,7 @@ std::vector<Argument> arguments() {
     for (const double sign : {-1.0, 1.0})
       for (const double towards : {0.0, 100.0})
         all.push_back({std::nextafter(sign * edge, towards), "branch"});
-  // What broke other ways: d² not split, quadrature cut short, subnormal results.
+  // Places that broke other ways: d² not split, quadrature cut short, subnormal results.
   for (const double d : {32.27553, 0.775, 36.6, 37.3, 37.5, 38.0, 38.4, 0x1.02336f3a2a1c6p+5, 37.4,
                          37.6, 34.524, 8.49, 35.999999})
     all.push_back({d, "worst"});

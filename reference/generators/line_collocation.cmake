@@ -7,7 +7,7 @@ add_library(tribocheck_line_collocation STATIC
 set_target_properties(tribocheck_line_collocation PROPERTIES UNITY_BUILD OFF)
 target_include_directories(tribocheck_line_collocation PUBLIC
   ${PROJECT_SOURCE_DIR}/reference ${PROJECT_SOURCE_DIR}/model)
-# Of the model it has the liquid and the contact's numbers, which are headers alone.
+# This library uses the model's liquid and contact's numbers, which are headers alone.
 target_link_libraries(tribocheck_line_collocation PUBLIC Eigen3::Eigen)
 if(TRIBOCHECK_SANITIZE)
   target_compile_options(tribocheck_line_collocation PRIVATE -O2)

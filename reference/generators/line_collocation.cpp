@@ -18,10 +18,10 @@ using ehl::LineContact;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Ends = std::vector<double>;  // of elements, rising
+using Ends = std::vector<double>;  // ends of elements, rising
 
 constexpr int newton_steps = 25;
-// Of the films and of X_e, relative, with the inlet at 100: falls with its fourth power.
+// Relative error of the films and of X_e with the inlet at 100: falls as the inlet's fourth power.
 constexpr double inlet_error = 5e-8;
 constexpr double first_fluidity = 1e-2, last_fluidity = 3e-6;
 
@@ -136,7 +136,7 @@ class Collocation {
 
   double fluidity(double p) const { return std::exp(-contact_.fluid.log_viscosity(p)) + fluidity_; }
 
-  // What the pressures weigh in the film at x.
+  // Weights of the pressures at the nodes in the film at x.
   VectorXd film_weights(const Ends& ends, double x) const {
     VectorXd weights = VectorXd::Zero(node_count(ends));
     const LogElement::Weights integral = element_.integral();
@@ -160,7 +160,7 @@ class Collocation {
     return film_weights(state.ends, x).dot(state.pressure) + x * x / 2 + state.separation;
   }
 
-  // What the pressures weigh in their integral, and what of it is upstream of the first node.
+  // Weights of the pressures at the nodes in the load, and the load upstream of the first node.
   VectorXd load_weights(const Ends& ends) const {
     VectorXd weights = VectorXd::Zero(node_count(ends));
     for (std::size_t e = 0; e + 1 < ends.size(); ++e)
@@ -178,7 +178,7 @@ class Collocation {
     return slopes;
   }
 
-  // What is left of the equations at the nodes, and of the load's.
+  // Residuals of Reynolds' equation at the nodes, and last that of the load.
   VectorXd residual(const State& state, const VectorXd& film, const VectorXd& slopes) const {
     const Index count = film.size();
     VectorXd left(count + 1);
@@ -281,7 +281,7 @@ class Collocation {
     const double half = (state.ends[e + 1] - state.ends[e]) / 2;
     const double z = (x - state.ends[e]) / half - 1;
     const VectorXd c = coefficients(state, e);
-    double slope = 0;  // that of P_n is the sum of (2k + 1) P_k for k = n − 1, n − 3, …
+    double slope = 0;  // P_n has the slope Σ (2k + 1) P_k, k = n − 1, n − 3, …
     for (Index n = 1; n < c.size(); ++n)
       for (Index k = n - 1; k >= 0; k -= 2)
         slope += c[n] * static_cast<double>(2 * k + 1) * legendre(static_cast<int>(k), z);
@@ -388,7 +388,7 @@ State first_state(const FilmStart& start, const Ends& ends, const VectorXd& node
 }
 
 // Solves, and halves elements, until P is resolved on all. false: not possible; then the state is
-// what it was.
+// unchanged.
 bool solve_resolved(const Collocation& way, const CollocationOptions& options, State& state,
                     int& steps) {
   const auto is_coarse = [&](const VectorXd& c) {
@@ -410,14 +410,14 @@ bool solve_resolved(const Collocation& way, const CollocationOptions& options, S
   }
 }
 
-// What was solved for one φ.
+// The solution for one φ.
 struct Level {
   double fluidity;
   Values values;
 };
 
-// Of the last levels: the value at φ = 0 if it changes linearly. The error is what is left of that
-// value's own changes if they fall with the root of φ: about the spike they fall slower than φ².
+// Extrapolates the last two levels linearly to φ = 0. The error is the sum of the changes of this
+// value still to come, if they fall with the root of φ: about the spike they fall slower than φ².
 CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Values::*member) {
   const auto extrapolated = [&](std::size_t i) {
     const Level &coarse = levels[i - 1], &fine = levels[i];

@@ -33,7 +33,7 @@ struct FilmStart {
 struct CollocationOptions {
   int degree = 4;
   int elements = 60;         // at first; then those are halved where P is not resolved
-  double resolution = 3e-4;  // of P: what the last polynomials of an element may add
+  double resolution = 3e-4;  // most that an element's last polynomials may add to P
   int most_elements = 160;
   // How far upstream the elements begin, in X or in √(2c) if that is more; the start has to reach
   // as far.
@@ -53,8 +53,8 @@ struct CollocatedFilm {
   CollocatedNumber spike_pressure, spike_place;             // P and X; only if φ is 0
   CollocatedNumber outlet;                                  // X_e
   double least_fluidity = 0;                                // φ, the smallest that was solved for
-  int elements = 0;                                         // of the finest mesh
-  int steps = 0;                                            // of Newton's method, in all
+  int elements = 0;                                         // elements of the finest mesh
+  int steps = 0;                                            // Newton steps, in all
 };
 
 // The errors: what halving all elements changes, what is left of the changes with φ, and

@@ -146,8 +146,8 @@ std::string header(const std::string& quantity, const std::string& liquid, const
       "# generator: reference/generators/line_films.cpp, model/ehl\n"
       "# method: second order in space; Richardson's value of grids of 64, 128, ... "
       "cells\n"
-      "# error: shares of what Richardson's value and the value itself changed by, and what a "
-      "longer inlet would change\n"
+      "# error: shares of what Richardson's value and the value itself changed by and of what a "
+      "grid beside differs by, and what a longer inlet would change\n"
       "{}# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
       quantity, liquid, more, fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
 }
@@ -213,7 +213,7 @@ std::string map_row(const Contact& c, const tribo::ehl::LineContact& contact,
                     const std::string& more, const char* role) {
   // Where the front of the pressure passes the middle, the order is irregular, and the error
   // larger.
-  const SolvedFilm films = tribo::ehl::solve_line_film(contact, {.greatest_cells = 4096});
+  const SolvedFilm films = tribo::ehl::solve_line_film(contact, {.greatest_cells = 16384});
   if (films.outcome != tribo::ehl::Outcome::solved)
     throw std::runtime_error(
         fmt::format("M = {}, L = {}: {}", c.load_number, c.material_number, films.reason));

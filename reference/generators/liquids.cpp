@@ -8,7 +8,7 @@
 namespace tribo::reference {
 namespace {
 
-// Of eta0, alpha and p.
+// Inputs: eta0, alpha and p.
 Ball barus(const Balls& x) { return x[0] * exp(x[1] * x[2]); }
 Ball barus_by_logarithm(const Balls& x) {
   return bisect(
@@ -23,14 +23,14 @@ Ball roelands(const Balls& x) {
   const Ball z = x[1] * pressure / scale;
   return x[0] * exp(scale * (pow(1 + x[2] / pressure, z) - 1));
 }
-// Of eta0 over the viscosity 6.315e-5 Pa s at which all isotherms meet.
+// Roelands' law by eta0 over 6.315e-5 Pa s, the viscosity at which all isotherms meet.
 Ball roelands_by_pole(const Balls& x) {
   const Ball over_pole = x[0] * exp(fraction(967, 100));
   const Ball power = exp(x[1] * 196000000 * log((x[2] + 196000000) / 196000000) / log(over_pole));
   return pow(over_pole, power) * exp(-fraction(967, 100));
 }
 
-// Of T1, nu1, T2, nu2 and T: in natural logarithms, and by A and B in decimal ones.
+// Inputs: T1, nu1, T2, nu2 and T. In natural logarithms, and by A and B in decimal ones.
 Ball astm_d341(const Balls& x) {
   const auto z = [](const Ball& viscosity) {
     return log(log(1000000 * viscosity + fraction(7, 10)));
@@ -50,7 +50,7 @@ Ball astm_d341_in_decimals(const Balls& x) {
   return (pow(Ball(10), of_log) - fraction(7, 10)) * fraction(1, 1000000);
 }
 
-// Of m0, m2 and m4.
+// Inputs: m0, m2 and m4.
 Ball summits(std::size_t k, const Balls& x) {
   const Ball alpha = x[0] * x[2] / (x[1] * x[1]), limit = fraction(8968, 10000);
   const Ball height_sd = sqrt((1 - limit / alpha) * x[0]);

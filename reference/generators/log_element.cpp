@@ -68,7 +68,7 @@ double legendre(int n, double z) {
 
 LogElement::LogElement(int degree) : nodes_(radau_nodes(degree)), slopes_(degree + 1, degree + 1) {
   const int count = degree + 1;
-  MatrixXd values(count, count), slopes = MatrixXd::Zero(count, count);  // of P_n at the nodes
+  MatrixXd values(count, count), slopes = MatrixXd::Zero(count, count);  // P_n at the nodes
   for (int k = 0; k < count; ++k)
     for (int n = 0; n < count; ++n) {
       values(k, n) = legendre(n, nodes_[k]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A polynomial on an element from −1 to 1, by its values at p + 1 nodes: the p left Radau points,
-// of which the first is −1, and 1. And what such a polynomial gives in ∫ f(t) ln|z − t| dt.
+// of which the first is −1, and 1; with its integral ∫ f(t) ln|z − t| dt.
 #pragma once
 
 #include <Eigen/Dense>
@@ -13,23 +13,23 @@ double legendre(int n, double z);
 class LogElement {
  public:
   static constexpr int most_nodes = 6;
-  // Of each node.
+  // One weight for each node.
   using Weights = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_nodes, 1>;
 
   explicit LogElement(int degree);  // 1 to 5
 
   int degree() const { return static_cast<int>(nodes_.size()) - 1; }
   const Eigen::VectorXd& nodes() const { return nodes_; }
-  // Row k: what the values weigh in the slope at node k.
+  // Row k: weights of the values in the slope at node k.
   const Eigen::MatrixXd& slopes() const { return slopes_; }
-  // Row n: what the values weigh in the coefficient of P_n.
+  // Row n: weights of the values in the coefficient of P_n.
   const Eigen::MatrixXd& to_legendre() const { return to_legendre_; }
-  // What the values weigh in the integral of f.
+  // Weights of the values in the integral of f.
   Weights integral() const { return 2 * to_legendre_.row(0).transpose(); }
 
-  // What the values weigh in ∫ f(t) ln|z − t| dt, to 2e-12. Near the element by Legendre's
+  // Weights of the values in ∫ f(t) ln|z − t| dt, to 2e-12: near the element by Legendre's
   // functions of the second kind, which is exact but for rounding; from |z| = 2.5 on by Gauss's 12
-  // points, from 10 on by 8 of them.
+  // points, from 10 on by 8 points.
   Weights log_weights(double z) const;
 
  private:

@@ -30,14 +30,14 @@ using tribo::reference::Ball;
 
 namespace {
 
-constexpr int pieces_a_binade = 32;    // of |d| + 3
-constexpr double shift = 3, end = 48;  // of |d| + 3
+constexpr int pieces_a_binade = 32;    // binades of |d| + 3
+constexpr double shift = 3, end = 48;  // range of |d| + 3
 constexpr int degree = 10;
 
 constexpr int powers = 128;
 
 struct Piece {
-  double centre, half_width;  // of |d|
+  double centre, half_width;  // in |d|
 };
 
 std::vector<Piece> pieces() {
@@ -181,7 +181,7 @@ Polynomial fit(int twice_n, bool below_zero, const Piece& piece) {
   return result;
 }
 
-// Of all orders on both sides, a piece a row.
+// The polynomials of all orders on both sides of 0, a piece a row.
 std::string table() {
   double worst = 0;
   std::string text;

@@ -104,7 +104,7 @@ inline Ball moment_by_quadrature(int twice_n, const Ball& ball) {
   const int panels = 24 + static_cast<int>(8 * std::sqrt(reach));
   const Ball end = sqrt(Ball(reach));
   detail::Integrand parameters{twice_n + 1, &d};
-  // What is lost in a panel is 2^−200 of the whole, or of the panel.
+  // The loss allowed in a panel is 2^−200 of the whole, or of the panel.
   mag_t tolerance;
   mag_init(tolerance);
   const Ball size = moment_by_hypergeometric(twice_n, d) * pow(Ball(2), Ball(-200));

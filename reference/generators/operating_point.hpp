@@ -26,8 +26,8 @@ struct Inputs {
     sd,
     offset,
     modulus,
-    radius_x,  // of a circle R
-    across,    // of a circle k of the film's constant, of an ellipse R_y, of a line its length
+    radius_x,  // R for a circle
+    across,    // k of the film's constant for a circle, R_y for an ellipse, the length for a line
     viscosity,
     pressure_viscosity,
     eyring_stress,
@@ -48,12 +48,12 @@ struct Inputs {
   std::size_t film = 0;  // among the laws
 };
 
-// What Hertz gives: A_nom, and k of the film's constant.
+// Hertz' results: A_nom, and k of the film's constant.
 struct SmoothContact {
   Ball area, ellipticity;
 };
 
-// Of Hertz' ellipse: k ≥ 1, and the second elliptic integral.
+// Hertz' ellipse: k ≥ 1, and the second elliptic integral.
 struct EllipseAxes {
   Ball k, second;
 };

@@ -9,7 +9,7 @@
 namespace tribo::reference {
 namespace {
 
-// Of circles with the default law, and of all shapes with each law.
+// Circles with the default law first, then, up to scene_count, all shapes with each law.
 constexpr int circle_count = 320, scene_count = 480;
 
 // Another shape, or another law of circles.

@@ -26,7 +26,7 @@ Table hertz_contacts();
 Table elliptical_contact_values();
 Table line_contact_values();
 std::vector<std::string> film_laws();
-Table film_table(const std::string& law);  // of one of them
+Table film_table(const std::string& law);  // law: one of film_laws()
 Table moes_lines();
 Table regime_films();
 Table thermal_reductions();

@@ -86,7 +86,7 @@ Table effective_moduli() {
       const Ball value = 1 / (compliance(0) + compliance(1));
       const Ball by_shear =
           2 * shear(0) * shear(1) / ((1 - ratio[0]) * shear(1) + (1 - ratio[1]) * shear(0));
-      Ball condition = 1;  // of both moduli
+      Ball condition = 1;  // both moduli's share
       for (const int i : {0, 1}) condition += value * 2 * ratio[i] * ratio[i] / modulus[i];
       return Row{id,
                  {hexfloat(pair.first.modulus), hexfloat(pair.first.poisson_ratio),
@@ -115,18 +115,18 @@ std::vector<Faces> faces() {
         {9.525e-3, 9.525e-3, 9.525e-3, 9.525e-3},  // two balls
         {10e-3, 25e-3, 10e-3, 25e-3},              // two balls of different sizes
         {12e-3, flat, flat, 20e-3},                // two rollers crossed at right angles
-        {15e-3, flat, flat, 15e-3},                // likewise, of the same size
+        {15e-3, flat, flat, 15e-3},                // two crossed rollers of the same size
         {10e-3, flat, 1.5, flat},                  // a crowned roller on a flat
         {10e-3, 30e-3, 2, flat},                   // a crowned roller on a cylinder
         {8e-3, 35e-3, 3, -6},                      // a crowned roller in a hollow ring
         {22e-3, 31e-3, 4, 5},                      // two crowned teeth of gears
-        {18e-3, -60e-3, 4, 5},                     // of an inner gear
+        {18e-3, -60e-3, 4, 5},                     // two crowned teeth, one of an inner gear
         {5e-3, 22.5e-3, 5e-3, -5.2e-3},            // a ball on the inner ring of a bearing
-        {5e-3, -32.5e-3, 5e-3, -5.3e-3},           // on the outer ring
-        {-32.5e-3, 5e-3, -5.3e-3, 5e-3},           // likewise, the ring first
-        {3.5e-3, 14e-3, 3.5e-3, -3.6e-3},          // of a smaller one
+        {5e-3, -32.5e-3, 5e-3, -5.3e-3},           // a ball on the outer ring of a bearing
+        {-32.5e-3, 5e-3, -5.3e-3, 5e-3},           // the outer ring of a bearing on a ball
+        {3.5e-3, 14e-3, 3.5e-3, -3.6e-3},          // a ball on the inner ring of a smaller bearing
         {4e-3, flat, 4e-3, -4.4e-3},               // a ball in a straight groove
-        {flat, 6e-3, -6.6e-3, 6e-3},               // likewise, the groove first
+        {flat, 6e-3, -6.6e-3, 6e-3},               // a straight groove on a ball
         {14e-3, -14.05e-3, 14e-3, -14.05e-3},      // a ball in the cup of an artificial hip
         {0.46, flat, -0.5, 0.3},                   // a worn wheel on the head of a rail
         {-20e-3, 4e-3, 7e-3, flat}})               // a ball-like tappet on a hollow cam

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the slow targets left in reference/baselines, with its commit, date and machine.
+// Results that the slow targets left in reference/baselines, with commit, date and machine.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace tribo::report {
 
 struct BaselineKind {
   std::string_view file;
-  std::string_view target;  // of make, that writes it
+  std::string_view target;  // the target of make that writes the file
   std::string_view what;
 };
 
@@ -34,8 +34,8 @@ Json read_baseline(const ReportPlaces& places, std::string_view file);
 std::runtime_error of_another_shape(const ReportPlaces& places, std::string_view file,
                                     const std::exception& error);
 
-// What `make` makes of a baseline. Throws std::runtime_error where the file is not there, not JSON,
-// or of a shape that `make` cannot read.
+// Gives make(baseline). Throws std::runtime_error where the file is not there, not JSON, or of a
+// shape that `make` cannot read.
 template <class Make>
 auto from_baseline(const ReportPlaces& places, std::string_view file, Make&& make) {
   const Json baseline = read_baseline(places, file);
@@ -57,7 +57,7 @@ struct BaselinePart {
 };
 void add_missing(Group& group, const BaselinePart& part, const std::string& why);
 
-// What `make` makes of a baseline, as a part of the group; {"missing": why} where it cannot.
+// Adds make(baseline) as a part of the group, or {"missing": why} where from_baseline throws.
 template <class Make>
 void add_part(Group& group, const ReportPlaces& places, const BaselinePart& part, Make&& make) {
   try {

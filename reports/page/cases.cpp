@@ -17,7 +17,7 @@ std::string stem_of(std::string_view surface, AsperityModel model) {
   return fmt::format("{}{}", surface, model == AsperityModel::greenwood_tripp ? "" : "_gw");
 }
 
-// What the report needs of a scene beyond what every scene has; empty if it is all there.
+// Says why the report cannot take a scene that is otherwise good; empty if the report can.
 std::string missing_for_report(const Scene& scene, AsperityModel model) {
   if (scene.closures.asperity != model)
     return fmt::format("closures.asperity: the report needs {} here",
@@ -68,7 +68,7 @@ class CaseReader {
     warnings_.emplace_back(warning, 0);
   }
 
-  std::vector<std::pair<InputProblem, int>> warnings_;  // of its first scene, and how many more
+  std::vector<std::pair<InputProblem, int>> warnings_;  // first scene's warning, number of others
   const ReportPlaces& places_;
 };
 

@@ -16,7 +16,7 @@ namespace tribo::report {
 inline constexpr std::array<std::string_view, 3> surfaces{"rough", "medium", "smooth"};
 
 struct Case {
-  std::string_view surface;  // of `surfaces`
+  std::string_view surface;  // one of `surfaces`
   AsperityModel model;
   std::string file;  // as provenance names it
   Scene scene;

@@ -11,7 +11,7 @@ namespace tribo::report {
 struct ChildEnd {
   int start_error = 0;   // an errno: it could not be started
   int exit_code = -1;    // −1: a signal ended it
-  int signal = 0;        // that ended it, or 0
+  int signal = 0;        // the signal that ended it, or 0
   bool is_late = false;  // it was ended, as it had not ended in time
   std::string text;      // its output
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is computed of the published scenes beside what the paper reports.
+// Numbers computed of the published scenes beside those that the paper reports.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ struct ComparisonRow {
   reproduction::Quantity quantity;
   std::string_view surface;
   std::string_view model;           // GT, GW
-  std::string_view criterion;       // of onset; empty where there is none
-  std::optional<double> computed;   // none: there is no such onset
-  std::string_view none;            // why not
-  const reproduction::Item* claim;  // what the paper reports; null: no number
+  std::string_view criterion;       // criterion of onset, or empty
+  std::optional<double> computed;   // empty: there is no such onset
+  std::string_view none;            // why there is no number
+  const reproduction::Item* claim;  // the paper's claim; null: the paper has no number
 
   std::optional<double> factor() const;  // computed/reported
   std::optional<reproduction::Verdict> verdict() const;

@@ -27,7 +27,7 @@ constexpr double told_speed = 1;  // m/s, at which the page tells films
 struct SolvedContact {
   std::string_view stem;
   std::string file;  // as provenance names it
-  std::string text;  // of the file
+  std::string text;  // the file's text
   Scene scene;
   MixedContact<double> contact;
   std::vector<Point> curve;

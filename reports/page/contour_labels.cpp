@@ -58,7 +58,7 @@ std::vector<ContourLabel> contour_labels(const Eigen::MatrixXd& values,
       if (std::fmin(place.y, 1 - place.y) < edge_height) continue;
       double room = 1e9;
       for (const MapPlace& other : filled) room = std::fmin(room, distance(place, other));
-      // Of two places with much room the one nearer to the middle.
+      // The better of two places with much room is the one nearer to the middle.
       const double worth = std::fmin(room, 4) - 0.2 * std::hypot(place.x - 0.5, place.y - 0.5);
       if (room <= least_room || worth <= best) continue;
       best = worth;

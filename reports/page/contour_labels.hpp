@@ -20,8 +20,8 @@ struct ContourLabel {
 // Is there room for a label?
 bool is_clear(const MapPlace& place, const std::vector<MapPlace>& taken);
 
-// Of values at evenly spaced places (a row for each x, a column for each y), one label for each
-// level that has a line with room for it, clear of the `taken` places.
+// One label for each level that has a line with room for it, clear of the `taken` places. The
+// values are at evenly spaced places: a row for each x, a column for each y.
 std::vector<ContourLabel> contour_labels(const Eigen::MatrixXd& values,
                                          const std::vector<double>& levels,
                                          const std::vector<MapPlace>& taken);

@@ -19,11 +19,11 @@ namespace tribo::report {
 namespace {
 
 constexpr double greatest_ratio = 1e4, moderate_ratio = 10;
-constexpr int ratio_steps = 320;  // of α, even in its logarithm
+constexpr int ratio_steps = 320;  // steps of α, even in its logarithm
 
 struct FittedResult {
   std::string_view name;
-  std::size_t place;  // of the catalogue's results
+  std::size_t place;  // index in the catalogue's results
 };
 constexpr std::array<FittedResult, 4> fitted_results{
     {{"ellipticity", 2}, {"semi_axis_x", 0}, {"peak_pressure", 4}, {"approach", 5}}};

@@ -43,7 +43,7 @@ std::string iso(chrono::sys_days day) {
                      static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()));
 }
 
-// Of "2026-11-21".
+// Reads "2026-11-21".
 std::optional<chrono::sys_days> day_of(const std::string& text) {
   int year = 0;
   unsigned month = 0, day = 0;
@@ -63,7 +63,7 @@ std::string text_of(const Json& of, const char* key) {
   return of.contains(key) && of.at(key).is_string() ? of.at(key).get<std::string>() : "unknown";
 }
 
-// What a slow target left, and how many days before this page; or why it cannot be read.
+// The baseline that a slow target left, and its age in days; or why its file cannot be read.
 Json baseline_json(const ReportPlaces& places, const BaselineKind& kind, chrono::sys_days now) {
   Json row{{"file", kind.file}, {"what", kind.what}, {"target", kind.target}};
   try {

@@ -23,7 +23,7 @@ class FilmSurface {
 
  private:
   std::vector<double> load_numbers_, material_numbers_;
-  std::vector<Spline> over_load_;  // of the logarithm of the ratio, one for each material number
+  std::vector<Spline> over_load_;  // the ratio's logarithm, a spline for each material number
 };
 
 }  // namespace tribo::report

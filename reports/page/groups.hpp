@@ -26,7 +26,7 @@ Group contacts_group(const ReportPlaces& places);
 Group line_films_group(const ReportPlaces& places);
 // The model against the certified tables of reference/exact.
 Group certified_group(const ReportPlaces& places);
-// What the slow targets of make left in reference/baselines.
+// Results that the slow targets of make left in reference/baselines.
 Group stress_group(const ReportPlaces& places);
 Group planted_faults_group(const ReportPlaces& places);
 Group diagnosis_group(const ReportPlaces& places);

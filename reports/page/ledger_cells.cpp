@@ -33,7 +33,6 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   return unit == no_entry || number == no_entry ? number : fmt::format("{} {}", number, unit);
 }
 
-// What the item asks for: the number, or the comparison.
 std::string asked(const Item& item) {
   switch (item.rule) {
     case Rule::number:

@@ -17,14 +17,14 @@ std::string number(const std::optional<double>& value, int digits = 4);
 std::string percent(double part);
 // "0.5 m/s"; without a unit or a number as it is.
 std::string with_unit(const std::string& number, const std::string& unit);
-// What the item asks for: the number, or the comparison.
+// The number or the comparison that the item asks for.
 std::string asked(const reproduction::Item& item);
-// What came out: a number, or least … greatest over speeds.
+// The computed number, or least … greatest over speeds.
 std::string computed(const reproduction::Item& item, const reproduction::ItemResult& result);
-// "4.19 times" what the paper has; of a comparison "at 72.5 % of speeds", where it holds.
+// "4.19 times" the paper's number; of a comparison "at 72.5 % of speeds", where it holds.
 std::string against_the_paper(const reproduction::Item& item,
                               const reproduction::ItemResult& result);
-// With why there is no number, or that it is not decided.
+// The verdict, with why there is no number, or that the verdict is not decided.
 std::string verdict(const reproduction::ItemResult& result);
 // The margin of a verdict, with its numerical error: "0.282 ± 1e-13".
 std::string margin(const reproduction::ItemResult& result);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the figures of the ledger are drawn from, and the ledger itself, as .tsv and .csv.
+// Data of the ledger's figures, and the ledger itself, as .tsv and .csv.
 #pragma once
 
 #include <vector>

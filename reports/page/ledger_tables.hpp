@@ -16,13 +16,13 @@ namespace tribo::report {
 TextTable reading_table(const reproduction::Ledger& ledger,
                         const reproduction::NamedReading& reading,
                         const std::vector<std::string>& claims = {});
-// What each part of a claim says, where, and how it is computed.
+// The statement of each part of a claim, its place, and how it is computed.
 TextTable statement_table(const reproduction::Ledger& ledger,
                           const std::vector<std::string>& claims = {});
 // "10 of the paper's 17 claims are reproduced, 2 partly, 5 not"
 std::string verdict_sentence(const reproduction::Ledger& ledger,
                              const reproduction::NamedReading& reading);
-// What stands first wherever the claims are told: these items of claims.tsv.
+// The items of claims.tsv that stand first wherever the claims are told.
 inline constexpr std::string_view headline_items[] = {"C1.smooth", "C1.medium", "C1.rough",
                                                       "C2.smooth", "C4.rough",  "C4.smooth"};
 TextTable headline_table(const reproduction::Ledger& ledger);
@@ -35,7 +35,7 @@ inline constexpr const char* no_reading_sentence =
 TextTable verdict_table(const reproduction::Ledger& ledger,
                         const std::vector<reproduction::NamedReading>& readings,
                         const std::vector<std::string>& claims = {});
-// What the readings are.
+// The readings, and where each departs from the corrected one.
 TextTable readings_table(const reproduction::Ledger& ledger,
                          const std::vector<reproduction::NamedReading>& readings);
 
@@ -43,7 +43,7 @@ TextTable ranking_table(const reproduction::Ledger& ledger);
 TextTable switch_table();
 TextTable identification_table(const reproduction::Ledger& ledger);
 std::vector<TextTable> argument_tables(const reproduction::Ledger& ledger);
-// Of each failing item the single-input changes that would make it hold.
+// The single-input changes that would make each failing item hold.
 std::vector<TextTable> requirement_tables(const reproduction::Ledger& ledger,
                                           const std::vector<std::string>& claims = {});
 TextTable departure_table(const reproduction::Ledger& ledger);

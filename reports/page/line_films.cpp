@@ -53,7 +53,7 @@ struct FilmsOfLiquid {
   std::vector<SolvedNumbers> table, checks;
   FilmMap map;
   double speed_number;     // U, at L of 1 where it grows
-  double power_of_number;  // of L, with which U grows
+  double power_of_number;  // the power of L with which U grows
 
   double error_of(const ehl::LineFormula& formula, double load_number, double material_number,
                   double film) const {
@@ -137,7 +137,7 @@ Json formula_json(const ehl::LineFormula& formula, const FilmsOfLiquid& films) {
           {"median_size", median_of(sizes)}};
 }
 
-// What the films of the table may be off by, relative.
+// Sums up the relative errors that the table states for its films.
 Json solved_errors_json(const std::vector<SolvedNumbers>& table) {
   std::vector<double> all;
   std::size_t within = 0;
@@ -285,7 +285,7 @@ std::vector<DataFile> map_files(const SolvedFilms& solved, const MapFrame& frame
     materials.push_back(frame.material_at(static_cast<double>(l) / material_steps));
   for (int m = 0; m <= load_steps; ++m) {
     const double load = frame.load_at(static_cast<double>(m) / load_steps);
-    std::vector<std::vector<double>> films;  // of each formula
+    std::vector<std::vector<double>> films;  // a row for each formula
     for (const ehl::LineFormula& formula : ehl::line_formulas)
       films.push_back(
           solved.of(formula).map.surfaces[static_cast<std::size_t>(formula.quantity)].films(

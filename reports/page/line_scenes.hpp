@@ -13,13 +13,13 @@
 namespace tribo::report {
 
 struct LineScene {
-  std::string name;  // of its file, without .toml
+  std::string name;  // the file's, without .toml
   std::string file;  // as provenance names it
   Scene scene;
   SpeedRange range;
 };
 
-// Of the folder's *.toml that are scenes with speeds, in the order of their names.
+// The folder's *.toml that are scenes with speeds, in the order of their names.
 std::vector<LineScene> line_scenes(const ReportPlaces& places, const std::filesystem::path& folder);
 
 }  // namespace tribo::report

@@ -14,7 +14,7 @@ std::string exact(double value);
 // `digits` significant digits; −1.8 × 10⁻¹⁰, where the plain number would be long.
 std::string rounded(double value, int digits);
 
-// Likewise, with as many digits as it takes to read back to the same double.
+// The form of rounded(), with as many digits as it takes to read back to the same double.
 std::string unrounded(double value);
 
 // 12345678 as 12 345 678, with narrow blanks that do not break.

@@ -27,7 +27,7 @@ using sweep::ColumnResult;
 constexpr std::array<const char*, 3> table_one_surfaces{"rough", "medium", "smooth"};
 constexpr const char* result_path = "sweep/onset_uncertainty.h5";
 constexpr const char* compared_column = "onset.film_maximum.speed";
-constexpr double most_deviations = 3.5;  // of nine comparisons: by chance once in 200 times
+constexpr double most_deviations = 3.5;  // nine comparisons exceed it by chance once in 200 times
 
 sweep::SceneSweep read_one(const ReportPlaces& places, const std::string& surface) {
   const std::filesystem::path path =
@@ -121,7 +121,7 @@ Json speeds_json(const sweep::SceneSweep& scene, const sweep::SceneResult& resul
 
 // The print-precision draws of the ledger, compared with the draws of this sweep.
 struct Agreement {
-  double farthest = 0;       // of 2.5 %, 50 %, 97.5 % on all surfaces: part of the value
+  double farthest = 0;       // relative, of 2.5 %, 50 %, 97.5 % on all surfaces
   double in_deviations = 0;  // the greatest distance in standard deviations of sampling
 };
 Agreement agreement(const sweep::SweepResult& result, const reproduction::Uncertainty& print) {
@@ -144,7 +144,7 @@ Agreement agreement(const sweep::SweepResult& result, const reproduction::Uncert
   return found;
 }
 
-// What `tribocheck sweep show --format json` prints, without the other numbers of each onset.
+// The JSON of `tribocheck sweep show --format json`, with the speed of each onset alone.
 Json result_json(const sweep::SweepResult& result) {
   Json json = sweep_json(result);
   for (Json& scene : json["scenes"]) {

@@ -76,12 +76,12 @@ Json scene_json(const SolvedCase& solved) {
 
 // An input of a scene: how it is read from there, and the misprint that changes it.
 struct InputRow {
-  std::string_view field;  // of scene_fields()
+  std::string_view field;  // one of scene_fields()
   Json (*value)(const Scene&);
   std::string_view erratum = {};
 };
 
-// 0: not given. What follows from two bodies or from moments stands in the scene as well.
+// 0: not given. Values that follow from two bodies or from moments stand in the scene as well.
 Json if_given(double value) {
   if (value == 0) return nullptr;
   return std::isinf(value) ? Json(value > 0 ? "inf" : "-inf") : Json(value);
@@ -206,7 +206,7 @@ Json row_json(const ComparisonRow& row) {
   return object;
 }
 
-// Of several onset criteria film_maximum counts alone.
+// The criterion film_maximum counts alone of several onset criteria.
 bool counts(const ComparisonRow& row) {
   return row.verdict() &&
          (row.criterion.empty() || row.criterion == name(OnsetCriterion::film_maximum));

@@ -19,7 +19,7 @@ struct ReportPlaces {
   std::filesystem::path out;        // absolute
   std::filesystem::path scenes;     // absolute
   std::filesystem::path render;     // absolute: the folder of the scripts that make the page
-  std::filesystem::path root;       // of the project, or empty
+  std::filesystem::path root;       // the project's folder, or empty
   std::filesystem::path reference;  // absolute: the folder of exact/, baselines/ and scenes/
   std::filesystem::path templates;  // absolute: the folder of the solvers that `init` writes
   std::filesystem::path include;    // absolute: the folder of tribocheck_plugin.h

@@ -89,7 +89,7 @@ std::string_view word(Standing standing) {
   return standing_words[static_cast<std::size_t>(standing)];
 }
 
-// What slow work several groups share: made where the first of them needs it.
+// Slow work that several groups share, done where the first of them needs it.
 class Sources {
  public:
   Sources(const ReportPlaces& places, const std::vector<Case>& cases, const Progress& progress)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stops a report: bad scenes, missing files. Exit code 2.
+// The error that stops a report: bad scenes, missing files. Exit code 2.
 #pragma once
 
 #include <stdexcept>

@@ -32,7 +32,7 @@ std::vector<SolvedNumbers> read_solved_films(const std::string& path, std::strin
 
 // A surface for each quantity, over the table's range with L > 0.
 struct FilmMap {
-  std::vector<double> load_numbers, material_numbers;  // of the films that it goes through
+  std::vector<double> load_numbers, material_numbers;  // numbers of the films at its nodes
   std::vector<FilmSurface> surfaces;
 
   // Throws std::runtime_error where the table lacks a load number with a material number.

@@ -12,7 +12,7 @@
 namespace tribo::report {
 namespace {
 
-// What a gate found of one program.
+// The verdict of a gate on one program.
 Json proof_json(const Json& row, const Json& program) {
   Json proof = program;
   copy<std::string>(row, {"gate", "expected", "verdict"}, proof);
@@ -117,7 +117,7 @@ double greatest_memory(const Json& memory) {
   return greatest;
 }
 
-// What is aimed at, and what is reached.
+// The targets, the values reached, and whether each target is met.
 Json targets_json(const Json& ratios, const Json& baseline) {
   double greatest = 0;
   for (const Json& row : ratios)

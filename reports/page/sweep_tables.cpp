@@ -28,7 +28,7 @@ std::string number(double value, double factor = 1) {
 // A unit that leaves few zeros, for people: nm where all values are films.
 struct ReadableUnit {
   std::string name;
-  double factor;  // of a number in the column's unit
+  double factor;  // multiplies a number in the column's unit
 };
 ReadableUnit readable_unit(const ColumnResult& column) {
   double greatest = 0;
@@ -88,7 +88,7 @@ std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
              : "";
 }
 
-// Of a grid there is no mean: its values were chosen, not drawn.
+// A grid has no mean: its values were chosen, not drawn.
 TextTable number_table(const SceneResult& scene) {
   const bool with_speed = has_speeds(scene);
   const bool is_grid = scene.design == "factorial";

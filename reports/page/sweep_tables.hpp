@@ -12,7 +12,7 @@
 
 namespace tribo::report {
 
-// Of each scene: its numbers, its words, its Sobol indices.
+// The numbers, the words and the Sobol indices of each scene.
 std::vector<TextTable> sweep_tables(const sweep::SweepResult& result);
 
 // A row for each scene, column and speed; what is undefined is empty.

@@ -80,7 +80,7 @@ std::vector<std::size_t> column_widths(const TextTable& table,
 
 std::string plain_row(const std::vector<std::string>& cells, const TextTable& table,
                       const std::vector<std::size_t>& widths) {
-  std::vector<std::vector<std::string>> lines;  // of each cell
+  std::vector<std::vector<std::string>> lines;  // the lines of each cell
   std::size_t height = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     lines.push_back(wrapped(cells[i], widths[i]));

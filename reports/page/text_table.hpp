@@ -11,7 +11,7 @@ namespace tribo::report {
 struct TextTable {
   std::string caption;
   std::vector<std::string> headings;
-  std::vector<bool> is_number;  // of each column: set to the right
+  std::vector<bool> is_number;  // columns of numbers are set to the right
   std::vector<std::vector<std::string>> rows;
   std::string note;
 };

@@ -15,7 +15,7 @@ namespace tribo::report {
 
 struct SlopeCurve {
   std::string_view name;  // "flooded", "starved_inlet", …
-  std::string change;     // what differs from the scene file
+  std::string change;     // the difference from the scene file
   std::vector<Point> points;
   double first_slope;             // d ln h*/d ln u at the lowest speed, and
   double last_slope;              // at the highest; NaN where the film has collapsed

@@ -106,7 +106,7 @@ Group planted(const Json& baseline) {
   return group;
 }
 
-// What `verify --subject` said of wrong solvers, and whether it accused right ones.
+// Answers of `verify --subject` on wrong solvers, and whether it accused right ones.
 Group diagnosed(const Json& baseline) {
   Json solvers = Json::array();
   std::size_t named = 0;

@@ -49,7 +49,7 @@ Json* find(Json& array, const char* key, const Json& value) {
   return found == array.end() ? nullptr : &*found;
 }
 
-// Of each family the fastest way that failed nowhere and was judged, in the order of the file.
+// The fastest of each family's ways that were judged and failed nowhere, as the file orders them.
 Json fastest_ways(const Json& baseline, const std::string& job) {
   Json ways = Json::array();
   for (const Json& row : baseline.at("error_against_work")) {
@@ -116,8 +116,8 @@ Json contest(const Json& jobs) {
           {"greatest_times_ours", compared > 0 ? Json(greatest) : Json()}};
 }
 
-// Of each solver the fraction of cases that it settles as fast as the best one, and within the
-// greatest factor.
+// The fraction of cases that each solver settles as fast as the best one, and within the greatest
+// factor.
 Json profile(const Json& baseline) {
   Json solvers = Json::array();
   for (const Json& row : baseline.at("performance_profile")) {

@@ -14,8 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double accuracy_ratchet = 4;  // of the greatest error, or of 1 ulp
-constexpr double time_ratio = 1.10;     // of the medians
+constexpr double accuracy_ratchet = 4;  // times the greatest error, or 1 ulp
+constexpr double time_ratio = 1.10;     // ratio of the medians
 constexpr int schema = 2;
 
 std::string key_of(const BenchRow& row) { return row.job + '/' + row.family + '/' + row.name; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `tribocheck bench` measured before, in a file that somebody commits: a gate for their CI.
+// Earlier numbers of `tribocheck bench` in a file that users commit: a gate for their CI.
 // Work and accuracy are compared on any machine. Times are divided by the control's time of the
 // same run, and compared only if processor and compiler are the same as in the baseline.
 #pragma once
@@ -21,7 +21,7 @@ struct BenchChanges {
   std::vector<std::string> slower;   // red if a second run says so too
   std::vector<std::string> better;   // worth writing down
   std::vector<std::string> remarks;  // why something is not compared
-  std::size_t rows = 0, compared = 0, timed = 0;  // of this run; in anything; in their times
+  std::size_t rows = 0, compared = 0, timed = 0;  // this run's; compared at all; compared in times
 };
 
 // Throws std::runtime_error with one line where it is no such baseline, or one of another schema.

@@ -21,7 +21,7 @@ struct BenchRow {
   // Empty if nothing was judged. Failures are cases without a number or off by more than 1e-6 times
   // their condition; the ulp values are true errors of the cases that are numbers.
   std::optional<double> judged, failures, max_ulp, p99_ulp, mean_ulp;
-  std::optional<double> evaluations;  // of the integrand or the moment, a point; none: has none
+  std::optional<double> evaluations;  // evaluations of integrand or moment, a point; or empty
 };
 
 struct BenchJob {

@@ -66,7 +66,7 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// What broke the protocol, and what a user should know of the run.
+// Breaches of the protocol, and facts of the run that a user should know.
 std::vector<std::string> remarks(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   std::vector<std::string> lines = verdict.notes;
@@ -101,7 +101,7 @@ std::string comparison(const Example& one) {
                      error.empty() ? "" : ": " + error);
 }
 
-// Of the functions that failed, as one explains the quantities of a function together.
+// The diagnoses of the quantity's function: one explains the quantities of a function together.
 std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
                                            const std::string& quantity) {
   const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
@@ -383,12 +383,12 @@ std::string subject_junit(const SubjectVerdict& verdict) {
     else
       add(one.quantity, "", "");
   }
-  for (const Finding& one : failed)  // of no quantity
+  for (const Finding& one : failed)  // failures of no quantity
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
       add(one.quantity, "failure", one.text);
   if (result.violation_count == 0) add("protocol", "", "");
-  std::string said;  // what a user should know of the run
+  std::string said;  // facts of the run for the user
   for (const std::string& line : remarks(verdict)) said += line + "\n";
   if (!said.empty()) xml += fmt::format("  <system-out>{}</system-out>\n", text(said));
   if (shows_errors(verdict))

@@ -19,8 +19,8 @@ struct SubjectVerdict {
   std::vector<std::string> notes;                       // on the answers
   std::vector<std::string> last_errors;                 // lines of stderr
   std::string baseline;                                 // the file of --baseline
-  std::optional<conformance::BaselineChanges> changes;  // against what it says
-  std::vector<conformance::Finding> missing;            // of --require, and not held
+  std::optional<conformance::BaselineChanges> changes;  // changes against that file
+  std::vector<conformance::Finding> missing;            // named by --require, not held
 };
 
 // The reasons for exit code 1. With a baseline: all that is worse than the baseline. Without one:

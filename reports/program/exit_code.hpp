@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program tells the shell.
+// Exit codes of the program.
 #pragma once
 
 namespace tribo::cli {

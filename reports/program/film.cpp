@@ -35,7 +35,7 @@ struct FilmArguments {
   std::string picture;
 };
 
-// Roelands' z of oils is near 0.6, of synthetic liquids some 0.4 to 1. What lies outside these
+// Roelands' z of oils is near 0.6, of synthetic liquids some 0.4 to 1. A value outside these
 // bounds is more likely a wrong α or η₀ than a liquid.
 constexpr double least_roelands_index = 0.2, greatest_roelands_index = 1.2;
 
@@ -56,7 +56,7 @@ bool follows_roelands(const Scene& scene, const FilmSettings& settings) {
                                     : settings.viscosity == "roelands";
 }
 
-// What is wrong with a scene for these arguments; empty if nothing is.
+// Says why a scene cannot be solved with these arguments; empty if it can.
 std::string fault_of(const Scene& scene, const FilmArguments& arguments) {
   if (scene.speeds.empty())
     return "speed: missing; allowed: a number above 0, in m/s, a list or a range of such numbers, "

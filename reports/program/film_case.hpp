@@ -56,13 +56,13 @@ struct FilmCase {
   std::vector<ProfilePoint> profile;  // nodes of the finest grid
 };
 
-// Of the formulas, in the order of FilmCase::formulas.
+// Names of the formulas, in the order of FilmCase::formulas.
 std::vector<std::string_view> film_formula_names();
 
 // Told before every step of Newton's method; false: stop.
 using FilmWatch = std::function<bool(int cells, int step)>;
 
-// Of a scene that was read as a line (SceneUse::line_film).
+// Solves a scene that was read as a line (SceneUse::line_film).
 FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
                     const FilmWatch& watch);
 

@@ -34,7 +34,7 @@ constexpr std::array<Quantity, 5> quantities{{
     {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, true},
 }};
 
-// Of M, L and Hertz' numbers.
+// One of M, L and Hertz' numbers.
 struct Given {
   std::string_view name, words, unit;
   double FilmCase::*value;

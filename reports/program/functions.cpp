@@ -29,7 +29,7 @@ struct FunctionsArguments {
 
 std::string unit_text(std::string_view unit) { return unit.empty() ? "-" : std::string(unit); }
 
-// What a contact on earth has: "1e-06 to 100".
+// The range of a contact on earth: "1e-06 to 100".
 std::string physical(const Parameter& parameter) {
   return fmt::format("{:g} to {:g}", parameter.least, parameter.greatest);
 }

@@ -40,9 +40,9 @@ struct InitArguments {
 
 struct Language {
   std::string name;
-  std::string file;     // that is written; its template is this with ".mustache"
+  std::string file;     // the file to write; its template is this with ".mustache"
   std::string program;  // the interpreter or compiler
-  std::string package;  // of Debian, that has it
+  std::string package;  // Debian's package of the program
   // The command that builds {library}, in {folder}, from {file}; {include} is the folder of
   // tribocheck_plugin.h.
   // Without {library} it is the command of the subject itself.
@@ -103,7 +103,7 @@ std::string own_name() {
   return fs::equivalent(found_by_shell("tribocheck"), self, ignored) ? "tribocheck" : self.string();
 }
 
-// What to type next: it builds a library, and puts the solver to the tests.
+// The next command to type: it builds a library, and puts the solver to the tests.
 std::string next_line(const Language& language, const fs::path& include, const std::string& out) {
   const std::string file = out.starts_with('-') ? "./" + out : out;  // is no option
   const std::string verify = shell_word(own_name()) + " verify ";

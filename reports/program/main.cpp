@@ -41,7 +41,7 @@ Example:
 The paper's scenes are in reference/published, its sweeps in reference/published/sweeps.
 See also: tribocheck solve --help)";
 
-// What is wrong with the first argument, which names the command; empty if nothing is.
+// The fault of the first argument, which names the command; empty if there is no fault.
 std::string command_fault(const CLI::App& program, int count, char** arguments) {
   std::vector<std::string_view> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());

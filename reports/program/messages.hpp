@@ -10,7 +10,7 @@ namespace tribo::cli {
 // stderr that is closed or full is no reason to fail.
 void complain(std::string_view text);
 
-// Likewise, a line that belongs to the last: "  <text>".
+// Writes "  <text>" in the same way: a line that belongs to the last.
 void complain_more(std::string_view text);
 
 }  // namespace tribo::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the commands write to: the stream of the protocol's answers.
+// The commands write to the stream of the protocol's answers.
 #pragma once
 
 #include "protocol/output_stream.hpp"

@@ -40,7 +40,7 @@ constexpr const char* section_names[] = {"claims",      "statements",   "ranking
                                          "identified",  "requirements", "uncertainty", "errata",
                                          "independent", "all"};
 
-// What --reading asks for: named ones, and readings given by their switches.
+// The readings that --reading asks for, by their names or by their switches.
 struct Asked {
   std::vector<std::string> names;
   std::vector<Reading> readings;

@@ -28,8 +28,8 @@ data lines_of(const std::string& text) {
   return lines;
 }
 
-// What all of a list have: the name, what it is, its number from 1 and from 0, and whether it is
-// the last one.
+// Entries of each item in a list: name, meaning, unit, number from 1 and from 0, and whether it is
+// the last item.
 template <class Named>
 data entry_of(const Named& named, std::size_t place, std::size_t count) {
   data entry;
@@ -73,7 +73,7 @@ data function_of(const catalogue::Function& function) {
                                           function.equation, function.source)));
   entry.set("parameters", parameters_of(function));
   entry.set("results", results_of(function));
-  // Of many results each has a name; the only one is the answer itself.
+  // Each of several results has a name; a single result is the answer itself.
   if (function.results.size() == 1) entry.set("only_result", results_of(function));
   return entry;
 }

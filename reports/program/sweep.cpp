@@ -230,7 +230,8 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   return end == sweep::RunEnd::done ? shown : exit_failed;
 }
 
-// What goes wrong on the way is bad usage, or a failure that the journals survive.
+// Turns exceptions into exit codes: bad usage, or the failure of another rank, after which
+// the sweep can be resumed.
 template <class Step>
 int told(Step&& step) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a sweep will take, from its plan and a few chunks that are computed for it.
+// Estimates time, memory and files of a sweep, from its plan and a few chunks computed for that.
 #pragma once
 
 #include "output.hpp"

@@ -83,7 +83,7 @@ CaseSources sources_of(const SubjectArguments& arguments) {
   return {exact.string(), (exact / "../published").lexically_normal().string()};
 }
 
-// Likewise.
+// mistakes.toml is in its usual place, or else beside the folder of --reference.
 std::string mistakes_of(const SubjectArguments& arguments) {
   const std::filesystem::path usual = report::usual_places().reference / "mistakes.toml";
   if (std::filesystem::is_regular_file(usual)) return usual.string();

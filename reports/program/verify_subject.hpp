@@ -10,8 +10,8 @@
 namespace tribo::cli {
 
 struct SubjectArguments {
-  std::string command;  // of --subject
-  std::string plugin;   // of --plugin
+  std::string command;  // value of --subject
+  std::string plugin;   // value of --plugin
   std::string exact;    // empty: reference/exact of the project
   std::string tolerance = "engineering";
   std::string format = "table";

@@ -32,7 +32,7 @@ void append_wrapped(std::string& to, const std::string& line, std::size_t width)
     to += line + '\n';
     return;
   }
-  // What stands in front of the indent, an option with its type, is ASCII and stays as it is.
+  // The text in front of the indent, an option with its type, is ASCII and stays as it is.
   const std::vector<std::string> parts = report::wrapped(line.substr(indent), width - indent);
   for (std::size_t i = 0; i < parts.size(); ++i)
     to += (i == 0 ? line.substr(0, indent) : std::string(indent, ' ')) + parts[i] + '\n';

@@ -22,7 +22,7 @@ static int has_watched_start(const char* path) {
   return start != NULL && strncmp(path, start, strlen(start)) == 0;
 }
 
-/* What an open file or folder is called; empty if that is not known. */
+/* The path of an open file or folder; empty if it is not known. */
 static const char* path_of(const char* link, char* path, size_t room) {
   const ssize_t size = readlink(link, path, room - 1);
   path[size < 0 ? 0 : size] = '\0';

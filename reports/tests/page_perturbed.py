@@ -52,9 +52,13 @@ def changed(value, draw, words=(), name=None):
 
 
 def perturbed(report, seed):
-    """A report whose groups fit together: none, one and two findings fail, the last ones, by the seed."""
+    """A report whose groups fit together: none, one and two findings fail, the last ones, by the seed.
+
+    It always tells something that was not run: a page that is made without gnuplot has that table in any case.
+    """
     draw = random.Random(seed)
     made = changed(report, draw, {name: sorted({value for key, value in named(report) if key == name and value}) for name in WORDS})
+    made["not_run"] = made["not_run"] or [{"what": "What the page asked for", "why": "it was not there", "how_to": "`make it`,"}]
     made["planted_faults"]["catalogue"] = len(made["planted_faults"]["faults"]) + seed - 1
     for one in made["ledger"]["arguments"]:
         one["agreeing"] = sum(way["agrees"] for way in one["candidates"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What each picture of the report's page has to draw, by the names of the columns of its data and by report.json.
+"""The contents that each picture of the report's page has to draw, by the names of the columns of its data and by report.json.
 
 A picture is a list of panels: is the x axis logarithmic, is the y axis (or which values its ends have, where it has no
 ticks), the series in the order of the plot, and whether they may leave the panel. A series: its name in the legend, its colour or None, its points, and whether
@@ -16,13 +16,13 @@ from svg_plots import NEAR, Axis, absent, contours, number, read, texts
 COLOURS = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2, "ball_on_flat": 0x0072B2, "bearing_outer_ring": 0x009E73,
            "gear_flank": 0xD55E00}
 SURFACES, GREY = ("rough", "medium", "smooth"), 0x666666
-FOOT, TOP = "foot", "top"  # of the panel
+FOOT, TOP = "foot", "top"  # places at the ends of a panel
 SMOOTH = COLOURS["smooth"]
 
 
 SPEED, FILM = "entrainment speed u (m/s)", "film h* (nm)"
 WORK = ("CPU time a point (ns)", "true error (ulp): greatest, and down to the mean")
-AXES = {  # what is written at the axes: the x axis, and the y axis of each panel
+AXES = {  # titles of the axes: the x axis, and the y axis of each panel
     "figure_04": (SPEED, FILM), "figure_07": (SPEED, "real area / nominal area, Ar/Anom (–)"), "figure_08": (SPEED, "summits in contact (–)"),
     "figure_09": (SPEED, "share of the load (–)"), "figure_10": (SPEED, FILM), "figure_11": (SPEED, FILM, "film with GW / film with GT (–)"),
     "figure_12": (SPEED, "friction coefficient μ (–)", "film parameter λ = h*/σs (–)"),
@@ -65,7 +65,7 @@ class Data:
     def __init__(self, out, report):
         self.out, self.report = out, report
         self.marks = table(out / "data/marks.tsv")
-        self.words = {}  # of each picture: texts beside points
+        self.words = {}  # texts beside the points of each picture
 
     def curve(self, stem, y, factor=1):
         return column([row for row in table(self.out / f"data/curve_{stem}.tsv") if row["inlet"] != "collapsed"], "speed", y, factor)
@@ -272,7 +272,7 @@ class Data:
 
 
 def map_differences(path, data):
-    """Of the six maps: contours lie where the errors of the table pass a level, dashed below 0 and solid above; labels and tracks stand at their places."""
+    """The six maps: contours lie where the errors of the table pass a level, dashed below 0 and solid above; labels and tracks stand at their places."""
     rows = table(data.out / "data/line_film_errors.tsv")
     tracks = [point for _, block in blocks(data.out / "data/line_film_tracks.blocks.tsv") for point in column(block, "load number M", "material number L")]
     loads, materials = (sorted({float(row[name]) for row in rows}) for name in ("load number M", "material number L"))
@@ -306,7 +306,7 @@ def map_differences(path, data):
 
 
 def differing(plot, box, across, up, wanted, leaves):
-    """Of one panel: titles, colours, points that are not drawn, and what is drawn where no point is."""
+    """One panel: titles, colours, points that are not drawn, and what is drawn where no point is."""
     left, right, top, bottom = box
     shown = [one for one in plot.series if one.title or one.lines or one.points]
     wanted = [one for one in wanted if one[0] or any(math.isfinite(y) for _, y in one[2] if y not in (FOOT, TOP)) or
@@ -334,7 +334,7 @@ def differing(plot, box, across, up, wanted, leaves):
 
 
 def differences(path, name, data):
-    """What of a picture departs from what it has to have: each as one line."""
+    """The departures of a picture from what it has to have, each as one line."""
     written = texts(path)
     said = [f"no axis is named {one}" for one in AXES.get(name, ("evaluations a point", "true error (ulp), greatest") if "_evaluations" in name else WORK)
             if one not in [text for text, _, _ in written]]

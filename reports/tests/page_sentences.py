@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the prose of the report's page has to say of report.json, sentence by sentence; as page_tables.py for its tables.
+"""The sentences that the prose of the report's page has to say of report.json; page_tables.py has the same for its tables.
 
 A pair says what must not stand there: ("not", words).
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What each table of the report's page has to say, cell by cell, by report.json and by formatters of our own.
+"""The cells that each table of the report's page has to show, by report.json and by formatters of our own.
 
 No template, and nothing of reports/page/render, has a part in it: the heading of a column, the field of the data
 under it and the digits that it has are written here a second time.

@@ -4,6 +4,7 @@
 import copy
 import json
 import os
+import signal
 import subprocess
 import tempfile
 
@@ -11,6 +12,10 @@ PROGRAM = os.environ["TRIBOCHECK"]
 TIMEOUT = 120  # seconds; against hanging, not a measure of speed
 
 ENVIRONMENT = dict(os.environ)
+# Under nohup, or started in the background by a shell, a process ignores these, and so would the programs it starts.
+for one, way in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL), (signal.SIGQUIT, signal.SIG_DFL)):
+    signal.signal(one, way)
+
 # AddressSanitizer keeps 256 MB of freed memory, which has nothing to do with the program's use.
 ENVIRONMENT["ASAN_OPTIONS"] = ":".join(
     filter(None, [os.environ.get("ASAN_OPTIONS"), "quarantine_size_mb=1"]))
@@ -41,7 +46,7 @@ def scene(surface="rough", **changes):
 
 
 def quiet_scene(*arguments, **changes):
-    """Likewise with summits that an isotropic Gaussian face may have, so that nothing is warned of."""
+    """A scene() with summits that an isotropic Gaussian face may have, so that there is no warning."""
     return with_field(scene(*arguments, **changes), "surface.summit_plane_offset", 0.919)
 
 
@@ -83,7 +88,7 @@ def toml(tree):
     return text
 
 
-OF_SUMMITS = "of every isotropic Gaussian face"  # what is warned of each scene of the paper
+OF_SUMMITS = "of every isotropic Gaussian face"  # in the warning on each scene of the paper
 
 
 class Result:
@@ -119,7 +124,7 @@ def start(*arguments, **options):
 
 
 def read_terminal(reader):
-    """What was written to a pseudoterminal until its other end was closed; closes this one."""
+    """Reads a pseudoterminal until its other end is closed; closes this end."""
     said = b""
     try:
         while part := os.read(reader, 4096):

@@ -75,7 +75,7 @@ def load_sharings():
 
 
 def examples():
-    """Of each function that no list above has: its example, with each word, and with larger numbers."""
+    """The example of each function that no list above has, with each word, and with larger numbers."""
     asked = {line["function"] for line in (moments() + effective_moduli() + reduced_radii() + hertz_points()
                                            + films() + starvation_ratios() + load_sharings())}
     lines = []

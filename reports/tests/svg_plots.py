@@ -32,7 +32,7 @@ class Plot:
 
 
 def number(label):
-    """What a tick's label says, or None: 10⁻³ stands as 10 and −3, 25 (smooth) is 25."""
+    """The number that a tick's label says, or None: 10⁻³ stands as 10 and −3, 25 (smooth) is 25."""
     label = label.replace("−", "-").strip()
     power = re.fullmatch(r"(?:([\d.]+)×)?10\|(-?\d+)\|?", label)
     if power:
@@ -134,7 +134,7 @@ def absent(these, among):
 
 
 def contours(path, letters):
-    """Of the plots whose names end with each letter: black lines (is dashed, is thick, places), the places of coloured ones, and texts."""
+    """The plots whose names end with each letter, each with its black lines (is dashed, is thick, places), the places of coloured ones, and texts."""
     root = xml.parse(path).getroot()
     for letter in letters:
         made = {"lines": [], "tracks": [], "texts": []}

@@ -76,7 +76,7 @@ class Gate(unittest.TestCase):
         return Result(done.returncode, done.stdout, done.stderr)
 
     def gate(self, *runs_and_options):
-        """Of the rows of the first run, and of the second one where there are two."""
+        """Judges the rows of the first run, and of the second one where there are two."""
         runs = [one for one in runs_and_options if isinstance(one, dict)]
         options = [one for one in runs_and_options if not isinstance(one, dict)]
         (self.folder / "asked").unlink(missing_ok=True)

@@ -159,7 +159,7 @@ class Baselines(unittest.TestCase):
         self.assertTrue(better.json()["baseline"]["better"])
 
     def told(self, script):
-        """What each format says of a gate: exit code, last line, head, JSON, JUnit."""
+        """The words of each format on a gate: exit code, last line, head, JSON, JUnit."""
         junit = self.folder.path("junit.xml")
         told = [run("verify", "--subject", subject(*script), "--sample", "60", "--baseline", self.path,
                     "--format", format, "--junit", junit) for format in ("table", "markdown", "json")]

@@ -95,7 +95,7 @@ class Examples(unittest.TestCase):
     def test_of_report(self):
         self.run_examples("report")
 
-    # What these two start is the reader's own: the solver that `init` writes, and a plug-in. The
+    # These two commands start the reader's own: the solver that `init` writes, and a plug-in. The
     # fresh solver offers nothing yet, and the plug-in may fall short of the strict tolerance.
     def test_of_init_and_verify(self):
         self.run_examples("init", codes=(0, 1))
@@ -200,7 +200,7 @@ class OfTheReadme(unittest.TestCase):
 
 
 class Outputs(unittest.TestCase):
-    """What an output means is one text, wherever it is told."""
+    """The meaning of an output is one text, wherever it is told."""
 
     def test_the_readme_of_the_model_and_the_help_say_the_same(self):
         rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|–) \| (.*) \|$",

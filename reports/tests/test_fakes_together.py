@@ -7,7 +7,7 @@ import unittest
 from conformance import subject, verify
 from test_fakes_named import NAMED
 
-# Of each function, the fakes that are put together.
+# The fakes of each function that are put together.
 TOGETHER = {
     "hamrock_dowson_central": """
         film_half_radius+film_modulus_single        film_half_radius+film_speed_sum

@@ -24,7 +24,7 @@ QUANTITIES = ["central_film", "minimum_film", "film_at_greatest_pressure"]
 SPIKE = ["spike_pressure", "spike_place"]
 FORMULAS = ["moes_line", "ertel_grubin", "dowson_higginson_minimum", "dowson_toyoda_central",
             "pan_hamrock_minimum", "pan_hamrock_central"]
-# What is not the film's: E* and R_x, and a liquid of 0.01 Pa·s.
+# Inputs that M and L leave free: E* and R_x, and a liquid of 0.01 Pa·s.
 MODULUS, RADIUS, VISCOSITY, LENGTH = 1.1e11, 0.01, 0.01, 0.02
 
 
@@ -209,7 +209,7 @@ class Formats(FilmTest):
         x, pressure, film = (found["profile"][name] for name in ("x", "pressure", "film"))
         carried = sum((b - a)*(p + q)/2 for a, b, p, q in zip(x, x[1:], pressure, pressure[1:]))
         self.assertAlmostEqual(carried/(tree["load"]/LENGTH), 1, delta=1e-9)
-        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # of its one grid
+        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # the profile is of one grid
         self.assertEqual([round(pressure[end], 9) for end in (0, -1)], [0, 0])
         self.assertGreaterEqual(min(pressure), 0)
         self.assertEqual(len(x), found["cells"] + 1)

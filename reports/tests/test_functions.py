@@ -174,7 +174,7 @@ class Values(unittest.TestCase):
         self.assert_close(film * 1.9 / (2.69 * (1 - 0.61 * math.exp(-0.73))), 2.612153512768e-7, 1e-11)
 
     def test_films_by_other_laws(self):
-        # Of Table 1 of the paper at 1 m/s, in nm; lines with 1e5 N/m.
+        # Films of the paper's Table 1 at 1 m/s, in nm; lines with 1e5 N/m.
         for name, film in zip(("hamrock_dowson_minimum", "hamrock_dowson_soft_central",
                                "hamrock_dowson_soft_minimum", *LINES),
                               (86.247, 48.624, 27.822, 165.939, 216.688, 154.850, 178.321, 198.958, 216.155),

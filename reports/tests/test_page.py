@@ -78,7 +78,7 @@ for (let node; (node = walker.nextNode()); ) {
 return least;
 """
 
-# Of each figure: its texts, those that stick out of it, and the pairs of which one is over the other.
+# The texts of each figure, those that stick out of it, and the pairs of which one is over the other.
 FIGURE_TEXTS = """
 return [...document.querySelectorAll('figure svg')].map((svg) => {
   const paper = svg.getBoundingClientRect();

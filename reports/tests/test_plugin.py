@@ -14,7 +14,7 @@ from program import ENVIRONMENT, PROGRAM, TIMEOUT, run, start
 CLOSURES = ["flooded_inlet", "starved_inlet", "printed_exponents", "damiens"]
 ASPERITIES = ["greenwood_tripp", "greenwood_williamson"]
 
-# Of each kind some, with what is undefined, out of range or no question at all.
+# Some questions of each kind, with undefined ones, ones out of range and lines that are no question.
 FUNCTIONS = [
     *(moment(d, n) for n in [0, 0.5, 1, 1.5, 2, 2.5] for d in [-1e300, -30, -1.146, 0, 0.3, 7, 36, 50]),
     *(hertz(load) for load in [1e-3, 50, 1e300]),

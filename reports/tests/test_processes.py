@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a program starts ends with it, however it ends, and each command stops soon after Ctrl-C."""
+"""The children of a program end with it, however it ends, and each command stops soon after Ctrl-C."""
 
 import os
 import pathlib

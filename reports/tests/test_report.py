@@ -142,7 +142,7 @@ class Numbers(WrittenReport):
                 if float(row["film"]) else 4
             condition = 1 / abs(1 - lambda_flooded / 4) if lambda_flooded != 4 else 1
             for name in numbers:
-                if other[name] == "":  # but for the marks, where the shares are the limits as printed
+                if other[name] == "":  # except at the marks, where the shares are the limits as printed
                     self.assertEqual((row["regime"], row["inlet"]), ("collapsed", "collapsed"))
                     self.assertEqual(row[name] == "NaN", "event" not in row or name == "friction")
                     continue

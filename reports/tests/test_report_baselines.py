@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `tribocheck report` makes of reference/baselines and reference/exact, and of what is missing."""
+"""The parts of the report from reference/baselines and reference/exact, also with files missing or changed."""
 
 import json
 import math
@@ -149,7 +149,7 @@ class Baselines(unittest.TestCase):
         self.assertEqual((row[0], row[2]), (f"`{content['faults'][7]['id']}`", "SURVIVED: passed"))
 
     def standing_of(self, section):
-        """What the page promises of a section, and its words."""
+        """The standing of a section among the findings, and its words."""
         page = self.page([section, "environment"])
         standing = next(one["standing"] for one in page["findings"] if one["section"] == section)
         return standing, " ".join(next(part for part in self.text.split("\n\n") if f"[more](#{section})" in part).split())

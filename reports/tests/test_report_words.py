@@ -21,7 +21,7 @@ CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 class Live(html.parser.HTMLParser):
-    """What of a page does something: its elements, its links, and what its elements react to."""
+    """The live parts of a page: its elements, its links, and the events that its elements react to."""
 
     def __init__(self, text):
         super().__init__()
@@ -118,7 +118,7 @@ class Baselines(unittest.TestCase):
         self.assert_dead(live, good)
         names = set().union(*map(names_of_texts, self.good.values()))
         self.assertLessEqual({"commit", "date", "cpu", "compiler", "fault", "check", "family", "series", "job"}, names)
-        for key in ("job", "name", "kernel"):  # what files are named after, and what is drawn
+        for key in ("job", "name", "kernel"):  # names of files, and words that are drawn
             self.write({key}, "/../../" + WORD)
             live, _ = self.page(pictures=False)
             self.assert_dead(live, good)

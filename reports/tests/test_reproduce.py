@@ -23,7 +23,7 @@ CLAIMS = [f"C{i}" for i in range(1, 18)]
 
 @functools.cache
 def reproduced(*arguments):
-    """What it says, computed once for all tests; it takes a second or two."""
+    """The output of reproduce, computed once for all tests; it takes a second or two."""
     return run("reproduce", *arguments)
 
 
@@ -314,7 +314,7 @@ class ReproduceTest(unittest.TestCase):
         for make in (page_tables.claims, page_tables.readings, page_tables.requirements, page_tables.of_ledger, page_tables.misprints):
             for caption, head, rows in make({"ledger": ledger}):
                 shown = tables.get(page_tables.plain(caption).partition(", onset by")[0])
-                if shown is None:  # of other readings than the first
+                if shown is None:  # the table of another reading than the first
                     self.assertIn("decide, under the reading", caption)
                     continue
                 self.assertEqual(len(shown), len(rows), caption)

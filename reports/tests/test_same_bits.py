@@ -20,7 +20,7 @@ NUMBERS = ("film_flooded", "film", "separation", "film_parameter", "asperity_loa
 def asked(kind, *arguments, stdin=""):
     environment = dict(ENVIRONMENT)
     if KINDS[kind]:
-        # What is switched off already stays off: the last of several settings alone would count.
+        # Sets that are switched off already stay off: the last of several settings alone would count.
         already = environment.get("GLIBC_TUNABLES", "")
         off = already.removeprefix(HWCAPS).split(",") if already.startswith(HWCAPS) else []
         environment["GLIBC_TUNABLES"] = HWCAPS + ",".join([*off, KINDS[kind]])

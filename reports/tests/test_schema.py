@@ -3,7 +3,7 @@
 
 verification/tests/scene holds the schema file to the reader's table of fields; here a validator that knows
 nothing of that table and the real program are given one corpus of good and bad scenes, as JSON and
-as TOML. What a schema cannot say has a test of its own.
+as TOML. Rules that a schema cannot say have a test of their own.
 """
 
 import copy

@@ -312,7 +312,7 @@ class Estimates(SweepTest):
         self.assertLess(abs(estimated - size), 0.1 * size, said.out)
 
     SPEEDS = "{ from = 1e-3, to = 3, count = %d }"
-    # Of unlike shape: points that are kept, many speeds, summaries alone, indices, grids.
+    # Sweeps of unlike shape: points that are kept, many speeds, summaries alone, indices, grids.
     SHAPES = [
         sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS % 20}, draws=4000),
         sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS % 2000, "outputs": '["film"]'}, draws=64),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep under faults: killed at any moment, stopped, on a full disk, with damaged files. What
-is resumed ends in the bytes of an undisturbed run. TRIBOCHECK_KILLS asks for more kills than five."""
+"""tribocheck sweep under faults: killed at any moment, stopped, on a full disk, with damaged files. A
+resumed run ends in the bytes of an undisturbed one. TRIBOCHECK_KILLS asks for more kills than five."""
 
 import os
 import random
@@ -97,7 +97,7 @@ class Killed(SweepTest):
         self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
 
     def said_after(self, disturb):
-        """Of a run that is stopped in the middle, disturbed, and let go on."""
+        """The message of a run that is stopped in the middle, disturbed, and let go on."""
         process = self.stopped_in_the_middle(stderr=subprocess.PIPE)
         disturb()
         process.send_signal(signal.SIGCONT)

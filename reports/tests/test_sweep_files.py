@@ -165,7 +165,7 @@ class Shared(SweepTest):
 
 
 class Meanwhile(SweepTest):
-    """What others do while a sweep computes."""
+    """Changes by others, and stops, while a sweep computes."""
 
     def started(self, *arguments):
         process = start("sweep", *arguments, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)

@@ -251,7 +251,7 @@ def compare(path, said, cases):
 
 
 def in_process(function, *arguments):
-    """What it gives, or None where libhdf5 crashes or hangs on it."""
+    """The function's result, or None where libhdf5 crashes or hangs in it."""
     ours, theirs = multiprocessing.Pipe(False)
 
     def work():

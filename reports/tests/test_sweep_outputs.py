@@ -13,7 +13,7 @@ SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=500
 
 
 class Closed(SweepTest):
-    """What is closed when the program starts is not opened again as its journal or its result."""
+    """A stream that is closed when the program starts is not opened again as its journal or its result."""
 
     def run_without(self, streams, *arguments):
         def close():
@@ -42,7 +42,7 @@ class Closed(SweepTest):
 
 
 class Outputs(SweepTest):
-    """What -o may lead to."""
+    """Files that -o may lead to."""
 
     def test_an_input_is_not_replaced(self):
         path = self.folder.write("sweep.toml", SHORT)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What tribocheck sweep shows: tables, CSV, JSON, and pictures, which need gnuplot."""
+"""Output of tribocheck sweep: tables, CSV, JSON, and pictures, which need gnuplot."""
 
 import csv
 import io

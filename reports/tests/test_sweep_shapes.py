@@ -30,7 +30,7 @@ def uniform(low, high):
     return f'{{ distribution = "uniform", from = {low}, to = {high} }}'
 
 
-# What varies, and the scene that it varies in.
+# Scenes, and the inputs that vary in them.
 PLANS = {
     "radius across, a grid": (ELLIPSE, {"bodies.radius_y": "[9.5e-3, 19e-3, 60e-3]"}),
     "radius across, drawn": (ELLIPSE, {"bodies.radius_y": uniform(9.5e-3, 60e-3), "load": uniform(10, 90)}),
@@ -165,7 +165,7 @@ class Shapes(SweepTest):
                 self.assertEqual({one for one in rows if isinstance(one, str)}, {"inf", "-inf"} & set(rows))
                 self.assertEqual(sorted({float(one) for one in rows}), sorted(map(float, radii.strip("[]").split(", "))))
 
-    # What varies, and what is said of it; each in one line.
+    # Scenes, the inputs that vary, and the words of the refusal; each in one line.
     REFUSED = [
         # A face of a grid that does not meet the other one.
         (FACES, {"bodies.second_radius_y": "[-4e-3, -5.04825e-3, 0.1]"},
@@ -190,7 +190,7 @@ class Shapes(SweepTest):
         # An ellipse beyond double, of radii that are legal one by one.
         (ELLIPSE, {"bodies.radius_x": "[1e-250, 9.5e-3, 1]", "bodies.radius_y": "[1e-3, 19e-3, 1e250]"},
          ["bodies.radius_y: where bodies.radius_x is 1e-250 and bodies.radius_y is 1e+250: "]),
-        # Likewise of distributions.
+        # Distributions that reach a value that is refused.
         (FACES, {"bodies.second_radius_y": uniform(-6e-3, -4.5e-3)},
          ["bodies.first_radius_y: where bodies.second_radius_y reaches -0.0045: ", "do not meet"]),
         (FACES, {"bodies.second_radius_y": '{ distribution = "normal", mean = -5.1e-3, sd = 1e-4 }'},

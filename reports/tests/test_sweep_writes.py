@@ -53,8 +53,8 @@ class FailingWrites(SweepTest):
                 os.remove(self.path(name))
 
     def check_each_call(self, command, recover, whole, step=1):
-        """command: with failing calls; recover: what is done after a failure, without them. Of the calls
-        each step-th fails alone; and each seventh of these, with all that follow it, as on a full disk."""
+        """command: with failing calls; recover: what is done after a failure, without them. Each step-th
+        call fails alone; and each seventh of these calls with all that follow it, as on a full disk."""
         out, step = "out.h5", 1 if LARGER else step
         calm = self.run_with(command)
         self.assertEqual(calm.returncode, 0, calm.stderr)

@@ -110,7 +110,7 @@ class Ids(Words):
 
 
 class Names(Words):
-    """Of files, and other arguments."""
+    """Hostile names of files, and other arguments."""
 
     def test_of_files_that_are_there(self):
         for word in HOSTILE:

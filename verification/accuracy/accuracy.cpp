@@ -56,7 +56,7 @@ class Judge {
 };
 
 // The value of a function at the arguments of a row; the columns have the names of the parameters.
-// Of a function with several results, a row has the one that its column `output` names.
+// A row of a function with several results has the one that its column `output` names.
 double value_at(const catalogue::Function& function, const ReferenceRow& row) {
   catalogue::Arguments arguments{};
   for (std::size_t i = 0; i < function.parameters.size(); ++i) {

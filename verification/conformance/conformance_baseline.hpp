@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a subject did before, in a file that somebody commits: a gate for their CI.
+// The verdicts on a subject in an earlier run, in a file that the subject's authors commit: a gate
+// for their CI.
 //
 // The file holds for each quantity how many cases were asked, held and skipped, the worst error of
 // those that held ("worst_error": relative, over the condition), and under "failed" each case that
@@ -14,7 +15,7 @@
 
 namespace tribo::conformance {
 
-// What is said of one quantity.
+// The message on one quantity.
 struct Finding {
   std::string quantity;  // or "protocol", "anything"
   std::string text;      // "hertz_point.radius: was held, is FAILED"

@@ -38,7 +38,7 @@ bool is_physical(const catalogue::Function& function, const catalogue::Arguments
   return true;
 }
 
-// Of an operating point: those of the film and of the load sharing in it.
+// Whether a contact on earth can have the arguments of this point's film and load sharing.
 bool is_physical(const Scene& scene) {
   const double speed = scene.speeds[0];
   const MixedContact<double> contact(scene);
@@ -142,8 +142,8 @@ std::string point_function(const ReferenceRow& row) {
   return std::string(operating_point_functions[place]);
 }
 
-// Rows p0000.0 to p0000.8 are the outputs of one point. What is undefined, as nothing balances the
-// load of a collapsed film, is not asked: solvers may draw the limits, or say nothing.
+// Rows p0000.0 to p0000.8 are the outputs of one point. An output that is undefined, as nothing
+// balances the load of a collapsed film, is not asked: solvers may give its limit, or nothing.
 std::vector<Case> operating_points(const std::string& folder) {
   std::vector<Case> cases;
   for (const ReferenceRow& row : read_reference_table(folder + "/operating_point.csv")) {

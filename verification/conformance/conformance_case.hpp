@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a solver is asked, and what it should answer: the certified values of each function of the
-// catalogue and of operating points (reference/exact), and the paper's scenes.
+// The questions to a solver, and the answers that it should give: the certified values of each
+// function of the catalogue and of operating points (reference/exact), and the paper's scenes.
 #pragma once
 
 #include <array>

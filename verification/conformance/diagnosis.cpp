@@ -187,7 +187,7 @@ class Diagnoser {
         ->second;
   }
 
-  // What is found for all cases, or for these branches.
+  // Adds the diagnosis of a cause that was found for all cases, or for these branches.
   void tell(Cause cause, const std::vector<std::string>& branches) {
     const Part part = shown(cause.explains);
     Diagnosis one{quantity(part.place), {}, cause.explains.size(), wrong_, {}};
@@ -224,7 +224,7 @@ class Diagnoser {
     found_.push_back(std::move(one));
   }
 
-  // --- What no known mistakes give
+  // --- Wrong answers that no known mistakes give
 
   std::vector<Part> parts_left() const {
     std::map<std::pair<std::size_t, std::string>, Part> parts;
@@ -252,7 +252,7 @@ class Diagnoser {
     return all;
   }
 
-  // What the exponents say: "It goes as F^+0.49; the law has F^-0.067."
+  // The exponents in a sentence: "It goes as F^+0.49; the law has F^-0.067."
   std::string exponents_in_words(const Part& part) const {
     const auto fitted = [&](const NumberOf& number_of) {
       return fit_power_law(cases_, part.branch, part.place, number_of, rounding);

@@ -20,9 +20,9 @@ struct Diagnosis {
 };
 
 // A diagnosis of each function that failed: the mistakes that give its numbers, alone or together
-// (mistake_search.hpp), of the whole function and then of its branches. Of what no known mistakes
-// give it says by which powers of the inputs it is off, where, and how. Wrong answers that are left
-// are not told if mistakes are named and they are at most 3 in 100 of the wrong answers.
+// (mistake_search.hpp), of the whole function and then of its branches. Wrong answers that no known
+// mistakes give are described: by which powers of the inputs they are off, where, and how. Such
+// answers are not told if they are at most 3 for each 100 that named mistakes give.
 std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversation& conversation,
                                 const Tolerance& tolerance, const std::vector<Mistake>& mistakes);
 

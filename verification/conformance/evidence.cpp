@@ -26,7 +26,7 @@ struct ResultName {
   std::string_view name, unit;
 };
 
-// Of a function of the catalogue, or of an operating point.
+// The results of a function of the catalogue, or of an operating point.
 std::vector<ResultName> results_of(const std::string& function) {
   std::vector<ResultName> results;
   if (const catalogue::Function* const found = catalogue::find(function))
@@ -46,7 +46,7 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   return unit.empty() ? number : number + " " + unit;
 }
 
-// What is not a result, though it is in an answer.
+// A field of an answer that is no result of the function.
 struct Stranger {
   std::string function, field;
   auto operator<=>(const Stranger&) const = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people need to see of a case: what was asked, what should have come, and what came.
+// The evidence that people need on a case: its question, the expected answer, and the given one.
 #pragma once
 
 #include <optional>
@@ -39,8 +39,8 @@ std::vector<Example> worst_examples(const ConformanceResult& result, const std::
                                     const Conversation& conversation, const Tolerance& tolerance,
                                     bool of_all = false);
 
-// What a user should know of the answers: lines between them, and fields that are no results, as
-// misspelt ones. Each is one line.
+// Notes on the answers for the user: lines between them, and fields that are no results, as
+// misspelt ones. Each note is one line.
 std::vector<std::string> notes_on(const std::vector<Case>& cases, const Conversation& conversation);
 
 // The end of what the subject wrote to stderr: all of an error message, where cases have no answer.

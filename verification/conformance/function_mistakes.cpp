@@ -66,7 +66,8 @@ LawChange change_to(const FilmLaw& other) {
   return change;
 }
 
-// Of an entry: another law by name, or numbers: in place of the law's, or { times = -1 } of it.
+// The change of a law in an entry: another law by name, or numbers: in place of the law's numbers,
+// or multiples of these, { times = -1 }.
 LawChange law_change(const json& written, const FilmLaw& own) {
   if (written.is_string()) {
     const Function* const other = catalogue::find(written.get<std::string>());

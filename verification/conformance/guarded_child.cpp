@@ -96,8 +96,8 @@ void end_all(pid_t program) {
   ::_exit(WEXITSTATUS(status));
 }
 
-// The signals that the guard waits for; all are blocked. What this process was told to ignore, as
-// by nohup, the guard ignores too.
+// The signals that the guard waits for; all are blocked. Signals that this process was told to
+// ignore, as by nohup, are ignored by the guard too.
 sigset_t awaited_signals() {
   sigset_t awaited;
   ::sigemptyset(&awaited);

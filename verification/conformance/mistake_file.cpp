@@ -109,7 +109,7 @@ NamedNumbers named_numbers(const json& written) {
   return numbers;
 }
 
-// Of a scene, whose fields stand in tables: { bodies = { reduced_radius = { times = 2 } } }.
+// Changes of a scene, in its tables: { bodies = { reduced_radius = { times = 2 } } }.
 NumberChanges scene_changes_of(const json& written) {
   NumberChanges changes;
   if (written.is_null()) return changes;
@@ -177,7 +177,7 @@ MistakeEntry entry_of(const json& written) {
   return entry;
 }
 
-// Of an entry whose `function` is a list.
+// Splits an entry whose `function` is a list.
 std::vector<json> one_for_each_function(const json& written) {
   if (!written.is_object() || !written.contains("function") || !written["function"].is_array())
     return {written};

@@ -23,7 +23,7 @@ using catalogue::Results;
 using Constants = std::span<const double>;
 using Value = std::optional<double>;
 
-// Of a function with one result.
+// Makes Results of a formula's one result.
 template <Value (*formula)(const Arguments&, Constants)>
 std::optional<Results> only(const Arguments& a, Constants numbers) {
   const Value value = formula(a, numbers);
@@ -45,7 +45,7 @@ Value modulus_of_first_twice(const Arguments& a, Constants) {
   return effective_modulus(a[0], a[1], a[0], a[1]);
 }
 
-// --- Reduced radius: arguments R₁x, R₂x, R₁y and R₂y. What is wrong may be below 0.
+// --- Reduced radius: arguments R₁x, R₂x, R₁y and R₂y. Wrong results may be below 0.
 
 double in_parallel(double a, double b) { return 1 / (1 / a + 1 / b); }
 Results radii(double x, double y) { return {x, y, in_parallel(x, y)}; }
@@ -66,7 +66,7 @@ std::optional<Results> radii_exchanged(const Arguments& a, Constants) {
 std::optional<Results> radii_without_sign(const Arguments& a, Constants) {
   return right_radii({std::abs(a[0]), std::abs(a[1]), std::abs(a[2]), std::abs(a[3])});
 }
-// Of R_x and R_y, which are right.
+// Wrong ways to make R of R_x and R_y, which are right.
 std::optional<Results> radius_as_mean(const Arguments& a, Constants) {
   Results right = right_radii(a);
   right[2] = (right[0] + right[1]) / 2;

@@ -112,7 +112,7 @@ class Search {
   }
   static bool is_close(const AnsweredNumber& number, double given, std::size_t mistakes) {
     const double off = std::abs(number.got - given), by = change(number, given);
-    // Of a number that is far too small, little of itself: GPa are no MPa.
+    // The tolerance is a tenth of `given` at most, which may be far too small: GPa are no MPa.
     const double own = std::abs(given);
     if (mistakes == 1)
       return off <=
@@ -178,7 +178,8 @@ Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& m
   const catalogue::Function* const function = cases.front().question.function;
   // Three at once of an operating point's many mistakes would take seconds.
   std::vector<Fit> best = best_fits(search, mistakes, function == nullptr ? 2 : 3);
-  // Of several results one may be wrong in a way that nobody knows, which would hide all others.
+  // One of several results may be wrong in a way that nobody knows, which would hide the mistakes
+  // in all others.
   const std::size_t results = function == nullptr ? 0 : function->results.size();
   for (std::size_t place = 0; results > 1 && place < results; ++place) {
     std::vector<Fit> fits = best_fits(Search(cases, branch, place), mistakes, 2);

@@ -9,7 +9,7 @@
 
 namespace tribo::conformance {
 
-// What a plug-in offers; null: not.
+// The functions of a plug-in; null: one that it does not offer.
 struct PluginFunctions {
   decltype(&tribocheck_function) function = nullptr;
   decltype(&tribocheck_operating_point) operating_point = nullptr;

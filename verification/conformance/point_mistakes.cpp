@@ -252,7 +252,8 @@ Mistake with_inlet(const Mistake& wrong) {
       });
 }
 
-// Of a starved point, the films alone. load_sharing has the exponent of the first law.
+// A mistake of load_sharing in operating points; a starved point gets its films alone. The film law
+// has to have the exponent of load_sharing, that of hamrock_dowson_central.
 Mistake with_sharing(const Mistake& wrong) {
   return with_formula(
       wrong.name, wrong.text, [wrong](const Question& question) -> std::optional<Numbers> {

@@ -19,11 +19,12 @@ struct PowerLaw {
   std::string held = {};          // "k = 1" where the fit is of those cases alone
 };
 
-// What of a number is fitted: the answer, what is expected, what a mistake gives, or a ratio.
+// The value that is fitted for a number: the answer, the expected value, a mistake's value, or a
+// ratio.
 using NumberOf = std::function<double(const AnsweredCase&, const AnsweredNumber&)>;
 
-// Of the result at `place`, over the cases of one branch (empty: all). An input that numbers do not
-// go with a power of, such as the ellipticity in the film's constant, is held at the value that
+// Fits the result at `place`, over the cases of one branch (empty: all). An input that is in the
+// numbers not as a power, such as the ellipticity in the film's constant, is held at the value that
 // most cases have. Empty: there are too few cases, or the numbers are no product of powers, to
 // `closeness` of the logarithm.
 std::optional<PowerLaw> fit_power_law(const std::vector<AnsweredCase>& cases,

@@ -63,7 +63,7 @@ Question question_of(const Case& asked);
 std::optional<std::size_t> place_of_field(const Question& question, std::string_view field);
 
 Numbers numbers_of(const catalogue::Results& results);
-// Of an operating point, with the question's number of summits and friction.
+// The numbers of an operating point, with the question's number of summits and friction.
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question);
 
 // The model's results, with what was misread. NaN where a fit says nothing.

@@ -34,14 +34,14 @@ std::optional<std::string_view> id_of(const Question& question) {
                     question);
 }
 
-// What a question is about, by a name that messages use.
+// The subject of a question, by a name that messages use.
 std::string_view subject_of(const Question& question) {
   const auto* call = std::get_if<FunctionCall>(&question);
   return call == nullptr ? "operating_point" : call->function->name;
 }
 
-// Questions of one kind in a row go to the solver together, once no complete line is waiting. What
-// was answered before is out by then, whatever the solver does.
+// Questions of one kind in a row go to the solver together, once no complete line is waiting.
+// Earlier answers are written by then, whatever the solver does.
 class Server {
  public:
   Server(const Solver& solver, int descriptor) : solver_(solver), output_(descriptor) {}

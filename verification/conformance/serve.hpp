@@ -122,7 +122,7 @@ auto each(Function function) {
   };
 }
 
-// What a solver offers; what is left out is skipped.
+// The questions that a solver answers; other questions are skipped.
 class Solver {
  public:
   // Offers the function of this name. `function` takes its arguments one by one, in the order of

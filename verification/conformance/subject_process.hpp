@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Somebody else's program as a child process: lines go to its stdin and come from its stdout, and
-// the end of its stderr is kept. What it has started ends with it. Whatever the child does, no call
-// here waits longer than its limit.
+// the end of its stderr is kept. Processes that the child has started end with it. Whatever the
+// child does, no call here waits longer than its limit.
 #pragma once
 
 #include <chrono>

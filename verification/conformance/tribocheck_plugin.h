@@ -13,14 +13,14 @@
  * belong to the caller, hold `count` numbers each, count >= 1, do not overlap, and are not to be
  * kept. The library is called from one thread, in any order and with any count. It writes for each
  * case one status and, where it is TRIBOCHECK_DONE, the results. A case that gets no status has
- * failed. What a plug-in prints to stdout comes out on stderr.
+ * failed. Text that a plug-in prints to stdout comes out on stderr.
  *
  * SI units throughout. A result that is left as the caller has set it is not offered; the only
  * result of a function is always offered. An infinity says that there is none at this point. A NaN
  * that the library writes is an error: for a case that it does not offer, as out of its range, it
  * has the status TRIBOCHECK_NOT_OFFERED. Only where the film has collapsed, and no floor keeps the
  * faces apart, does NaN mean that nothing balances the load: both load shares and friction are NaN
- * there, and the regime is TRIBOCHECK_NO_FILM. What a plug-in says of these four there is not judged.
+ * there, and the regime is TRIBOCHECK_NO_FILM. A plug-in's values of these are not judged.
  *
  * Formulas, symbols and ranges: model/README.md. */
 #ifndef TRIBOCHECK_PLUGIN_H
@@ -32,7 +32,7 @@
 extern "C" {
 #endif
 
-/* Of this header. It grows when a plug-in built with an older header would be read wrongly. */
+/* This header's version. It grows when a plug-in built with an older one would be read wrongly. */
 enum { TRIBOCHECK_PLUGIN_VERSION = 3 };
 
 /* The status of a case. */
@@ -72,8 +72,8 @@ enum { TRIBOCHECK_NO_CODE = -1, TRIBOCHECK_UNDEFINED_CODE = -2 };
 /* Has to be there: returns TRIBOCHECK_PLUGIN_VERSION. */
 int tribocheck_plugin_version(void);
 
-/* What results are to be called: UTF-8, ends with 0, lives as long as the library. Without it: the
- * file's name. */
+/* The name of the solver in results: UTF-8, ends with 0, lives as long as the library. Without this
+ * function: the file's name. */
 const char* tribocheck_plugin_name(void);
 
 /* Any function of `tribocheck functions`, by its name; `tribocheck functions NAME` says what its

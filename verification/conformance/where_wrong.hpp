@@ -15,9 +15,9 @@ namespace tribo::conformance {
 std::string where_wrong(const std::vector<AnsweredCase>& cases, const std::string& branch,
                         std::size_t place);
 
-// What the errors are like along an input: of an integral that ends too early, of digits that
-// cancel (noise that grows), of a quadrature (smooth, without a constant ratio). Empty: none of
-// these.
+// The manner of the errors along an input: as of an integral that ends too early, of digits that
+// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: no such
+// manner.
 std::string manner_of_errors(const std::vector<AnsweredCase>& cases, const std::string& branch,
                              std::size_t place);
 

@@ -58,7 +58,7 @@ def summary(rows):
         tolerances.append({
             "tolerance": float(tolerance), "refused": sum(row["solved"] == "0" for row in of),
             "not_met": sum(row["met"] == "0" for row in of), "judged": len(cautions), "outside": outside,
-            "median_stated_over_true": round(statistics.median(cautions), 2),
+            "median_stated_over_true": round(statistics.median(cautions), 2) if cautions else None,
             "mean_work": round(statistics.fmean(float(row["work"]) for row in of))})
     violations = 0
     for of in contacts.values():
@@ -72,7 +72,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--contacts", type=int, default=300)
-    parser.add_argument("--seed", type=int, default=44, help="shares of the errors were chosen on seed 2026 alone")
+    parser.add_argument("--seed", type=int, default=45, help="the shares of the errors were chosen on seeds 2026 and 2027")
     parser.add_argument("--out", type=pathlib.Path)
     arguments = parser.parse_args()
     folder = ROOT / "build/film_survey" / hashlib.sha256(arguments.program.read_bytes()).hexdigest()[:16]

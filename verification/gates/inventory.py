@@ -36,7 +36,7 @@ class Ran(typing.NamedTuple):
 
 
 def ran_on(output):
-    """What a check says that it ran on; where it says nothing, one case."""
+    """The cases that a check says it ran on; where it says nothing, one case."""
     counts = RAN_LINE.findall(output)
     if not counts:
         return Ran(1, 0)
@@ -44,7 +44,7 @@ def ran_on(output):
 
 
 def endings(junit):
-    """Of each check its name, what it printed, and how it ended: OK, FAILED or SKIPPED. A program of
+    """The name of each check, what it printed, and how it ended: OK, FAILED or SKIPPED. A program of
     GoogleTest, concern.program for CTest, has the checks concern.Suite.Test."""
     for test in ElementTree.parse(junit).iter("testcase"):
         name = test.get("name").split("  #")[0]

@@ -19,7 +19,7 @@ using scene_detail::Entry;
 using scene_detail::Value;
 using scene_detail::ValueKind;
 
-// What is kept from line to line grows with both; a scene needs less than either.
+// The memory kept from line to line grows with both limits; a scene needs less than either.
 constexpr std::size_t most_bytes = 4096;
 constexpr std::size_t most_entries = 64;
 

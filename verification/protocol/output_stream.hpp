@@ -39,7 +39,7 @@ class OutputStream {
     if (text_.size() >= block_bytes) flush();
   }
 
-  // Throws OutputClosed or OutputFailed. What was not flushed is lost with the object.
+  // Throws OutputClosed or OutputFailed. Text that was not flushed is lost with the object.
   void flush();
 
  private:

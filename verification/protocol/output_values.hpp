@@ -21,7 +21,7 @@ struct OutputValue {
 
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
 
-// What has to be computed so that value_of() can tell a word that rests on an overflow.
+// The outputs to compute so that value_of() can tell a word that rests on an overflow.
 OutputSet needed_for(OutputSet asked);
 
 }  // namespace tribo::protocol

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a line of JSON asks: a function of the model, or an operating point, a scene with one speed.
+// The question in a line of JSON: a function of the model, or an operating point, a scene with one
+// speed.
 #pragma once
 
 #include <cstddef>

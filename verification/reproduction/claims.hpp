@@ -15,7 +15,8 @@ enum class PaperSurface : std::uint8_t { rough, medium, smooth };
 inline constexpr std::size_t surface_count = 3;
 std::string_view name(PaperSurface surface);
 
-// What an item's number is; observation.hpp computes it. claims.tsv says in words what each is.
+// The quantity of an item; observation.hpp computes its number. claims.tsv defines each quantity in
+// words.
 enum class Quantity : std::uint8_t {
   onset_speed,
   onset_film_parameter,
@@ -58,7 +59,7 @@ struct Item {
   std::string label;  // what is computed, in few words
 };
 
-// What a reading gives for an item.
+// The result of a reading for an item.
 struct Observed {
   std::optional<double> value;  // what decides: of a comparison over speeds, its worst
   double other_end = 0;         // of a comparison over speeds, its best; else the value
@@ -116,8 +117,8 @@ std::optional<double> margin(const Item& item, const Observed& observed);
 // Throws std::runtime_error with one line.
 std::vector<Item> read_claims(const std::string& path);
 
-// What each of the claims says in a sentence, in their order, from statements.tsv. Throws
-// std::runtime_error with one line.
+// Each of the claims in a sentence, in their order, from statements.tsv. Throws std::runtime_error
+// with one line.
 std::vector<std::string> read_statements(const std::string& path,
                                          const std::vector<std::string>& claims);
 

@@ -25,7 +25,7 @@ std::vector<ItemResult> evaluate(const PaperScenes& scenes, const Reading& readi
 // One item alone: computes only what it rests on.
 Observed evaluate(const PaperScenes& scenes, const Reading& reading, const Item& item);
 
-// What stands for 2.69(1 − 0.61 e^{−0.73}) in a reading, times the scale on it.
+// The constant in the place of 2.69(1 − 0.61 e^{−0.73}) in a reading, times the scale on it.
 double film_constant(const PaperScenes& scenes, const Reading& reading);
 
 // The number that λ divides the film by, over σ_s.

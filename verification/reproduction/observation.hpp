@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a reading gives for each quantity of the claims. In stages, so that many readings share
-// them: the films (root and inlet) on a grid of speeds, friction on the same grid, the onsets, the
-// numbers.
+// The result of a reading for each quantity of the claims, in stages that many readings share: the
+// films (root and inlet) on a grid of speeds, friction on the same grid, the onsets, the numbers.
 #pragma once
 
 #include <array>
@@ -66,7 +65,7 @@ struct Stages {
   double film_constant = 0;
 };
 
-// What a quantity is computed from, beyond the films.
+// The stage that a quantity needs beyond the films.
 enum class Needs : std::uint8_t { films, friction, onsets, constant };
 Needs needs(Quantity quantity);
 

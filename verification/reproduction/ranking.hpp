@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the enumeration says: how readings rank, how many tie, what each claim tells apart.
+// Statistics of the enumeration: how readings rank, how many tie, and which choice of a switch each
+// item identifies.
 #pragma once
 
 #include <string>

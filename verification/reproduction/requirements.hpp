@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What would have to be true: for an item that fails, the change of a single input that would make
-// it hold, and what else that change does.
+// Requirements for an item that fails: the change of a single input that would make the item hold,
+// and what else that change does.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ void gaussian_moment(Order n, std::span<const double> d, std::span<double> momen
 void scaled_gaussian_moment(Order n, std::span<const double> d, std::span<double> moments);
 void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> logarithms);
 
-// What a batch of roots took.
+// The work of a batch of roots.
 struct SharingWork {
   std::size_t steps = 0;      // of all roots together
   std::size_t by_newton = 0;  // roots left to the formula text, whose steps are not counted

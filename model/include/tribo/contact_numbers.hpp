@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the engine knows of a contact before it is asked at a speed: numbers, and the words that
-// choose its closures and laws. A struct of numbers is a row of values of one type T, which is
-// double or a whole vector.
+// A contact as the engine has it before a speed is asked: its numbers, and the words that choose
+// its closures and laws. A struct of numbers is a row of values of one type T, which is double or a
+// whole vector.
 #pragma once
 
 #include "tribo/hertz_ellipse.hpp"
@@ -14,7 +14,7 @@ struct FilmLaw;
 
 namespace tribo::detail {
 
-// Of one surface under one load. T is double, or a vector of many surfaces' numbers.
+// Numbers of one surface under one load. T is double, or a vector of many surfaces' numbers.
 template <class T>
 struct SurfaceNumbers {
   T stiffness;           // K
@@ -37,7 +37,7 @@ struct ContactNumbers {
   T boundary_coefficient, slide_roll_ratio, eyring_stress;
   T viscosity, pressure_viscosity;
   T roelands_scale, roelands_exponent;  // ln η₀ + 9.67 and z
-  // Of the smooth contact: a_x (b of a line), A_nom, p̄; of a line there is no approach.
+  // The smooth contact: a_x (b of a line), A_nom, p̄ and the approach, which a line does not have.
   T semi_axis_x, nominal_area, mean_pressure, approach;
 };
 
@@ -75,7 +75,7 @@ struct ContactWords {
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
 
-// What a contact needs of a scene: its words, and its numbers as they are given.
+// The words of a scene that a contact needs, and its numbers as they are given.
 ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
 SceneNumbers<double> given_numbers(const Scene& scene);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a function promises of its error in double, against the exact value of its inputs:
+// The bound that a function promises for its error in double, against the exact value of its
+// inputs:
 //
 //   |error| ≤ max(ulp · ulp(value), ulp_per_condition · condition · ulp(value)),
 //

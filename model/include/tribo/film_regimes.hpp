@@ -19,8 +19,8 @@
 
 namespace tribo {
 
-// Of the rigid bodies in a liquid that pressure thickens there are two fits: by Barus' law, from
-// 1978, and by Roelands' law, which gives less.
+// Rigid bodies in a liquid that pressure thickens have two fits: by Barus' law, from 1978, and by
+// Roelands' law, which gives thinner films.
 enum class FilmRegime : std::uint8_t {
   isoviscous_rigid,
   viscous_rigid_barus,

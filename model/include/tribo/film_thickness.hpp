@@ -5,8 +5,8 @@
 //   h/R = C U^a G^b W^c (1 − m e^{−nk}),   U = η₀u/(E_HD R), G = αE_HD, W = F/(E_HD R²)
 //
 // R is R_x, along the direction of entrainment, E_HD is 2E*, and u the mean of the speeds of the
-// two surfaces; but readings of a law may take E* or the sum. Of a line W = (F/L)/(E_HD R), which
-// is that of a point with F = (F/L) R, and m is 0.
+// two surfaces; but readings of a law may take E* or the sum. A line has W = (F/L)/(E_HD R), which
+// is W of a point with F = (F/L) R, and m = 0.
 //
 // The default is Hamrock and Dowson's central film (paper, eqs 1.20 to 1.22, with 0.61 for the
 // misprinted 0.6): B. J. Hamrock, D. Dowson: Isothermal elastohydrodynamic lubrication of point

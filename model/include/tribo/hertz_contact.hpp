@@ -19,10 +19,10 @@ struct HertzContact {
   T approach;       // m: of the two bodies; NaN of a line, whose approach rests on the whole bodies
 };
 
-// Of a scene's load F, E*, R_x, and R_y or L, in SI units and above 0; of an ellipse its axes have
-// to be set (SceneNumbers::set_ellipse). Error of each number: of a circle hertz_contract, else 6
-// ulp, as the axes of an ellipse are rounded before; overflow gives ∞ or NaN, underflow 0. Sources:
-// in the headers of the three shapes.
+// Hertz' contact from a scene's load F, E*, R_x, and R_y or L, in SI units and above 0; the axes of
+// an ellipse have to be set (SceneNumbers::set_ellipse). Error of each number: for a circle
+// hertz_contract, else 6 ulp, as the axes of an ellipse are rounded before; overflow gives ∞ or
+// NaN, underflow 0. Sources: in the headers of the three shapes.
 template <class T>
 HertzContact<T> hertz_contact(ContactShape shape, const detail::SceneNumbers<T>& scene) {
   const T &load = scene.load, &modulus = scene.effective_modulus, &radius = scene.radius_x;

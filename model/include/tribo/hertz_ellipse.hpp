@@ -79,7 +79,7 @@ EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   const T alpha = T(radius_ratio);
   if (!(alpha >= 1)) return {quiet_nan<Wide>(), quiet_nan<Wide>(), quiet_nan<Wide>()};
   if (!is_finite(alpha)) return {alpha, alpha, Wide(1)};
-  // Of a step, so that two more leave no error but roundings.
+  // The loop ends at a step of this size at most: one more leaves no error but roundings.
   const T accuracy = sqrt(sqrt(epsilon<T>())) / 8;
   // To 1.5 % for α up to 1e4, the same bits on every machine.
   const T root = sqrt(alpha), fourth_root = sqrt(root), above = sqrt(fourth_root) - 1;
@@ -152,7 +152,8 @@ struct HertzEllipse {
   T approach;       // m: of the two bodies
 };
 
-// Of an ellipse that is known already. load F > 0 in N, effective_modulus E* > 0 in Pa (never 2E*).
+// Hertz' contact on an ellipse that is known already. load F > 0 in N, effective_modulus E* > 0 in
+// Pa (never 2E*).
 template <class T, class Known>
 HertzEllipse<T> hertz_ellipse(const T& load, const T& effective_modulus, const T& radius_x,
                               const EllipseOfCircle<Known>& ellipse) {

@@ -32,8 +32,8 @@ T dowson_higginson_density(const T& pressure) {
 
 // η in Pa·s at pressure p ≥ 0 in Pa, by `law` (friction.hpp): viscosity η₀ > 0 in Pa·s at ambient
 // pressure, pressure_viscosity α > 0 in 1/Pa. Error: barus_contract, roelands_contract; overflow
-// gives ∞. Of Roelands' law NaN where η₀ is not above 6.315e-5 Pa·s: ln η₀ + 9.67 has to be above
-// 0.
+// gives ∞. Roelands' law gives NaN where η₀ is not above 6.315e-5 Pa·s: ln η₀ + 9.67 has to be
+// above 0.
 template <class T>
 T viscosity_at(ViscosityLaw law, const T& viscosity, const T& pressure_viscosity,
                const T& pressure) {

@@ -22,7 +22,7 @@
 
 namespace tribo {
 
-// Of the root λ.
+// The contract of the root λ.
 inline constexpr Contract load_sharing_contract{4, 8.5};
 
 // Steps to a root in double, at most.
@@ -89,7 +89,7 @@ class LoadSharing {
     return film_parameter * asperities(T(film_parameter - offset_)).log_slope;
   }
 
-  // Likewise at a distance above the floor (λ = λ_b + distance).
+  // d ln A/d ln λ at a distance above the floor (λ = λ_b + distance).
   T asperity_share_slope_above_floor(const T& distance) const {
     return (floor_ + distance) * asperities(argument_above_floor(distance)).log_slope;
   }

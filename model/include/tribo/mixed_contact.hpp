@@ -24,7 +24,7 @@ struct FloodedFilm {
   LoadShares<T> shares;  // λ = h_ff/σ_s, A, 1 − A
 };
 
-// What the inlet does to the flooded film.
+// The effect of the inlet on the flooded film.
 template <class T>
 struct InletState {
   T film_ratio;          // y = h*/h_ff
@@ -119,7 +119,7 @@ class MixedContact {
     return complete(film, inlet(film), outputs);
   }
 
-  // Likewise from a film and inlet that are known already.
+  // All outputs of a set, from a film and inlet that are known already.
   OperatingPoint<T> complete(const FloodedFilm<T>& flooded, const InletState<T>& inlet,
                              OutputSet outputs) const {
     OperatingPoint<T> point;

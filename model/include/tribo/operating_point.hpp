@@ -40,10 +40,10 @@ Regime regime_of(const T& asperity_share, const T& fluid_share) {
                                    : Regime::mixed;
 }
 
-// One operating point; units and meaning in outputs.hpp. What was not asked for is 0; but the
-// regime is there with each output of balance_outputs(), as it says whether they are defined: both
-// shares and friction are NaN where it is `collapsed`. An overflow of the number type shows as ∞ or
-// NaN.
+// One operating point; units and meaning in outputs.hpp. An output that was not asked for is 0; but
+// the regime is there with each output of balance_outputs(), as it says whether these are defined:
+// both shares and friction are NaN where the regime is `collapsed`. An overflow of the number type
+// shows as ∞ or NaN.
 template <class T>
 struct OperatingPoint {
   T speed{};

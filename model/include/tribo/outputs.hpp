@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be asked of an operating point, under the names that scenes, tables and JSON use.
+// The outputs of an operating point, under the names that scenes, tables and JSON use.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the formulas ask of a number type: float, double, long double, a multiprecision type, an
-// interval or an automatic-differentiation type. Mathematical functions are found by
+// Operations that the formulas need of a number type: float, double, long double, a multiprecision
+// type, an interval or an automatic-differentiation type. Mathematical functions are found by
 // argument-dependent lookup beside std.
 #pragma once
 

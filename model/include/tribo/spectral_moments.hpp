@@ -15,8 +15,8 @@ namespace tribo {
 // α − 0.8968 is a difference: the condition is that of m₀, m₂ and m₄.
 inline constexpr Contract spectral_moments_contract{6, 3};
 
-// Of α = m₀m₄/m₂²: what every isotropic Gaussian face has at least (Nayak), and where σ_s is 0
-// (McCool).
+// Two values of α = m₀m₄/m₂²: the least of all isotropic Gaussian faces (Nayak), and the one at
+// which σ_s is 0 (McCool).
 inline constexpr double least_isotropic_bandwidth = 1.5;
 inline constexpr Fraction bandwidth_without_summits{8968, 10000};
 

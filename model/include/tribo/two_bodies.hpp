@@ -33,8 +33,8 @@ T effective_modulus(const T& first_modulus, const T& first_poisson_ratio, const 
 // infinite, where two such faces do not meet at a point. Error: 3 ulp, for radii of 1e-290 or more
 // and results of double.
 //
-// Of radii of opposite signs the sum of the curvatures cancels, as each is rounded; a + b does not,
-// as a and b are exact.
+// The sum of two curvatures of opposite signs cancels, as each curvature is rounded; a + b has no
+// such error, as a and b are exact.
 template <class T>
 T relative_radius(const T& a, const T& b) {
   using std::abs;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the figures of the ledger share, and the start of each; called as style.gp is:
+# Common part and start of each figure of the ledger; called as style.gp is:
 #   gnuplot -d -c ledger.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
 script = ARG1
 scripts = ARG0[1:strlen(ARG0) - strlen("ledger.gp")]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What figures over speed share: the columns of a curve, the axis of speeds from speeds_min to
+# Common part of figures over speed: the columns of a curve, the axis of speeds from speeds_min to
 # speeds_max, which are set before, and room for the legend. Loaded by the frames of such figures.
 
 # Columns of a curve's .tsv.

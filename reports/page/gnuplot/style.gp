@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What all figures share, and the start of each. tribocheck report calls it as
+# Common part and start of the figures. tribocheck report calls this script as
 #   gnuplot -d -c style.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SCENE
 # with SCRIPT the figure's own, beside this one, FORMAT svg or png, DATA the folder of the .tsv
 # files, NAME a prefix for the identifiers in an SVG, HEIGHT in points for a width of 960. `load`

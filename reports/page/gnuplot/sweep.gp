@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the pictures of a sweep share, and the start of each; called as style.gp is:
+# Common part and start of a sweep's pictures; called as style.gp is:
 #   gnuplot -d -c sweep.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-# All that they show, colours too, stands in the blocks of DATA/NAME.blocks.tsv. Texts of its rows
-# are names that the user chose, and drawn with noenhanced.
+# All that the pictures show, colours too, stands in the blocks of DATA/NAME.blocks.tsv. Texts of its
+# rows are names that the user chose, and drawn with noenhanced.
 script = ARG1
 scripts = ARG0[1:strlen(ARG0) - strlen("sweep.gp")]
 tall = int(ARG6)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# What a batch reads and writes a second, beside a plain copy of the same number of points: columns
-# kernel, points, ns, points a second, bytes, GB/s, share of the copy.
+# Bytes that a batch reads and writes a second, beside a plain copy of the same number of points.
+# Columns: kernel, points, ns, points a second, bytes, GB/s, share of the copy.
 table = data."by_size.blocks.tsv"
 set logscale xy 10
 set format x "10^{%T}"

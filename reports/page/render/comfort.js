@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page does for comfort; it is complete without it. A link opens the closed section that it leads to, what
+// Comforts of the page, which is complete without them. A link opens the closed section that it leads to, a part that
 // is wider than the screen says so, a picture can be enlarged, and the values under the pointer are shown.
 "use strict";
 

@@ -52,7 +52,7 @@ def run_gnuplot(frame, *arguments):
     return ""
 
 
-# What gnuplot's `mousing` leaves: its script's name, calls of it, and where the axes of the last plot lie.
+# Traces of gnuplot's `mousing`: its script's name, calls of it, and where the axes of the last plot lie.
 MOUSING = re.compile(r"""\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
@@ -107,7 +107,7 @@ def inline_svg(svg, prefix, title, description):
     """An SVG of gnuplot as an element of the page, with identifiers of its own and a text for those who cannot see it."""
     svg = svg[svg.index("<svg"):]
     svg = re.sub(r"""( id=["']|href=["']#|url\('?#)""", rf"\1{prefix}-", svg)
-    for element in ("title", "desc"):  # what gnuplot writes about itself
+    for element in ("title", "desc"):  # gnuplot's words about itself
         svg = re.sub(rf"<{element}>.*?</{element}>", "", svg, count=1, flags=re.DOTALL)
     head, rest = svg.split(">", 1)
     head = head.replace("<svg", f'<svg role="img" aria-labelledby="{prefix}-title {prefix}-desc"', 1)

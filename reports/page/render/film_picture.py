@@ -17,7 +17,7 @@ NAMES = {"moes_line": "Moes", "ertel_grubin": "Ertel–Grubin", "dowson_higginso
          "dowson_toyoda_central": "Dowson–Toyoda", "pan_hamrock_minimum": "Pan–Hamrock",
          "pan_hamrock_central": "Pan–Hamrock"}
 HEIGHT = 840
-LABEL_GAP = 0.06  # of the film's axis, between two labels
+LABEL_GAP = 0.06  # part of the film's axis between two labels
 LAWS = {"barus": "Barus", "roelands": "Roelands", "incompressible": "incompressible",
         "dowson_higginson": "compressible (Dowson and Higginson)"}
 

@@ -69,7 +69,7 @@ def plain(markdown):
 
 
 def to_html(markdown):
-    """Of what GitHub adds to Markdown: without links made of bare addresses, which may be anybody's words."""
+    """HTML with GitHub's additions to Markdown but no links made of bare addresses, which may be anybody's words."""
     return cmarkgfm.markdown_to_html_with_extensions(str(markdown), Options.CMARK_OPT_UNSAFE,
                                                      ["table", "strikethrough", "tagfilter"])
 

@@ -40,11 +40,11 @@ class Steps:
 
 
 class Figures:
-    """What the templates ask to be drawn; each figure is drawn where it stands."""
+    """The figures that the templates ask for; each is drawn where it stands."""
 
     def __init__(self, out, steps, files):
         self.out, self.steps = out, steps
-        self.files = files  # of data, for the page to list
+        self.files = files  # data files, for the page to list
         self.written, self.undrawn, self.html, self.missing = [], [], {}, []
         self.gnuplot_is_there = True
 
@@ -116,7 +116,7 @@ class Figures:
 
 
 def shown(value):
-    """What {{ … }} prints. A float has to say how many digits of it are known: {{ x | rounded(3) }}."""
+    """The text that {{ … }} prints. A float has to say how many digits of it are known: {{ x | rounded(3) }}."""
     if isinstance(value, markup.Markdown) or isinstance(value, jinja2.Undefined):
         return value
     if isinstance(value, float):

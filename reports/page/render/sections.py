@@ -73,7 +73,7 @@ class Made(typing.NamedTuple):
 class Page:
     def __init__(self, report, templates, figures):
         self.report, self.templates, self.figures = report, templates, figures
-        self.sentences = {}  # of the findings, by their ids
+        self.sentences = {}  # the findings' sentences, by their ids
         self.missing = list(report["not_run"])
         self.parts = [self.section(name) for name in SECTIONS if name in report["sections"]]
         self.missing += figures.missing

@@ -216,7 +216,7 @@ BAR, BETWEEN = 18, 14  # points
 
 
 def indices_of(scene, name):
-    """Of each variable its Sobol indices; empty where the column has none."""
+    """The Sobol indices of each variable; empty where the column has none."""
     column = column_of(scene, name)
     if column is None or len(column["values"]) != 1:
         return {}

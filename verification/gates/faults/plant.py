@@ -47,7 +47,7 @@ INVENTORY = "inventory:"
 # The engine is compiled anew for nearly each fault of the model: here for AVX2, SSE4 and the plain processor
 # alone, so for four lanes, two and one.
 LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
-# What a sample of mutants may take: files to compile, and seconds of tests as they took without a mutant.
+# A sample of mutants may take so many files to compile, and so many seconds of tests, as they took without a mutant.
 MOST_COMPILED, MOST_TESTED = 12, 60
 CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
 
@@ -72,7 +72,7 @@ def read_catalogue():
 
 
 def caught_mutants(text):
-    """Of the mutants' ledger those that a check caught, as faults; its targets have to be known."""
+    """The mutants of a ledger that a check caught, as faults; the targets of the check have to be known."""
     rows = [row for one in json.loads(text)["samples"] for row in one["mutants"] if row.get("verdict") == "caught"
             and (row["by"].startswith(("program.", "gates.")) or row["by"].count(".") == 2)]
     return [{"id": row["id"], "fault": f"{row['operator']}: {row['original']} → {row['replacement']}", "file": row["file"],
@@ -80,7 +80,7 @@ def caught_mutants(text):
 
 
 def digest(fault):
-    """Of what a verdict is on: another patch or another check has another digest."""
+    """The digest of the patch and the check that a verdict is on: another patch or check has another digest."""
     text = json.dumps([fault[field] for field in ("file", "find", "replace", "check")])
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
@@ -146,7 +146,7 @@ class Scratch:
             sys.exit(done.stdout)
 
     def try_fault(self, fault):
-        """What the check said. Raises Red where the fault was not caught."""
+        """Plants a fault, and gives the verdict of the check. Raises Red where the fault was not caught."""
         path = self.tree / fault["file"]
         whole = path.read_text()
         path.write_text(whole.replace(fault["find"], fault["replace"]))
@@ -197,7 +197,7 @@ class Above:
         return run(["unshare", "--map-root-user", "--mount", "sh", "-c", self.MOUNT, "sh", ROOT, self.folder, *command])
 
     def try_fault(self, fault, most=None):
-        """What the check said; None where more than `most` files would be compiled. Raises Red where the mutant was not caught."""
+        """The verdict of the check; None where more than `most` files would be compiled. Raises Red where the mutant was not caught."""
         path = self.folder / "upper" / fault["file"]
         path.parent.mkdir(parents=True)
         (self.folder / "work").mkdir()
@@ -349,6 +349,9 @@ def main():
     parser.add_argument("--keep", action="store_true", help="leave the scratch copies, and say where")
     arguments = parser.parse_args()
 
+    if arguments.mutants is not None and not MUTANTS.is_file():
+        print(f"plant.py: --mutants: {MUTANTS} is not there; `make mutants` writes it", file=sys.stderr)
+        return 2
     catalogue = faults = read_catalogue() if arguments.mutants is None else caught_mutants(MUTANTS.read_text())
     try:
         green = green_checks(arguments.green)

@@ -69,7 +69,7 @@ class Targets(unittest.TestCase):
 
 
 class Look(Tree):
-    """What CTest's end says of a fault."""
+    """The verdict on a fault from how CTest ended."""
 
     def look(self, check, *ends):
         scratch = plant.Scratch.__new__(plant.Scratch)
@@ -163,7 +163,7 @@ class Try(Tree):
 
 
 class Ledger(Tree):
-    """What is kept of each fault, whatever becomes of the run."""
+    """The ledger keeps the last verdict on each fault, whatever becomes of the run."""
     CATALOGUE = [FAULT, FAULT | {"id": "two"}, FAULT | {"id": "three"}]
 
     def ledger(self):

@@ -203,7 +203,7 @@ class Cpp:
         if changed is None:
             return
         kind = cursor.type.get_canonical()
-        # What it is converted to without a word: braces would refuse to convert what is no literal.
+        # A conversion that is silent in the text stays so: braces would refuse it for anything but a literal.
         if parent is not None and parent.kind == self.kinds.UNEXPOSED_EXPR and self.span(parent) == span:
             kind = parent.type.get_canonical()
         if kind.kind.name not in ARITHMETIC:
@@ -284,7 +284,7 @@ class Cpp:
 
 
 class Fields:
-    """Of each field of each record of the project the others of its type."""
+    """For each field of each record of the project, the other fields of its type."""
 
     def __init__(self):
         self.records = {}
@@ -312,7 +312,7 @@ def cpp_part(root, commands):
 
 
 def cpp_places(root, build, workers=2):
-    """Of all sources that the build compiles and the headers they include."""
+    """Places of all sources that the build compiles, and of the headers that they include."""
     entries = json.loads((build / "compile_commands.json").read_text())
     commands = [(one["command"], one["file"]) for one in entries
                 if one["file"].endswith(".cpp") and (name := one["file"].removeprefix(f"{root}/")) != one["file"] and room_of(name)]
@@ -374,7 +374,7 @@ def python_places(file, text):
 
 
 def template_places(file, text):
-    """Of Markdown with Jinja: cells of tables, and what stands between braces."""
+    """Places of Markdown with Jinja: cells of tables, and what stands between braces."""
     import jinja2
     places, tokens, at = [], [], 0
     for _, kind, value in jinja2.Environment(keep_trailing_newline=True).lex(text):
@@ -420,7 +420,7 @@ def template_places(file, text):
 
 
 def text_places(file, text):
-    """Of gnuplot and JavaScript, by words: numbers, columns, signs."""
+    """Places of gnuplot and JavaScript, by words: numbers, columns, signs."""
     places = []
     byte = lambda place: len(text[:place].encode())  # noqa: E731
 
@@ -451,7 +451,7 @@ def decides_while_compiling(text, begin):
 
 
 def planted_places(root):
-    """Of what needs no compiler: Python, templates, gnuplot, JavaScript."""
+    """Places of texts that need no compiler: Python, templates, gnuplot, JavaScript."""
     readers = {".py": python_places, ".md": template_places, ".gp": text_places, ".js": text_places}
     places = []
     for path in sorted([*root.glob("reports/page/**/*"), *root.glob("benchmarks/**/*.py")]):

@@ -4,8 +4,9 @@
 
 A sample is drawn by its seed from all places that the tree's texts have. Mutants of C++ stand behind switches in a
 generated copy, which is built once; others are written into a copy of the tree one at a time. One run of all tests without a mutant
-says which tests reach which mutants, and where a value would change. The ledger is written after each mutant: a run that is
-stopped, or ends with its --minutes, goes on with the same command.
+says which tests reach which mutants, and where a value would change. Quick tests meet each mutant alone; those that it outlives
+wait, and each of the other tests then meets all that wait together, and parts of them where it turns red. The ledger is written
+after each mutant: a run that is stopped, or ends with its --minutes, goes on with the same command.
 
   verification/gates/mutants/run.py sample --seed 20261123 --minutes 60
   verification/gates/mutants/run.py score
@@ -13,9 +14,9 @@ stopped, or ends with its --minutes, goes on with the same command.
 """
 import argparse
 import concurrent.futures
+import contextlib
 import datetime
 import json
-import math
 import pathlib
 import queue
 import random
@@ -24,6 +25,8 @@ import signal
 import sys
 import threading
 import time
+
+import scipy.stats
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(ROOT / "verification/gates"), str(ROOT / "verification/gates/faults")]
@@ -35,18 +38,14 @@ import tests  # noqa: E402
 from plant import scratch  # noqa: E402
 
 LEDGER = ROOT / "reference/baselines/mutants.json"
+NOTICED = {"red": "caught", "hung": "hung"}
 STRICT = ("formulas", "engine", "judging")  # whose goal is 95 %; of the others it is 90 %
 KEPT = ("id", "room", "operator", "file", "line", "original", "replacement", "find", "replace")
 
 
-def wilson(part, of, z=1.959964):
+def wilson(part, of):
     """The 95 % interval of a share, by Wilson."""
-    if of == 0:
-        return 0.0, 1.0
-    middle, share = 1 + z * z / of, part / of
-    half = z * math.sqrt(share * (1 - share) / of + z * z / (4 * of * of))
-    low, high = (share + z * z / (2 * of) - half) / middle, (share + z * z / (2 * of) + half) / middle
-    return max(0.0, low), min(1.0, high)
+    return tuple(scipy.stats.binomtest(part, of).proportion_ci(method="wilson")) if of else (0.0, 1.0)
 
 
 def read_ledger(path):
@@ -61,7 +60,7 @@ def write(path, content):
 
 
 def scores(ledger):
-    """Of each room's last sample: what was caught of it. Mutants that were not run yet are left out."""
+    """The score of each room in its last sample. A room has none before all its mutants ran: the last ones are those that survive longest."""
     last = {}
     for one in ledger["samples"]:
         for room in one["rooms"]:
@@ -71,20 +70,21 @@ def scores(ledger):
         count = {verdict: sum(row.get("verdict") == verdict for row in rows)
                  for verdict in ("caught", "hung", "survived", "not reached", "equivalent")}
         ran, caught = sum(count.values()), count["caught"] + count["hung"]
-        of = ran - count["equivalent"]
+        of = ran - count["equivalent"] if ran == len(rows) else 0
         table.append({"room": room, "drawn": len(rows), "ran": ran, **count, "score": caught / of if of else None,
-                      "interval": wilson(caught, of), "with_equivalents": caught / ran if ran else None})
+                      "interval": wilson(caught, of), "with_equivalents": caught / ran if of else None})
     return table
 
 
 def noticed(table):
-    """Of all rooms of the table together: how many, of how many, and the interval."""
+    """The noticed mutants of all rooms of the table that ran to their end, of how many, and the interval of the share."""
+    table = [row for row in table if row["ran"] == row["drawn"]]
     part, of = sum(row["caught"] + row["hung"] for row in table), sum(row["ran"] - row["equivalent"] for row in table)
     return part, of, *wilson(part, of)
 
 
 def summary(ledger):
-    """What the report shows."""
+    """The numbers and survivors that a reader wants to see."""
     table = scores(ledger)
     part, of, low, high = noticed(table)
     strict = [row for row in table if row["room"] in STRICT]
@@ -118,7 +118,7 @@ def print_scores(ledger):
         low, high = row["interval"]
         score = "–" if row["score"] is None else f"{100 * row['score']:.0f} %"
         print(f"{row['room']:31}{row['drawn']:6}{row['ran']:5}{row['caught']:7}{row['hung']:5}{row['survived']:9}{row['not reached']:12}"
-              f"{row['equivalent']:11}{score:>7}  {100 * low:.0f} to {100 * high:.0f} %      {100 * row['with_equivalents']:.0f} %")
+              f"{row['equivalent']:11}{score:>7}" + ("" if row["score"] is None else f"  {100 * low:.0f} to {100 * high:.0f} %      {100 * row['with_equivalents']:.0f} %"))
     for name, rows in (("all rooms", table), (" and ".join(STRICT), [row for row in table if row["room"] in STRICT])):
         part, of, low, high = noticed(rows)
         if of:
@@ -129,9 +129,9 @@ class Prepared:
     """The drawn mutants, the built copy, and which test reaches which mutant, in a folder."""
 
     def __init__(self, folder, seed, sizes, workers, left_out):
-        self.folder, self.workers = folder, workers
+        self.folder, self.workers, self.lock = folder, workers, threading.Lock()
         self.file = folder / "prepared.json"
-        kept = json.loads(self.file.read_text()) if self.file.is_file() else {}
+        kept = {"outlived": {}, "met": [], **json.loads(self.file.read_text())} if self.file.is_file() else {}
         if kept.get("seed") not in (None, seed):
             sys.exit(f"{folder} holds the copy of seed {kept['seed']}; remove it, or name another folder with --work")
         # The text that the sample is of: the tree may change while it runs.
@@ -144,7 +144,8 @@ class Prepared:
                 schemata.with_history(ROOT, tree)
             self.copy.configure()
             write(folder / "places.json", found)
-            kept = {"seed": seed, "commit": plant.commit(), "numbers": {}, "dropped": [], "built": False, "coverage": {}}
+            kept = {"seed": seed, "commit": plant.commit(), "numbers": {}, "dropped": [], "built": False, "coverage": {},
+                    "outlived": {}, "met": []}
         self.kept = kept
         if not kept["built"]:
             found = json.loads((folder / "places.json").read_text())
@@ -158,6 +159,16 @@ class Prepared:
 
     def save(self):
         write(self.file, self.kept)
+
+    def note_outlived(self, mutant, names):
+        with self.lock:
+            self.kept["outlived"][mutant["id"]] = names
+            self.save()
+
+    def note_met(self, unit):
+        with self.lock:
+            self.kept["met"].append(unit["name"])
+            self.save()
 
     def build(self, found, seed, sizes):
         """Builds the copy; a mutant whose switch does not compile is dropped, and another one drawn."""
@@ -189,7 +200,7 @@ class Prepared:
             free.put(tree)
         files = sorted({one["file"] for one in self.mutants if not one["switched"]})
         size = len(self.numbers) + 1
-        red, lock = [], threading.Lock()
+        red = []
 
         def one(unit):
             if unit["name"] in self.kept["coverage"]:
@@ -204,7 +215,7 @@ class Prepared:
                 print(f"RED without a mutant: {unit['name']}\n{row['output'][-3000:]}", flush=True)
                 return
             row.pop("output")
-            with lock:
+            with self.lock:
                 self.kept["coverage"][unit["name"]] = {**unit, **row}
                 if row["seconds"] > 3:
                     self.save()  # what took long is not run again
@@ -220,72 +231,131 @@ class Prepared:
         self.save()
 
     def who_can_notice(self, mutant):
-        """Tests of a mutant, quick ones first, and how many tests reach it without a changed value."""
-        can, reach = [], 0
-        for unit in self.kept["coverage"].values():
-            if not mutant["switched"]:
-                if mutant["file"] in unit["read"]:
-                    can.append(unit)
-            elif self.numbers[mutant["id"]] in unit["differs"]:
-                can.append(unit)
-            elif self.numbers[mutant["id"]] in unit["reached"]:
-                reach += 1
-        return tests.together(sorted(can, key=lambda unit: unit["seconds"])), reach
+        """Parts of tests that can notice the mutant, and how many reach it without a changed value."""
+        if not mutant["switched"]:
+            return [unit for unit in self.kept["coverage"].values() if mutant["file"] in unit["read"]], 0
+        number = self.numbers[mutant["id"]]
+        return ([unit for unit in self.kept["coverage"].values() if number in unit["differs"]],
+                sum(number in unit["reached"] for unit in self.kept["coverage"].values()))
 
 
-def verdict_on(prepared, mutant, tree):
-    able, reach = prepared.who_can_notice(mutant)
-    start = time.monotonic()
-    row = {"tests": len(able), "reach_without_change": reach}
-    with tree.planted(mutant):
-        for unit in able:
-            end, check = tree.run(unit, prepared.numbers[mutant["id"]] if mutant["switched"] else None)
-            if end != "green":
-                return {**row, "verdict": "hung" if end == "hung" else "caught", "by": check, "seconds": round(time.monotonic() - start, 1)}
-    return {**row, "verdict": "survived" if able or reach else "not reached", "seconds": round(time.monotonic() - start, 1)}
+class Verdicts:
+    """The verdicts on the mutants of one sample."""
+
+    def __init__(self, prepared, seed, path, over):
+        self.prepared, self.path, self.over = prepared, path, over
+        self.ledger, self.lock = read_ledger(path), threading.Lock()
+        mine = next((one for one in self.ledger["samples"] if one["seed"] == seed), None)
+        if mine is None:
+            kept = prepared.kept
+            mine = {"seed": seed, "commit": kept["commit"], "date": datetime.date.today().isoformat(),
+                    "environment": plant.environment(), "rooms": kept["population"], "not_compiled": len(kept["dropped"]),
+                    "tests_left_out": kept["left_out"], "mutants": [{key: one[key] for key in KEPT} for one in prepared.mutants]}
+            self.ledger["samples"].append(mine)
+        self.rows = {row["id"]: row for row in mine["mutants"]}
+        self.free = queue.SimpleQueue()
+        for tree in prepared.trees:
+            self.free.put(tree)
+
+    def waiting(self):
+        return [one for one in self.prepared.mutants if "verdict" not in self.rows[one["id"]]]
+
+    @contextlib.contextmanager
+    def a_tree(self):
+        tree = self.free.get()
+        try:
+            yield tree
+        finally:
+            self.free.put(tree)
+
+    def say(self, mutant, verdict, seconds, by=None):
+        able, reach = self.prepared.who_can_notice(mutant)
+        row = {"tests": len(able), "reach_without_change": reach, "verdict": verdict, **({"by": by} if by else {}), "seconds": round(seconds, 1)}
+        with self.lock:
+            self.rows[mutant["id"]].update(row)
+            write_ledger(self.path, self.ledger)
+        print(f"{verdict:12}{seconds:7.1f} s  {mutant['id']}  {mutant['file']}:{mutant['line']}  {mutant['operator']}  {by or ''}", flush=True)
+
+    def run(self, unit, mutants, tree):
+        """How a part of the tests ends with all these mutants, and its check."""
+        with tree.planted(mutants):
+            return tree.run(unit, [self.prepared.numbers[one["id"]] for one in mutants if one["switched"]])
+
+    def meet_quick_tests(self, mutant, patience):
+        """One mutant meets tests that take no more than `patience` seconds together; it waits where slower ones are left."""
+        if self.over():
+            return
+        able, reach = self.prepared.who_can_notice(mutant)
+        start, planned, outlived = time.monotonic(), 0, []
+        with self.a_tree() as tree:
+            for unit in tests.together(able):
+                planned += unit["seconds"]
+                if planned > patience:
+                    self.prepared.note_outlived(mutant, outlived)
+                    return
+                end, check = self.run(unit, [mutant], tree)
+                if end != "green":
+                    self.say(mutant, NOTICED[end], time.monotonic() - start, check)
+                    return
+                outlived.append(unit["name"])
+        self.say(mutant, "survived" if able or reach else "not reached", time.monotonic() - start)
+
+    def wait_for_others(self, workers):
+        """Each other test meets all mutants that wait for it together. Those that none notices survive."""
+        waiting, awaited = self.waiting(), {}
+        for mutant in waiting:
+            outlived = self.prepared.kept["outlived"][mutant["id"]]
+            for unit in self.prepared.who_can_notice(mutant)[0]:
+                if (unit["test"] if "case" in unit else unit["name"]) not in outlived:
+                    awaited.setdefault(unit["name"], []).append(mutant)
+        units = sorted((self.prepared.kept["coverage"][name] for name in awaited), key=lambda unit: unit["seconds"])
+        print(f"{len(waiting)} mutants outlived the quick tests, and wait for {len(units)} others", flush=True)
+
+        def meet(unit):
+            if self.over() or unit["name"] in self.prepared.kept["met"]:
+                return
+            start = time.monotonic()
+            with self.a_tree() as tree:
+                for mutant, end, check in self.noticed_by(unit, awaited[unit["name"]], tree):
+                    if "verdict" not in self.rows[mutant["id"]]:
+                        self.say(mutant, NOTICED[end], time.monotonic() - start, check)
+            self.prepared.note_met(unit)
+
+        with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+            list(pool.map(meet, units))
+        if not self.over():
+            for mutant in self.waiting():
+                self.say(mutant, "survived", 0)
+
+    def noticed_by(self, unit, mutants, tree):
+        """Which of these mutants the part notices, with its end and its check: it meets each half where it is red with both.
+        Mutants that hide each other survive here, which makes the score no better."""
+        mutants = [one for one in mutants if "verdict" not in self.rows[one["id"]]]
+        if not mutants:
+            return []
+        end, check = self.run(unit, mutants, tree)
+        if end == "green":
+            return []
+        if len(mutants) == 1:
+            return [(mutants[0], end, check)]
+        half = len(mutants) // 2
+        return self.noticed_by(unit, mutants[:half], tree) + self.noticed_by(unit, mutants[half:], tree)
 
 
 def take_sample(arguments):
     started = time.monotonic()
     sizes = {room: arguments.twice.count(room) * size + size for room, size in sample.ROOMS.items() if not arguments.rooms or room in arguments.rooms}
     prepared = Prepared(arguments.work.resolve(), arguments.seed, sizes, arguments.workers, arguments.without)
-    ledger = read_ledger(arguments.out)
-    mine = next((one for one in ledger["samples"] if one["seed"] == arguments.seed), None)
-    if mine is None:
-        mine = {"seed": arguments.seed, "commit": prepared.kept["commit"], "date": datetime.date.today().isoformat(),
-                "environment": plant.environment(), "rooms": prepared.kept["population"], "not_compiled": len(prepared.kept["dropped"]),
-                "tests_left_out": prepared.kept["left_out"], "mutants": [{key: one[key] for key in KEPT} for one in prepared.mutants]}
-        ledger["samples"].append(mine)
-    rows = {row["id"]: row for row in mine["mutants"]}
-    waiting = [one for one in prepared.mutants if "verdict" not in rows[one["id"]]]
-    random.Random(arguments.seed).shuffle(waiting)
-    free, lock = queue.SimpleQueue(), threading.Lock()
-    for tree in prepared.trees:
-        free.put(tree)
-
-    def one(mutant):
-        if arguments.minutes and time.monotonic() - started > 60 * arguments.minutes:
-            return
-        tree = free.get()
-        try:
-            row = verdict_on(prepared, mutant, tree)
-        finally:
-            free.put(tree)
-        with lock:
-            rows[mutant["id"]].update(row)
-            write_ledger(arguments.out, ledger)
-            if arguments.survivors and row["verdict"] in ("survived", "not reached"):
-                with open(arguments.survivors, "a") as out:
-                    able = " ".join(unit["name"] for unit in prepared.who_can_notice(mutant)[0][:12])
-                    print(mutant["room"], f"{mutant['file']}:{mutant['line']}", mutant["operator"], json.dumps(mutant["original"]),
-                          json.dumps(mutant["replacement"]), row["verdict"], able, mutant["id"], sep="\t", file=out)
-        print(f"{row['verdict']:12}{row['seconds']:7.1f} s  {mutant['id']}  {mutant['file']}:{mutant['line']}  {mutant['operator']}  {row.get('by', '')}", flush=True)
-
+    verdicts = Verdicts(prepared, arguments.seed, arguments.out,
+                        lambda: bool(arguments.minutes) and time.monotonic() - started > 60 * arguments.minutes)
+    quick = [one for one in verdicts.waiting() if one["id"] not in prepared.kept["outlived"]]
+    random.Random(arguments.seed).shuffle(quick)
     with concurrent.futures.ThreadPoolExecutor(arguments.workers) as pool:
-        list(pool.map(one, waiting))
-    print_scores(ledger)
-    left = sum("verdict" not in row for row in mine["mutants"])
-    if left:
+        list(pool.map(lambda mutant: verdicts.meet_quick_tests(mutant, arguments.patience), quick))
+    if not verdicts.over():
+        verdicts.wait_for_others(arguments.workers)
+    print_scores(verdicts.ledger)
+    if left := len(verdicts.waiting()):
         print(f"{left} mutants wait; the same command goes on with them")
     return 0
 
@@ -302,15 +372,17 @@ def main():
     take.add_argument("--workers", type=int, default=2)
     take.add_argument("--work", type=pathlib.Path, default=ROOT / "build/mutants", help="folder of the generated copy")
     take.add_argument("--without", metavar="REGEX", help="leave these tests out; the ledger says so")
-    take.add_argument("--survivors", type=pathlib.Path, metavar="FILE", help="add each survivor to this table too")
+    take.add_argument("--patience", type=float, default=20, metavar="SECONDS", help="for the tests that meet each mutant alone (default 20)")
     commands.add_parser("score", help="what was caught in each room's last sample")
     equivalent = commands.add_parser("equivalent", help="tell a survivor that changes nothing, with the reason")
     equivalent.add_argument("id")
     equivalent.add_argument("reason")
     arguments = parser.parse_args()
     if arguments.command == "sample":
-        for one in (signal.SIGINT, signal.SIGTERM):
+        for one in (signal.SIGINT, signal.SIGTERM, signal.SIGQUIT):
             signal.signal(one, tests.stop)
+        # Under nohup a run goes on. A handler, unlike what nohup sets, is not handed on to the tests.
+        signal.signal(signal.SIGHUP, lambda *_: None)
         return take_sample(arguments)
     ledger = read_ledger(arguments.out)
     if arguments.command == "score":

@@ -17,7 +17,7 @@ def switched(text, mutants, numbers):
     edits = {(begin, end, new.replace("{n}", str(numbers[one["id"]]))) for one in mutants for begin, end, new in one["edits"]}
     whole = text.encode()
     for begin, end, new in sorted(edits, reverse=True):
-        # What is put before a statement leaves the statement where it is.
+        # Text that is put before a statement leaves the statement where it is.
         whole = whole[:begin] + new.encode() + whole[end:]
     return f'#include "{SWITCH}"\n' + whole.decode()
 

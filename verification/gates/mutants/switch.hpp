@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Switches of mutants, in generated copies of the tree only. TRIBOCHECK_MUTANT is the number of the
-// one that is on; TRIBOCHECK_MUTANTS_REACHED names a file in which byte n becomes 1 where mutant n
-// is reached, and 2 where it would change a value.
+// Switches of mutants, in generated copies of the tree only. TRIBOCHECK_MUTANT has the numbers of
+// those that are on, with commas between; TRIBOCHECK_MUTANTS_REACHED names a file in which byte n
+// becomes 1 where mutant n is reached, and 2 where it would change a value.
 #ifndef TRIBOCHECK_MUTANTS_SWITCH_HPP
 #define TRIBOCHECK_MUTANTS_SWITCH_HPP
 #include <fcntl.h>
@@ -15,13 +15,20 @@
 
 namespace tribocheck_mutants {
 
-constexpr int not_read = -2;
-constinit inline int active = not_read;
+constexpr int most = 1 << 16;
+constinit inline bool is_read = false;
+constinit inline unsigned char is_on[most] = {};
 constinit inline unsigned char* reached = nullptr;
 constinit inline int reached_size = 0;
 
 [[gnu::cold, gnu::noinline]] inline void read_environment() {
-  const char* const number = std::getenv("TRIBOCHECK_MUTANT");
+  for (const char* at = std::getenv("TRIBOCHECK_MUTANT"); at != nullptr && *at != 0;) {
+    char* end = nullptr;
+    const long number = std::strtol(at, &end, 10);
+    if (end == at) break;
+    if (number >= 0 && number < most) is_on[number] = 1;
+    at = *end == ',' ? end + 1 : end;
+  }
   if (const char* const name = std::getenv("TRIBOCHECK_MUTANTS_REACHED")) {
     const int file = ::open(name, O_RDWR | O_CLOEXEC);
     struct stat about {};
@@ -35,7 +42,7 @@ constinit inline int reached_size = 0;
     }
     if (file >= 0) ::close(file);
   }
-  active = number != nullptr ? std::atoi(number) : -1;
+  is_read = true;
 }
 
 inline void mark(int n, unsigned char how) {
@@ -43,11 +50,11 @@ inline void mark(int n, unsigned char how) {
 }
 
 inline bool late_on(int n) {
-  if (active == not_read) [[unlikely]]
+  if (!is_read) [[unlikely]]
     read_environment();
   if (reached != nullptr) [[unlikely]]
     mark(n, 2);
-  return active == n;
+  return is_on[n] != 0;
 }
 
 // While compiling no mutant is on.
@@ -66,12 +73,12 @@ constexpr bool same(T a, T b) {
 template <class A, class B>
 inline A late_choose(int n, const A& original, const B& other) {
   if constexpr (std::is_arithmetic_v<A>) {
-    if (active == not_read) [[unlikely]]
+    if (!is_read) [[unlikely]]
       read_environment();
     const A changed = static_cast<A>(other);
     if (reached != nullptr) [[unlikely]]
       mark(n, same<A>(original, changed) ? 1 : 2);
-    return active == n ? changed : original;
+    return is_on[n] != 0 ? changed : original;
   } else {
     return late_on(n) ? A(other) : original;
   }
@@ -82,7 +89,7 @@ constexpr A choose(int n, const A& original, const B& other) {
   return std::is_constant_evaluated() ? original : late_choose<A>(n, original, other);
 }
 
-// What an expression is a value of: libraries of numbers and of matrices hand out expressions.
+// The type of an expression's value: libraries of numbers and of matrices hand out expressions.
 template <class T>
 struct ValueOf {
   using type = std::remove_cvref_t<T>;

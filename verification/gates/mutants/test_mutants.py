@@ -9,6 +9,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import types
 import unittest
@@ -83,7 +84,7 @@ class Cpp(Folder):
         drawn = sample.draw(self.places, {"engine": 6}, 1)
         numbers = self.built(drawn)
         self.assertEqual(self.says(), "3 4 10")
-        self.assertEqual(self.says(TRIBOCHECK_MUTANT="1000"), "3 4 10")
+        self.assertEqual(self.says(TRIBOCHECK_MUTANT="1000,99999999"), "3 4 10")
         self.assertTrue(any(self.says(TRIBOCHECK_MUTANT=str(n)) != "3 4 10" for n in numbers.values()))
 
     def test_a_mutant_that_is_reached_and_changes_no_value_is_told_apart(self):
@@ -100,6 +101,7 @@ class Cpp(Folder):
         one = next(one for one in self.places if one["operator"] == "constant" and (SOURCE + MAIN)[one["begin"] - 7:one["begin"]] == "return ")
         self.built([one])  # with its static_assert
         self.assertNotEqual(self.says(TRIBOCHECK_MUTANT="0"), "3 4 10")
+        self.assertNotEqual(self.says(TRIBOCHECK_MUTANT="7,0"), "3 4 10")
 
 
 class Texts(unittest.TestCase):
@@ -159,7 +161,7 @@ class Draw(unittest.TestCase):
 
 
 class Verdicts(Folder):
-    """What the ends of tests say."""
+    """The verdicts that the ends of tests give."""
 
     def tree(self):
         tree = tests.Tree.__new__(tests.Tree)
@@ -188,17 +190,33 @@ class Verdicts(Folder):
             time.sleep(0.05)
         self.fail("a child still runs")
 
-    def test_the_file_is_whole_again_after_a_mutant_that_was_planted(self):
+    def test_the_file_is_whole_again_after_mutants_that_were_planted(self):
         path = self.folder / "cells.md"
-        path.write_text("a b")
-        with contextlib.suppress(ZeroDivisionError), self.tree().planted({"switched": False, "file": "cells.md", "find": "a b", "replace": "b a"}):
-            self.assertEqual(path.read_text(), "b a")
+        path.write_text("ä b c")
+        mutants = [{"switched": False, "file": "cells.md", "begin": begin, "end": begin + 1, "replacement": new} for begin, new in ((3, "bb"), (5, "d"))]
+        with contextlib.suppress(ZeroDivisionError), self.tree().planted([*mutants, {"switched": True, "file": "none.cpp"}]):
+            self.assertEqual(path.read_text(), "ä bb d")
             1 / 0
-        self.assertEqual(path.read_text(), "a b")
+        self.assertEqual(path.read_text(), "ä b c")
+
+    def test_those_that_wait_meet_a_test_together_and_each_that_it_notices_is_found(self):
+        verdicts = run.Verdicts.__new__(run.Verdicts)
+        verdicts.prepared = types.SimpleNamespace(numbers={str(n): n for n in range(40)})
+        verdicts.rows = {str(n): {} for n in range(40)}
+        verdicts.rows["8"]["verdict"] = "caught"
+        mutants = [{"id": str(n), "switched": True, "file": "a.cpp"} for n in range(40)]
+        with open(self.folder / "runs", "w"):
+            pass
+        unit = self.unit("import os, sys\nopen('runs', 'a').write('x')\n"
+                         "sys.exit(bool({'3', '8', '31'} & set(os.environ['TRIBOCHECK_MUTANT'].split(','))))", test="one")
+        found = verdicts.noticed_by(unit, mutants, self.tree())
+        self.assertEqual([(one["id"], end) for one, end, _ in found], [("3", "red"), ("31", "red")])
+        self.assertLess(len((self.folder / "runs").read_text()), 30)
 
     def test_a_test_that_is_red_without_a_mutant_ends_the_run_with_its_name(self):
         tree = self.tree()
         prepared = run.Prepared.__new__(run.Prepared)
+        prepared.lock = threading.Lock()
         prepared.workers, prepared.trees, prepared.copy, prepared.mutants, prepared.numbers = 1, [tree], None, [], {}
         prepared.kept, prepared.file = {"coverage": {}}, self.folder / "prepared.json"
         with unittest.mock.patch.object(tests, "all_units", return_value=[self.unit("1 / 0", name="sick")]), \
@@ -218,9 +236,15 @@ class Score(unittest.TestCase):
         self.assertEqual(run.wilson(0, 0), (0, 1))
 
     def test_hung_is_noticed_and_what_no_test_reaches_is_not_and_equivalents_are_counted_apart(self):
-        rows = [self.row(verdict) for verdict in ("caught", "hung", "survived", "not reached", "equivalent")] + [{"room": "film"}]
+        rows = [self.row(verdict) for verdict in ("caught", "hung", "survived", "not reached", "equivalent")]
         row, = run.scores({"samples": [{"rooms": {"film": 9}, "mutants": rows}]})
         self.assertEqual((row["ran"], row["score"], row["with_equivalents"]), (5, 2 / 4, 2 / 5))
+        self.assertEqual(run.noticed([row])[:2], (2, 4))
+
+    def test_a_room_has_no_score_before_all_its_mutants_ran(self):
+        table = run.scores({"samples": [{"rooms": {"film": 9}, "mutants": [self.row("caught"), {"room": "film"}]}]})
+        self.assertEqual((table[0]["ran"], table[0]["score"], table[0]["with_equivalents"], table[0]["interval"]), (1, None, None, (0, 1)))
+        self.assertEqual(run.noticed(table)[:2], (0, 0))
 
     def test_the_last_sample_of_a_room_counts(self):
         ledger = {"samples": [{"rooms": {"film": 9, "scene": 9}, "mutants": [self.row("survived"), self.row("caught", "scene")]},

@@ -118,18 +118,18 @@ class Tree:
         return {name: self.moved(value) for name, value in unit["environment"].items()}
 
     @contextlib.contextmanager
-    def planted(self, mutant):
-        """The mutant in this tree, where no switch has it."""
-        if mutant["switched"]:
-            yield
-            return
-        path = self.folder / mutant["file"]
-        text = (self.root / mutant["file"]).read_text()
-        path.write_text(text.replace(mutant["find"], mutant["replace"]))
+    def planted(self, mutants):
+        """The mutants in this tree, where no switch has them."""
+        texts = {one["file"]: (self.root / one["file"]).read_bytes() for one in mutants if not one["switched"]}
+        for file, text in texts.items():
+            for one in sorted((one for one in mutants if one["file"] == file), key=lambda one: one["begin"], reverse=True):
+                text = text[:one["begin"]] + one["replacement"].encode() + text[one["end"]:]
+            (self.folder / file).write_bytes(text)
         try:
             yield
         finally:
-            path.write_text(text)
+            for file, text in texts.items():
+                (self.folder / file).write_bytes(text)
 
     def start(self, unit, more, seconds):
         """green, red or hung, and the last of what was said. Nothing that was started is left."""
@@ -166,13 +166,13 @@ class Tree:
             wrong = True  # a program that ended early
         return "red" if wrong and not skipped else "green", text[-20000:]
 
-    def run(self, unit, number):
-        more = {} if number is None else {"TRIBOCHECK_MUTANT": str(number)}
+    def run(self, unit, numbers):
+        more = {"TRIBOCHECK_MUTANT": ",".join(map(str, numbers))} if numbers else {}
         end, said = self.start(unit, more, min(max(10 * unit["seconds"], LEAST_SECONDS), max(unit["timeout"], 300)))
         return end, check_of(unit, said)
 
     def cover(self, unit, size, files):
-        """What the test reaches: numbers of mutants, and files of this tree that it reads."""
+        """Numbers of the mutants that the test reaches, and files of this tree that it reads."""
         for file in files:
             path = self.folder / file
             os.utime(path, ns=(0, path.stat().st_mtime_ns))

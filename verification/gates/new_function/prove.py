@@ -77,7 +77,7 @@ def verdict_of(said):
 
 
 def checks(program, tree, folder):
-    """What was seen, a line each."""
+    """Yields a line for each thing that was seen."""
     def ask(*words, **options):
         return run([program, *words], cwd=tree, **options)
 

@@ -17,7 +17,7 @@ using enum StarvationClosure;
 
 constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
 
-// What 50 digits leave of a slope; 1 − A and s + e·dln y/dln r lose some.
+// The accuracy of a slope in 50 digits; 1 − A and s + e·dln y/dln r lose some of them.
 const Reference digits("1e-45");
 
 // low ≤ got ≤ high, to rounding.

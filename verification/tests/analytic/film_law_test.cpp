@@ -145,7 +145,7 @@ TEST(FilmLaw, ExponentOfTheFluidShareIsTheLaws) {
   EXPECT_GT(compared, 100);
 }
 
-// Of the contact's own numbers, from differences: h₀ by u, and h by γ.
+// The exponents come from differences of the contact's own numbers: h₀ by u and α, h by 1 − A.
 TEST(FilmLaw, SceneThatNamesTheMinimumFilmHasItsExponents) {
   Scene scene = paper_scene(PaperSurface::rough);
   scene.supply = {};

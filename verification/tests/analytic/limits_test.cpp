@@ -125,7 +125,7 @@ TEST(SmoothLimit, ThinnestFilmsAreThickenedByTheSharesAtContact) {
 // the fourth derivative, and, that falling or rising on one side only, of at most its size at x =
 // −1 times x⁴: 1/16 for n = 3/2 (positive) and n = 5/2 (negative). With E x² = 1/D², E x⁴ = 3/D⁴,
 //   F_{3/2}: 3/(8D²) to 3/(8D²) + 3/(16D⁴),  F_{5/2}: 15/(8D²) − 3/(16D⁴) to 15/(8D²),
-// and F_1(−D) = D + F_1(D). What lies beyond x < −1 weighs less than e^{−D²/2}.
+// and F_1(−D) = D + F_1(D). The part at x < −1 weighs less than e^{−D²/2}.
 struct Excess {
   double low, high;
 };
@@ -267,8 +267,8 @@ TEST(Units, FrictionUnderRoelandsLawDoesNotDependOnThem) {
   }
 }
 
-// What tells the summit density from the viscosity in eqs 1.19 and 1.32. Roelands' constants have
-// units, and a test of their own.
+// This test tells the summit density from the viscosity in eqs 1.19 and 1.32. Roelands' constants
+// have units, and a test of their own.
 TEST(Units, DimensionlessOutputsDoNotDependOnThem) {
   Sampler sampler(63);
   for (int i = 0; i < 200; ++i) {

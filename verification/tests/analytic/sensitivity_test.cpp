@@ -16,7 +16,7 @@ using enum StarvationClosure;
 constexpr std::array closures{flooded_inlet, starved_inlet, printed_exponents, damiens};
 constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
 
-// Of two numbers in 50 digits; `bound` is relative.
+// Compares two numbers in 50 digits; `bound` is relative.
 testing::AssertionResult agree(const Reference& got, const Reference& expected, double bound,
                                std::initializer_list<Input> inputs, double condition = 1) {
   record_part_of_bound(relative_error(got, expected) / (bound * condition));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds the model to the certified tables, on tables that are wrong: a value off by a little
+// The judge of the model by the certified tables, on tables that are wrong: a value off by a little
 // more than the contract allows is found, and one by a little less is not.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ std::string content_of(const fs::path& path) {
   text << std::ifstream(path).rdbuf();
   return text.str();
 }
-// What is said of a table that cannot be read; empty: it can.
+// The message on a table that cannot be read; empty: the table can be read.
 template <class Read>
 std::string refusal(Read&& read) {
   try {

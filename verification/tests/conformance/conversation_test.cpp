@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is taken for the answer to a case, and how a line that is none is told.
+// The lines that are taken for answers to cases, and the messages on lines that are no answers.
 #include "conformance/conversation.hpp"
 
 #include <gtest/gtest.h>

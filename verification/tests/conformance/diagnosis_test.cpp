@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of wrong solvers. Their formulas are written here anew: nothing is shared with the
-// mistakes that the diagnosis knows.
+// Diagnoses of wrong solvers. The formulas of these are written here anew: nothing is shared with
+// the mistakes that the diagnosis knows.
 #include "conformance/diagnosis.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ std::vector<Case> cases_of(const std::string& function) {
 
 using Formula = std::function<json(const json& inputs)>;
 
-// What is said of a solver that has these functions: all its sentences.
+// All sentences of the diagnosis of a solver that has these functions.
 std::string said_of(const std::map<std::string, Formula>& functions) {
   std::vector<Case> cases;
   Conversation conversation;
@@ -240,8 +240,8 @@ TEST(Said, OfSinglePrecisionIsThat) {
 
 using Times = std::function<double(std::size_t)>;
 
-// What is said of so many films, of which number i is answered as its right value times times(i);
-// in single precision but for one of them, where that is given.
+// The diagnoses of so many films. Number i is answered as its right value times times(i); where it
+// is given, in single precision but for one of them.
 std::vector<Diagnosis> told_of(std::size_t count, const Times& times,
                                const std::vector<Mistake>& mistakes = {},
                                const Tolerance& tolerance = engineering_tolerance(),
@@ -295,7 +295,8 @@ Times twice_then_odd(std::size_t twice, std::size_t odd_to) {
 }
 
 TEST(Limits, OfCountsAreWhereTheyArePromised) {
-  // Of the answers that a mistake changes 98 in 100 are to be as it gives them, and three at least.
+  // A mistake is named where 98 in 100 of the answers that it changes are as it gives them, and
+  // three at least.
   const auto with_met = [](std::size_t changed, std::size_t met) {
     return named_of(changed + 20, twice_then_odd(met, changed), {times_of(2, 0, changed)}).size();
   };

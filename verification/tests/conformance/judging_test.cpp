@@ -37,7 +37,7 @@ Tolerance own_tolerance() {
   return tolerance;
 }
 
-// --- What is allowed.
+// --- Allowed errors.
 
 TEST(AllowedError, IsThePartOfTheValueTimesItsCondition) {
   for (const double condition : {1.0, 10.0, 1e4}) {
@@ -65,7 +65,7 @@ TEST(AllowedError, OfTheStrictToleranceIsTheContract) {
             4 * std::numeric_limits<double>::denorm_min());
 }
 
-// --- What answers make of a quantity.
+// --- Verdicts on a quantity from its answers.
 
 Answer with(json fields) { return {Outcome::answered, std::move(fields), {}}; }
 Answer without(Outcome outcome) { return {outcome, {}, "why"}; }
@@ -91,7 +91,7 @@ TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
     EXPECT_TRUE(
         changes_at_its_limit({"of a number", 2e-5, True::up_to,
                               [&](double x) { return holds(expected, 2 + side * x); }, 1e-10}));
-  // Of 0, and of what plays no part in engineering.
+  // Numbers that are 0, or play no part in engineering.
   EXPECT_TRUE(changes_at_its_limit(
       {"of nothing", 1e-30, True::up_to, [&](double x) { return holds(number(0), x); }}));
   EXPECT_TRUE(
@@ -280,7 +280,7 @@ TEST(Verdict, TellsAFailureBeyondThePhysicalRangeApart) {
   EXPECT_EQ(judged({inside, beyond}, {wrong, wrong}).overall, Overall::failed);
 }
 
-// --- What is worse than a baseline.
+// --- Results that are worse than a baseline.
 
 // The cases that failed are off by a tenth each.
 QuantityVerdict row(Status status, std::size_t held, std::size_t failed, std::size_t skipped,
@@ -371,7 +371,7 @@ TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
   }
 }
 
-// --- What failed stays held to how it failed.
+// --- Cases that failed stay held to how they failed.
 
 TEST(Baseline, HoldsEachCaseThatFailedToFourTimesItsOwnError) {
   const auto off_by = [](double first, double second) {

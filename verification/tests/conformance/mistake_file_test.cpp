@@ -45,7 +45,7 @@ TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
   EXPECT_GE(names.size(), 120U);
 }
 
-// What a mistake says of an operating point, for each case of those.
+// Calls `look` with the numbers of each mistake that is asked for, for each operating point.
 void for_each_answer(
     const std::function<bool(const Mistake&)>& is_asked,
     const std::function<void(const Case&, const Question&, const std::optional<Numbers>&)>& look) {
@@ -96,7 +96,7 @@ TEST(Mistakes, InLoadSharingAreSaidOfFilmsOfItsExponentAlone) {
   EXPECT_GT(unsaid_of, 0U);
 }
 
-// What is said of a file with this text.
+// The message on a file with this text; empty: the file is read.
 std::string refusal_of(const std::string& text) {
   const TemporaryFolder folder;
   const std::string path = folder.file("mistakes.toml");

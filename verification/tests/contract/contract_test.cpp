@@ -305,7 +305,7 @@ INSTANTIATE_TEST_SUITE_P(Contract, OfEachFunction, testing::ValuesIn(drawn), nam
 INSTANTIATE_TEST_SUITE_P(Contract, InEachRoundingMode,
                          testing::ValuesIn(drawn.begin(), drawn.end() - 1), name_of);
 
-// Of those inputs that a float holds, and results far from where it underflows.
+// A contract in float, for inputs that a float holds, and results far from where it underflows.
 struct InFloat {
   Kind kind;
   Contract contract;  // in ε of float

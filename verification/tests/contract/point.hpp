@@ -36,7 +36,7 @@ enum class Kind : std::uint8_t {
   load_sharing,   // K and λ₀ from 1e-300 to 1e300, and K about its critical value
   film_ratio,     // r from 1e-300 to 1e300, and about 1
   moment,         // d from −45 to 45, all orders, and the neighbours of every branch
-  // Of the contract test alone.
+  // The kinds below are drawn by the contract test alone.
   scaled_moment,  // and logarithms
   deficit,        // of the starved film, and the ratio at a departure
   hertz,
@@ -75,7 +75,7 @@ void draw(Sampler& sampler, Point& point);
 // Names and numbers that define the point.
 std::vector<std::pair<std::string, double>> inputs_of(const Point& point);
 
-// What a point comes to in one number type.
+// The results of a point in one number type.
 template <class T>
 struct Values {
   std::vector<T> numbers;
@@ -108,8 +108,8 @@ Evaluation evaluate(const Point& point);
 // As Evaluation::condition, of any point.
 std::vector<double> conditions_of(const Point& point);
 
-// What `values_of` has, as enclosures. Throws std::runtime_error where a root has no proof; empty
-// where a branch was not certain.
+// The values of values_of(), as enclosures. Throws std::runtime_error where a root has no proof;
+// empty where a branch was not certain.
 Values<Enclosure> enclose(const Point& point);
 
 // |error| in ulp that a contract allows.

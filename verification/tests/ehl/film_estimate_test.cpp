@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Do the stated errors hold? Of sequences that are known; of solved films against finer ones,
-// against those of the second method (generators/line_collocation.hpp), and as the inlet grows.
+// Checks that the stated errors hold: of sequences that are known; of solved films against finer
+// ones, against those of the second method (generators/line_collocation.hpp), and as the inlet
+// grows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,6 +46,26 @@ TEST(EstimateOf, TakesRichardsonsValueOfTheSecondOrder) {
                         0.25 * 15 * 4 * 0.5 / std::pow(16, 3), 1e-14));
   EXPECT_TRUE(is_within(ehl::estimate_of(sequence(4, 3, 1, 0.5), {1, 0, 0}).error,
                         15 * 4 * 0.5 / 4096, 1e-14));
+}
+
+TEST(EstimateOf, GridBesideCountsByWhatItDiffersFromTheSecondOrder) {
+  const std::vector<double> values = sequence(4, 3, 1, 0);
+  // The last grid shows 3 + 1/64; one of 7/8 of its cells shows 3 + (8/7)²/64.
+  const double second_order = 3 + 64. / 49 / 64, waver = 1e-3;
+  const ehl::Caution caution{.of_last = 0, .of_change = 0, .of_waver = 8};
+  for (const double off : {-waver, 0., waver}) {
+    const Estimate got = ehl::estimate_of(values, caution, {second_order + off, 8. / 7});
+    EXPECT_TRUE(is_within(got.value, 3, 1e-15));
+    EXPECT_TRUE(is_within(got.error, 8 * std::fabs(off), 1e-13)) << off;
+  }
+  // The greatest of the shares is the error: this grid does not make it less.
+  EXPECT_EQ(ehl::estimate_of(values, {}, {second_order, 8. / 7}).error,
+            ehl::estimate_of(values).error);
+  // Without it, the only change of Richardson's value that three grids show counts three times.
+  const std::vector<double> three = sequence(3, 3, 1, 0.1);
+  const ehl::Caution of_last{.of_last = 1, .of_change = 0};
+  EXPECT_EQ(ehl::estimate_of(three, of_last).error,
+            3 * ehl::estimate_of(three, of_last, {3.1, 8. / 7}).error);
 }
 
 TEST(EstimateOf, ErrorHoldsWhateverTheCoefficients) {

@@ -38,8 +38,8 @@ double rigid_film_ratio() {
   return 1 + std::tan(low) * std::tan(low);
 }
 
-// Its load makes the film number at the greatest pressure 3/M, and so the least one 3/M over the
-// ratio. What elastic bodies change falls with M².
+// The load on a rigid parabola makes the film number at the greatest pressure 3/M, and so the least
+// film number 3/M over the ratio. The change by elastic bodies falls with M².
 TEST(FilmLimits, RigidBodiesAndConstantViscosity) {
   const double ratio = rigid_film_ratio();
   EXPECT_TRUE(is_within(3 / ratio, 2.44748, 0.000005));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a solved film has to be whatever its numbers: balanced, loaded, without tension; how it
-// changes with the conditions; and what is said where there is none.
+// Properties of every solved film: balanced, loaded, without tension; its changes with the
+// conditions; and the message where there is no film.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,8 +37,8 @@ TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
         EXPECT_GT(film.film[row], 0);
         if (i == 0) continue;
         if (film.pressure[row] > 0) {
-          // What flows is the difference of what is dragged and what is driven: it is met to the
-          // rounding of these.
+          // The flow is the difference of the dragged and the driven flow, and is met to their
+          // rounding.
           const double dragged = film.film[row];
           EXPECT_TRUE(is_within(balance.flow[row], film.mass_flow, 1e-8 * (1 + dragged)))
               << "X = " << film.x[i];
@@ -47,7 +47,7 @@ TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
         }
       }
       EXPECT_TRUE(is_within(load, std::numbers::pi / 2, 1e-9));
-      // But for what a solution of linear equations rounds.
+      // The pressure is 0 at the ends, but for the rounding of linear equations.
       EXPECT_LT(film.pressure[0], 1e-30);
       EXPECT_LT(film.pressure[film.pressure.size() - 1], 1e-30);
       // The film is that of the pressure.

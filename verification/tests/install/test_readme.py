@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the READMEs show is taken out of them and run as it stands, on an installed copy.
+"""The examples in the READMEs are taken out of them and run as they stand, on an installed copy.
 
 Only `make`, `git` and `apt-get` are stood in for: the first installs this build under the PREFIX that it is
 given, in place of building the project once more; all three write down what they were asked.
@@ -57,7 +57,7 @@ def words(text):
 
 
 def commands(job):
-    """Of a CI job in YAML: its list items in order, each with the lines that it goes on over."""
+    """The list items of a CI job in YAML, in order, each with the lines that it goes on over."""
     items = []
     for line in job.splitlines():
         item = re.match(r" *- (?:run: )?(.*)", line)
@@ -105,7 +105,7 @@ class Readme(unittest.TestCase):
         return self.sh(self.set_up.splitlines()[1] + "\n" + text, code)
 
     def asked(self):
-        """What the stand-ins were asked since the last time."""
+        """The commands that the stand-ins were given since the last time."""
         path = self.home / "asked"
         lines = path.read_text().splitlines() if path.exists() else []
         path.unlink(missing_ok=True)

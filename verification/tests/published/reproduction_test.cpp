@@ -504,7 +504,8 @@ TEST(Uncertainties, OfTheViscosityAreThoseOfItsLastDigit) {
     EXPECT_TRUE(is_within(place(speed.low), 0.975, 0.015));
     EXPECT_TRUE(is_within(place(speed.least), 1, 0.005));
   }
-  // Of reported speeds that one surface never has, no draw has all; of wide ones each has.
+  // No draw has all reported speeds where one surface never has its own; every draw has them where
+  // the last digits are wide.
   EXPECT_EQ(first.all_onsets_reported, 0U);
   EXPECT_EQ(found({{1, 1, 1}, {100, 100, 100}}).all_onsets_reported, 2000U);
   EXPECT_EQ(found({{never, 1, 1}, {0.1, 100, 100}}).all_onsets_reported, 0U);
@@ -616,7 +617,7 @@ TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
   EXPECT_EQ(changes.verdicts[0], "C2.rough, corrected: was not there");
 }
 
-// What is wrong with a data file is one line that names it.
+// The message on a wrong data file is one line that names the file.
 TEST(PublishedFiles, AreRefusedByNameWhereTheyAreWrong) {
   const TemporaryFolder folder;
   const std::string path = folder.file("claims_wrong.tsv");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a good scene becomes, and the rules that look at more than one field.
+// The scene that a good text becomes, and the rules that look at more than one field.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -154,7 +154,7 @@ inline SceneReading read(Format format, const SceneText& text, SceneUse use = Sc
   return read(format, text.written(format), use);
 }
 
-// What a failing test prints.
+// The lines that a failing test prints.
 inline std::string lines_of(const std::vector<InputProblem>& problems) {
   std::string text;
   for (const InputProblem& problem : problems) text += "  " + problem.line() + '\n';

@@ -36,7 +36,7 @@ std::vector<double> exponents() {
   return all;
 }
 
-// Of all sizes, and next to 1, where the logarithm vanishes.
+// Numbers of all sizes, and next to 1, where the logarithm vanishes.
 std::vector<double> positive_numbers() {
   std::vector<double> all{1, 2, 0x1p-1022, 0x1p-1074, 1.7e308};
   Sampler sampler(72);

@@ -292,7 +292,7 @@ TEST(OperatingPointWork, OfTheFloodedFilmIsItsRootsAlone) {
   }
 }
 
-// What each single output takes of shares, moments and stresses, a point.
+// The shares, moments, stresses and inlets that each single output takes for a point.
 TEST(OperatingPointWork, IsOnlyWhatAnOutputNeeds) {
   struct Needs {
     Output output;

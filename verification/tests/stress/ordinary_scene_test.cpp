@@ -26,7 +26,7 @@ bool is_taken(const std::string& line) {
 
 std::string good_line() { return SceneText::good().json(); }
 
-// Of every field a line that has it, and one that has it twice.
+// Two lines for every field: one that has it, and one that has it twice.
 std::vector<std::string> lines_of_every_field() {
   std::vector<std::string> lines;
   for (const FieldInfo& field : scene_fields()) {

@@ -67,7 +67,7 @@ class Tally {
   std::vector<RowTally> rows_;
 };
 
-// What is asked of the long double itself, in its own ε times the condition: 1/32 of the double's
+// The bound on the long double itself, in its own ε times the condition: 1/32 of the double's
 // contract of 8 ulp.
 inline constexpr double long_double_ulp_per_condition = 500;
 

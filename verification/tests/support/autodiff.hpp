@@ -92,7 +92,7 @@ inline Reference film_log_slope(const Scene& scene, const Reference& u) {
   const Dual root = root_with_derivative(scene.closures.asperity, contact.sharing().stiffness(),
                                          contact.sharing().offset(),
                                          contact.flooded_film_parameter(speed), contact.film());
-  // Of the shares `inlet` needs λ alone. Its scalar root ends with a Newton step of its own.
+  // `inlet` needs λ alone of the shares. Its scalar root ends with a Newton step of its own.
   return log_slope(root * contact.inlet({speed, {root, Dual(0), Dual(1), 0}}).film_ratio, u);
 }
 

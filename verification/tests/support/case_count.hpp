@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands behind a test's verdict: how many comparisons held, and how near the nearest came to
+// The evidence behind a test's verdict: how many comparisons held, and how near the nearest came to
 // its bound. main.cpp prints both after each test, and gates/inventory.py holds them against the
 // manifest: a test that no longer compares anything, and a bound that was widened, are red.
 #pragma once

@@ -151,7 +151,7 @@ inline SceneNumbers<verification::Dual> numbers_of(const Scene& scene) {
 
 namespace verification {
 
-// Of each number of an operating point.
+// The condition of each number of an operating point.
 using Conditions = std::array<double, number_count>;
 inline Conditions conditions_at(const Scene& scene, double speed) {
   const auto numbers = numbers_of(MixedContact<Dual>(scene).solve(Dual(speed, 0)));
@@ -160,7 +160,7 @@ inline Conditions conditions_at(const Scene& scene, double speed) {
   return conditions;
 }
 
-// Of the root λ(λ₀, K, δ), of F_n(d), and of y(r, γ).
+// The conditions of the root λ(λ₀, K, δ), of F_n(d), and of y(r, γ).
 inline double root_condition(AsperityModel model, double stiffness, double offset, double film0,
                              const FilmLaw& film = hamrock_dowson_central_law) {
   return LoadSharing<Dual>(model, Dual(stiffness, 0), Dual(offset, 1), film)

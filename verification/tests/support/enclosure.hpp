@@ -114,7 +114,7 @@ inline double error_in(const Enclosure& unit, const Enclosure& got, const Enclos
   return Enclosure(abs(got - truth) / unit).upper_bound();
 }
 
-// Likewise in units in the last place of the truth (one subnormal unit at least).
+// |got − truth| at most, in units in the last place of the truth (one subnormal unit at least).
 inline double error_in_ulp(double got, const Enclosure& truth) {
   const double nearest = truth.nearest();
   if (!std::isfinite(got))

@@ -68,7 +68,7 @@ class LoadSharing {
     return is_tripp_ ? std::sqrt(load) : load;
   }
 
-  // Of ln λ − ln λ₀ + e ln(1 − A), as good as −∞ where A ≥ 1.
+  // The root λ of ln λ − ln λ₀ + e ln(1 − A), which counts as −∞ where A ≥ 1.
   double solve(double lambda0) const {
     const auto residual = [&](double lambda) {
       const double share = asperity_share(lambda);

@@ -57,6 +57,18 @@ eyring_stress = 2.5e6
 )" + settings);
 }
 
+// The same 70 draws for each of these loads.
+SceneSweep drawn_for_each_of(const std::string& loads) {
+  return read("speed = 1\nload = " + loads + "\n" + start + R"(
+summit_height_sd = { distribution = "uniform", from = 1e-8, to = 1e-7 }
+[lubricant]
+viscosity = 0.02
+pressure_viscosity = 2e-8
+[sweep]
+draws = 70
+)");
+}
+
 std::vector<double> all_values(const SceneSweep& sweep) {
   std::vector<double> values(sweep.groups * sweep.cases_per_group() * sweep.variables.size());
   CaseGenerator(sweep).groups(0, values);
@@ -83,14 +95,7 @@ pressure_viscosity = 2e-8
 }
 
 TEST(Cases, OfEachSetOfGridValuesHaveTheSameDraws) {
-  const SceneSweep sweep = read("speed = 1\nload = [10, 20, 30]\n" + std::string(start) + R"(
-summit_height_sd = { distribution = "uniform", from = 1e-8, to = 1e-7 }
-[lubricant]
-viscosity = 0.02
-pressure_viscosity = 2e-8
-[sweep]
-draws = 70
-)");
+  const SceneSweep sweep = drawn_for_each_of("[10, 20, 30]");
   const std::vector<double> values = all_values(sweep);
   ASSERT_EQ(values.size(), 2u * 210u);
   for (std::size_t i = 0; i < 70; ++i) {
@@ -117,23 +122,12 @@ TEST(Cases, OfAGroupWithSensitivityDifferFromAInOneVariableThatBHas) {
 }
 
 TEST(Cases, AreTheSameInBlocksFromAnywhere) {
-  // Draws that begin again with each value of a grid.
-  const SceneSweep of_a_grid =
-      read("speed = 1\nload = [10, 20, 30, 40, 50, 60, 70, 80]\n" + std::string(start) + R"(
-summit_height_sd = { distribution = "uniform", from = 1e-8, to = 1e-7 }
-[lubricant]
-viscosity = 0.02
-pressure_viscosity = 2e-8
-[sweep]
-draws = 70
-)");
-  for (const char* const settings :
-       {"draws = 70\n", "draws = 1000\n", "draws = 1000\ndesign = \"latin_hypercube\"\nseed = 9\n",
-        "draws = 500\ndesign = \"monte_carlo\"\nsensitivity = true\n",
-        "draws = 1000\ncorrelated = [\"lubricant.viscosity\", \"surface.summit_height_sd\"]\n"
-        "correlation = [[1, 0.7], [0.7, 1]]\n"}) {
-    const SceneSweep sweep =
-        std::string_view(settings).starts_with("draws = 70") ? of_a_grid : drawn(settings);
+  for (const SceneSweep& sweep :
+       {drawn_for_each_of("[10, 20, 30, 40, 50, 60, 70, 80]"), drawn("draws = 1000\n"),
+        drawn("draws = 1000\ndesign = \"latin_hypercube\"\nseed = 9\n"),
+        drawn("draws = 500\ndesign = \"monte_carlo\"\nsensitivity = true\n"),
+        drawn("draws = 1000\ncorrelated = [\"lubricant.viscosity\", \"surface.summit_height_sd\"]\n"
+              "correlation = [[1, 0.7], [0.7, 1]]\n")}) {
     const std::vector<double> whole = all_values(sweep);
     const std::size_t group = sweep.cases_per_group() * sweep.variables.size();
     CaseGenerator generator(sweep);
@@ -143,7 +137,7 @@ draws = 70
       generator.groups(first, part);
       const auto from = whole.begin() + static_cast<std::ptrdiff_t>(first * group);
       EXPECT_EQ(part, std::vector<double>(from, from + static_cast<std::ptrdiff_t>(part.size())))
-          << settings << first;
+          << sweep.groups << " groups of " << sweep.cases_per_group() << ", from " << first;
     }
   }
 }
@@ -268,7 +262,7 @@ TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
   }
 }
 
-// What a chunk keeps, at each place, what it sums up, and its groups' sums by their blocks; chunks
+// A chunk's kept values at each place, its summaries, and its groups' sums by their blocks; chunks
 // and their parts in hand end anywhere.
 TEST(ChunkSolver, KeepsTheValuesOfEachCaseInItsPlace) {
   for (auto& of_kind : sweeps_of_each_kind()) {
@@ -289,7 +283,7 @@ TEST(ChunkSolver, KeepsTheValuesOfEachCaseInItsPlace) {
       const std::uint64_t first = number * 111,
                           groups = std::min(first + 111, scene.groups) - first;
       const std::size_t rows = scene.cases_per_group(), kept = scene.cases_kept_per_group();
-      // Of a column of so many numbers a case, the kept cases of the chunk, 0 beyond the last.
+      // The kept cases of the chunk in a column of so many numbers a case, 0 beyond the last.
       const auto expected_of = [&](const std::vector<double>& all, std::size_t of_case,
                                    std::size_t at, std::size_t wide) {
         std::vector<double> expected(scene.chunk_cases() * wide);

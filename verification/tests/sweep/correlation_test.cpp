@@ -55,7 +55,7 @@ TEST(StandardNormal, IsOdd) {
   EXPECT_EQ(standard_normal(1), infinity);
 }
 
-// Of k random directions in n dimensions, by their cosines.
+// The cosines between k random directions in n dimensions.
 Matrix random_matrix(std::size_t k, std::size_t n, std::uint64_t seed) {
   Sampler sampler(seed);
   std::vector<std::vector<double>> directions(k, std::vector<double>(n));

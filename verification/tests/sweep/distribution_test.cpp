@@ -266,7 +266,7 @@ TEST(Distribution, GrowsWithU) {
     std::sort(numbers.begin(), numbers.end());
     for (std::size_t i = 1; i < numbers.size(); ++i) {
       const double before = d.quantile(numbers[i - 1]), after = d.quantile(numbers[i]);
-      // Of neighbouring u the values may be nearer than their rounding.
+      // The values at neighbouring u may differ by less than their rounding.
       EXPECT_LE(before - after, 4 * ulp * std::abs(after))
           << d.text() << describe({{"u", numbers[i - 1]}, {"u", numbers[i]}});
       if (numbers[i] - numbers[i - 1] > 1e-12) {

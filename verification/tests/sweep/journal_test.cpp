@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a journal keeps through truncation, damage, a full disk and two writers.
+// The records that a journal keeps through truncation, damage, a full disk and two writers.
 #include "sweep/journal.hpp"
 
 #include <gtest/gtest.h>

@@ -42,7 +42,7 @@ void expect_same(double a, double b) {
   EXPECT_EQ(std::isnan(a), std::isnan(b));
 }
 
-// Of all cases at once.
+// The summary of all cases at once.
 ValueSummary summary_of(const SceneSweep& scene, std::size_t column, std::size_t value) {
   const std::vector<double> all = small_cases(scene).columns[column];
   std::vector<double> values;

@@ -32,7 +32,7 @@ inline void write_content(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary) << content;
 }
 
-// What it throws; "none" if nothing.
+// The message of the std::runtime_error that `throws` throws; "none" if nothing.
 template <class Throw>
 std::string error_of(Throw&& throws) {
   try {
@@ -101,7 +101,7 @@ inline JournalHeader header_of(const SweepPlan& plan) {
   return {plan.version, plan.digest, "AVX2", {{"plain.toml", "load = 20\n"}}};
 }
 
-// What a case has; the second column of onsets is never there.
+// The numbers of all cases; the second column of onsets is always undefined.
 struct SmallCases {
   std::vector<std::vector<double>> inputs;   // of each variable
   std::vector<std::vector<double>> columns;  // of each column, case by case

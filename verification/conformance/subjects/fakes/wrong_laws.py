@@ -13,7 +13,7 @@ D341, SUMMITS = "astm_d341_viscosity", "summits_from_spectral_moments"
 
 
 def only_of(name):
-    """Of the films by laws, the one of this name is wrong."""
+    """Makes a mistake in the law of this name alone."""
     def choose(wrong):
         return lambda right, law, *given: wrong(right, law, *given) if law == name else right(law, *given)
     return choose

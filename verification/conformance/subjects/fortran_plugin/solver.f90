@@ -70,7 +70,7 @@ contains
       *(1 - 0.61_c_double*exp(-0.73_c_double*ellipticity))
   end function
 
-  ! What asperities and film carry, less the load; it falls with the film.
+  ! The sum of the load shares of asperities and film, less 1; falls as lambda grows.
   pure real(c_double) function excess(asperity, lambda, lambda0, stiffness, offset)
     integer(c_int), intent(in) :: asperity
     real(c_double), intent(in) :: lambda, lambda0, stiffness, offset

@@ -19,7 +19,7 @@ def roelands(viscosity, alpha, pressure):
 
 
 def chart(viscosity):
-    """Of the standard: log log(nu + 0.7), nu in mm2/s."""
+    """The height in the standard's chart: log log(nu + 0.7), nu in mm2/s."""
     return math.log10(math.log10(1e6 * viscosity + 0.7))
 
 

@@ -56,7 +56,7 @@ def smooth_contact(scene):
 
 
 class Contact:
-    """What does not depend on the film."""
+    """The numbers of a contact that do not depend on the film."""
 
     def __init__(self, scene):
         load, modulus = scene["load"], scene["bodies.effective_modulus"]

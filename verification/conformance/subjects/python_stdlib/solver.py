@@ -19,7 +19,7 @@ def plane_strain_modulus(E, nu):
 
 
 def in_series(a, b):
-    """Of two moduli, or of two radii: 1/(1/a + 1/b)."""
+    """1/(1/a + 1/b), of two moduli or of two radii."""
     small, large = sorted((a, b), key=abs)
     return small * (large / (small + large))
 
@@ -207,7 +207,7 @@ def summit_count(asperity, roughness, density, area, d):
 # Load sharing
 
 def film_exponent():
-    """Of h = h_0 (1 - A)^-0.14."""
+    """The exponent e of h = h_0 (1 - A)^-e."""
     return 0.14
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What has to hold for any bytes at all. libFuzzer calls these on what it makes up (toml_fuzzer.cpp
-// and the others), corpus_replay_test.cpp on the files of corpus/.
+// Checks that have to hold for any bytes at all. libFuzzer calls them on bytes that it makes up
+// (toml_fuzzer.cpp and the others), corpus_replay_test.cpp on the files of corpus/.
 #pragma once
 
 #include <stdexcept>

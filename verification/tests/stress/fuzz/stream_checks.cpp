@@ -103,7 +103,7 @@ Streamed streamed_in_pieces(std::string_view text) {
   return stream_from(reading.number());
 }
 
-// --- What goes in.
+// --- The input.
 
 // The lines, as a text editor shows them, without "\r\n" and "\n".
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -123,7 +123,7 @@ bool is_blank(std::string_view line) {
                      [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
 }
 
-// --- What comes out.
+// --- The output.
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
