@@ -57,6 +57,7 @@ MOUSING = re.compile(r"""\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
 UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # its commands, as the name of a line that has none
+INITIAL = ' stroke-linecap="butt" stroke-linejoin="miter"'  # which SVG has without being told
 EMPTY_GROUP = re.compile(r"<g\b[^>]*>\s*</g>\s*")
 AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|axis_ymin|axis_ymax|logaxis_x|logaxis_y)"
                   r" = ([-+.0-9e]+);")
@@ -66,7 +67,7 @@ def without_scripts(svg):
     """The picture alone. Its element says in data-axes which values the edges of the (last) plot have, so that the
     page can show those under the pointer."""
     axes = " ".join(f"{name}={value}" for name, value in AXES.findall(svg))
-    svg = UNNAMED.sub("", MOUSING.sub("", svg)).replace("<svg", f'<svg data-axes="{axes}"', 1)
+    svg = UNNAMED.sub("", MOUSING.sub("", svg)).replace(INITIAL, "").replace("<svg", f'<svg data-axes="{axes}"', 1)
     more = 1
     while more:  # a tenth of each file is groups with nothing in them
         svg, more = EMPTY_GROUP.subn("", svg)
