@@ -277,7 +277,7 @@ class Verdicts:
         print(f"{verdict:12}{seconds:7.1f} s  {mutant['id']}  {mutant['file']}:{mutant['line']}  {mutant['operator']}  {by or ''}", flush=True)
 
     def run(self, unit, mutants, tree):
-        """How a part of the tests ends with all these mutants, and its check."""
+        """How a part of the tests ends with all these mutants, its check, and the part cut down to the test at which it ended."""
         with tree.planted(mutants):
             return tree.run(unit, [self.prepared.numbers[one["id"]] for one in mutants if one["switched"]])
 
@@ -293,7 +293,7 @@ class Verdicts:
                 if planned > patience:
                     self.prepared.note_outlived(mutant, outlived)
                     return
-                end, check = self.run(unit, [mutant], tree)
+                end, check, _ = self.run(unit, [mutant], tree)
                 if end != "green":
                     self.say(mutant, NOTICED[end], time.monotonic() - start, check)
                     return
@@ -328,18 +328,30 @@ class Verdicts:
                 self.say(mutant, "survived", 0)
 
     def noticed_by(self, unit, mutants, tree):
-        """Which of these mutants the part notices, with its end and its check: it meets each half where it is red with both.
-        Mutants that hide each other survive here, which makes the score no better."""
-        mutants = [one for one in mutants if "verdict" not in self.rows[one["id"]]]
-        if not mutants:
-            return []
-        end, check = self.run(unit, mutants, tree)
+        """Which of these mutants the part notices, with its end and its check. Mutants that hide each other survive here, which makes
+        the score no better."""
+        found = []
+        while mutants := [one for one in mutants if "verdict" not in self.rows[one["id"]] and one not in [row[0] for row in found]]:
+            end, check, part = self.run(unit, mutants, tree)
+            if end == "green":
+                break
+            # The one test that is red says of each half whether it is red with it; a mutant that it is not red with alone waits on.
+            now = self.halved(part or unit, mutants, tree, (end, check) if part is None else None)
+            found += now
+            if not now:
+                found += self.halved(unit, mutants, tree, (end, check))
+                break
+        return found
+
+    def halved(self, unit, mutants, tree, known=None):
+        """The mutants that the part is red with alone. `known` is how it ends with all of them, where that is known."""
+        end, check = known or self.run(unit, mutants, tree)[:2]
         if end == "green":
             return []
         if len(mutants) == 1:
             return [(mutants[0], end, check)]
         half = len(mutants) // 2
-        return self.noticed_by(unit, mutants[:half], tree) + self.noticed_by(unit, mutants[half:], tree)
+        return self.halved(unit, mutants[:half], tree) + self.halved(unit, mutants[half:], tree)
 
 
 def take_sample(arguments):

@@ -48,7 +48,7 @@ def all_units(copy, tree):
             if done.returncode:
                 sys.exit(f"{test['name']}: {done.stderr}")
             module = test["command"][4]
-            units += [{**unit, "name": f"{test['name']}:{name}", "command": [*test["command"][:4], f"{module}.{name}"]}
+            units += [{**unit, "name": f"{test['name']}:{name}", "command": [*test["command"][:4], "-f", f"{module}.{name}"]}
                       for name in done.stdout.split()]
         else:
             units.append(unit)
@@ -86,6 +86,17 @@ def check_of(unit, said):
         return unit["test"]
     last = re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE) or re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
     return f"{unit['test'].split('.')[0]}.{last[-1]}" if last else unit["test"]
+
+
+def narrowed(unit, said):
+    """The part cut down to the test at which it ended, or None where what was said does not tell."""
+    if "cases" in unit or "case" in unit:
+        last = re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
+        return {**unit, "cases": last[:1]} if last else None
+    last = re.findall(r"^(?:FAIL|ERROR): (test\w*) \(([\w.]+)\)", said, re.MULTILINE)
+    if unit["command"][1:4] != ["-B", "-m", "unittest"] or not last or not last[0][1].endswith(f".{last[0][0]}"):
+        return None
+    return {**unit, "command": [*unit["command"][:4], "-f", last[0][1]]}
 
 
 class Tree:
@@ -169,7 +180,7 @@ class Tree:
     def run(self, unit, numbers):
         more = {"TRIBOCHECK_MUTANT": ",".join(map(str, numbers))} if numbers else {}
         end, said = self.start(unit, more, min(max(10 * unit["seconds"], LEAST_SECONDS), max(unit["timeout"], 300)))
-        return end, check_of(unit, said)
+        return end, check_of(unit, said), narrowed(unit, said) if end == "red" else None
 
     def cover(self, unit, size, files):
         """Numbers of the mutants that the test reaches, and files of this tree that it reads."""
