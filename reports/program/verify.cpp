@@ -17,7 +17,7 @@
 #include "page/markup.hpp"
 #include "page/project_files.hpp"
 #include "page/write_file.hpp"
-#include "protocol/answer_object.hpp"
+#include "protocol/answers.hpp"
 #include "table.hpp"
 #include "verify_subject.hpp"
 

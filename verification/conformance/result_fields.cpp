@@ -5,8 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "protocol/answer_object.hpp"
-#include "protocol/json_answers.hpp"
+#include "protocol/answers.hpp"
 
 namespace tribo::conformance {
 namespace {

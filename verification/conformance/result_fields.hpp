@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "conformance/serve.hpp"
-#include "protocol/output_stream.hpp"
+#include "protocol/text_streams.hpp"
 
 namespace tribo::conformance {
 

@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "conformance/result_fields.hpp"
-#include "protocol/json_answers.hpp"
-#include "protocol/line_reader.hpp"
-#include "protocol/output_stream.hpp"
+#include "protocol/answers.hpp"
+#include "protocol/text_streams.hpp"
 #include "protocol/question.hpp"
 
 namespace tribo::conformance {
@@ -69,8 +68,8 @@ class Server {
   }
 
   void take(Question question) {
-    if (const auto* call = std::get_if<FunctionCall>(&question); call && call->mistake)
-      return complain(call->id, call->mistake->field, call->mistake->message);
+    if (const auto* call = std::get_if<FunctionCall>(&question); call && call->fault)
+      return complain(call->id, call->fault->field, call->fault->message);
     if (const auto* reading = std::get_if<SceneReading>(&question); reading && !reading->scene) {
       answer_waiting();
       protocol::append_first_error(output_.text(), *reading);
