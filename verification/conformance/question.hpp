@@ -47,7 +47,7 @@ struct FrictionReading {
 };
 
 struct Question {
-  const Case* asked;
+  const TestCase* asked;
   const catalogue::Function* function;  // null for an operating point
   catalogue::Arguments arguments{};     // of the function
   std::optional<FilmLaw> law = {};      // of a film law, if it is another one
@@ -57,7 +57,7 @@ struct Question {
   FrictionReading friction = {};        // likewise
 };
 
-Question question_of(const Case& asked);
+Question question_of(const TestCase& asked);
 
 // The place of a result in Numbers; empty for a field that is no number.
 std::optional<std::size_t> place_of_field(const Question& question, std::string_view field);

@@ -44,22 +44,18 @@ void append_scene_answer(Text& to, SceneReading reading, std::vector<InputProble
 
 }  // namespace
 
+bool rests_on_balance(Output output) {
+  return output == Output::asperity_load_share || output == Output::fluid_load_share ||
+         output == Output::friction;
+}
+
 OutputValue value_of(const OperatingPoint<double>& point, Output output) {
-  switch (output) {
-    case Output::asperity_load_share:
-    case Output::fluid_load_share:
-    case Output::friction:
-      if (point.regime == Regime::collapsed) return {.undefined = film_collapsed, .word = {}};
-      break;
-    case Output::regime:
-      return word(name(point.regime),
-                  point.regime == Regime::collapsed ||
-                      std::isfinite(point.asperity_load_share + point.fluid_load_share));
-    case Output::inlet:
-      return word(name(point.inlet), std::isfinite(point.film));
-    default:
-      break;
-  }
+  const bool has_collapsed = point.regime == Regime::collapsed;
+  if (rests_on_balance(output) && has_collapsed) return {.undefined = film_collapsed, .word = {}};
+  if (output == Output::regime)
+    return word(name(point.regime),
+                has_collapsed || std::isfinite(point.asperity_load_share + point.fluid_load_share));
+  if (output == Output::inlet) return word(name(point.inlet), std::isfinite(point.film));
   return number(numbers_of(point)[static_cast<std::size_t>(output)]);
 }
 
