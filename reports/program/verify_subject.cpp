@@ -89,7 +89,8 @@ void complain_of_errors(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) complain_more(line);
 }
 
-// Of the project, or else beside the folder of --reference, as in a copy of reference/.
+// These are in their usual place, or else beside the folder of --reference, as in a copy of
+// reference/.
 struct ReferenceFiles {
   CaseSources cases;
   std::string mistakes;

@@ -54,7 +54,7 @@ struct Question {
   std::optional<Scene> scene = {};      // of an operating point, with its one speed
   SharingReading sharing = {};          // of load_sharing
   double summit_count_times = 1;        // of an operating point
-  FrictionReading friction = {};        // likewise
+  FrictionReading friction = {};        // of an operating point
 };
 
 Question question_of(const TestCase& asked);

@@ -105,7 +105,7 @@ template <class Asked, class Result>
 using Batch = std::function<void(std::span<const Asked>, std::span<Answer<Result>>)>;
 
 // The arguments of a function in the order of `tribocheck functions NAME`: of a word its place in
-// the list of words. Its results likewise, in the first places.
+// the list of words. Its results are in the first places.
 using FunctionBatch = Batch<catalogue::Arguments, catalogue::Results>;
 
 // One argument, for a parameter that is a number or one of the enumerations in tribo/scene.hpp.
