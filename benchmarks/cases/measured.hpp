@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cases/errors.hpp"
-#include "conformance/plugin_library.hpp"
+#include "conformance/plugin.hpp"
 #include "contenders/settings.hpp"
 
 namespace tribo::benchmarks {

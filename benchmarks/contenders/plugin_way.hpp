@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "conformance/plugin_library.hpp"
+#include "conformance/plugin.hpp"
 #include "contenders/curve_contender.hpp"
 #include "contenders/moment_contender.hpp"
 #include "contenders/root_contender.hpp"

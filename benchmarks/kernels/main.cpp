@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "conformance/plugin_library.hpp"
+#include "conformance/plugin.hpp"
 #include "conformance/serve.hpp"
 #include "kernels/progress.hpp"
 #include "kernels/registered.hpp"

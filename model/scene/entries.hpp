@@ -76,6 +76,10 @@ bool nests_too_deep(std::string_view json);
 std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields = max_entries);
 
+// The same of a JSON text; where it is no object, nothing and an error.
+std::optional<std::vector<Entry>> json_entries(std::string_view text, Problems& problems,
+                                               std::size_t most_fields = max_entries);
+
 // Fills reading.scene from the entries, or reading.errors.
 void bind_scene(std::span<const Entry> entries, SceneUse use, Problems& problems,
                 SceneReading& reading);

@@ -27,7 +27,8 @@ struct Overflow {
 // The parser's events, put into entries.
 class EntryCollector {
  public:
-  explicit EntryCollector(const std::vector<Overflow>& overflows) : overflows_(overflows) {
+  EntryCollector(const std::vector<Overflow>& overflows, std::size_t most_fields)
+      : overflows_(overflows), most_fields_(most_fields) {
     entries_.reserve(32);
   }
 
@@ -159,12 +160,13 @@ class EntryCollector {
       entries_.back().elements.push_back(std::move(value));
       return true;
     }
-    if (entries_.size() == max_entries) return complain(std::string(too_many_fields_text));
+    if (entries_.size() == most_fields_) return complain(std::string(too_many_fields_text));
     entries_.push_back({path(), std::move(value), {}});
     return true;
   }
 
   const std::vector<Overflow>& overflows_;
+  std::size_t most_fields_;
   std::vector<Entry> entries_;
   std::string key_, section_;
   std::size_t depth_ = 0;
@@ -233,31 +235,36 @@ bool mend_overflow(const EntryCollector& collector, std::string& text,
 }
 
 }  // namespace
-}  // namespace scene_detail
 
-SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use) {
-  using namespace scene_detail;
-  SceneReading reading;
-  Problems problems(reading, source);
+std::optional<std::vector<Entry>> json_entries(std::string_view text, Problems& problems,
+                                               std::size_t most_fields) {
   if (const std::string refusal = too_large_text(text.size()); !refusal.empty()) {
     problems.error("", refusal);
-    return reading;
+    return std::nullopt;
   }
   std::vector<Overflow> overflows;
   std::string mended;
   for (;;) {
-    EntryCollector collector(overflows);
-    if (Json::sax_parse(text.begin(), text.end(), &collector)) {
-      bind_scene(collector.entries(), use, problems, reading);
-      return reading;
-    }
+    EntryCollector collector(overflows, most_fields);
+    if (Json::sax_parse(text.begin(), text.end(), &collector))
+      return std::move(collector.entries());
     if (mended.empty()) mended = text;
     if (!mend_overflow(collector, mended, overflows)) {
       report(collector, text, problems);
-      return reading;
+      return std::nullopt;
     }
     text = mended;
   }
+}
+
+}  // namespace scene_detail
+
+SceneReading parse_scene_json(std::string_view text, std::string_view source, SceneUse use) {
+  SceneReading reading;
+  scene_detail::Problems problems(reading, source);
+  if (const auto entries = scene_detail::json_entries(text, problems))
+    scene_detail::bind_scene(*entries, use, problems, reading);
+  return reading;
 }
 
 }  // namespace tribo

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "page/child_process.hpp"
+#include "conformance/child_process.hpp"
 #include "protocol/bounded_json.hpp"
 
 namespace tribo::report {
@@ -28,7 +28,7 @@ Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments) {
   std::vector<std::string> command{python(), "-B", (places.render / script).string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  const ChildEnd end = run_child(std::move(command));
+  const conformance::ChildEnd end = conformance::run_child(std::move(command));
   Rendering rendering;
   const auto failed = [&](const std::string& why) {
     rendering.undrawn.push_back(why);

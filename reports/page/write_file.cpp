@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "protocol/output_stream.hpp"
+#include "protocol/text_streams.hpp"
 #include "sweep/output_lock.hpp"
 
 namespace tribo::report {

@@ -21,10 +21,10 @@
 #include "bench_baseline.hpp"
 #include "bench_rows.hpp"
 #include "command.hpp"
+#include "conformance/child_process.hpp"
 #include "conformance/conformance_baseline.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/child_process.hpp"
 #include "page/report_error.hpp"
 #include "page/write_file.hpp"
 #include "shell.hpp"
@@ -108,7 +108,7 @@ int fail(int code, const std::string& line) {
 }
 
 // Why there are no results.
-std::string failure_text(const report::ChildEnd& end, const BenchArguments& arguments) {
+std::string failure_text(const conformance::ChildEnd& end, const BenchArguments& arguments) {
   const std::string with_plugin =
       arguments.plugin.empty() ? "" : fmt::format(", with the plug-in {} loaded", arguments.plugin);
   if (end.is_late)
@@ -126,7 +126,8 @@ std::string failure_text(const report::ChildEnd& end, const BenchArguments& argu
 
 // "; the jobs are moment_5_2, …; the families are GSL, …", as the contenders' names have them.
 std::string contenders_text(const fs::path& program) {
-  const report::ChildEnd end = report::run_child({program.string(), "--benchmark_list_tests=true"});
+  const conformance::ChildEnd end =
+      conformance::run_child({program.string(), "--benchmark_list_tests=true"});
   std::vector<std::string> jobs, families;
   const auto add = [](std::vector<std::string>& names, std::string name) {
     if (std::find(names.begin(), names.end(), name) == names.end())
@@ -150,7 +151,7 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   if (program.empty())
     return fail(exit_bad, "tribocheck_bench is not built; `make bench` builds it");
   const auto limit = std::chrono::milliseconds(static_cast<long long>(1000 * arguments.timeout));
-  const report::ChildEnd end = report::run_child(command_line(program, arguments), limit);
+  const conformance::ChildEnd end = conformance::run_child(command_line(program, arguments), limit);
   if (end.start_error != 0)
     return fail(exit_failed, program.string() + " cannot be started: " +
                                  std::generic_category().message(end.start_error));

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "junit.hpp"
 #include "page/markup.hpp"
 #include "page/text_table.hpp"
 #include "table.hpp"
@@ -28,7 +29,7 @@ std::string error(double relative) {
 
 bool has_numbers(const QuantityVerdict& one) { return one.held + one.failed > 0; }
 
-std::size_t count(const ConformanceResult& result, Status status) {
+std::size_t count(const ConformanceResult& result, Verdict status) {
   return static_cast<std::size_t>(
       std::count_if(result.quantities.begin(), result.quantities.end(),
                     [&](const QuantityVerdict& one) { return one.status == status; }));
@@ -111,32 +112,32 @@ std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
   return found;
 }
 
-std::vector<std::string> texts(const std::vector<Finding>& changes) {
+std::vector<std::string> texts(const std::vector<QuantityNote>& changes) {
   std::vector<std::string> all;
   all.reserve(changes.size());
-  for (const Finding& one : changes) all.push_back(one.text);
+  for (const QuantityNote& one : changes) all.push_back(one.text);
   return all;
 }
 
 }  // namespace
 
-std::vector<Finding> failures(const SubjectVerdict& verdict) {
+std::vector<QuantityNote> failures(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
-  std::vector<Finding> all;
+  std::vector<QuantityNote> all;
   if (verdict.changes) {
     all = verdict.changes->worse;
   } else {
     for (const QuantityVerdict& one : result.quantities)
-      if (one.status == Status::failed)
+      if (one.status == Verdict::failed)
         all.push_back(
             {one.quantity, fmt::format("{} of {}: {}", one.failed, one.asked, one.first_reason)});
     if (result.violation_count > 0) all.push_back({"protocol", result.violations.front()});
     if (result.overall == Overall::nothing)
       all.push_back({"anything", "no quantity is offered, so that nothing is tested"});
   }
-  for (const Finding& missing : verdict.missing)
+  for (const QuantityNote& missing : verdict.missing)
     if (std::none_of(all.begin(), all.end(),
-                     [&](const Finding& one) { return one.quantity == missing.quantity; }))
+                     [&](const QuantityNote& one) { return one.quantity == missing.quantity; }))
       all.push_back(missing);
   return all;
 }
@@ -144,20 +145,20 @@ std::vector<Finding> failures(const SubjectVerdict& verdict) {
 std::string summary(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   std::string text = headword(verdict);
-  text += fmt::format(": {} of {} quantities held", count(result, Status::held),
+  text += fmt::format(": {} of {} quantities held", count(result, Verdict::held),
                       result.quantities.size());
   const auto add = [&](std::size_t n, const std::string& what) {
     if (n > 0) text += fmt::format(", {} {}", n, what);
   };
   const std::vector<std::string> then =
       verdict.changes ? verdict.changes->failed_already : std::vector<std::string>{};
-  add(count(result, Status::held_physically), "held in the physical range");
-  add(count(result, Status::partly_held), "held in part");
-  add(count(result, Status::failed) - then.size(), "failed");
+  add(count(result, Verdict::held_physically), "held in the physical range");
+  add(count(result, Verdict::partly_held), "held in part");
+  add(count(result, Verdict::failed) - then.size(), "failed");
   add(then.size(), fmt::format("failed as before ({})", joined(then)));
-  add(count(result, Status::not_offered), "not offered");
+  add(count(result, Verdict::not_offered), "not offered");
   std::vector<std::string> missing;
-  for (const Finding& one : verdict.missing) missing.push_back(one.quantity);
+  for (const QuantityNote& one : verdict.missing) missing.push_back(one.quantity);
   if (!missing.empty()) text += "; required, but not held: " + joined(missing);
   if (!result.violations.empty()) text += "; the protocol was broken: " + result.violations.front();
   return text + fmt::format(" (tolerance: {}).", result.tolerance.name);
@@ -183,10 +184,10 @@ std::string not_offered(const ConformanceResult& result) {
   };
   std::vector<std::string> names;
   for (const QuantityVerdict& one : result.quantities) {
-    if (one.status != Status::not_offered) continue;
+    if (one.status != Verdict::not_offered) continue;
     const bool is_whole =
         std::all_of(result.quantities.begin(), result.quantities.end(), [&](const auto& other) {
-          return function(other) != function(one) || other.status == Status::not_offered;
+          return function(other) != function(one) || other.status == Verdict::not_offered;
         });
     const std::string name = is_whole ? function(one) : one.quantity;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
@@ -197,13 +198,13 @@ std::string not_offered(const ConformanceResult& result) {
 void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   std::size_t widest = 36;
   for (const QuantityVerdict& one : verdict.result.quantities)
-    if (one.status != Status::not_offered) widest = std::max(widest, one.quantity.size());
+    if (one.status != Verdict::not_offered) widest = std::max(widest, one.quantity.size());
   const std::vector<ColumnHead> heads{
       {"quantity", "", widest}, {"asked", "", 6},        {"held", "", 6},     {"failed", "", 6},
       {"skipped", "", 7},       {"worst_error", "", 11}, {"of_bound", "", 9}, {"verdict", "", 16}};
   append_heads(to, heads);
   for (const QuantityVerdict& one : verdict.result.quantities) {
-    if (one.status == Status::not_offered) continue;
+    if (one.status == Verdict::not_offered) continue;
     const std::string cells[] = {one.quantity,
                                  std::to_string(one.asked),
                                  std::to_string(one.held),
@@ -231,7 +232,7 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   if (shows_errors(verdict))
     for (const std::string& line : verdict.last_errors) append_line(to, "  " + line);
   if (verdict.changes)
-    for (const Finding& one : verdict.changes->worse)
+    for (const QuantityNote& one : verdict.changes->worse)
       append_line(to, "Worse than the baseline: " + one.text);
   append(to, "\n");
   append_line(to, summary(verdict));
@@ -304,9 +305,9 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
          "| quantity | verdict | held | failed | skipped | worst error | of its bound |\n"
          "|---|---|---:|---:|---:|---:|---:|\n");
   for (const QuantityVerdict& one : verdict.result.quantities) {
-    if (one.status == Status::not_offered) continue;
+    if (one.status == Verdict::not_offered) continue;
     append(to, fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", one.quantity,
-                           one.status == Status::failed && !failed_already(verdict, one)
+                           one.status == Verdict::failed && !failed_already(verdict, one)
                                ? "**FAILED**"
                                : status_text(verdict, one),
                            one.held, one.failed, one.skipped,
@@ -331,9 +332,9 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     append(to, "  " + fence + "\n");
   }
   if (!verdict.changes) return;
-  for (const Finding& one : verdict.changes->worse)
+  for (const QuantityNote& one : verdict.changes->worse)
     append(to, "- **Worse than the baseline.** " + cell(one.text) + "\n");
-  for (const Finding& one : verdict.changes->better)
+  for (const QuantityNote& one : verdict.changes->better)
     append(to, "- Better than the baseline: " + cell(one.text) + "\n");
 }
 
@@ -349,59 +350,39 @@ std::string junit_details(const SubjectVerdict& verdict, const std::string& quan
 }
 
 std::string subject_junit(const SubjectVerdict& verdict) {
-  const auto text = [](const std::string& plain) { return report::escape_html(plain); };
+  using End = JunitTest::End;
   const ConformanceResult& result = verdict.result;
-  const std::vector<Finding> failed = failures(verdict);
-  std::string xml;
-  std::size_t tests = 0, skipped = 0;
-  const auto add = [&](const std::string& quantity, const char* kind, const std::string& message) {
-    ++tests;
-    xml += fmt::format("  <testcase classname=\"conformance\" name=\"{}\"", text(quantity));
-    if (*kind == '\0') {
-      xml += "/>\n";
-      return;
-    }
-    const std::string details = text(junit_details(verdict, quantity));
-    xml += fmt::format("><{} message=\"{}\"", kind, text(message));
-    xml += details.empty() ? "/>" : fmt::format(">{}</{}>", details, kind);
-    xml += "</testcase>\n";
+  const std::vector<QuantityNote> failed = failures(verdict);
+  JunitSuite suite{"conformance", {}, true};
+  const auto add = [&](const std::string& quantity, End end, const std::string& message) {
+    suite.tests.push_back({quantity, end, message, junit_details(verdict, quantity)});
   };
   for (const QuantityVerdict& one : result.quantities) {
-    const auto why = std::find_if(failed.begin(), failed.end(), [&](const Finding& failure) {
+    const auto why = std::find_if(failed.begin(), failed.end(), [&](const QuantityNote& failure) {
       return failure.quantity == one.quantity;
     });
-    const bool before = failed_already(verdict, one);
-    skipped += why == failed.end() && (before || one.status == Status::not_offered) ? 1 : 0;
     if (why != failed.end())
-      add(one.quantity, "failure", why->text);
-    else if (before)
-      add(one.quantity, "skipped",
+      add(one.quantity, End::failure, why->text);
+    else if (failed_already(verdict, one))
+      add(one.quantity, End::skipped,
           fmt::format("failed as before ({}): {} of {}: {}", verdict.baseline, one.failed,
                       one.asked, one.first_reason));
-    else if (one.status == Status::not_offered)
-      add(one.quantity, "skipped", one.first_reason);
+    else if (one.status == Verdict::not_offered)
+      add(one.quantity, End::skipped, one.first_reason);
     else
-      add(one.quantity, "", "");
+      add(one.quantity, End::passed, "");
   }
-  for (const Finding& one : failed)  // failures of no quantity
+  for (const QuantityNote& one : failed)  // failures of no quantity
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
-      add(one.quantity, "failure", one.text);
-  if (result.violation_count == 0) add("protocol", "", "");
-  std::string said;  // facts of the run for the user
-  for (const std::string& line : remarks(verdict)) said += line + "\n";
-  if (!said.empty()) xml += fmt::format("  <system-out>{}</system-out>\n", text(said));
-  if (shows_errors(verdict))
-    xml += fmt::format("  <system-err>{}</system-err>\n",
-                       text(fmt::format("{}", fmt::join(verdict.last_errors, "\n"))));
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\" skipped=\"{}\">\n"
-      "{}</testsuite>\n",
-      tests, failed.size(), skipped, xml);
+      add(one.quantity, End::failure, one.text);
+  if (result.violation_count == 0) add("protocol", End::passed, "");
+  for (const std::string& line : remarks(verdict)) suite.output += line + "\n";
+  if (shows_errors(verdict)) suite.errors = fmt::format("{}", fmt::join(verdict.last_errors, "\n"));
+  return junit_xml(suite);
 }
 
-void append_request(Text& to, const Case& asked, const Tolerance& tolerance) {
+void append_request(Text& to, const TestCase& asked, const Tolerance& tolerance) {
   append(to, asked.line() + "\n");
   for (const Expected& expected : asked.expected) {
     const Example one = example_of(asked, expected, {}, tolerance);
@@ -409,7 +390,7 @@ void append_request(Text& to, const Case& asked, const Tolerance& tolerance) {
   }
 }
 
-void append_shown_case(Text& to, const Case& asked, const Answer& answer,
+void append_shown_case(Text& to, const TestCase& asked, const Reply& answer,
                        const std::vector<Example>& examples) {
   append(to, "asked:    " + asked.line() + "\n");
   append_line(

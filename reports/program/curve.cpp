@@ -11,7 +11,7 @@
 #include "messages.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
-#include "protocol/output_values.hpp"
+#include "protocol/answers.hpp"
 #include "scene_arguments.hpp"
 #include "tribo/stribeck_walk.hpp"
 

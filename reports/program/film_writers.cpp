@@ -12,7 +12,7 @@
 
 #include "page/number_text.hpp"
 #include "page/text_table.hpp"
-#include "protocol/answer_object.hpp"
+#include "protocol/answers.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {

@@ -12,7 +12,7 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "protocol/json_answers.hpp"
+#include "protocol/answers.hpp"
 #include "scene/schema.hpp"
 
 namespace tribo::cli {

@@ -7,22 +7,25 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <kainjow/mustache.hpp>
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "catalogue/catalogue.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
 #include "page/project_files.hpp"
 #include "page/report_error.hpp"
+#include "page/text_table.hpp"
 #include "page/write_file.hpp"
 #include "shell.hpp"
-#include "subject_template.hpp"
 #include "table.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -30,6 +33,8 @@ namespace tribo::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using kainjow::mustache::data;
+using kainjow::mustache::mustache;
 
 struct InitArguments {
   std::string what;
@@ -118,6 +123,88 @@ std::string next_line(const Language& language, const fs::path& include, const s
               folder) +
          " && " + verify + "--plugin " + shell_word(library);
 }
+
+// --- The template's text, filled.
+
+constexpr std::size_t widest_comment = 92;  // columns
+
+std::string text_of(std::string_view text) { return std::string(text); }
+
+// Its lines, for a comment: {{#about}}{{line}}{{/about}}.
+data lines_of(const std::string& text) {
+  data lines(data::type::list);
+  for (const std::string& line : report::wrapped(text, widest_comment)) lines << data("line", line);
+  return lines;
+}
+
+// Entries of each item in a list: name, meaning, unit, number from 1 and from 0, and whether it is
+// the last item.
+template <class Named>
+data entry_of(const Named& named, std::size_t place, std::size_t count) {
+  data entry;
+  entry.set("name", text_of(named.name));
+  entry.set("meaning", text_of(named.meaning));
+  entry.set("in_unit", named.unit.empty() ? "" : fmt::format(", in {}", named.unit));
+  entry.set("number", std::to_string(place + 1));
+  entry.set("place", std::to_string(place));
+  entry.set("last", data(place + 1 == count ? data::type::bool_true : data::type::bool_false));
+  return entry;
+}
+
+// {{allowed}}: "a number above 0", or the words. {{coded}}: the words with their codes of
+// tribocheck_plugin.h.
+data parameters_of(const catalogue::Function& function) {
+  data list(data::type::list);
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    const catalogue::Parameter& parameter = function.parameters[i];
+    data entry = entry_of(parameter, i, function.parameters.size());
+    entry.set("allowed", catalogue::allowed_text(parameter));
+    std::string coded;
+    for (std::size_t code = 0; code < parameter.words.size(); ++code)
+      coded += fmt::format("{}{} {}", code == 0 ? "" : ", ", code, parameter.words[code]);
+    entry.set("coded", coded.empty() ? catalogue::allowed_text(parameter) : coded);
+    list << entry;
+  }
+  return list;
+}
+
+data results_of(const catalogue::Function& function) {
+  data list(data::type::list);
+  for (std::size_t i = 0; i < function.results.size(); ++i)
+    list << entry_of(function.results[i], i, function.results.size());
+  return list;
+}
+
+data function_of(const catalogue::Function& function) {
+  data entry;
+  entry.set("name", text_of(function.name));
+  entry.set("about", lines_of(fmt::format("{}: {}. Source: {}.", function.meaning,
+                                          function.equation, function.source)));
+  entry.set("parameters", parameters_of(function));
+  entry.set("results", results_of(function));
+  // Each of several results has a name; a single result is the answer itself.
+  if (function.results.size() == 1) entry.set("only_result", results_of(function));
+  return entry;
+}
+
+// The filled template: Mustache, in which what stands between {{#functions}} and {{/functions}} is
+// written once for each function of the catalogue. `next` is what a user types next, for {{next}}.
+// Throws std::runtime_error with one line where `text`, which is that of the file `path`, is no
+// Mustache.
+std::string filled_template(const std::string& text, const std::string& path,
+                            const std::string& next) {
+  mustache filled(text);
+  if (!filled.is_valid()) throw std::runtime_error(path + ": " + filled.error_message());
+  filled.set_custom_escape([](const std::string& plain) { return plain; });  // no HTML
+  data functions(data::type::list);
+  for (const catalogue::Function& function : catalogue::functions())
+    functions << function_of(function);
+  data all("functions", functions);
+  all.set("next", next);
+  return filled.render(all);
+}
+
+// --- The command.
 
 int init(const InitArguments& arguments, OutputStream& output) {
   const report::ReportPlaces places = report::usual_places();

@@ -18,7 +18,7 @@
 #include "example_scenes.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "protocol/line_reader.hpp"
+#include "protocol/text_streams.hpp"
 #include "scene/schema.hpp"
 #include "tribo/version.hpp"
 #include "wrapped.hpp"

@@ -12,7 +12,7 @@
 #include "exit_code.hpp"
 #include "number_option.hpp"
 #include "onset_writers.hpp"
-#include "protocol/output_values.hpp"
+#include "protocol/answers.hpp"
 #include "scene_arguments.hpp"
 
 namespace tribo::cli {

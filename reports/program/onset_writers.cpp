@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "page/number_text.hpp"
-#include "protocol/answer_object.hpp"
+#include "protocol/answers.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {

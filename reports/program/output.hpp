@@ -2,7 +2,7 @@
 // The commands write to the stream of the protocol's answers.
 #pragma once
 
-#include "protocol/output_stream.hpp"
+#include "protocol/text_streams.hpp"
 
 namespace tribo::cli {
 

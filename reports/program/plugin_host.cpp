@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck plugin-host: a shared library of somebody's answers JSON lines, in a process of its
 // own.
-#include "conformance/plugin_host.hpp"
-
 #include <memory>
 #include <string>
 
 #include "command.hpp"
+#include "conformance/plugin.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
 

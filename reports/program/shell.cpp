@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "page/child_process.hpp"
+#include "conformance/child_process.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -66,8 +66,8 @@ std::string shell_word(const std::string& text) {
 }
 
 std::string found_by_shell(const std::string& program) {
-  const report::ChildEnd found =
-      report::run_child({"/bin/sh", "-c", "command -v -- \"$1\"", "sh", program});
+  const conformance::ChildEnd found =
+      conformance::run_child({"/bin/sh", "-c", "command -v -- \"$1\"", "sh", program});
   if (found.start_error != 0) return program;  // to start the program will say why
   return found.text.substr(0, found.text.find('\n'));
 }

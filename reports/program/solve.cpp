@@ -12,7 +12,7 @@
 #include "exit_code.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
-#include "protocol/output_values.hpp"
+#include "protocol/answers.hpp"
 #include "scene_arguments.hpp"
 #include "sweep/parallel_points.hpp"
 

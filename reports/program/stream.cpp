@@ -5,8 +5,8 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "protocol/line_reader.hpp"
-#include "protocol/stream_answers.hpp"
+#include "protocol/text_streams.hpp"
+#include "protocol/answers.hpp"
 
 namespace tribo::cli {
 namespace {

@@ -13,11 +13,11 @@
 #include "bad_input.hpp"
 #include "command.hpp"
 #include "exit_code.hpp"
+#include "junit.hpp"
 #include "messages.hpp"
-#include "page/markup.hpp"
 #include "page/project_files.hpp"
 #include "page/write_file.hpp"
-#include "protocol/answer_object.hpp"
+#include "protocol/answers.hpp"
 #include "table.hpp"
 #include "verify_subject.hpp"
 
@@ -100,22 +100,15 @@ void append_json(Text& to, const std::vector<QuantityResult>& results) {
 }
 
 std::string junit_text(const std::vector<QuantityResult>& results) {
-  const auto failures =
-      std::count_if(results.begin(), results.end(), [](const auto& r) { return !r.passed(); });
-  std::string text = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\">\n",
-      results.size(), failures);
-  for (const QuantityResult& r : results) {
-    text += fmt::format("  <testcase classname=\"accuracy\" name=\"{}\"",
-                        report::escape_html(r.quantity));
-    text += r.passed() ? "/>\n"
-                       : fmt::format(
-                             "><failure message=\"row {}: {:.3g} times the bound\"/>"
-                             "</testcase>\n",
-                             report::escape_html(r.worst_row), r.worst_part_of_bound);
-  }
-  return text + "</testsuite>\n";
+  JunitSuite suite{"accuracy"};
+  for (const QuantityResult& r : results)
+    if (r.passed())
+      suite.tests.push_back({r.quantity});
+    else
+      suite.tests.push_back(
+          {r.quantity, JunitTest::End::failure,
+           fmt::format("row {}: {:.3g} times the bound", r.worst_row, r.worst_part_of_bound)});
+  return junit_xml(suite);
 }
 
 int verify(const VerifyArguments& arguments, OutputStream& output) {

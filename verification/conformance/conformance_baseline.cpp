@@ -23,8 +23,9 @@ constexpr int schema = 2;
 // The order of what a status is worth; failed is least.
 int worth(const std::string& status) {
   for (int i = 0; i < 5; ++i)
-    if (name(std::array{Status::failed, Status::not_offered, Status::held_physically,
-                        Status::partly_held, Status::held}[static_cast<std::size_t>(i)]) == status)
+    if (name(std::array{Verdict::failed, Verdict::not_offered, Verdict::held_physically,
+                        Verdict::partly_held, Verdict::held}[static_cast<std::size_t>(i)]) ==
+        status)
       return i;
   throw std::runtime_error(fmt::format("{} is no status", status));
 }
@@ -244,7 +245,7 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
   for (const QuantityVerdict& one : result.quantities) {
     any_offered |= one.held + one.failed > 0;
     if (!rows.contains(one.quantity)) {
-      if (one.status == Status::failed)
+      if (one.status == Verdict::failed)
         changes.worse.push_back({one.quantity, fmt::format("{}: is new, and fails", one.quantity)});
       else
         changes.better.push_back(
@@ -255,7 +256,7 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
     const Compared compared = compare_one(one, rows.at(one.quantity));
     if (!compared.worse.empty()) changes.worse.push_back({one.quantity, compared.worse});
     if (!compared.better.empty()) changes.better.push_back({one.quantity, compared.better});
-    if (one.status == Status::failed && compared.worse.empty())
+    if (one.status == Verdict::failed && compared.worse.empty())
       changes.failed_already.push_back(one.quantity);
   }
   for (const auto& row : rows.items())

@@ -16,7 +16,7 @@
 namespace tribo::conformance {
 
 // The message on one quantity.
-struct Finding {
+struct QuantityNote {
   std::string quantity;  // or "protocol", "anything"
   std::string text;      // "hertz_point.radius: was held, is FAILED"
 };
@@ -24,8 +24,8 @@ struct Finding {
 struct BaselineChanges {
   // New failures, failures that grew, lost coverage, accuracy beyond the ratchet; or that nothing
   // could be compared.
-  std::vector<Finding> worse;
-  std::vector<Finding> better;              // worth writing down
+  std::vector<QuantityNote> worse;
+  std::vector<QuantityNote> better;         // worth writing down
   std::vector<std::string> failed_already;  // quantities that failed then, and fail no worse now
 };
 

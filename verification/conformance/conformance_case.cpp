@@ -57,8 +57,8 @@ bool is_tiny(const Expected& one) {
 
 // The certified cases of a function. If the function has several results, each row holds one of
 // them, and the rows of the same arguments follow each other.
-std::vector<Case> cases_of(const std::string& folder, const catalogue::Function& function) {
-  std::vector<Case> cases;
+std::vector<TestCase> cases_of(const std::string& folder, const catalogue::Function& function) {
+  std::vector<TestCase> cases;
   const std::string name(function.name);
   for (const ReferenceRow& row :
        read_reference_table(fmt::format("{}/{}.csv", folder, function.name))) {
@@ -78,7 +78,7 @@ std::vector<Case> cases_of(const std::string& folder, const catalogue::Function&
                        function.contract,
                        {},
                        row.text("region") == "extreme" || row.text("region") == "far"});
-    Case& last = cases.back();
+    TestCase& last = cases.back();
     last.expected.push_back(expected(has_one ? "value" : row.text("output"), row));
     // The film of a collapsed inlet is 0 in every program.
     if (row.text("region") != "collapsed") last.is_extreme |= is_tiny(last.expected.back());
@@ -87,38 +87,37 @@ std::vector<Case> cases_of(const std::string& folder, const catalogue::Function&
 }
 
 json scene_json(const ReferenceRow& row) {
-  json scene{{"load", row.number("load")}, {"speed", row.number("speed")}};
-  scene["surface"] = {{"summit_density", row.number("summit_density")},
-                      {"summit_radius", row.number("summit_radius")},
-                      {"summit_height_sd", row.number("summit_height_sd")},
-                      {"summit_plane_offset", row.number("summit_plane_offset")},
-                      {"offset_planes", static_cast<int>(row.number("offset_planes"))}};
-  json& bodies = scene["bodies"];
+  json scene;
+  const auto put = [&](const std::string& path, const json& value) {
+    scene[json::json_pointer('/' + path)] = value;
+  };
+  // The column of a field has its name.
+  for (const std::string path :
+       {"load", "speed", "surface/summit_density", "surface/summit_radius",
+        "surface/summit_height_sd", "surface/summit_plane_offset", "bodies/effective_modulus",
+        "lubricant/viscosity", "lubricant/pressure_viscosity", "lubricant/eyring_stress",
+        "friction/boundary_coefficient", "friction/slide_roll_ratio", "closures/damiens_exponent"})
+    put(path, row.number(path.substr(path.find('/') + 1)));
+  put("surface/offset_planes", static_cast<int>(row.number("offset_planes")));
   const std::string& shape = row.text("shape");
-  bodies["effective_modulus"] = row.number("effective_modulus");
-  bodies[shape == "circle" ? "reduced_radius" : "radius_x"] = row.number("radius_x");
-  bodies[shape == "circle"    ? "ellipticity"
-         : shape == "ellipse" ? "radius_y"
-                              : "length"] = row.number("across");
-  scene["lubricant"] = {{"viscosity", row.number("viscosity")},
-                        {"pressure_viscosity", row.number("pressure_viscosity")},
-                        {"eyring_stress", row.number("eyring_stress")}};
+  put(shape == "circle" ? "bodies/reduced_radius" : "bodies/radius_x", row.number("radius_x"));
+  put(shape == "circle"    ? "bodies/ellipticity"
+      : shape == "ellipse" ? "bodies/radius_y"
+                           : "bodies/length",
+      row.number("across"));
   if (row.text("supply_kind") != "flooded")
-    scene["supply"] = {{row.text("supply_kind"), row.number("supply")}};
-  scene["friction"] = {{"boundary_coefficient", row.number("boundary_coefficient")},
-                       {"slide_roll_ratio", row.number("slide_roll_ratio")},
-                       {"fluid", row.text("fluid")},
-                       {"viscosity", row.text("viscosity_law")}};
-  scene["closures"] = {{"asperity", row.text("asperity")},
-                       {"starvation", row.text("starvation")},
-                       {"damiens_exponent", row.number("damiens_exponent")}};
-  if (row.text("film") != film_formula_words[0]) scene["closures"]["film"] = row.text("film");
+    put("supply/" + row.text("supply_kind"), row.number("supply"));
+  put("friction/fluid", row.text("fluid"));
+  put("friction/viscosity", row.text("viscosity_law"));
+  put("closures/asperity", row.text("asperity"));
+  put("closures/starvation", row.text("starvation"));
+  if (row.text("film") != film_formula_words[0]) put("closures/film", row.text("film"));
   return scene;
 }
 
 // Regime and inlet, from the shares and films of the same point, but within 1e-6 of a border; of a
 // collapsed film without shares there is no regime.
-void add_words(Case& point) {
+void add_words(TestCase& point) {
   std::map<std::string, double> value;
   for (const Expected& one : point.expected) value[one.field] = one.high;
   const auto is_near = [](double x, double border) { return std::abs(x / border - 1) < 1e-6; };
@@ -144,8 +143,8 @@ std::string point_function(const ReferenceRow& row) {
 
 // Rows p0000.0 to p0000.8 are the outputs of one point. An output that is undefined, as nothing
 // balances the load of a collapsed film, is not asked: solvers may give its limit, or nothing.
-std::vector<Case> operating_points(const std::string& folder) {
-  std::vector<Case> cases;
+std::vector<TestCase> operating_points(const std::string& folder) {
+  std::vector<TestCase> cases;
   for (const ReferenceRow& row : read_reference_table(folder + "/operating_point.csv")) {
     const std::string id = row.text("id").substr(0, row.text("id").find('.'));
     if (cases.empty() || cases.back().id != id)
@@ -153,7 +152,7 @@ std::vector<Case> operating_points(const std::string& folder) {
           {id, point_function(row), scene_json(row), operating_point_contract, {}, false});
     if (row.is_defined()) cases.back().expected.push_back(expected(row.text("output"), row));
   }
-  for (Case& point : cases) add_words(point);
+  for (TestCase& point : cases) add_words(point);
   return cases;
 }
 
@@ -177,8 +176,8 @@ json scene_json(const Scene& scene, double speed) {
 
 // The paper's six surfaces at speeds over its range, by long double. 1e-12, as their conditions are
 // not certified.
-std::vector<Case> paper_points(const std::string& folder) {
-  std::vector<Case> cases;
+std::vector<TestCase> paper_points(const std::string& folder) {
+  std::vector<TestCase> cases;
   for (const char* const stem :
        {"rough", "medium", "smooth", "rough_gw", "medium_gw", "smooth_gw"}) {
     const SceneReading reading =
@@ -190,29 +189,19 @@ std::vector<Case> paper_points(const std::string& folder) {
     const MixedContact<long double> contact(scene);
     for (const double speed : {1e-4, 1e-3, 0.01, 0.03, 0.1, 0.2}) {
       const OperatingPoint<long double> point = contact.solve(speed);
-      Case made{fmt::format("{}@{}", stem, speed),
-                "operating_point",
-                scene_json(scene, speed),
-                Contract{4504, 0},
-                {},
-                false};
-      const auto add = [&](const char* field, long double value) {
-        const auto high = static_cast<double>(value);
-        made.expected.push_back({field,
-                                 high,
-                                 static_cast<double>(value - static_cast<long double>(high)),
-                                 1,
-                                 false,
-                                 {}});
-      };
-      add("film_flooded", point.film_flooded);
-      add("film", point.film);
-      add("film_parameter", point.film_parameter);
-      add("asperity_load_share", point.asperity_load_share);
-      add("fluid_load_share", point.fluid_load_share);
-      add("real_area_ratio", point.real_area_ratio);
-      add("summit_count", point.summit_count);
-      add("friction", point.friction);
+      TestCase made{fmt::format("{}@{}", stem, speed),
+                    "operating_point",
+                    scene_json(scene, speed),
+                    Contract{4504, 0},
+                    {},
+                    false};
+      const auto values = numbers_of(point);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        if (output_infos[i].output == Output::separation) continue;
+        const auto high = static_cast<double>(values[i]);
+        const auto low = static_cast<double>(values[i] - static_cast<long double>(high));
+        made.expected.push_back({std::string(output_infos[i].name), high, low, 1, false, {}});
+      }
       add_words(made);
       cases.push_back(std::move(made));
     }
@@ -224,7 +213,7 @@ std::vector<Case> paper_points(const std::string& folder) {
 constexpr double least_share = 1e-9;
 
 // Marks what is beyond the physical range.
-void mark_physical(Case& one) {
+void mark_physical(TestCase& one) {
   const Question question = question_of(one);
   const bool has_physical_inputs = question.function != nullptr
                                        ? is_physical(*question.function, question.arguments)
@@ -248,35 +237,35 @@ void mark_physical(Case& one) {
 
 }  // namespace
 
-std::string Case::line() const {
+std::string TestCase::line() const {
   json asked = inputs;
   asked["id"] = id;
   return asked.dump();
 }
 
-std::string quantity_name(const Case& asked, const Expected& expected) {
+std::string quantity_name(const TestCase& asked, const Expected& expected) {
   return expected.field == "value" ? asked.function
                                    : fmt::format("{}.{}", asked.function, expected.field);
 }
 
-std::vector<Case> read_cases(const CaseSources& sources) {
-  std::vector<Case> all;
-  const auto add = [&](std::vector<Case> part) {
-    for (Case& one : part) all.push_back(std::move(one));
+std::vector<TestCase> read_cases(const CaseSources& sources) {
+  std::vector<TestCase> all;
+  const auto add = [&](std::vector<TestCase> part) {
+    for (TestCase& one : part) all.push_back(std::move(one));
   };
   for (const catalogue::Function& function : catalogue::functions())
     add(cases_of(sources.exact, function));
   add(paper_points(sources.published));
   add(operating_points(sources.exact));
-  for (Case& one : all) mark_physical(one);
+  for (TestCase& one : all) mark_physical(one);
   return all;
 }
 
-std::vector<Case> sampled(std::vector<Case> cases, std::size_t most) {
+std::vector<TestCase> sampled(std::vector<TestCase> cases, std::size_t most) {
   std::map<std::string, std::size_t> count, seen;
-  for (const Case& one : cases) ++count[one.function];
-  std::vector<Case> kept;
-  for (Case& one : cases) {
+  for (const TestCase& one : cases) ++count[one.function];
+  std::vector<TestCase> kept;
+  for (TestCase& one : cases) {
     const std::size_t i = seen[one.function]++, n = count[one.function];
     // The first, and whenever i·most/n reaches another whole number.
     if (n <= most || i == 0 || i * most / n != (i - 1) * most / n) kept.push_back(std::move(one));

@@ -29,7 +29,7 @@ struct Expected {
 // Films and shares of engineering are never as small; moments beyond d = 11 are.
 inline constexpr double least_of_engineering = 1e-30;
 
-struct Case {
+struct TestCase {
   std::string id;
   std::string function;   // "gaussian_moment", …, or a kind of operating point
   nlohmann::json inputs;  // the line that asks, but for its id
@@ -51,16 +51,16 @@ inline bool is_operating_point(std::string_view function) {
 
 // "gaussian_moment", "hertz_point.radius", "operating_point.film": a function's only field is not
 // named.
-std::string quantity_name(const Case& asked, const Expected& expected);
+std::string quantity_name(const TestCase& asked, const Expected& expected);
 
 struct CaseSources {
   std::string exact;      // the folder of certified tables
   std::string published;  // of the paper's scenes and independent.tsv
 };
 // Throws std::runtime_error with one line.
-std::vector<Case> read_cases(const CaseSources& sources);
+std::vector<TestCase> read_cases(const CaseSources& sources);
 
 // Every k-th case of each function, so that at most `most` of each remain, the first always.
-std::vector<Case> sampled(std::vector<Case> cases, std::size_t most);
+std::vector<TestCase> sampled(std::vector<TestCase> cases, std::size_t most);
 
 }  // namespace tribo::conformance

@@ -5,18 +5,51 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <deque>
 #include <memory>
+#include <string_view>
 #include <unordered_map>
 
-#include "conformance/answer_line.hpp"
-#include "conformance/subject_process.hpp"
+#include "conformance/child_process.hpp"
+#include "scene/entries.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 using nlohmann::json;
+
+// NaN, -inf, 1e999 … outside of texts.
+std::string with_quoted_non_numbers(const std::string& line) {
+  std::string made;
+  for (std::size_t i = 0; i < line.size();) {
+    const auto is_of_word = [&](std::size_t k) {
+      const char c = line[k];
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '-' || c == '.';
+    };
+    std::size_t end = i + 1;
+    if (line[i] == '"') {
+      while (end < line.size() && line[end] != '"') end += line[end] == '\\' ? 2 : 1;
+      end = std::min(end + 1, line.size());
+      made.append(line, i, end - i);
+    } else if (is_of_word(i)) {
+      while (end < line.size() && is_of_word(end)) ++end;
+      const std::string word = line.substr(i, end - i);
+      char* rest = nullptr;
+      const double number = std::strtod(word.c_str(), &rest);
+      const bool is_non_number = *rest == '\0' && !std::isfinite(number);
+      made += is_non_number ? '"' + word + '"' : word;
+    } else {
+      made += line[i];
+    }
+    i = end;
+  }
+  return made;
+}
+
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t window = 32;           // lines asked and not yet answered
@@ -39,7 +72,7 @@ std::string shortened(std::string text) {
 }
 
 // The part of an answer that was asked for, or why it is not there.
-json asked_part(const json& answer, const Case& asked) {
+json asked_part(const json& answer, const TestCase& asked) {
   json part{{"id", asked.id}};
   const auto keep = [&](const std::string& name) {
     const auto found = answer.find(name);
@@ -54,7 +87,7 @@ json asked_part(const json& answer, const Case& asked) {
 
 class Asker {
  public:
-  Asker(const std::string& command, const std::vector<Case>& cases, const Limits& limits,
+  Asker(const std::string& command, const std::vector<TestCase>& cases, const Limits& limits,
         const std::function<void(std::size_t)>& progress)
       : command_(command),
         cases_(cases),
@@ -117,7 +150,8 @@ class Asker {
       give_up(fmt::format("it had to be started {} times", result.starts));
       return false;
     }
-    process_ = std::make_unique<SubjectProcess>(command_);
+    process_ = std::make_unique<ChildProcess>(std::vector<std::string>{"/bin/sh", "-c", command_},
+                                              ChildProcess::Pipes::all);
     ++result.starts;
     stray_ = 0;
     prints_ = 0;
@@ -140,13 +174,13 @@ class Asker {
   void step() {
     std::string line;
     switch (process_->next_line(line, std::chrono::milliseconds(50))) {
-      case SubjectProcess::Event::line:
+      case ChildProcess::Event::line:
         return hear(line);
-      case SubjectProcess::Event::too_long_line:
+      case ChildProcess::Event::too_long_line:
         return fail(Outcome::garbage, "it writes a line over 1 MiB", "writes a line over 1 MiB");
-      case SubjectProcess::Event::end_of_output:
+      case ChildProcess::Event::end_of_output:
         return died();
-      case SubjectProcess::Event::nothing:
+      case ChildProcess::Event::nothing:
         break;
     }
     const auto waited = Clock::now() - last_progress_;
@@ -200,7 +234,7 @@ class Asker {
                                       : std::move(answer));
   }
 
-  static bool is_question(json answer, const Case& asked) {
+  static bool is_question(json answer, const TestCase& asked) {
     answer.erase("id");
     return answer == asked.inputs;
   }
@@ -319,10 +353,10 @@ class Asker {
     const Clock::time_point last = std::min(Clock::now() + limits_.one_case, deadline_);
     while (process_ && !process_->has_ended() && Clock::now() < last) {
       std::string line;
-      const SubjectProcess::Event event = process_->next_line(line, std::chrono::milliseconds(20));
-      if (event == SubjectProcess::Event::line) hear(line);
-      if (event == SubjectProcess::Event::too_long_line) return flooded();
-      if (event == SubjectProcess::Event::end_of_output) ::usleep(2000);
+      const ChildProcess::Event event = process_->next_line(line, std::chrono::milliseconds(20));
+      if (event == ChildProcess::Event::line) hear(line);
+      if (event == ChildProcess::Event::too_long_line) return flooded();
+      if (event == ChildProcess::Event::end_of_output) ::usleep(2000);
     }
     if (!process_) return;
     result.stays = !process_->has_ended();
@@ -359,13 +393,13 @@ class Asker {
   }
 
   const std::string& command_;
-  const std::vector<Case>& cases_;
+  const std::vector<TestCase>& cases_;
   const Limits& limits_;
   const std::function<void(std::size_t)>& progress_;
   const Clock::time_point deadline_;
   std::unordered_map<std::string, std::size_t> index_of_;
   std::deque<std::size_t> to_ask_, asked_;
-  std::unique_ptr<SubjectProcess> process_;
+  std::unique_ptr<ChildProcess> process_;
   Clock::time_point last_progress_;
   std::size_t settled_ = 0;
   std::size_t stray_ = 0;      // of this process
@@ -383,8 +417,37 @@ class Asker {
 
 }  // namespace
 
-Conversation ask(const std::string& command, const std::vector<Case>& cases, const Limits& limits,
-                 const std::function<void(std::size_t)>& progress) {
+json read_answer_line(const std::string& line) {
+  if (scene_detail::nests_too_deep(line)) return json(json::value_t::discarded);
+  const json answer = json::parse(line, nullptr, false);
+  return answer.is_discarded() ? json::parse(with_quoted_non_numbers(line), nullptr, false)
+                               : answer;
+}
+
+std::string why_no_json(const std::string& line) {
+  if (scene_detail::nests_too_deep(line))
+    return fmt::format("{}: {}", scene_detail::too_deep_text, start_of(line));
+  try {
+    const json whole = json::parse(line);
+    return fmt::format("a JSON {}, no object: {}", whole.type_name(), start_of(line));
+  } catch (const json::parse_error& error) {
+    constexpr std::size_t around = 40;
+    const std::size_t at = std::min(error.byte - std::min<std::size_t>(error.byte, 1), line.size());
+    const std::size_t from = at - std::min(at, around);
+    const std::string before = (from > 0 ? "…" : "") + printable(line.substr(from, at - from));
+    if (at == line.size())
+      return fmt::format("no JSON: the line ends too early, after `{}`", before);
+    return fmt::format("no JSON at character {}, between `{}` and `{}`", at + 1, before,
+                       printable(std::string_view(line).substr(at), around));
+  } catch (const json::exception&) {
+  }
+  return "no JSON object: " + start_of(line);
+}
+
+std::string start_of(const std::string& text) { return printable(text, 80); }
+
+Conversation ask(const std::string& command, const std::vector<TestCase>& cases,
+                 const Limits& limits, const std::function<void(std::size_t)>& progress) {
   Asker asker(command, cases, limits, progress);
   asker.run();
   return std::move(asker.result);

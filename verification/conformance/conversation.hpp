@@ -12,6 +12,16 @@
 
 namespace tribo::conformance {
 
+// A line that a subject wrote; discarded where it is no JSON. JSON has no NaN, Infinity or 1e999,
+// but many a library writes them: they become texts, so that only the field that has one is wrong.
+nlohmann::json read_answer_line(const std::string& line);
+
+// Where a line stops being JSON, with the text around it.
+std::string why_no_json(const std::string& line);
+
+// The start of a text, printable, for one line of a message.
+std::string start_of(const std::string& text);
+
 enum class Outcome : std::uint8_t {
   answered,
   skipped,    // {"skip": reason}
@@ -23,7 +33,7 @@ enum class Outcome : std::uint8_t {
   not_asked,  // it had died too often, or the limit of all cases was reached
 };
 
-struct Answer {
+struct Reply {
   Outcome outcome = Outcome::not_asked;
   nlohmann::json fields{};  // of an answer
   std::string reason{};     // of anything else
@@ -37,7 +47,7 @@ struct Limits {
 };
 
 struct Conversation {
-  std::vector<Answer> answers;          // in the order of the cases
+  std::vector<Reply> answers;           // in the order of the cases
   std::vector<std::string> violations;  // of the protocol: the first few, one line each
   std::size_t violation_count = 0;
   std::size_t print_count = 0;  // lines between the answers that are no answers
@@ -51,7 +61,7 @@ struct Conversation {
 };
 
 // `progress` hears how many cases are settled.
-Conversation ask(const std::string& command, const std::vector<Case>& cases, const Limits& limits,
-                 const std::function<void(std::size_t)>& progress);
+Conversation ask(const std::string& command, const std::vector<TestCase>& cases,
+                 const Limits& limits, const std::function<void(std::size_t)>& progress);
 
 }  // namespace tribo::conformance

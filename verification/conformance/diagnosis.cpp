@@ -10,55 +10,15 @@
 #include <set>
 #include <utility>
 
+#include "conformance/description.hpp"
 #include "conformance/mistake_search.hpp"
-#include "conformance/power_law.hpp"
-#include "conformance/where_wrong.hpp"
 
 namespace tribo::conformance {
 namespace {
 
-constexpr double few = 0.03;       // of the wrong answers
 constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 constexpr double rounding = 1e-5;  // of logarithms: single precision too
-
-// "27.5 % low", "1000 times too large".
-std::string in_words(double ratio) {
-  if (std::abs(ratio + 1) < 1e-6) return "−1 times the right value";
-  if (ratio < 0) return fmt::format("{:.4g} times the right value, of the wrong sign", ratio);
-  if (ratio > 3) return fmt::format("{:.4g} times too large", ratio);
-  if (ratio < 1.0 / 3) return fmt::format("{:.4g} times too small", 1 / ratio);
-  return fmt::format("{:.3g} % {}", 100 * std::abs(ratio - 1), ratio < 1 ? "low" : "high");
-}
-
-// A factor that people lose or gain.
-std::string known_factor(double ratio) {
-  struct Factor {
-    double value;
-    const char* name;
-  };
-  constexpr Factor factors[] = {{2, "2"},
-                                {3.14159265358979, "π"},
-                                {1.4142135623731, "√2"},
-                                {1.5, "3/2"},
-                                {1.33333333333333, "4/3"},
-                                {2.506628274631, "√(2π)"},
-                                {1.772453850905516, "√π"},
-                                {1e3, "1000, as between m and mm"},
-                                {1e6, "10⁶, as between m and µm"},
-                                {1e9, "10⁹, as between m and nm"},
-                                {100, "100, as with percent"},
-                                {4, "4"},
-                                {6.283185307179586, "2π"}};
-  if (std::abs(ratio + 1) < 1e-6) return "It has another sign convention.";
-  for (const Factor& one : factors) {
-    if (std::abs(ratio / one.value - 1) < 1e-6)
-      return fmt::format("It is too large by a factor of {}.", one.name);
-    if (std::abs(ratio * one.value - 1) < 1e-6)
-      return fmt::format("It is too small by a factor of {}.", one.name);
-  }
-  return {};
-}
 
 // The functions that a function's numbers rest on.
 std::vector<std::string> rests_on(const std::string& function) {
@@ -76,33 +36,6 @@ std::vector<std::string> rests_on(const std::string& function) {
   return {};
 }
 
-// The numbers of one result in one branch of the function.
-struct Part {
-  std::size_t place;
-  std::string branch;
-  std::vector<const AnsweredNumber*> wrong;  // and unexplained
-  std::size_t answered = 0;
-};
-
-// How the wrong numbers are off: "27.5 % low everywhere".
-std::string pattern(const Part& part) {
-  std::vector<double> ratios;
-  for (const AnsweredNumber* const one : part.wrong)
-    if (one->expected->high != 0) ratios.push_back(one->got / one->expected->high);
-  if (ratios.empty()) return "wrong where it should be 0";
-  std::sort(ratios.begin(), ratios.end());
-  const double least = ratios.front(), greatest = ratios.back(), middle = ratios[ratios.size() / 2];
-  const std::string where =
-      part.wrong.size() == part.answered
-          ? "everywhere"
-          : fmt::format("in {} of {} cases", part.wrong.size(), part.answered);
-  if (least == 0 && greatest == 0) return "answered as 0 " + where;
-  if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
-    return fmt::format("{} {}", in_words(middle), where);
-  return fmt::format("off {}, between {} and {}, in the middle {}", where, in_words(least),
-                     in_words(greatest), in_words(middle));
-}
-
 class Diagnoser {
  public:
   Diagnoser(std::string function, std::vector<AnsweredCase> cases,
@@ -118,7 +51,7 @@ class Diagnoser {
   }
 
   std::vector<Diagnosis> run() {
-    for (int i = 0; i < most_causes && left() > 0; ++i) {
+    for (int i = 0; i < most_causes && any_left(); ++i) {
       Cause cause = find_cause(cases_, mistakes_, {});
       if (cause.explains.empty()) break;
       tell(std::move(cause), {});
@@ -151,17 +84,11 @@ class Diagnoser {
   }
 
  private:
-  static bool is_left(const AnsweredNumber& one) { return one.is_wrong && !one.is_explained; }
   static bool has_left(const AnsweredCase& one) {
-    return std::any_of(one.numbers.begin(), one.numbers.end(), is_left);
+    return std::any_of(one.numbers.begin(), one.numbers.end(),
+                       [](const AnsweredNumber& number) { return number.is_left(); });
   }
-  std::size_t left() const {
-    std::size_t count = 0;
-    for (const AnsweredCase& one : cases_)
-      count +=
-          static_cast<std::size_t>(std::count_if(one.numbers.begin(), one.numbers.end(), is_left));
-    return count;
-  }
+  bool any_left() const { return std::any_of(cases_.begin(), cases_.end(), has_left); }
 
   std::string quantity(std::size_t place) const {
     for (const AnsweredCase& one : cases_)
@@ -226,214 +153,81 @@ class Diagnoser {
 
   // --- Wrong answers that no known mistakes give
 
-  std::vector<Part> parts_left() const {
-    std::map<std::pair<std::size_t, std::string>, Part> parts;
-    for (const AnsweredCase& one : cases_)
-      for (const AnsweredNumber& number : one.numbers) {
-        Part& part = parts[{number.place, one.branch}];
-        part.place = number.place;
-        part.branch = one.branch;
-        ++part.answered;
-        if (is_left(number)) part.wrong.push_back(&number);
-      }
-    // After a named mistake, a few other wrong answers, such as near a border, are no news.
-    std::map<std::string, std::pair<std::size_t, std::size_t>> counts;  // explained, left
-    for (const AnsweredCase& one : cases_)
-      for (const AnsweredNumber& number : one.numbers) {
-        counts[one.branch].first += number.is_wrong && number.is_explained ? 1 : 0;
-        counts[one.branch].second += is_left(number) ? 1 : 0;
-      }
-    std::vector<Part> all;
-    for (auto& [key, part] : parts) {
-      const auto [explained, rest] = counts[part.branch];
-      const bool is_news = static_cast<double>(rest) > few * static_cast<double>(explained);
-      if (!part.wrong.empty() && is_news) all.push_back(std::move(part));
-    }
-    return all;
-  }
-
-  // The exponents in a sentence: "It goes as F^+0.49; the law has F^-0.067."
-  std::string exponents_in_words(const Part& part) const {
-    const auto fitted = [&](const NumberOf& number_of) {
-      return fit_power_law(cases_, part.branch, part.place, number_of, rounding);
-    };
-    const auto got = fitted([](const AnsweredCase&, const AnsweredNumber& one) { return one.got; });
-    const auto law =
-        fitted([](const AnsweredCase&, const AnsweredNumber& one) { return one.expected->high; });
-    if (!got || !law) return {};
-    const catalogue::Function& function = *cases_.front().question.function;
-    std::vector<double> extra(got->exponents.size());
-    for (std::size_t i = 0; i < extra.size(); ++i) extra[i] = got->exponents[i] - law->exponents[i];
-    if (powers_in_words(function, extra).empty()) return {};
-    std::string text = same_exponents(part, *got);
-    if (!text.empty()) return text;
-    const std::string in_groups = film_in_groups(function, *got);
-    for (std::size_t i = 0; i < extra.size(); ++i) {
-      if (std::abs(extra[i]) <= 1e-4) continue;
-      const catalogue::Parameter& input = function.parameters[i];
-      // Those of E* and R follow from those of U, G and W.
-      if (!in_groups.empty() && (input.name == "effective_modulus" || input.unit == "m")) continue;
-      const std::string symbol = symbol_of(input);
-      if (std::abs(got->exponents[i]) <= 1e-4)
-        text += fmt::format(" It does not depend on {}; the law has {}.", symbol,
-                            power_in_words(input, law->exponents[i]));
-      else if (std::abs(law->exponents[i]) <= 1e-4)
-        text += fmt::format(" It goes as {}; the law does not depend on {}.",
-                            power_in_words(input, got->exponents[i]), symbol);
-      else
-        text +=
-            fmt::format(" It goes as {}; the law has {}.", power_in_words(input, got->exponents[i]),
-                        power_in_words(input, law->exponents[i]));
-    }
-    if (!in_groups.empty()) return text + in_groups;
-    return text + fmt::format(" In all an extra factor {}, times {:.6g}.",
-                              powers_in_words(function, extra), got->constant / law->constant);
-  }
-
-  // " It is h/R = 1.9 U^+0.67 …" of a film that is a law in U, G and W with E′ = 2E*.
-  static std::string film_in_groups(const catalogue::Function& function, const PowerLaw& got) {
-    if (function.film_law == nullptr) return {};
-    // of u, η₀, α (not of soft bodies), F or F/L, E*, R
-    const std::vector<double>& e = got.exponents;
-    const bool is_soft = function.parameters[2].name != "pressure_viscosity";
-    const std::size_t load = is_soft ? 2 : 3;
-    const double a = e[0], b = is_soft ? 0 : e[2], c = e[load];
-    const double by_radius = function.film_law->is_of_lines ? 1 - a - c : 1 - a - 2 * c;
-    const auto is = [](double x, double y) { return std::abs(x - y) <= 1e-4; };
-    if (!is(e[1], a) || !is(e[load + 1], b - a - c) || !is(e[load + 2], by_radius)) return {};
-    return fmt::format(" {} h/R = {:.6g} U^{:+.4g} G^{:+.4g} W^{:+.4g}.",
-                       got.held.empty() ? "It is" : fmt::format("Where {}, it is", got.held),
-                       got.constant * std::pow(2, a - b + c), a, std::round(b * 1e5) / 1e5 + 0.0,
-                       c);
-  }
-
-  // A known mistake whose exponents these are, with another constant.
-  std::string same_exponents(const Part& part, const PowerLaw& got) const {
-    for (const Mistake& mistake : mistakes_) {
-      const Mistake* const one = &mistake;
-      const auto its = fit_power_law(
-          cases_, part.branch, part.place,
-          [&](const AnsweredCase& asked, const AnsweredNumber& number) {
-            const std::optional<Numbers> given = numbers_with({&one, 1}, asked.question);
-            return given ? (*given)[number.place] : unsaid;
-          },
-          rounding);
-      if (!its) continue;
-      bool is_same = true;
-      for (std::size_t i = 0; i < got.exponents.size(); ++i)
-        is_same = is_same && std::abs(its->exponents[i] - got.exponents[i]) <= 1e-4;
-      if (!is_same) continue;
-      return fmt::format(
-          " Its exponents, {}, are those of this: {}. Its constant is {:.6g} times the one there.",
-          powers_in_words(*cases_.front().question.function, got.exponents), mistake.text,
-          got.constant / its->constant);
-    }
-    return {};
-  }
-
-  std::string constant_factor(const Part& part) const {
-    double least = INFINITY, greatest = -INFINITY;
-    for (const AnsweredNumber* const one : part.wrong) {
-      if (one->expected->high == 0) return {};
-      least = std::min(least, one->got / one->expected->high);
-      greatest = std::max(greatest, one->got / one->expected->high);
-    }
-    return greatest - least < 1e-9 * std::abs(greatest) ? known_factor(least) : "";
-  }
-
-  struct Description {
-    std::string text;
-    bool is_cause;  // it says what the numbers are, not only where and how far they are off
-  };
-  Description described(const Part& part) const {
-    std::string text = pattern(part);
-    if (part.wrong.size() < part.answered)
-      if (const std::string where = where_wrong(cases_, part.branch, part.place); !where.empty())
-        text += ": " + where;
-    text += '.';
-    const std::string factor = constant_factor(part);
-    if (!factor.empty()) return {text + ' ' + factor, true};
-    const std::string powers = exponents_in_words(part);
-    if (!powers.empty()) return {text + powers, true};
-    if (std::string manner = manner_of_errors(cases_, part.branch, part.place); !manner.empty()) {
-      manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
-      text += ' ' + manner + '.';
-    }
-    return {text, false};
-  }
-
-  // The greatest relative error of all answers.
-  double greatest_error() const {
-    double greatest = 0;
+  // "… is off by at most 1e-13 of its value …": errors that are no wrong formula. Empty where they
+  // are larger.
+  std::string precision_text(const std::string& quantity, const Part& part) const {
+    double greatest = 0;  // relative error
     for (const AnsweredCase& one : cases_)
       for (const AnsweredNumber& number : one.numbers)
         if (number.is_wrong)
           greatest = std::max(greatest, std::abs(number.error() / number.expected->high));
-    return greatest;
+    const std::string text =
+        fmt::format("{} is off by at most {:.2g} of its value in {} of {} cases", quantity,
+                    greatest, part.wrong.size(), part.answered);
+    if (greatest < few_ulp) return text + ": rounding, and no wrong formula.";
+    if (greatest < rounding && is_single_precision(cases_))
+      return text +
+             ". All answers have at most nine digits: they are computed, or written, in single "
+             "precision.";
+    return {};
+  }
+
+  // The wrong answers of one result over all branches, where what it rests on is wrong too.
+  std::string rests_text(const std::string& quantity, std::size_t place,
+                         const std::vector<Part>& parts) const {
+    if (wrong_below_.empty()) return {};
+    Part whole{place, {}, {}, 0};
+    for (const Part& part : parts)
+      if (part.place == place) {
+        whole.answered += part.answered;
+        whole.wrong.insert(whole.wrong.end(), part.wrong.begin(), part.wrong.end());
+      }
+    return fmt::format("{} is {}. It rests on {}, wrong too: mend that first.", quantity,
+                       pattern(whole), wrong_below_);
+  }
+
+  // Branches that are off in the same way are told at once.
+  std::string described_by_branch(const std::string& quantity, std::size_t place,
+                                  const std::vector<Part>& parts) const {
+    std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
+    bool has_causes = true;
+    for (const Part& part : parts) {
+      if (part.place != place) continue;
+      const Description description = described(part, cases_, mistakes_);
+      has_causes = has_causes && description.is_cause;
+      const auto same = std::find_if(told.begin(), told.end(), [&](const auto& sentence) {
+        return sentence.first == description.text;
+      });
+      if (same == told.end())
+        told.push_back({description.text, {part.branch}});
+      else
+        same->second.push_back(part.branch);
+    }
+    std::string text;
+    for (auto& [sentence, branches] : told) {
+      std::sort(branches.begin(), branches.end());
+      if (branches.front().empty())
+        text += fmt::format("{} is {}", quantity, sentence);
+      else
+        text += fmt::format("{}{}: {}", text.empty() ? quantity + ", " : " For ",
+                            fmt::join(branches, ", "), sentence);
+    }
+    if (has_causes) return text;
+    return text + (found_.empty() ? " None of the known mistakes gives these numbers."
+                                  : " None of the known mistakes gives these others.");
   }
 
   void describe_rest() {
-    // Branches that are off in the same way are told at once; the part with most wrong answers
-    // first.
-    std::vector<Part> parts = parts_left();
+    std::vector<Part> parts = parts_left(cases_);
     if (parts.empty()) return;
+    // The part with most wrong answers first.
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.wrong.size() > b.wrong.size(); });
     const std::size_t first = parts.front().place;
     Diagnosis one{quantity(first), {}, 0, wrong_, {}};
-    if (greatest_error() < few_ulp) {
-      one.text = fmt::format(
-          "{} is off by at most {:.2g} of its value in {} of {} cases: rounding, and no wrong "
-          "formula.",
-          one.quantity, greatest_error(), parts.front().wrong.size(), parts.front().answered);
-      found_.push_back(std::move(one));
-      return;
-    }
-    if (greatest_error() < rounding && is_single_precision(cases_)) {
-      one.text = fmt::format(
-          "{} is off by at most {:.2g} of its value in {} of {} cases. All answers have at most "
-          "nine digits: they are computed, or written, in single precision.",
-          one.quantity, greatest_error(), parts.front().wrong.size(), parts.front().answered);
-      found_.push_back(std::move(one));
-      return;
-    }
-    if (!wrong_below_.empty()) {
-      Part whole{first, {}, {}, 0};
-      for (const Part& part : parts)
-        if (part.place == first) {
-          whole.answered += part.answered;
-          whole.wrong.insert(whole.wrong.end(), part.wrong.begin(), part.wrong.end());
-        }
-      one.text = fmt::format("{} is {}. It rests on {}, wrong too: mend that first.", one.quantity,
-                             pattern(whole), wrong_below_);
-      found_.push_back(std::move(one));
-      return;
-    }
-    std::vector<std::pair<std::string, std::vector<std::string>>> told;  // sentence, branches
-    bool has_causes = true;
-    for (const Part& part : parts) {
-      if (part.place != first) continue;
-      const Description description = described(part);
-      const std::string& sentence = description.text;
-      has_causes = has_causes && description.is_cause;
-      const auto same = std::find_if(told.begin(), told.end(),
-                                     [&](const auto& one) { return one.first == sentence; });
-      if (same == told.end())
-        told.push_back({sentence, {part.branch}});
-      else
-        same->second.push_back(part.branch);
-    }
-    for (auto& [sentence, branches] : told) {
-      std::sort(branches.begin(), branches.end());
-      if (branches.front().empty())
-        one.text += fmt::format("{} is {}", one.quantity, sentence);
-      else
-        one.text += fmt::format("{}{}: {}", one.text.empty() ? one.quantity + ", " : " For ",
-                                fmt::join(branches, ", "), sentence);
-    }
-    if (!has_causes)
-      one.text += found_.empty() ? " None of the known mistakes gives these numbers."
-                                 : " None of the known mistakes gives these others.";
+    one.text = precision_text(one.quantity, parts.front());
+    if (one.text.empty()) one.text = rests_text(one.quantity, first, parts);
+    if (one.text.empty()) one.text = described_by_branch(one.quantity, first, parts);
     found_.push_back(std::move(one));
   }
 
@@ -448,10 +242,11 @@ class Diagnoser {
 
 }  // namespace
 
-std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversation& conversation,
-                                const Tolerance& tolerance, const std::vector<Mistake>& all) {
+std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
+                                const Conversation& conversation, const Tolerance& tolerance,
+                                const std::vector<Mistake>& all) {
   std::vector<std::string> functions;
-  for (const Case& one : cases)
+  for (const TestCase& one : cases)
     if (std::find(functions.begin(), functions.end(), one.function) == functions.end())
       functions.push_back(one.function);
   std::vector<Diagnosis> found;

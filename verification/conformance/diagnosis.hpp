@@ -23,7 +23,8 @@ struct Diagnosis {
 // (mistake_search.hpp), of the whole function and then of its branches. Wrong answers that no known
 // mistakes give are described: by which powers of the inputs they are off, where, and how. Such
 // answers are not told if they are at most 3 for each 100 that named mistakes give.
-std::vector<Diagnosis> diagnose(const std::vector<Case>& cases, const Conversation& conversation,
-                                const Tolerance& tolerance, const std::vector<Mistake>& mistakes);
+std::vector<Diagnosis> diagnose(const std::vector<TestCase>& cases,
+                                const Conversation& conversation, const Tolerance& tolerance,
+                                const std::vector<Mistake>& mistakes);
 
 }  // namespace tribo::conformance

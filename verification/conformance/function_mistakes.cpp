@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/function_mistakes.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "conformance/mistake_entry.hpp"
 #include "conformance/mistake_formulas.hpp"
 
 namespace tribo::conformance {

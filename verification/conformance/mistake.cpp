@@ -4,14 +4,224 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "conformance/function_mistakes.hpp"
-#include "conformance/point_mistakes.hpp"
+#include "conformance/mistake_entry.hpp"
+#include "scene/entries.hpp"
 
 namespace tribo::conformance {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_fields = 100'000;  // a file of some hundred entries has a thousand
+
+json json_of(const scene_detail::Value& value) {
+  switch (value.kind) {
+    case scene_detail::ValueKind::number:
+      return value.number;
+    case scene_detail::ValueKind::text:
+      return value.text;
+    case scene_detail::ValueKind::boolean:
+      return value.number != 0;
+    default:
+      return nullptr;
+  }
+}
+
+json json_of(const scene_detail::Entry& entry) {
+  if (entry.value.kind == scene_detail::ValueKind::table) {
+    json object = json::object();
+    for (const scene_detail::Entry& one : entry.inner) object[one.path] = json_of(one);
+    return object;
+  }
+  if (entry.value.kind != scene_detail::ValueKind::list) return json_of(entry.value);
+  json list = json::array();
+  for (const scene_detail::Value& one : entry.elements) list.push_back(json_of(one));
+  for (const scene_detail::Entry& one : entry.inner)  // "[3]": tables and lists
+    list[std::stoul(one.path.substr(1))] = json_of(one);
+  return list;
+}
+
+std::runtime_error not_allowed(std::string_view name, const json& value) {
+  return std::runtime_error(fmt::format("{}: {} is not allowed", name, value.dump()));
+}
+
+// Takes members out of an entry one by one; what is left over has a name that means nothing.
+class Members {
+ public:
+  explicit Members(json object) : object_(std::move(object)) {
+    if (!object_.is_object()) throw std::runtime_error("is no table");
+  }
+
+  template <class T>
+  void take(const char* name, T& to) {
+    const auto found = object_.find(name);
+    if (found == object_.end()) return;
+    try {
+      to = found->template get<T>();
+    } catch (const json::exception&) {
+      throw not_allowed(name, *found);
+    }
+    object_.erase(found);
+  }
+  json take_any(const char* name) {
+    json value;
+    take(name, value);
+    return value;
+  }
+  void finish() const {
+    if (!object_.empty())
+      throw std::runtime_error(fmt::format("unknown field {}", object_.begin().key()));
+  }
+
+ private:
+  json object_;
+};
+
+NumberChange change_of(const json& written) {
+  NumberChange change;
+  Members members(written);
+  members.take("times", change.times);
+  members.take("inverted", change.is_inverted);
+  members.take("by", change.by);
+  members.take("over", change.over);
+  if (const json is = members.take_any("is"); !is.is_null()) change.is = is;
+  members.finish();
+  return change;
+}
+
+NumberChanges changes_of(const json& written) {
+  NumberChanges changes;
+  if (written.is_null()) return changes;
+  if (!written.is_object()) throw std::runtime_error("changes are a table, not " + written.dump());
+  for (const auto& [name, one] : written.items()) changes.emplace_back(name, change_of(one));
+  return changes;
+}
+
+NamedNumbers named_numbers(const json& written) {
+  NamedNumbers numbers;
+  if (written.is_null()) return numbers;
+  if (!written.is_object()) throw std::runtime_error("numbers are a table, not " + written.dump());
+  for (const auto& [name, value] : written.items())
+    numbers.emplace_back(name,
+                         value.is_number() ? value.get<double>() : throw not_allowed(name, value));
+  return numbers;
+}
+
+// Changes of a scene, in its tables: { bodies = { reduced_radius = { times = 2 } } }.
+NumberChanges scene_changes_of(const json& written) {
+  NumberChanges changes;
+  if (written.is_null()) return changes;
+  for (const auto& [section, fields] : written.items())
+    for (auto& [field, change] : changes_of(fields))
+      changes.emplace_back(section + '.' + field, change);
+  return changes;
+}
+
+// An entry is of one kind; changes of arguments and of results may stand together, and beside a law
+// or a formula.
+void check_kinds(const MistakeEntry& entry) {
+  const bool is_of_function = !entry.input.empty() || !entry.result.empty() ||
+                              !entry.where.empty() || !entry.law.is_null() ||
+                              !entry.sharing.empty();
+  const bool changes = !entry.input.empty() || !entry.result.empty() || !entry.law.is_null() ||
+                       !entry.sharing.empty() || !entry.formula.empty();
+  const bool is_of_point = !entry.scene.empty() || !entry.area.empty() ||
+                           !entry.stiffness.empty() || !entry.friction.empty();
+  const int kinds = (changes ? 1 : 0) + (entry.scene.empty() ? 0 : 1) +
+                    (entry.area.empty() ? 0 : 1) + (entry.stiffness.empty() ? 0 : 1) +
+                    (entry.friction.empty() ? 0 : 1) + (entry.swapped.empty() ? 0 : 1);
+  if (entry.function == "operating_point" && is_of_function)
+    throw std::runtime_error("where, input, result, law and sharing are for single functions");
+  if (entry.function != "operating_point" && is_of_point)
+    throw std::runtime_error("scene, area, stiffness and friction are for operating_point");
+  if (kinds == 0) throw std::runtime_error("nothing is changed");
+  if (kinds > 1 || (!entry.swapped.empty() && !entry.where.empty()) ||
+      (!entry.law.is_null() && !entry.formula.empty()))
+    throw std::runtime_error("these changes cannot stand together");
+}
+
+MistakeEntry entry_of(const json& written) {
+  MistakeEntry entry;
+  Members members(written);
+  members.take("function", entry.function);
+  members.take("name", entry.name);
+  members.take("text", entry.text);
+  members.take("follows", entry.follows);
+  members.take("swapped", entry.swapped);
+  members.take("stiffness", entry.stiffness);
+  members.take("area", entry.area);
+  entry.sharing = named_numbers(members.take_any("sharing"));
+  entry.friction = named_numbers(members.take_any("friction"));
+  if (const json where = members.take_any("where"); !where.is_null()) {
+    if (!where.is_object()) throw not_allowed("where", where);
+    for (const auto& [name, values] : where.items())
+      entry.where.emplace_back(name, values.is_array() ? values.get<std::vector<json>>()
+                                                       : throw not_allowed(name, values));
+  }
+  entry.input = changes_of(members.take_any("input"));
+  entry.result = changes_of(members.take_any("result"));
+  entry.scene = scene_changes_of(members.take_any("scene"));
+  entry.law = members.take_any("law");
+  if (const json formula = members.take_any("formula"); !formula.is_null()) {
+    Members of_formula(formula);
+    of_formula.take("name", entry.formula);
+    of_formula.take("numbers", entry.numbers);
+    of_formula.finish();
+  }
+  members.finish();
+  if (entry.function.empty() || entry.name.empty() || entry.text.empty())
+    throw std::runtime_error("function, name and text are needed");
+  check_kinds(entry);
+  return entry;
+}
+
+// Splits an entry whose `function` is a list.
+std::vector<json> one_for_each_function(const json& written) {
+  if (!written.is_object() || !written.contains("function") || !written["function"].is_array())
+    return {written};
+  std::vector<json> all;
+  for (const json& function : written["function"]) {
+    all.push_back(written);
+    all.back()["function"] = function;
+  }
+  return all;
+}
+
+// An entry of several functions is there for each of them.
+std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  SceneReading reading;
+  scene_detail::Problems problems(reading, path);
+  const auto written_entries = scene_detail::toml_entries(text, problems, most_fields);
+  if (!written_entries) throw std::runtime_error(reading.errors.front().line());
+  json all = json::array();
+  for (const scene_detail::Entry& one : *written_entries) {
+    if (one.path != "mistake")
+      throw std::runtime_error(fmt::format("{}: unknown name {}", path, one.path));
+    all = json_of(one);
+  }
+  std::vector<MistakeEntry> entries;
+  for (const json& written : all) {
+    const std::string name = written.is_object() ? written.value("name", json("")).dump() : "";
+    try {
+      for (const json& one : one_for_each_function(written)) entries.push_back(entry_of(one));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format("{}: mistake {}: {}", path, name, error.what()));
+    }
+  }
+  if (entries.empty()) throw std::runtime_error(path + ": no [[mistake]] is there");
+  return entries;
+}
+
+}  // namespace
 
 bool Mistake::can_stand_beside(const Mistake& other) const {
   return std::none_of(touches.begin(), touches.end(), [&](const std::string& one) {

@@ -6,10 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "conformance/question.hpp"
@@ -42,33 +39,5 @@ std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
 // All mistakes of the file, for single functions and for operating points. Throws
 // std::runtime_error with one line: file, entry, what is wrong.
 std::vector<Mistake> read_mistakes(const std::string& path);
-
-// The member of this name in a list; empty where there is no such name.
-template <class Member>
-std::optional<Member> member_of(std::span<const std::pair<std::string_view, Member>> members,
-                                std::string_view name) {
-  for (const auto& [known, member] : members)
-    if (known == name) return member;
-  return std::nullopt;
-}
-
-// Adds numbers of a reading to what a mistake misreads; `members` names them. Throws
-// std::runtime_error for another name.
-template <class Reading>
-void add_reading(const std::string& kind, Reading Question::*reading,
-                 std::span<const std::pair<std::string_view, double Reading::*>> members,
-                 const std::vector<std::pair<std::string, double>>& numbers, Mistake& mistake) {
-  std::vector<std::pair<double Reading::*, double>> changes;
-  for (const auto& [name, value] : numbers) {
-    const auto member = member_of(members, name);
-    if (!member) throw std::runtime_error(kind + ": " + name + " is not allowed");
-    changes.emplace_back(*member, value);
-    mistake.touches.push_back(kind + ' ' + name);
-  }
-  mistake.before = [reading, changes, inner = std::move(mistake.before)](Question& question) {
-    if (inner) inner(question);
-    for (const auto& [member, value] : changes) question.*reading.*member = value;
-  };
-}
 
 }  // namespace tribo::conformance

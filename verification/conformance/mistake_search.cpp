@@ -42,9 +42,8 @@ class Search {
     for (AnsweredCase& one : cases) {
       if (!branch.empty() && one.branch != branch) continue;
       cases_.push_back(&one);
-      if (std::any_of(one.numbers.begin(), one.numbers.end(), [](const AnsweredNumber& number) {
-            return number.is_wrong && !number.is_explained;
-          }))
+      if (std::any_of(one.numbers.begin(), one.numbers.end(),
+                      [](const AnsweredNumber& number) { return number.is_left(); }))
         wrong.push_back(&one);
     }
     // Neighbours are alike: probes lie far from each other.
@@ -79,7 +78,7 @@ class Search {
     for (const AnsweredNumber* const one : made.explains) ++explained[one->place];
     for (const AnsweredCase* const one : cases_)
       for (const AnsweredNumber& number : one->numbers)
-        wrong[number.place] += number.is_wrong && !number.is_explained ? 1 : 0;
+        wrong[number.place] += number.is_left() ? 1 : 0;
     return std::any_of(explained.begin(), explained.end(),
                        [&](const auto& one) { return 10 * one.second >= wrong[one.first]; });
   }
@@ -95,7 +94,7 @@ class Search {
         const double value = (*given)[number.place];
         if (!std::isfinite(value) || number.place == left_out_) continue;
         const bool is_met = is_close(number, value, mistakes.size());
-        if (is_met && number.is_wrong && !number.is_explained) made.explains.push_back(&number);
+        if (is_met && number.is_left()) made.explains.push_back(&number);
         if (!(change(number, value) > 5 * number.allowed)) continue;  // too little to tell
         ++made.changed;
         made.met += is_met ? 1 : 0;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "conformance/answered.hpp"
 #include "conformance/mistake.hpp"
+#include "conformance/wrong_numbers.hpp"
 
 namespace tribo::conformance {
 

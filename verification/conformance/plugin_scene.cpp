@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "conformance/serve.hpp"
 
@@ -33,56 +34,64 @@ static_assert(is_code_of(ViscosityLaw::barus, TRIBOCHECK_BARUS));
 static_assert(is_code_of(ViscosityLaw::ambient, TRIBOCHECK_AMBIENT));
 static_assert(is_code_of(ViscosityLaw::roelands, TRIBOCHECK_ROELANDS));
 
-std::optional<double> given(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional(value);
+// Calls copy(theirs, ours) for each number and each code of a scene.
+template <class Theirs, class Ours, class Copy>
+void for_each_field(Theirs& theirs, Ours& ours, const Copy& copy) {
+  copy(theirs.load, ours.load);
+  copy(theirs.summit_density, ours.surface.summit_density);
+  copy(theirs.summit_radius, ours.surface.summit_radius);
+  copy(theirs.summit_height_sd, ours.surface.summit_height_sd);
+  copy(theirs.summit_plane_offset, ours.surface.summit_plane_offset);
+  copy(theirs.offset_planes, ours.surface.offset_planes);
+  copy(theirs.effective_modulus, ours.bodies.effective_modulus);
+  copy(theirs.reduced_radius, ours.bodies.reduced_radius);
+  copy(theirs.ellipticity, ours.bodies.ellipticity);
+  copy(theirs.viscosity, ours.lubricant.viscosity);
+  copy(theirs.pressure_viscosity, ours.lubricant.pressure_viscosity);
+  copy(theirs.eyring_stress, ours.lubricant.eyring_stress);
+  copy(theirs.supply, ours.supply.kind);
+  copy(theirs.supply_value, ours.supply.value);
+  copy(theirs.boundary_coefficient, ours.friction.boundary_coefficient);
+  copy(theirs.slide_roll_ratio, ours.friction.slide_roll_ratio);
+  copy(theirs.fluid, ours.friction.fluid);
+  copy(theirs.viscosity_law, ours.friction.viscosity);
+  copy(theirs.asperity, ours.closures.asperity);
+  copy(theirs.starvation, ours.closures.starvation);
+  copy(theirs.damiens_exponent, ours.closures.damiens_exponent);
 }
+
+template <class Value>
+constexpr bool may_be_absent = std::is_same_v<std::remove_cvref_t<Value>, std::optional<double>>;
 
 }  // namespace
 
 tribocheck_scene plugin_scene(const Scene& scene) {
-  return {scene.load,
-          scene.surface.summit_density,
-          scene.surface.summit_radius,
-          scene.surface.summit_height_sd,
-          scene.surface.summit_plane_offset,
-          scene.bodies.effective_modulus,
-          scene.bodies.reduced_radius,
-          scene.bodies.ellipticity,
-          scene.lubricant.viscosity,
-          scene.lubricant.pressure_viscosity,
-          scene.lubricant.eyring_stress.value_or(not_given),
-          scene.supply.value,
-          scene.friction.boundary_coefficient.value_or(not_given),
-          scene.friction.slide_roll_ratio,
-          scene.closures.damiens_exponent,
-          scene.surface.offset_planes,
-          static_cast<int>(scene.supply.kind),
-          static_cast<int>(scene.closures.asperity),
-          static_cast<int>(scene.closures.starvation),
-          static_cast<int>(scene.friction.fluid),
-          static_cast<int>(scene.friction.viscosity)};
+  tribocheck_scene result;
+  for_each_field(result, scene, [](auto& to, const auto& from) {
+    if constexpr (may_be_absent<decltype(from)>)
+      to = from.value_or(not_given);
+    else
+      to = static_cast<std::remove_reference_t<decltype(to)>>(from);
+  });
+  return result;
 }
 
 Scene model_scene(const tribocheck_scene& scene) {
   Scene result;
-  result.load = scene.load;
-  result.surface = {scene.summit_density, scene.summit_radius, scene.summit_height_sd,
-                    scene.summit_plane_offset, scene.offset_planes};
-  result.bodies = {scene.effective_modulus, scene.reduced_radius, scene.ellipticity};
-  result.lubricant = {scene.viscosity, scene.pressure_viscosity, given(scene.eyring_stress)};
-  result.supply = {static_cast<SupplyKind>(scene.supply), scene.supply_value};
-  result.friction = {given(scene.boundary_coefficient), scene.slide_roll_ratio,
-                     static_cast<FluidShear>(scene.fluid),
-                     static_cast<ViscosityLaw>(scene.viscosity_law)};
-  result.closures = {static_cast<AsperityModel>(scene.asperity),
-                     static_cast<StarvationClosure>(scene.starvation), scene.damiens_exponent};
+  for_each_field(scene, result, [](const auto& from, auto& to) {
+    if constexpr (may_be_absent<decltype(to)>)
+      to = std::isnan(from) ? std::nullopt : std::optional(from);
+    else
+      to = static_cast<std::remove_reference_t<decltype(to)>>(from);
+  });
   return result;
 }
 
 tribocheck_point empty_point() {
-  constexpr double none = not_offered;
-  return {
-      none, none, none, none, none, none, none, none, none, TRIBOCHECK_NO_CODE, TRIBOCHECK_NO_CODE};
+  tribocheck_point point;
+  for (double tribocheck_point::*const number : plugin_numbers) point.*number = not_offered;
+  point.regime = point.inlet = TRIBOCHECK_NO_CODE;
+  return point;
 }
 
 }  // namespace tribo::conformance

@@ -2,7 +2,10 @@
 // Scenes in the words of tribocheck_plugin.h, and back.
 #pragma once
 
+#include <array>
+
 #include "conformance/tribocheck_plugin.h"
+#include "tribo/operating_point.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::conformance {
@@ -10,6 +13,18 @@ namespace tribo::conformance {
 // All but id, speeds and outputs.
 tribocheck_scene plugin_scene(const Scene& scene);
 Scene model_scene(const tribocheck_scene& scene);
+
+// The numbers of a point, in the order of Output.
+inline constexpr std::array<double tribocheck_point::*, number_count> plugin_numbers{
+    &tribocheck_point::film_flooded,
+    &tribocheck_point::film,
+    &tribocheck_point::separation,
+    &tribocheck_point::film_parameter,
+    &tribocheck_point::asperity_load_share,
+    &tribocheck_point::fluid_load_share,
+    &tribocheck_point::real_area_ratio,
+    &tribocheck_point::summit_count,
+    &tribocheck_point::friction};
 
 // A point before it is solved: nothing offered.
 tribocheck_point empty_point();

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/point_mistakes.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "conformance/function_mistakes.hpp"
+#include "conformance/mistake_entry.hpp"
 #include "scene/schema.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/mixed_contact.hpp"

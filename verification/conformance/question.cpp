@@ -99,7 +99,7 @@ double argument_of(const catalogue::Parameter& parameter, const nlohmann::json& 
   throw std::runtime_error(fmt::format("{}: {} is not allowed", parameter.name, written.dump()));
 }
 
-Question question_of(const Case& asked) {
+Question question_of(const TestCase& asked) {
   Question question{&asked, catalogue::find(asked.function)};
   if (question.function == nullptr) {
     question.scene = parse_scene_json(asked.inputs.dump(), "case", SceneUse::one_speed).scene;

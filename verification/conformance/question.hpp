@@ -47,17 +47,17 @@ struct FrictionReading {
 };
 
 struct Question {
-  const Case* asked;
+  const TestCase* asked;
   const catalogue::Function* function;  // null for an operating point
   catalogue::Arguments arguments{};     // of the function
   std::optional<FilmLaw> law = {};      // of a film law, if it is another one
   std::optional<Scene> scene = {};      // of an operating point, with its one speed
   SharingReading sharing = {};          // of load_sharing
   double summit_count_times = 1;        // of an operating point
-  FrictionReading friction = {};        // likewise
+  FrictionReading friction = {};        // of an operating point
 };
 
-Question question_of(const Case& asked);
+Question question_of(const TestCase& asked);
 
 // The place of a result in Numbers; empty for a field that is no number.
 std::optional<std::size_t> place_of_field(const Question& question, std::string_view field);

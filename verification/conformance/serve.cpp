@@ -5,24 +5,135 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "conformance/result_fields.hpp"
-#include "protocol/json_answers.hpp"
-#include "protocol/line_reader.hpp"
-#include "protocol/output_stream.hpp"
+#include "protocol/answers.hpp"
 #include "protocol/question.hpp"
 
 namespace tribo::conformance {
 namespace {
 
 using protocol::FunctionCall;
+using protocol::OutputValue;
 using protocol::Question;
+using protocol::Text;
+using Id = std::optional<std::string_view>;
+
+struct Field {
+  std::string_view name;
+  std::optional<OutputValue> value;  // none: not offered
+};
+using Fields = std::vector<Field>;
+
+std::optional<OutputValue> value_of(double number,
+                                    std::string_view undefined = protocol::beyond_double) {
+  if (is_not_offered(number)) return std::nullopt;
+  if (std::isnan(number)) return OutputValue{.undefined = {}, .word = "NaN"};
+  if (std::isinf(number)) return OutputValue{.undefined = undefined, .word = {}};
+  return OutputValue{.undefined = {}, .word = {}, .number = number};
+}
+
+template <class Word>
+std::optional<OutputValue> value_of(const WordResult<Word>& result) {
+  using Kind = typename WordResult<Word>::Kind;
+  if (result.kind == Kind::absent) return std::nullopt;
+  if (result.kind == Kind::undefined)
+    return OutputValue{.undefined = protocol::beyond_double, .word = {}};
+  return OutputValue{.undefined = {}, .word = name(result.word)};
+}
+
+template <class Word>
+bool is(const WordResult<Word>& result, Word word) {
+  return result.kind == WordResult<Word>::Kind::word && result.word == word;
+}
+
+// A number that rests on the balance of the load; where nothing balances it NaN says that there is
+// none.
+std::optional<OutputValue> of_balance(double number, const PointResult& point) {
+  const bool has_collapsed = is(point.inlet, Inlet::collapsed);
+  if (std::isnan(number) && is(point.regime, Regime::collapsed))
+    return OutputValue{.undefined = protocol::film_collapsed, .word = {}};
+  return value_of(number, has_collapsed ? protocol::film_collapsed : protocol::beyond_double);
+}
+
+std::optional<OutputValue> value_of(const PointResult& point, Output output) {
+  if (output == Output::regime) return value_of(point.regime);
+  if (output == Output::inlet) return value_of(point.inlet);
+  const double number = point.*point_numbers[static_cast<std::size_t>(output)];
+  return protocol::rests_on_balance(output) ? of_balance(number, point) : value_of(number);
+}
+
+Fields fields_of(const catalogue::Results& values, const catalogue::Function& function) {
+  Fields fields;
+  for (std::size_t i = 0; i < function.results.size(); ++i)
+    fields.push_back({function.results[i].name, value_of(values[i])});
+  return fields;
+}
+
+Fields fields_of(const PointResult& point, OutputSet asked) {
+  Fields fields;
+  for (const OutputInfo& output : output_infos)
+    if (asked.contains(output.output))
+      fields.push_back({output.name, value_of(point, output.output)});
+  return fields;
+}
+
+void append_fields(Text& to, Id id, const Fields& fields) {
+  protocol::AnswerObject object(to, id);
+  for (const Field& field : fields)
+    if (field.value) object.value(field.name, *field.value);
+  object.close();
+  to.push_back('\n');
+}
+
+void append_undefined(Text& to, Id id, const Fields& fields, std::string_view reason) {
+  protocol::AnswerObject object(to, id);
+  for (const Field& field : fields) object.undefined(field.name, reason);
+  object.close();
+  to.push_back('\n');
+}
+
+void append_skip_line(Text& to, Id id, std::string_view reason) {
+  protocol::AnswerObject object(to, id);
+  object.word("skip", reason);
+  object.close();
+  to.push_back('\n');
+}
+
+// `asked`: what fields_of() takes beside the result.
+template <class Result, class Asked>
+void append_line(Text& to, Id id, const Answer<Result>& answer, const Asked& asked) {
+  switch (answer.status) {
+    case Status::done:
+      return append_fields(to, id, fields_of(answer.result, asked));
+    case Status::skipped:
+      return append_skip_line(to, id, answer.reason);
+    case Status::undefined:
+      return append_undefined(to, id, fields_of(answer.result, asked), answer.reason);
+    case Status::failed:
+      return protocol::append_error(to, id, "", answer.reason);
+  }
+}
+
+void append_answer_line(Text& to, Id id, const Answer<catalogue::Results>& answer,
+                        const catalogue::Function& function) {
+  const bool has_one = function.results.size() == 1;
+  if (answer.status == Status::done && has_one && std::isnan(answer.result[0]))
+    return protocol::append_error(to, id, "", "the solver gave NaN");
+  append_line(to, id, answer, function);
+}
+
+void append_answer_line(Text& to, Id id, const Answer<PointResult>& answer, OutputSet asked) {
+  append_line(to, id, answer, asked);
+}
 
 void fill(catalogue::Arguments& to, const Question& question) {
   to = std::get<FunctionCall>(question).arguments;
@@ -69,8 +180,8 @@ class Server {
   }
 
   void take(Question question) {
-    if (const auto* call = std::get_if<FunctionCall>(&question); call && call->mistake)
-      return complain(call->id, call->mistake->field, call->mistake->message);
+    if (const auto* call = std::get_if<FunctionCall>(&question); call && call->fault)
+      return complain(call->id, call->fault->field, call->fault->message);
     if (const auto* reading = std::get_if<SceneReading>(&question); reading && !reading->scene) {
       answer_waiting();
       protocol::append_first_error(output_.text(), *reading);
@@ -95,16 +206,16 @@ class Server {
     waiting_.clear();
   }
 
-  template <class Case, class Result>
-  void answer_by(const Batch<Case, Result>& batch) {
+  template <class Asked, class Result>
+  void answer_by(const Batch<Asked, Result>& batch) {
     if (!batch) return skip_waiting();
-    std::vector<Case> cases(waiting_.size());
+    std::vector<Asked> cases(waiting_.size());
     for (std::size_t i = 0; i < cases.size(); ++i) fill(cases[i], waiting_[i]);
     std::vector<Answer<Result>> answers(cases.size());
     output_.flush();
-    if (!answers_all<Case, Result>(batch, cases, answers))
+    if (!answers_all<Asked, Result>(batch, cases, answers))
       for (std::size_t i = 0; i < cases.size(); ++i)
-        answers_all<Case, Result>(batch, {&cases[i], 1}, {&answers[i], 1});
+        answers_all<Asked, Result>(batch, {&cases[i], 1}, {&answers[i], 1});
     for (std::size_t i = 0; i < answers.size(); ++i) {
       append(waiting_[i], answers[i]);
       output_.end_row();
@@ -113,8 +224,8 @@ class Server {
 
   // False: one of the cases threw an exception, and all have failed. Which one it was shows when
   // each is asked alone.
-  template <class Case, class Result>
-  static bool answers_all(const Batch<Case, Result>& batch, std::span<const Case> cases,
+  template <class Asked, class Result>
+  static bool answers_all(const Batch<Asked, Result>& batch, std::span<const Asked> cases,
                           std::span<Answer<Result>> answers) {
     try {
       batch(cases, answers);

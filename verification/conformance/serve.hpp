@@ -15,6 +15,7 @@
 // Formulas, symbols and ranges: model/README.md. Cases are in range.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstddef>
@@ -67,6 +68,17 @@ struct PointResult {
   WordResult<Regime> regime;
   WordResult<Inlet> inlet;
 };
+// Its numbers, in the order of Output.
+inline constexpr std::array<double PointResult::*, number_count> point_numbers{
+    &PointResult::film_flooded,
+    &PointResult::film,
+    &PointResult::separation,
+    &PointResult::film_parameter,
+    &PointResult::asperity_load_share,
+    &PointResult::fluid_load_share,
+    &PointResult::real_area_ratio,
+    &PointResult::summit_count,
+    &PointResult::friction};
 
 // Instead of a result.
 enum class Status : std::uint8_t { done, skipped, undefined, failed };
@@ -89,11 +101,11 @@ struct Answer {
 };
 
 // Answers several cases; both spans have the same size, at least 1.
-template <class Case, class Result>
-using Batch = std::function<void(std::span<const Case>, std::span<Answer<Result>>)>;
+template <class Asked, class Result>
+using Batch = std::function<void(std::span<const Asked>, std::span<Answer<Result>>)>;
 
 // The arguments of a function in the order of `tribocheck functions NAME`: of a word its place in
-// the list of words. Its results likewise, in the first places.
+// the list of words. Its results are in the first places.
 using FunctionBatch = Batch<catalogue::Arguments, catalogue::Results>;
 
 // One argument, for a parameter that is a number or one of the enumerations in tribo/scene.hpp.

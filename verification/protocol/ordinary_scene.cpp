@@ -6,9 +6,7 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
-#include "scene/entries.hpp"
 #include "scene/schema.hpp"
 
 namespace tribo::protocol {
@@ -43,6 +41,8 @@ bool may_underflow(std::string_view line) {
 
 class OrdinaryReader {
  public:
+  explicit OrdinaryReader(bool is_of_scenes) : is_of_scenes_(is_of_scenes) {}
+
   bool read(std::string_view line) {
     count_ = 0;
     if (line.size() > most_bytes) return false;
@@ -59,9 +59,10 @@ class OrdinaryReader {
  private:
   bool take(std::string_view name, const dom::element& element) {
     dom::object section;
-    if (name.find('.') != std::string_view::npos) return false;  // "surface.summit_radius" is none
+    // "surface.summit_radius" is no name, and a name in quotes is written in another way.
+    if (name.find_first_of(".\"") != std::string_view::npos) return false;
     if (element.get(section) != simdjson::SUCCESS) return take_field("", name, element);
-    if (!scene_detail::is_section(name)) return false;
+    if (!is_of_scenes_ || !scene_detail::is_section(name)) return false;
     Entry* const entry = next_entry();
     if (entry == nullptr) return false;
     set_path(*entry, "", name);
@@ -75,6 +76,7 @@ class OrdinaryReader {
     Entry* const entry = next_entry();
     if (entry == nullptr) return false;
     set_path(*entry, section, name);
+    if (!is_of_scenes_) return take_value(element, entry->value);
     if (!entry->field) return false;
     dom::array list;
     if (element.get(list) != simdjson::SUCCESS) return take_value(element, entry->value);
@@ -86,7 +88,7 @@ class OrdinaryReader {
 
   // Lines of one program have the same names in the same order: mostly this path and its field are
   // there from the line before.
-  static void set_path(Entry& entry, std::string_view section, std::string_view name) {
+  void set_path(Entry& entry, std::string_view section, std::string_view name) const {
     const std::string_view path = entry.path;
     const std::size_t start = section.empty() ? 0 : section.size() + 1;
     if (path.size() == start + name.size() && path.substr(start) == name &&
@@ -95,7 +97,7 @@ class OrdinaryReader {
     entry.path = section;
     if (!section.empty()) entry.path += '.';
     entry.path += name;
-    entry.field = scene_detail::find_field(entry.path);
+    if (is_of_scenes_) entry.field = scene_detail::find_field(entry.path);
   }
 
   bool take_value(const dom::element& element, Value& value) {
@@ -127,6 +129,7 @@ class OrdinaryReader {
     return &entry;
   }
 
+  bool is_of_scenes_;
   dom::parser parser_;
   std::array<Entry, most_entries> entries_;  // with the memory of their texts and lists
   std::size_t count_ = 0;                    // of those that this line has
@@ -136,12 +139,17 @@ class OrdinaryReader {
 }  // namespace
 
 std::optional<SceneReading> read_ordinary_scene(std::string_view line, std::string_view source) {
-  thread_local OrdinaryReader reader;
+  thread_local OrdinaryReader reader(true);
   if (!reader.read(line)) return std::nullopt;
   std::optional<SceneReading> reading(std::in_place);
   scene_detail::Problems problems(*reading, source);
   bind_scene(reader.entries(), SceneUse::one_speed, problems, *reading);
   return reading;
+}
+
+std::optional<std::span<const Entry>> ordinary_members(std::string_view line) {
+  thread_local OrdinaryReader reader(false);
+  return reader.read(line) ? std::optional(reader.entries()) : std::nullopt;
 }
 
 }  // namespace tribo::protocol

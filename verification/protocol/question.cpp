@@ -1,13 +1,170 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "protocol/question.hpp"
 
-#include <iterator>
-#include <utility>
+#include <fmt/format.h>
 
-#include "protocol/json_answers.hpp"
+#include <span>
+#include <vector>
+
 #include "protocol/ordinary_scene.hpp"
 
 namespace tribo::protocol {
+namespace {
+
+using catalogue::Parameter;
+using Members = std::span<const scene_detail::Entry>;
+using scene_detail::Entry;
+using scene_detail::NumberFault;
+using scene_detail::ValueKind;
+
+const Entry* find(Members members, std::string_view name) {
+  for (const Entry& member : members)
+    if (member.path == name) return &member;
+  return nullptr;
+}
+
+// The name as it was given, printable: a path has odd ones in quotes.
+std::string name_of(const Entry& member) {
+  const std::string& path = member.path;
+  return path.starts_with('"') ? path.substr(1, path.size() - 2) : path;
+}
+
+std::string allowed_with_unit(const Parameter& parameter) {
+  std::string text = catalogue::allowed_text(parameter);
+  if (!parameter.unit.empty()) text += ", in " + std::string(parameter.unit);
+  return text;
+}
+
+std::optional<double> word_argument(const Parameter& parameter, const Entry& member,
+                                    std::string& complaint) {
+  if (member.value.kind != ValueKind::text) {
+    complaint = "this is no text";
+    return std::nullopt;
+  }
+  const std::optional<double> place = catalogue::place_of(member.value.text, parameter);
+  if (!place) complaint = '"' + printable(member.value.text) + "\" is not known";
+  return place;
+}
+
+std::optional<double> number_argument(const Parameter& parameter, const Entry& member,
+                                      std::string& complaint) {
+  const scene_detail::Value& value = member.value;
+  const double number = value.number + 0.0;  // −0 becomes 0
+  if (value.kind != ValueKind::number)
+    complaint = "this is no number";
+  else if (value.fault == NumberFault::underflow)
+    complaint = value.text.substr(0, 40) + " underflows: it is nearer to 0 than 4.9e-324";
+  else if (value.fault == NumberFault::overflow)
+    complaint = value.text.substr(0, 40) + " is beyond 1.8e308; it must be finite";
+  else if (!catalogue::is_in_range(number, parameter.range))
+    complaint = fmt::format("{} is not allowed", number);
+  else
+    return number;
+  return std::nullopt;
+}
+
+std::optional<double> argument(const Parameter& parameter, Members members,
+                               std::string& complaint) {
+  const Entry* member = find(members, parameter.name);
+  if (member == nullptr) {
+    complaint = "missing";
+    return parameter.default_value;
+  }
+  return parameter.words.empty() ? number_argument(parameter, *member, complaint)
+                                 : word_argument(parameter, *member, complaint);
+}
+
+std::string parameter_names(const catalogue::Function& function) {
+  std::string text;
+  for (const Parameter& parameter : function.parameters) {
+    if (!text.empty()) text += ", ";
+    text += parameter.name;
+  }
+  return text;
+}
+
+bool is_known(const catalogue::Function& function, std::string_view name) {
+  if (name == "id" || name == "function") return true;
+  for (const Parameter& parameter : function.parameters)
+    if (parameter.name == name) return true;
+  return false;
+}
+
+std::optional<CallFault> fault_in_names(const catalogue::Function& function, Members members) {
+  for (const Entry& member : members) {
+    if (!is_known(function, member.path))
+      return CallFault{printable(name_of(member)),
+                       "unknown argument; known: " + parameter_names(function)};
+    if (find(members, member.path) != &member) return CallFault{member.path, "given twice"};
+  }
+  return std::nullopt;
+}
+
+std::optional<CallFault> read_arguments(const catalogue::Function& function, Members members,
+                                        catalogue::Arguments& arguments) {
+  std::size_t place = 0;
+  for (const Parameter& parameter : function.parameters) {
+    std::string complaint;
+    const std::optional<double> value = argument(parameter, members, complaint);
+    if (!value)
+      return CallFault{std::string(parameter.name),
+                       complaint + "; allowed: " + allowed_with_unit(parameter)};
+    arguments[place++] = *value;
+  }
+  return std::nullopt;
+}
+
+CallFault unknown_function(const scene_detail::Value& name) {
+  std::string message = name.kind == ValueKind::text
+                            ? '"' + printable(name.text) + "\" is not known"
+                            : "this is no text";
+  const char* before = "; allowed: ";
+  for (const catalogue::Function& function : catalogue::functions()) {
+    message += before + std::string(function.name);
+    before = ", ";
+  }
+  return {"function", message};
+}
+
+std::optional<CallFault> read_call(Members members, FunctionCall& call) {
+  if (const Entry* const id = find(members, "id")) {
+    if (id->value.kind != ValueKind::text)
+      return CallFault{"id", "this is no text; allowed: a text"};
+    call.id = id->value.text;
+  }
+  const scene_detail::Value& name = find(members, "function")->value;
+  call.function = name.kind == ValueKind::text ? catalogue::find(name.text) : nullptr;
+  if (call.function == nullptr) return unknown_function(name);
+  if (auto fault = fault_in_names(*call.function, members)) return fault;
+  if (auto fault = read_arguments(*call.function, members, call.arguments)) return fault;
+  if (call.function->refusal == nullptr) return std::nullopt;
+  const std::optional<catalogue::Refusal> refusal = call.function->refusal(call.arguments);
+  if (!refusal) return std::nullopt;
+  return CallFault{std::string(refusal->parameter), std::string(refusal->reason)};
+}
+
+std::optional<FunctionCall> call_of(Members members) {
+  if (find(members, "function") == nullptr) return std::nullopt;
+  FunctionCall call;
+  call.fault = read_call(members, call);
+  return call;
+}
+
+// Nothing where the line is no JSON object with a member "function".
+std::optional<FunctionCall> read_function_call(std::string_view line) {
+  if (const auto members = ordinary_members(line)) return call_of(*members);
+  SceneReading unused;
+  scene_detail::Problems problems(unused, "");
+  auto members = scene_detail::json_entries(line, problems, line.size());
+  if (!members) return std::nullopt;
+  // Fields of a table that a scene knows, and a function does not: the table itself is left.
+  std::erase_if(*members, [](const Entry& one) {
+    return !one.path.starts_with('"') && one.path.find('.') != std::string::npos;
+  });
+  return call_of(*members);
+}
+
+}  // namespace
 
 Question read_question(std::string_view line, std::size_t number) {
   const std::string source = fmt::format("line {}", number);
@@ -21,14 +178,6 @@ Question read_question(std::string_view line, std::size_t number) {
 
 bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t\r") == std::string_view::npos;
-}
-
-void append_first_error(Text& to, const SceneReading& reading) {
-  const InputProblem& problem = reading.errors.front();
-  std::string message = problem.message;
-  if (problem.column > 0)
-    fmt::format_to(std::back_inserter(message), " (column {})", problem.column);
-  append_error(to, reading.id, problem.field, message);
 }
 
 }  // namespace tribo::protocol

@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// The question in a line of JSON: a function of the model, or an operating point, a scene with one
-// speed.
+// The question in a line of JSON: an operating point, which is a scene with one speed, or a single
+// function of the model (catalogue.hpp):
+//
+//   {"id": "f1", "function": "gaussian_moment", "order": 2.5, "argument": -1.146}
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 
-#include "protocol/function_call.hpp"
-#include "protocol/output_stream.hpp"
+#include "catalogue/catalogue.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::protocol {
 
-// Either may hold mistakes instead of a question. A line that is no JSON is a scene with a mistake.
+struct CallFault {
+  std::string field, message;
+};
+
+struct FunctionCall {
+  std::optional<std::string> id;                  // not set: not given, or no text
+  const catalogue::Function* function = nullptr;  // these two where there is no fault,
+  catalogue::Arguments arguments{};               // all in range, defaults filled in
+  std::optional<CallFault> fault;                 // the first one in the line
+};
+
+// Either may hold faults instead of a question. A line that is no JSON is a scene with a fault.
 using Question = std::variant<SceneReading, FunctionCall>;
 
 // `number` is the line's, for messages.
@@ -24,9 +38,5 @@ inline constexpr std::string_view line_too_long = "the line is over 1 MiB";
 
 // Is there nothing in the line? Such lines get no answer.
 bool is_blank(std::string_view line);
-
-// The answer to a scene with errors. It names the first error only; if the text is not JSON, it
-// also gives the column.
-void append_first_error(Text& to, const SceneReading& reading);
 
 }  // namespace tribo::protocol

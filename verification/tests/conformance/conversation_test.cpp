@@ -8,18 +8,18 @@
 #include <utility>
 #include <vector>
 
-#include "conformance/answer_line.hpp"
-
 namespace tribo::conformance {
 namespace {
 
 using nlohmann::json;
 
-Case case_of(const std::string& id) { return {id, "film", {{"load", 1}}, Contract{}, {}, false}; }
+TestCase case_of(const std::string& id) {
+  return {id, "film", {{"load", 1}}, Contract{}, {}, false};
+}
 
 // Each case is answered with one of the lines, in their order.
 Conversation said(const std::vector<std::string>& ids, const std::string& lines) {
-  std::vector<Case> cases;
+  std::vector<TestCase> cases;
   for (const std::string& id : ids) cases.push_back(case_of(id));
   return ask("printf '" + lines + "'; cat > /dev/null", cases, {}, [](std::size_t) {});
 }

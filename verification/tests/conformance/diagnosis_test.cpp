@@ -22,8 +22,8 @@ using nlohmann::json;
 
 const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
 
-const std::vector<Case>& all_cases() {
-  static const std::vector<Case> cases = cases_for(
+const std::vector<TestCase>& all_cases() {
+  static const std::vector<TestCase> cases = cases_for(
       read_cases({reference + "/exact", reference + "/published"}), engineering_tolerance());
   return cases;
 }
@@ -31,9 +31,9 @@ const std::vector<Mistake>& all_mistakes() {
   static const std::vector<Mistake> mistakes = read_mistakes(reference + "/mistakes.toml");
   return mistakes;
 }
-std::vector<Case> cases_of(const std::string& function) {
-  std::vector<Case> cases = all_cases();
-  std::erase_if(cases, [&](const Case& one) { return one.function != function; });
+std::vector<TestCase> cases_of(const std::string& function) {
+  std::vector<TestCase> cases = all_cases();
+  std::erase_if(cases, [&](const TestCase& one) { return one.function != function; });
   return cases;
 }
 
@@ -41,9 +41,9 @@ using Formula = std::function<json(const json& inputs)>;
 
 // All sentences of the diagnosis of a solver that has these functions.
 std::string said_of(const std::map<std::string, Formula>& functions) {
-  std::vector<Case> cases;
+  std::vector<TestCase> cases;
   Conversation conversation;
-  for (const Case& one : all_cases())
+  for (const TestCase& one : all_cases())
     if (const auto found = functions.find(one.function); found != functions.end()) {
       cases.push_back(one);
       conversation.answers.push_back({Outcome::answered, found->second(one.inputs), {}});
@@ -185,7 +185,7 @@ TEST(Said, OfAConventionIsSaidOnce) {
 // Order 3/2 has the other sign, order 1 loses its digits, the others are not offered.
 TEST(Said, OfBranchesIsSaidOfEachAlone) {
   std::map<std::string, double> right;
-  for (const Case& one : cases_of("gaussian_moment"))
+  for (const TestCase& one : cases_of("gaussian_moment"))
     right[one.inputs.dump()] = one.expected[0].high;
   const std::string said = said_of("gaussian_moment", [&](const json& inputs) {
     const double order = inputs.at("order");
@@ -199,7 +199,7 @@ TEST(Said, OfBranchesIsSaidOfEachAlone) {
 
 TEST(Said, OfATailThatIsWrongIsWhereItBegins) {
   std::map<std::string, double> right;
-  for (const Case& one : cases_of("gaussian_moment"))
+  for (const TestCase& one : cases_of("gaussian_moment"))
     right[one.inputs.dump()] = one.expected[0].high;
   expect_said(said_of("gaussian_moment",
                       [&](const json& inputs) {
@@ -246,8 +246,8 @@ std::vector<Diagnosis> told_of(std::size_t count, const Times& times,
                                const std::vector<Mistake>& mistakes = {},
                                const Tolerance& tolerance = engineering_tolerance(),
                                std::optional<std::size_t> single_but_for = {}) {
-  static const Case usual = cases_of("hamrock_dowson_central").front();
-  std::vector<Case> cases(count, usual);
+  static const TestCase usual = cases_of("hamrock_dowson_central").front();
+  std::vector<TestCase> cases(count, usual);
   Conversation conversation;
   for (std::size_t i = 0; i < count; ++i) {
     cases[i].id = std::to_string(i);
@@ -428,11 +428,11 @@ TEST(Said, OfRightSolversIsNothingInAThousandTries) {
   std::mt19937_64 random(20261123);
   std::uniform_real_distribution<double> noise(-1e-9, 1e-9), exponent(-9, 9);
   const auto films = cases_of("hamrock_dowson_central"), contacts = cases_of("hertz_point");
-  const std::vector<Case>& others = all_cases();
+  const std::vector<TestCase>& others = all_cases();
   for (int i = 0; i < 1000; ++i) {
-    std::vector<Case> cases;
+    std::vector<TestCase> cases;
     Conversation conversation;
-    const auto add = [&](const Case& asked, json fields) {
+    const auto add = [&](const TestCase& asked, json fields) {
       for (json& one : fields)
         if (one.is_number()) one = one.get<double>() * (1 + noise(random));
       cases.push_back(asked);

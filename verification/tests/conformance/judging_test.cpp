@@ -24,7 +24,7 @@ using verification::True;
 
 constexpr Contract contract{4, 0.5};  // 4 ulp, or half an ulp times the condition
 
-Case asked_for(std::vector<Expected> expected, std::string id = "a") {
+TestCase asked_for(std::vector<Expected> expected, std::string id = "a") {
   return {std::move(id), "film", json::object(), contract, std::move(expected), false};
 }
 Expected number(double high, double condition = 1) {
@@ -42,7 +42,7 @@ Tolerance own_tolerance() {
 TEST(AllowedError, IsThePartOfTheValueTimesItsCondition) {
   for (const double condition : {1.0, 10.0, 1e4}) {
     const Expected expected = number(-8, condition);
-    const Case asked = asked_for({expected});
+    const TestCase asked = asked_for({expected});
     EXPECT_TRUE(is_close(allowed_error(asked, expected, engineering_tolerance()), 8e-6 * condition,
                          1e-15, {{"condition", condition}}));
     EXPECT_TRUE(is_close(allowed_error(asked, expected, own_tolerance()), 8e-3 * condition, 1e-15,
@@ -67,25 +67,25 @@ TEST(AllowedError, OfTheStrictToleranceIsTheContract) {
 
 // --- Verdicts on a quantity from its answers.
 
-Answer with(json fields) { return {Outcome::answered, std::move(fields), {}}; }
-Answer without(Outcome outcome) { return {outcome, {}, "why"}; }
+Reply with(json fields) { return {Outcome::answered, std::move(fields), {}}; }
+Reply without(Outcome outcome) { return {outcome, {}, "why"}; }
 
-ConformanceResult judged(const std::vector<Case>& cases, std::vector<Answer> answers) {
+ConformanceResult judged(const std::vector<TestCase>& cases, std::vector<Reply> answers) {
   Conversation conversation;
   conversation.answers = std::move(answers);
   return judge("subject", cases, conversation, engineering_tolerance());
 }
-QuantityVerdict verdict_on(const Expected& expected, Answer answer) {
+QuantityVerdict verdict_on(const Expected& expected, Reply answer) {
   return judged({asked_for({expected})}, {std::move(answer)}).quantities.at(0);
 }
-Status status_of(const Expected& expected, json value) {
+Verdict status_of(const Expected& expected, json value) {
   return verdict_on(expected, with({{"value", std::move(value)}})).status;
 }
 
 TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
   const Expected expected = number(2, 10);  // 2e-5 is allowed
   const auto holds = [](const Expected& of, double got) {
-    return status_of(of, got) == Status::held;
+    return status_of(of, got) == Verdict::held;
   };
   for (const double side : {-1.0, 1.0})
     EXPECT_TRUE(
@@ -109,76 +109,76 @@ TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
 // The expected number has more digits than a double.
 TEST(JudgedAnswer, IsComparedWithBothPartsOfTheValue) {
   const Expected expected{"value", 1, 3e-6, 1, false, {}};
-  EXPECT_EQ(status_of(expected, 1.0), Status::failed);
-  EXPECT_EQ(status_of(expected, 1.0000025), Status::held);
+  EXPECT_EQ(status_of(expected, 1.0), Verdict::failed);
+  EXPECT_EQ(status_of(expected, 1.0000025), Verdict::held);
 }
 
 TEST(JudgedAnswer, ThatIsNoFiniteNumberFails) {
   for (const json& value : {json("2"), json(nullptr), json(true), json::array({2}),
                             json(std::numeric_limits<double>::infinity()), json(std::nan(""))})
-    EXPECT_EQ(status_of(number(2), value), Status::failed) << value.dump();
+    EXPECT_EQ(status_of(number(2), value), Verdict::failed) << value.dump();
 }
 
 TEST(JudgedAnswer, OfAWordOrOfSomethingUndefinedIsJustThat) {
   const Expected word{"value", 0, 0, 1, false, "mixed"}, undefined{"value", 0, 0, 1, true, {}};
-  EXPECT_EQ(status_of(word, "mixed"), Status::held);
-  EXPECT_EQ(status_of(word, "boundary"), Status::failed);
-  EXPECT_EQ(status_of(word, nullptr), Status::failed);
-  EXPECT_EQ(status_of(undefined, nullptr), Status::held);
-  EXPECT_EQ(status_of(undefined, 0.1), Status::failed);
+  EXPECT_EQ(status_of(word, "mixed"), Verdict::held);
+  EXPECT_EQ(status_of(word, "boundary"), Verdict::failed);
+  EXPECT_EQ(status_of(word, nullptr), Verdict::failed);
+  EXPECT_EQ(status_of(undefined, nullptr), Verdict::held);
+  EXPECT_EQ(status_of(undefined, 0.1), Verdict::failed);
 }
 
 TEST(JudgedAnswer, ThatDoesNotComeFailsAndOneThatIsSkippedDoesNot) {
   for (const Outcome outcome : {Outcome::refused, Outcome::garbage, Outcome::missing, Outcome::late,
                                 Outcome::died, Outcome::not_asked})
-    EXPECT_EQ(verdict_on(number(2), without(outcome)).status, Status::failed)
+    EXPECT_EQ(verdict_on(number(2), without(outcome)).status, Verdict::failed)
         << static_cast<int>(outcome);
-  EXPECT_EQ(verdict_on(number(2), without(Outcome::skipped)).status, Status::not_offered);
+  EXPECT_EQ(verdict_on(number(2), without(Outcome::skipped)).status, Verdict::not_offered);
 }
 
 TEST(JudgedAnswer, WithoutAFieldThatOthersHaveFails) {
-  const std::vector<Case> cases{asked_for({number(2)}, "a"), asked_for({number(2)}, "b")};
+  const std::vector<TestCase> cases{asked_for({number(2)}, "a"), asked_for({number(2)}, "b")};
   EXPECT_EQ(judged(cases, {with({{"value", 2}}), with(json::object())}).quantities[0].failed, 1U);
   EXPECT_EQ(judged(cases, {with(json::object()), with(json::object())}).quantities[0].status,
-            Status::not_offered);
+            Verdict::not_offered);
 }
 
 TEST(JudgedQuantity, CountsEachOfItsCases) {
-  const std::vector<Case> cases{asked_for({number(2)}, "a"), asked_for({number(2)}, "b"),
-                                asked_for({number(2)}, "c"), asked_for({number(2)}, "d")};
-  const Answer right = with({{"value", 2}}), wrong = with({{"value", 3}}),
-               skipped = without(Outcome::skipped);
+  const std::vector<TestCase> cases{asked_for({number(2)}, "a"), asked_for({number(2)}, "b"),
+                                    asked_for({number(2)}, "c"), asked_for({number(2)}, "d")};
+  const Reply right = with({{"value", 2}}), wrong = with({{"value", 3}}),
+              skipped = without(Outcome::skipped);
   const QuantityVerdict all = judged(cases, {skipped, right, wrong, right}).quantities.at(0);
   EXPECT_EQ(all.asked, 4U);
   EXPECT_EQ(all.held, 2U);
   EXPECT_EQ(all.failed, 1U);
   EXPECT_EQ(all.skipped, 1U);
-  EXPECT_EQ(all.status, Status::failed);
+  EXPECT_EQ(all.status, Verdict::failed);
   EXPECT_EQ(all.worst_case, "c");
   EXPECT_TRUE(all.first_reason.starts_with("c: ")) << all.first_reason;
   const QuantityVerdict part = judged(cases, {right, right, skipped, right}).quantities[0];
-  EXPECT_EQ(part.status, Status::partly_held);
+  EXPECT_EQ(part.status, Verdict::partly_held);
   EXPECT_EQ(part.first_reason, "why");
-  EXPECT_EQ(judged(cases, {right, right, right, right}).quantities[0].status, Status::held);
+  EXPECT_EQ(judged(cases, {right, right, right, right}).quantities[0].status, Verdict::held);
 }
 
-const std::vector<Case>& all_cases() {
+const std::vector<TestCase>& all_cases() {
   const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
-  static const std::vector<Case> cases =
+  static const std::vector<TestCase> cases =
       read_cases({reference + "/exact", reference + "/published"});
   return cases;
 }
 
 // The strict tolerance asks all, the others all but what is beyond engineering; in their order.
 TEST(Cases, AreAllWhereTheToleranceIsStrict) {
-  const std::vector<Case>& all = all_cases();
-  const auto ids = [](const std::vector<Case>& cases) {
+  const std::vector<TestCase>& all = all_cases();
+  const auto ids = [](const std::vector<TestCase>& cases) {
     std::vector<std::string> made;
-    for (const Case& one : cases) made.push_back(one.id);
+    for (const TestCase& one : cases) made.push_back(one.id);
     return made;
   };
-  std::vector<Case> usual;
-  for (const Case& one : all)
+  std::vector<TestCase> usual;
+  for (const TestCase& one : all)
     if (!one.is_extreme) usual.push_back(one);
   EXPECT_GT(usual.size(), all.size() / 2);
   EXPECT_LT(usual.size(), all.size());
@@ -190,7 +190,7 @@ TEST(Cases, AreAllWhereTheToleranceIsStrict) {
 // A word is asked of a point unless it lies at the border of two, or nothing balances its load.
 TEST(Cases, OfPointsAskForEachWordAwayFromItsBorder) {
   std::size_t points = 0;
-  for (const Case& one : all_cases()) {
+  for (const TestCase& one : all_cases()) {
     if (!is_operating_point(one.function)) continue;
     std::map<std::string, double> value;
     std::map<std::string, std::string> word;
@@ -219,7 +219,7 @@ TEST(Cases, OfPointsAskForEachWordAwayFromItsBorder) {
 }
 
 TEST(Cases, OfASampleAreSoManyOfEachFunctionTheFirstAlways) {
-  std::vector<Case> all;
+  std::vector<TestCase> all;
   std::map<std::string, std::size_t> sizes{{"a", 1}, {"b", 10}, {"c", 23}, {"d", 100}};
   for (std::size_t i = 0; i < 100; ++i)
     for (const auto& [function, size] : sizes)
@@ -229,7 +229,7 @@ TEST(Cases, OfASampleAreSoManyOfEachFunctionTheFirstAlways) {
       }
   for (const std::size_t most : {1U, 2U, 7U, 10U, 22U, 23U, 99U, 100U, 1000U}) {
     std::map<std::string, std::vector<std::size_t>> kept;
-    for (const Case& one : sampled(all, most)) kept[one.function].push_back(std::stoul(one.id));
+    for (const TestCase& one : sampled(all, most)) kept[one.function].push_back(std::stoul(one.id));
     for (const auto& [function, size] : sizes) {
       const std::vector<std::size_t>& ids = kept[function];
       ASSERT_EQ(ids.size(), std::min(size, most)) << function << ' ' << most;
@@ -243,11 +243,11 @@ TEST(Cases, OfASampleAreSoManyOfEachFunctionTheFirstAlways) {
 }
 
 TEST(JudgedSubject, IsCompleteOnlyWhereAllOfItIsHeldAndNoRuleBroken) {
-  const Case film = asked_for({number(2)});
-  Case radius = asked_for({number(2)}, "b");
+  const TestCase film = asked_for({number(2)});
+  TestCase radius = asked_for({number(2)}, "b");
   radius.function = "hertz";
-  const Answer right = with({{"value", 2}}), wrong = with({{"value", 3}}),
-               skipped = without(Outcome::skipped);
+  const Reply right = with({{"value", 2}}), wrong = with({{"value", 3}}),
+              skipped = without(Outcome::skipped);
   EXPECT_EQ(judged({film, radius}, {right, right}).overall, Overall::complete);
   EXPECT_EQ(judged({film, radius}, {right, skipped}).overall, Overall::partial);
   EXPECT_EQ(judged({film, radius}, {right, wrong}).overall, Overall::failed);
@@ -260,22 +260,22 @@ TEST(JudgedSubject, IsCompleteOnlyWhereAllOfItIsHeldAndNoRuleBroken) {
 
 // --- The physical range
 
-Case case_of(double value, bool is_physical) {
-  Case one = asked_for({number(value)});
+TestCase case_of(double value, bool is_physical) {
+  TestCase one = asked_for({number(value)});
   one.expected[0].is_physical = is_physical;
   return one;
 }
 
 TEST(Verdict, TellsAFailureBeyondThePhysicalRangeApart) {
-  const Answer right = with({{"value", 2.0}}), wrong = with({{"value", 3.0}});
-  const Case inside = case_of(2, true), beyond = case_of(2, false);
-  const auto status = [&](const std::vector<Case>& cases, const std::vector<Answer>& answers) {
+  const Reply right = with({{"value", 2.0}}), wrong = with({{"value", 3.0}});
+  const TestCase inside = case_of(2, true), beyond = case_of(2, false);
+  const auto status = [&](const std::vector<TestCase>& cases, const std::vector<Reply>& answers) {
     return judged(cases, answers).quantities[0].status;
   };
-  EXPECT_EQ(status({inside, beyond}, {right, right}), Status::held);
-  EXPECT_EQ(status({inside, beyond}, {right, wrong}), Status::held_physically);
-  EXPECT_EQ(status({inside, beyond}, {wrong, right}), Status::failed);
-  EXPECT_EQ(status({beyond}, {wrong}), Status::failed);  // nothing was right in the physical range
+  EXPECT_EQ(status({inside, beyond}, {right, right}), Verdict::held);
+  EXPECT_EQ(status({inside, beyond}, {right, wrong}), Verdict::held_physically);
+  EXPECT_EQ(status({inside, beyond}, {wrong, right}), Verdict::failed);
+  EXPECT_EQ(status({beyond}, {wrong}), Verdict::failed);  // nothing was right in the physical range
   EXPECT_EQ(judged({inside, beyond}, {right, wrong}).overall, Overall::physical);
   EXPECT_EQ(judged({inside, beyond}, {wrong, wrong}).overall, Overall::failed);
 }
@@ -283,7 +283,7 @@ TEST(Verdict, TellsAFailureBeyondThePhysicalRangeApart) {
 // --- Results that are worse than a baseline.
 
 // The cases that failed are off by a tenth each.
-QuantityVerdict row(Status status, std::size_t held, std::size_t failed, std::size_t skipped,
+QuantityVerdict row(Verdict status, std::size_t held, std::size_t failed, std::size_t skipped,
                     double worst_held = 1e-10) {
   QuantityVerdict one;
   one.quantity = "film";
@@ -299,7 +299,7 @@ QuantityVerdict row(Status status, std::size_t held, std::size_t failed, std::si
   return one;
 }
 QuantityVerdict failing(std::vector<FailedCase> cases) {
-  QuantityVerdict one = row(Status::failed, 5, cases.size(), 0);
+  QuantityVerdict one = row(Verdict::failed, 5, cases.size(), 0);
   one.failed_cases = std::move(cases);
   return one;
 }
@@ -316,7 +316,7 @@ Way change(const QuantityVerdict& before, const QuantityVerdict& now) {
       compare(result_of({now}), baseline_of(result_of({before}), nullptr));
   std::size_t of_film = 0;
   for (const auto& list : {changes.worse, changes.better})
-    for (const Finding& one : list) of_film += one.quantity == "film" ? 1 : 0;
+    for (const QuantityNote& one : list) of_film += one.quantity == "film" ? 1 : 0;
   EXPECT_LE(of_film, 1U);
   return !changes.worse.empty() ? Way::worse : !changes.better.empty() ? Way::better : Way::same;
 }
@@ -328,37 +328,37 @@ void expect_worse(const QuantityVerdict& before, const QuantityVerdict& now) {
 }
 
 TEST(Baseline, KnowsWhatIsWorse) {
-  expect_worse(row(Status::held, 10, 0, 0), row(Status::partly_held, 9, 0, 1));
-  expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::held_physically, 9, 1, 0));
-  expect_worse(row(Status::failed, 9, 1, 0), row(Status::failed, 8, 2, 0));
-  expect_worse(row(Status::partly_held, 9, 0, 1), row(Status::partly_held, 8, 0, 2));
-  expect_worse(row(Status::failed, 8, 1, 1), row(Status::failed, 7, 1, 2));
-  expect_worse(row(Status::failed, 8, 1, 1), row(Status::failed, 8, 2, 0));
+  expect_worse(row(Verdict::held, 10, 0, 0), row(Verdict::partly_held, 9, 0, 1));
+  expect_worse(row(Verdict::partly_held, 9, 0, 1), row(Verdict::held_physically, 9, 1, 0));
+  expect_worse(row(Verdict::failed, 9, 1, 0), row(Verdict::failed, 8, 2, 0));
+  expect_worse(row(Verdict::partly_held, 9, 0, 1), row(Verdict::partly_held, 8, 0, 2));
+  expect_worse(row(Verdict::failed, 8, 1, 1), row(Verdict::failed, 7, 1, 2));
+  expect_worse(row(Verdict::failed, 8, 1, 1), row(Verdict::failed, 8, 2, 0));
 }
 
 // Not to answer is better than to be wrong, but what held is not to be lost by it.
 TEST(Baseline, MissesWhatHeldEvenWhereNothingFailsAnyMore) {
-  const QuantityVerdict none = row(Status::not_offered, 0, 0, 10, 0);
-  QuantityVerdict other = row(Status::held, 10, 0, 0);
+  const QuantityVerdict none = row(Verdict::not_offered, 0, 0, 10, 0);
+  QuantityVerdict other = row(Verdict::held, 10, 0, 0);
   other.quantity = "radius";
   const auto changes_to_none = [&](const QuantityVerdict& before) {
     return compare(result_of({none, other}), baseline_of(result_of({before, other}), nullptr));
   };
   for (const QuantityVerdict& before :
-       {row(Status::held_physically, 9, 1, 0), row(Status::failed, 9, 1, 0)}) {
+       {row(Verdict::held_physically, 9, 1, 0), row(Verdict::failed, 9, 1, 0)}) {
     ASSERT_EQ(changes_to_none(before).worse.size(), 1U);
     EXPECT_EQ(changes_to_none(before).worse[0].quantity, "film");
   }
-  EXPECT_EQ(changes_to_none(row(Status::failed, 0, 10, 0)).worse.size(), 0U);
-  EXPECT_EQ(changes_to_none(row(Status::failed, 0, 10, 0)).better.size(), 1U);
-  EXPECT_EQ(change(row(Status::failed, 5, 5, 0), row(Status::partly_held, 5, 0, 5)), Way::better);
+  EXPECT_EQ(changes_to_none(row(Verdict::failed, 0, 10, 0)).worse.size(), 0U);
+  EXPECT_EQ(changes_to_none(row(Verdict::failed, 0, 10, 0)).better.size(), 1U);
+  EXPECT_EQ(change(row(Verdict::failed, 5, 5, 0), row(Verdict::partly_held, 5, 0, 5)), Way::better);
 }
 
 const double epsilon = std::numeric_limits<double>::epsilon();
 double above(double x) { return std::nextafter(x, 2 * x); }
 
 TEST(Baseline, HoldsErrorsToFourTimesWhatTheyWere) {
-  const auto held = [](double error) { return row(Status::held, 10, 0, 0, error); };
+  const auto held = [](double error) { return row(Verdict::held, 10, 0, 0, error); };
   for (const double error : {1e-15, 1e-10, 3e-7}) {
     EXPECT_EQ(change(held(error), held(4 * error)), Way::same);
     expect_worse(held(error), held(above(4 * error)));
@@ -432,7 +432,7 @@ TEST(Baseline, IsNotMadeWorseStepByStepByWhatIsBetter) {
 // A case that failed and holds now may be the worst of what holds: that is no loss.
 TEST(Baseline, ComparesTheErrorsOfWhatHeldBeforeAlone) {
   const QuantityVerdict before = failing({{"a", Failure::number, 0.1}});
-  QuantityVerdict mended = row(Status::held, 6, 0, 0);
+  QuantityVerdict mended = row(Verdict::held, 6, 0, 0);
   mended.held_cases.back() = {"a", 9e-7};
   EXPECT_EQ(change(before, mended), Way::better);
   mended.held_cases[1].error = 4.01e-10;
@@ -441,7 +441,7 @@ TEST(Baseline, ComparesTheErrorsOfWhatHeldBeforeAlone) {
 
 // The doings of a subject in a case, as the judge sees them.
 TEST(JudgedCase, ThatFailedIsToldWithItsError) {
-  const auto how = [](const Expected& expected, Answer answer) {
+  const auto how = [](const Expected& expected, Reply answer) {
     return verdict_on(expected, std::move(answer)).failed_cases.at(0);
   };
   const Expected two = number(2), zero = number(0), word{"value", 0, 0, 1, false, "mixed"};
@@ -458,8 +458,8 @@ TEST(JudgedCase, ThatFailedIsToldWithItsError) {
 }
 
 TEST(JudgedQuantity, TellsTheErrorsOfWhatHeldOverTheCondition) {
-  const std::vector<Case> cases{asked_for({number(2, 100)}, "a"), asked_for({number(2)}, "b"),
-                                asked_for({number(2)}, "c"), asked_for({number(1e-40)}, "d")};
+  const std::vector<TestCase> cases{asked_for({number(2, 100)}, "a"), asked_for({number(2)}, "b"),
+                                    asked_for({number(2)}, "c"), asked_for({number(1e-40)}, "d")};
   const QuantityVerdict verdict =
       judged(cases, {with({{"value", 2 + 2e-6}}), with({{"value", 2 + 4e-7}}), with({{"value", 3}}),
                      with({{"value", 2e-40}})})
@@ -472,9 +472,9 @@ TEST(JudgedQuantity, TellsTheErrorsOfWhatHeldOverTheCondition) {
 }
 
 TEST(Baseline, MissesAQuantityThatIsNoLongerAsked) {
-  QuantityVerdict other = row(Status::held, 10, 0, 0);
+  QuantityVerdict other = row(Verdict::held, 10, 0, 0);
   other.quantity = "radius";
-  const json baseline = baseline_of(result_of({row(Status::held, 10, 0, 0), other}), nullptr);
+  const json baseline = baseline_of(result_of({row(Verdict::held, 10, 0, 0), other}), nullptr);
   const BaselineChanges changes = compare(result_of({other}), baseline);
   ASSERT_EQ(changes.worse.size(), 1U);
   EXPECT_EQ(changes.worse[0].quantity, "film");
@@ -482,18 +482,18 @@ TEST(Baseline, MissesAQuantityThatIsNoLongerAsked) {
 }
 
 TEST(Baseline, TakesANewQuantityUnlessItFails) {
-  QuantityVerdict other = row(Status::held, 9, 0, 0);
+  QuantityVerdict other = row(Verdict::held, 9, 0, 0);
   other.quantity = "radius";
   const json baseline = baseline_of(result_of({other}), nullptr);
-  EXPECT_EQ(compare(result_of({other, row(Status::failed, 9, 1, 0)}), baseline).worse.size(), 1U);
-  const BaselineChanges good = compare(result_of({other, row(Status::held, 9, 0, 0)}), baseline);
+  EXPECT_EQ(compare(result_of({other, row(Verdict::failed, 9, 1, 0)}), baseline).worse.size(), 1U);
+  const BaselineChanges good = compare(result_of({other, row(Verdict::held, 9, 0, 0)}), baseline);
   EXPECT_EQ(good.better.size(), 1U);
   EXPECT_EQ(good.worse.size(), 0U);
 }
 
 TEST(Baseline, ThatComparesNothingIsRed) {
-  const ConformanceResult something = result_of({row(Status::held, 9, 0, 0)});
-  const ConformanceResult nothing = result_of({row(Status::not_offered, 0, 0, 9, 0)});
+  const ConformanceResult something = result_of({row(Verdict::held, 9, 0, 0)});
+  const ConformanceResult nothing = result_of({row(Verdict::not_offered, 0, 0, 9, 0)});
   EXPECT_EQ(compare(something, baseline_of(something, nullptr)).worse.size(), 0U);
   for (const ConformanceResult& before : {result_of({}), nothing})
     for (const ConformanceResult& now : {something, nothing}) {
@@ -504,7 +504,7 @@ TEST(Baseline, ThatComparesNothingIsRed) {
 }
 
 TEST(Baseline, CountsABrokenProtocolAsWorse) {
-  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  ConformanceResult result = result_of({row(Verdict::held, 10, 0, 0)});
   const json baseline = baseline_of(result, nullptr);
   EXPECT_EQ(compare(result, baseline).worse.size(), 0U);
   result.violation_count = 1;
@@ -521,7 +521,7 @@ testing::AssertionResult is_refused(const json& baseline, const ConformanceResul
 }
 
 TEST(Baseline, IsOfOneToleranceAlone) {
-  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  ConformanceResult result = result_of({row(Verdict::held, 10, 0, 0)});
   const json baseline = baseline_of(result, nullptr);
   result.tolerance = strict_tolerance();
   EXPECT_TRUE(is_refused(baseline, result));
@@ -531,7 +531,7 @@ TEST(Baseline, IsOfOneToleranceAlone) {
 
 // Its name, as the path of a file is spelt, says nothing.
 TEST(Baseline, TakesATolerancesContentForIt) {
-  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  ConformanceResult result = result_of({row(Verdict::held, 10, 0, 0)});
   const json baseline = baseline_of(result, nullptr);
   result.tolerance.name = "./t.txt";
   EXPECT_FALSE(is_refused(baseline, result));
@@ -542,7 +542,7 @@ TEST(Baseline, TakesATolerancesContentForIt) {
 }
 
 TEST(Baseline, IsOfOneSampleAndOfOneSchemaAlone) {
-  ConformanceResult result = result_of({row(Status::held, 10, 0, 0)});
+  ConformanceResult result = result_of({row(Verdict::held, 10, 0, 0)});
   json baseline = baseline_of(result, nullptr);
   result.sample = 10;
   EXPECT_TRUE(is_refused(baseline, result));
@@ -554,8 +554,8 @@ TEST(Baseline, IsOfOneSampleAndOfOneSchemaAlone) {
 }
 
 TEST(Baseline, MadeAnewKeepsWhatWasBetter) {
-  const ConformanceResult before = result_of({row(Status::held, 10, 0, 0)});
-  const ConformanceResult worse = result_of({row(Status::partly_held, 9, 0, 1)});
+  const ConformanceResult before = result_of({row(Verdict::held, 10, 0, 0)});
+  const ConformanceResult worse = result_of({row(Verdict::partly_held, 9, 0, 1)});
   const json old = baseline_of(before, nullptr);
   EXPECT_EQ(baseline_of(worse, old), old);
   EXPECT_EQ(baseline_of(before, baseline_of(worse, nullptr)), old);

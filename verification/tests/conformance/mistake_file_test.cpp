@@ -21,12 +21,12 @@ namespace {
 const std::string reference = TRIBOCHECK_SOURCE_DIR "/reference";
 
 TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
-  const std::vector<Case> cases = read_cases({reference + "/exact", reference + "/published"});
+  const std::vector<TestCase> cases = read_cases({reference + "/exact", reference + "/published"});
   std::set<std::pair<std::string, std::string>> names;
   for (const Mistake& mistake : read_mistakes(reference + "/mistakes.toml")) {
     EXPECT_TRUE(names.emplace(mistake.function, mistake.name).second) << mistake.name;
     std::size_t changed = 0;
-    for (const Case& asked : cases) {
+    for (const TestCase& asked : cases) {
       const bool is_of_points =
           is_operating_point(asked.function) && mistake.function == "operating_point";
       if ((asked.function != mistake.function && !is_of_points) || asked.is_extreme) continue;
@@ -46,15 +46,15 @@ TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
 }
 
 // Calls `look` with the numbers of each mistake that is asked for, for each operating point.
-void for_each_answer(
-    const std::function<bool(const Mistake&)>& is_asked,
-    const std::function<void(const Case&, const Question&, const std::optional<Numbers>&)>& look) {
-  const std::vector<Case> cases = read_cases({reference + "/exact", reference + "/published"});
+void for_each_answer(const std::function<bool(const Mistake&)>& is_asked,
+                     const std::function<void(const TestCase&, const Question&,
+                                              const std::optional<Numbers>&)>& look) {
+  const std::vector<TestCase> cases = read_cases({reference + "/exact", reference + "/published"});
   const std::vector<Mistake> mistakes = read_mistakes(reference + "/mistakes.toml");
   for (const Mistake& mistake : mistakes) {
     if (mistake.function != "operating_point" || !is_asked(mistake)) continue;
     const Mistake* const one = &mistake;
-    for (const Case& asked : cases) {
+    for (const TestCase& asked : cases) {
       if (!is_operating_point(asked.function) || asked.is_extreme) continue;
       const Question question = question_of(asked);
       look(asked, question, numbers_with({&one, 1}, question));
@@ -66,7 +66,7 @@ TEST(Mistakes, InFrictionAreSaidOfEveryShape) {
   std::set<ContactShape> shapes;
   for_each_answer(
       [](const Mistake& one) { return one.name.starts_with("friction-"); },
-      [&](const Case& asked, const Question& question, const std::optional<Numbers>& given) {
+      [&](const TestCase& asked, const Question& question, const std::optional<Numbers>& given) {
         for (const Expected& expected : asked.expected) {
           if (expected.field != "friction" || expected.is_undefined) continue;
           ASSERT_TRUE(given);
@@ -86,7 +86,7 @@ TEST(Mistakes, InLoadSharingAreSaidOfFilmsOfItsExponentAlone) {
   std::size_t said = 0, unsaid_of = 0;
   for_each_answer(
       [&](const Mistake& one) { return names.contains(one.name); },
-      [&](const Case& asked, const Question& question, const std::optional<Numbers>& given) {
+      [&](const TestCase& asked, const Question& question, const std::optional<Numbers>& given) {
         const bool is_other = film_law(question.scene->closures.film).sharing_power.value !=
                               hamrock_dowson_central_law.sharing_power.value;
         EXPECT_EQ(is_other && given.has_value(), false) << asked.id;

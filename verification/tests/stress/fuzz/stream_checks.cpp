@@ -15,9 +15,7 @@
 #include <system_error>
 #include <vector>
 
-#include "protocol/json_answers.hpp"
-#include "protocol/output_values.hpp"
-#include "protocol/stream_answers.hpp"
+#include "protocol/answers.hpp"
 #include "stress/fuzz/checks.hpp"
 
 namespace tribo::fuzz {

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/guarded_child.hpp"
+#include "conformance/child_process.hpp"
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
 #include <csignal>
-#include <string_view>
+#include <cstring>
 #include <system_error>
+#include <utility>
 
 namespace tribo::conformance {
 namespace {
@@ -81,7 +85,7 @@ void end_all(pid_t program) {
   }
 }
 
-// As the program ended, so that the guard's end tells of it.
+// The guard ends as the program ended, so that its end tells of that one.
 [[noreturn]] void end_as(int status) {
   if (WIFSIGNALED(status)) {
     const rlimit no_core{0, 0};
@@ -142,9 +146,35 @@ sigset_t awaited_signals() {
   }
 }
 
-}  // namespace
+// --- Pipes.
 
-// --- In this process.
+constexpr std::size_t kept_errors = 16384;
+
+struct Ends {
+  int reading = -1, writing = -1;
+};
+Ends make_pipe() {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "no pipe");
+  return {ends[0], ends[1]};
+}
+
+void close_end(int& descriptor) {
+  if (descriptor >= 0) ::close(descriptor);
+  descriptor = -1;
+}
+
+void close_ends(Ends& pipe) {
+  close_end(pipe.reading);
+  close_end(pipe.writing);
+}
+
+void never_wait(int descriptor) {
+  if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK);
+}
+
+}  // namespace
 
 GuardedChild::GuardedChild(std::vector<std::string> command, const ChildStreams& streams) {
   std::vector<char*> words;
@@ -203,6 +233,178 @@ void GuardedChild::end() {
     ::usleep(1000);
   }
   guard_ = -1;
+}
+
+// --- The program's lines.
+
+ChildProcess::ChildProcess(std::vector<std::string> command, Pipes pipes) {
+  Ends in, out, err;
+  ChildStreams streams{-1, -1, STDERR_FILENO};
+  try {
+    out = make_pipe();
+    streams.output = out.writing;
+    if (pipes == Pipes::all) {
+      in = make_pipe();
+      err = make_pipe();
+      streams = {in.reading, out.writing, err.writing};
+    }
+    child_.emplace(std::move(command), streams);
+  } catch (const std::system_error&) {
+    for (Ends* const one : {&in, &out, &err}) close_ends(*one);
+    throw;
+  }
+  for (int* const one : {&in.reading, &out.writing, &err.writing}) close_end(*one);
+  input_ = in.writing;
+  output_ = out.reading;
+  error_ = err.reading;
+  for (const int descriptor : {input_, output_, error_}) never_wait(descriptor);
+}
+
+ChildProcess::~ChildProcess() {
+  kill();
+  close_end(input_);
+  close_end(output_);
+  close_end(error_);
+}
+
+void ChildProcess::send(std::string_view line) {
+  if (refuses_input_ || input_ < 0) return;
+  to_write_ += line;
+  to_write_ += '\n';
+}
+
+std::size_t ChildProcess::unread() const {
+  int in_pipe = 0;
+  if (input_ >= 0) ::ioctl(input_, FIONREAD, &in_pipe);
+  return to_write_.size() + static_cast<std::size_t>(in_pipe);
+}
+
+std::size_t ChildProcess::lines_at_hand() const {
+  return static_cast<std::size_t>(std::count(received_.begin(), received_.end(), '\n'));
+}
+
+void ChildProcess::close_input() {
+  close_when_written_ = true;
+  if (to_write_.empty()) close_end(input_);
+}
+
+void ChildProcess::refuse_input() {
+  refuses_input_ = true;
+  to_write_.clear();
+  close_end(input_);
+}
+
+void ChildProcess::write_input() {
+  const ssize_t count = ::write(input_, to_write_.data(), to_write_.size());
+  if (count > 0)
+    to_write_.erase(0, static_cast<std::size_t>(count));
+  else if (count < 0 && errno != EAGAIN && errno != EINTR)
+    refuse_input();
+  if (to_write_.empty() && close_when_written_) close_end(input_);
+}
+
+void ChildProcess::read_output() {
+  std::array<char, 65536> block{};
+  const ssize_t count = ::read(output_, block.data(), block.size());
+  if (count > 0)
+    received_.append(block.data(), static_cast<std::size_t>(count));
+  else if (count == 0 || (errno != EAGAIN && errno != EINTR))
+    close_end(output_);
+}
+
+void ChildProcess::read_errors() {
+  std::array<char, 65536> block{};
+  const ssize_t count = ::read(error_, block.data(), block.size());
+  if (count > 0) {
+    errors_.append(block.data(), static_cast<std::size_t>(count));
+    if (errors_.size() > kept_errors) errors_.erase(0, errors_.size() - kept_errors);
+  } else if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
+    close_end(error_);
+  }
+}
+
+void ChildProcess::pump(int milliseconds) {
+  std::array<pollfd, 3> wanted{{{output_, POLLIN, 0},
+                                {error_, POLLIN, 0},
+                                {input_, static_cast<short>(to_write_.empty() ? 0 : POLLOUT), 0}}};
+  if (::poll(wanted.data(), wanted.size(), milliseconds) <= 0) return;
+  if (wanted[0].revents != 0) read_output();
+  if (wanted[1].revents != 0) read_errors();
+  if ((wanted[2].revents & POLLERR) != 0)
+    refuse_input();  // nobody reads it any more
+  else if (wanted[2].revents != 0)
+    write_input();
+}
+
+bool ChildProcess::take_line(std::string& line) {
+  const std::size_t end = received_.find('\n', searched_);
+  if (end == std::string::npos) {
+    searched_ = received_.size();
+    return false;
+  }
+  line.assign(received_, 0, end);
+  if (line.ends_with('\r')) line.pop_back();
+  received_.erase(0, end + 1);
+  searched_ = 0;
+  return true;
+}
+
+ChildProcess::Event ChildProcess::next_line(std::string& line, Time longest) {
+  const std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::now() + longest;
+  while (true) {
+    if (take_line(line)) return line.size() > longest_line ? Event::too_long_line : Event::line;
+    if (received_.size() > longest_line) return Event::too_long_line;
+    if (output_ < 0) return Event::end_of_output;
+    // Once it has ended, the output that is there is read, but no more is waited for.
+    const bool was_gone = has_ended();
+    const auto left = std::chrono::ceil<Time>(deadline - std::chrono::steady_clock::now());
+    if (left.count() <= 0 && !was_gone) return Event::nothing;
+    const std::size_t before = received_.size();
+    pump(was_gone ? 0 : static_cast<int>(std::min<long long>(left.count(), 50)));
+    if (was_gone && output_ >= 0 && received_.size() == before) close_end(output_);
+  }
+}
+
+std::optional<std::string> ChildProcess::rest_of_output(Time limit) {
+  const auto deadline = std::chrono::steady_clock::now() + limit;
+  while (output_ >= 0 || !has_ended()) {
+    if (limit.count() > 0 && std::chrono::steady_clock::now() >= deadline) return std::nullopt;
+    if (output_ >= 0)
+      pump(50);
+    else
+      ::usleep(1000);
+  }
+  return std::exchange(received_, {});
+}
+
+void ChildProcess::kill() {
+  child_->end();
+  if (error_ >= 0) read_errors();
+}
+
+std::string ChildProcess::end_text() {
+  if (!has_ended()) return "is still running";
+  const int signal = child_->signal();
+  if (signal == 0) return fmt::format("exits with code {}", exit_code());
+  return fmt::format("is killed by signal {} ({})", signal, ::strsignal(signal));
+}
+
+// --- A program to its end.
+
+ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit) {
+  ChildEnd end;
+  try {
+    ChildProcess child(std::move(command), ChildProcess::Pipes::output);
+    std::optional<std::string> text = child.rest_of_output(limit);
+    end.is_late = !text;
+    if (end.is_late) child.kill();
+    if (text) end.text = std::move(*text);
+    end.exit_code = child.exit_code();
+    end.signal = child.signal();
+  } catch (const std::system_error& error) {
+    end.start_error = error.code().value();
+  }
+  return end;
 }
 
 }  // namespace tribo::conformance

@@ -1,17 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "protocol/line_reader.hpp"
+#include "protocol/text_streams.hpp"
+
+#include <poll.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <string>
+#include <system_error>
 
-#include "protocol/descriptors.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::protocol {
 namespace {
 
+// After a failed call: is it worth trying again? Waits until it is.
+bool try_again(int descriptor, short event) {
+  if (errno == EINTR) return true;
+  if (errno != EAGAIN) return false;
+  pollfd ready{descriptor, event, 0};
+  ::poll(&ready, 1, -1);
+  return true;
+}
+
 constexpr std::size_t block_bytes = std::size_t{1} << 16;
 
+// Without a branch, as it is asked of each block.
+bool is_plain(const Text& text) {
+  unsigned odd = 0;
+  for (const char sign : text) {
+    const auto c = static_cast<unsigned char>(sign);
+    odd |= static_cast<unsigned>((c < 0x20) & (c != '\n') & (c != '\t')) |
+           static_cast<unsigned>(c >= 0x7F);
+  }
+  return odd == 0;
+}
+
 }  // namespace
+
+ssize_t read_some(int descriptor, char* to, std::size_t most) {
+  ssize_t count = 0;
+  do {
+    count = ::read(descriptor, to, most);
+  } while (count < 0 && try_again(descriptor, POLLIN));
+  return count;
+}
+
+ssize_t write_some(int descriptor, const char* from, std::size_t count) {
+  ssize_t written = 0;
+  do {
+    written = ::write(descriptor, from, count);
+  } while (written < 0 && try_again(descriptor, POLLOUT));
+  return written;
+}
+
+std::string system_message(int code) { return std::generic_category().message(code); }
 
 // Room for the longest line with its "\r\n", and a block more.
 LineReader::LineReader(int descriptor, std::size_t longest)
@@ -65,6 +108,24 @@ bool LineReader::read_more() {
   if (count < 0) throw InputFailed("-: cannot be read: " + system_message(errno));
   end_ += static_cast<std::size_t>(count);
   return count > 0;
+}
+
+void OutputStream::flush() {
+  if (!is_plain(text_)) {
+    const std::string safe = without_controls({text_.data(), text_.size()});
+    text_.clear();
+    append(text_, safe);
+  }
+  std::size_t done = 0;
+  while (done < text_.size()) {
+    const ssize_t written = write_some(descriptor_, text_.data() + done, text_.size() - done);
+    if (written < 0) {
+      if (errno == EPIPE) throw OutputClosed();
+      throw OutputFailed("cannot write the results: " + system_message(errno));
+    }
+    done += static_cast<std::size_t>(written);
+  }
+  text_.clear();
 }
 
 }  // namespace tribo::protocol

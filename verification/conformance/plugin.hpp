@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A shared library made for tribocheck_plugin.h, loaded into this process.
+//
+// A plug-in as a solver, and as a process that answers JSON lines, so that a plug-in can break only
+// its own process.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
+#include "conformance/serve.hpp"
 #include "conformance/tribocheck_plugin.h"
 
 namespace tribo::conformance {
@@ -29,5 +33,12 @@ struct PluginRefused : std::runtime_error {
 // runs in this process. A path without a slash is a file in the working directory. Throws
 // PluginRefused.
 Plugin load_plugin(const std::string& path);
+
+// Calls the plug-in with the cases as arrays.
+Solver plugin_solver(const PluginFunctions& functions);
+
+// Loads the plug-in and answers JSON lines from stdin on stdout with it, as serve() does; what the
+// plug-in prints, from its loading on, comes out on stderr. Throws PluginRefused.
+int host_plugin(const std::string& path);
 
 }  // namespace tribo::conformance

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "junit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "page/markup.hpp"
+
+namespace tribo::cli {
+
+std::string junit_xml(const JunitSuite& suite) {
+  const auto text = [](const std::string& plain) { return report::escape_html(plain); };
+  const auto count = [&](JunitTest::End end) {
+    return std::count_if(suite.tests.begin(), suite.tests.end(),
+                         [&](const JunitTest& one) { return one.end == end; });
+  };
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\"{}>\n",
+      suite.tests.size(), count(JunitTest::End::failure),
+      suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "");
+  for (const JunitTest& one : suite.tests) {
+    xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", suite.classname, text(one.name));
+    if (one.end == JunitTest::End::passed) {
+      xml += "/>\n";
+      continue;
+    }
+    const char* const kind = one.end == JunitTest::End::failure ? "failure" : "skipped";
+    xml += fmt::format("><{} message=\"{}\"", kind, text(one.message));
+    xml += one.details.empty() ? "/>" : fmt::format(">{}</{}>", text(one.details), kind);
+    xml += "</testcase>\n";
+  }
+  if (!suite.output.empty())
+    xml += fmt::format("  <system-out>{}</system-out>\n", text(suite.output));
+  if (!suite.errors.empty())
+    xml += fmt::format("  <system-err>{}</system-err>\n", text(suite.errors));
+  return xml + "</testsuite>\n";
+}
+
+}  // namespace tribo::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results as JUnit XML, which CI systems read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tribo::cli {
+
+struct JunitTest {
+  enum class End : std::uint8_t { passed, failure, skipped };
+  std::string name;
+  End end = End::passed;
+  std::string message = {}, details = {};  // of a failure or a skip; details may be empty
+};
+
+struct JunitSuite {
+  std::string classname;  // of all tests
+  std::vector<JunitTest> tests = {};
+  bool counts_skipped = false;
+  std::string output = {}, errors = {};  // of the whole run; empty: none
+};
+
+std::string junit_xml(const JunitSuite& suite);
+
+}  // namespace tribo::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Another program as a child process, with all that it starts. Nothing of it outlives the program
+// itself, the object here, or this process, however that ends: a guard stands between, a process
+// that adopts what the program leaves behind, also in a session of its own, and ends it all.
+#pragma once
+
+#include <sys/types.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo::conformance {
+
+// The files that the program gets as its stdin, stdout and stderr; −1: /dev/null.
+struct ChildStreams {
+  int input = -1, output = -1, errors = -1;
+};
+
+class GuardedChild {
+ public:
+  // The program, the first word, is looked for in PATH unless its name has a slash. It gets a
+  // process group of its own. Throws std::system_error where it cannot be started. The thread that
+  // calls this is to live as long as the object: its end counts as the end of this process.
+  GuardedChild(std::vector<std::string> command, const ChildStreams& streams);
+  GuardedChild(const GuardedChild&) = delete;
+  GuardedChild& operator=(const GuardedChild&) = delete;
+  ~GuardedChild() { end(); }
+
+  // Has the program ended, and all that it had started?
+  bool has_ended() { return ended(WNOHANG); }
+  void wait();
+  // Ends the program and all that it has started; takes some milliseconds, and 3 s at the most.
+  void end();
+
+  int exit_code() const { return exited_ ? status_ : -1; }             // of a normal end, else −1
+  int signal() const { return has_ended_ && !exited_ ? status_ : 0; }  // that ended it, or 0
+
+ private:
+  bool ended(int options);
+
+  pid_t guard_ = -1;
+  bool has_ended_ = false;
+  bool exited_ = false;  // with code status_; else killed by signal status_
+  int status_ = 0;
+};
+
+inline constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+// A program whose lines are read; whatever it does, no call here waits longer than its limit.
+class ChildProcess {
+ public:
+  using Time = std::chrono::milliseconds;
+  enum class Pipes : std::uint8_t {
+    all,     // lines go to its stdin and come from its stdout, and the end of its stderr is kept
+    output,  // it has no input, and its errors go where ours go
+  };
+  // As GuardedChild.
+  ChildProcess(std::vector<std::string> command, Pipes pipes);
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess();  // kills it
+
+  // Queues a line for the child, which is written as fast as the child reads.
+  void send(std::string_view line);
+  std::size_t unread() const;         // bytes that the child has not read yet
+  std::size_t lines_at_hand() const;  // that next_line() gives without waiting
+  bool is_within_a_line() const { return !received_.empty() && received_.back() != '\n'; }
+  void close_input();  // once all is written
+
+  enum class Event : std::uint8_t { line, nothing, too_long_line, end_of_output };
+  // Waits up to so long for a line. end_of_output: its stdout is closed, or it is gone and all that
+  // it wrote is read.
+  Event next_line(std::string& line, Time longest);
+
+  // All that it writes until it ends; nothing where that takes longer than the limit. 0: no limit.
+  std::optional<std::string> rest_of_output(Time limit);
+
+  bool refuses_input() const { return refuses_input_; }
+  void kill();
+  // "exits with code 3", "is killed by signal 11 (Segmentation fault)", "is still running".
+  std::string end_text();
+  bool has_ended() { return child_->has_ended(); }
+  int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
+  int signal() { return has_ended() ? child_->signal() : 0; }         // that ended it, or 0
+  const std::string& last_errors() const { return errors_; }  // the last 16 kB of its stderr
+
+ private:
+  bool take_line(std::string& line);
+  void pump(int milliseconds);
+  void read_output();
+  void read_errors();
+  void write_input();
+  void refuse_input();
+
+  std::optional<GuardedChild> child_;
+  int input_ = -1, output_ = -1, error_ = -1;
+  bool refuses_input_ = false, close_when_written_ = false;
+  std::string to_write_;
+  std::string received_;
+  std::size_t searched_ = 0;
+  std::string errors_;
+};
+
+struct ChildEnd {
+  int start_error = 0;   // an errno: it could not be started
+  int exit_code = -1;    // −1: a signal ended it
+  int signal = 0;        // the signal that ended it, or 0
+  bool is_late = false;  // it was ended, as it had not ended in time
+  std::string text;      // its output
+
+  bool succeeded() const { return exited_with(0); }
+  bool exited_with(int code) const { return start_error == 0 && !is_late && exit_code == code; }
+};
+
+// Runs a program to its end with Pipes::output. One that has not ended within `limit` is ended,
+// with all that it has started; 0: no limit.
+ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit = {});
+
+}  // namespace tribo::conformance

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Wrong numbers in words: how far off they are, where, and by which powers of the inputs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "conformance/mistake.hpp"
+#include "conformance/wrong_numbers.hpp"
+
+namespace tribo::conformance {
+
+// The numbers of one result in one branch of the function.
+struct Part {
+  std::size_t place;
+  std::string branch;
+  std::vector<const AnsweredNumber*> wrong;  // and unexplained
+  std::size_t answered = 0;
+};
+
+// The parts with wrong answers that are still to be told. Few of them after a named mistake, such
+// as near a border, are no news.
+std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);
+
+// "27.5 % low everywhere": how the wrong numbers are off.
+std::string pattern(const Part& part);
+
+struct Description {
+  std::string text;
+  bool is_cause;  // it says what the numbers are, not only where and how far they are off
+};
+// The pattern of a part that no known mistake gives, where it is wrong, and its law if it has one.
+Description described(const Part& part, const std::vector<AnsweredCase>& cases,
+                      const std::vector<Mistake>& mistakes);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// The entries of reference/mistakes.toml, and the mistakes that they make: in single functions, and
+// in operating points, where the model answers a scene that was misread or with one part of it gone
+// wrong.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "conformance/mistake.hpp"
+
+namespace tribo::conformance {
+
+// A change of a number, or of a word: { times = 2 }, { is = "damiens" } …
+struct NumberChange {
+  double times = 1;
+  bool is_inverted = false;
+  std::optional<nlohmann::json> is;  // this number or word
+  std::string by, over;              // arguments that a result is multiplied or divided by
+
+  double of(double number) const { return (is_inverted ? 1 / number : number) * times; }
+};
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+using NumberChanges = std::vector<std::pair<std::string, NumberChange>>;
+
+struct MistakeEntry {
+  std::string function;  // or film_laws: all of them that have what the entry changes
+  std::string name, text, follows;
+  std::vector<std::pair<std::string, std::vector<nlohmann::json>>> where;
+  NumberChanges input, result, scene;
+  std::string swapped;  // an argument, or a field of a scene
+  std::string formula;
+  std::vector<double> numbers;  // of the formula
+  nlohmann::json law;           // the name of a law, or numbers of it
+  std::vector<double> area;     // of points and of lines
+  std::vector<double> stiffness;
+  NamedNumbers sharing, friction;  // numbers of SharingReading and FrictionReading
+};
+
+// The member of this name in a list; empty where there is no such name.
+template <class Member>
+std::optional<Member> member_of(std::span<const std::pair<std::string_view, Member>> members,
+                                std::string_view name) {
+  for (const auto& [known, member] : members)
+    if (known == name) return member;
+  return std::nullopt;
+}
+
+// Adds numbers of a reading to what a mistake misreads; `members` names them. Throws
+// std::runtime_error for another name.
+template <class Reading>
+void add_reading(const std::string& kind, Reading Question::*reading,
+                 std::span<const std::pair<std::string_view, double Reading::*>> members,
+                 const std::vector<std::pair<std::string, double>>& numbers, Mistake& mistake) {
+  std::vector<std::pair<double Reading::*, double>> changes;
+  for (const auto& [name, value] : numbers) {
+    const auto member = member_of(members, name);
+    if (!member) throw std::runtime_error(kind + ": " + name + " is not allowed");
+    changes.emplace_back(*member, value);
+    mistake.touches.push_back(kind + ' ' + name);
+  }
+  mistake.before = [reading, changes, inner = std::move(mistake.before)](Question& question) {
+    if (inner) inner(question);
+    for (const auto& [member, value] : changes) question.*reading.*member = value;
+  };
+}
+
+// The functions of an entry: the one that it names; of film_laws all film laws that have the
+// arguments and exponents that the entry changes. Throws std::runtime_error where there is none.
+std::vector<const catalogue::Function*> functions_of(const MistakeEntry& entry);
+
+// The mistakes of an entry: one; with `swapped` one for each pair of words, with the law `another`
+// one for each other film law. Throws std::runtime_error that says what is wrong with the entry.
+std::vector<Mistake> mistakes_of(const catalogue::Function& function, const MistakeEntry& entry);
+
+// "inlet-{given}-for-{asked}" with the two words.
+std::string with_words(std::string text, std::string_view given, std::string_view asked);
+
+// The mistakes of an entry for operating_point: one, or with `swapped` one for each pair of words.
+// Throws std::runtime_error that says what is wrong with the entry.
+std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry);
+
+// The same mistake in the inlet or the load sharing of an operating point; empty for other
+// functions.
+std::optional<Mistake> for_points(const Mistake& mistake);
+
+// A mistake that several film laws have, in the film of an operating point by any of them.
+Mistake with_film(const std::vector<Mistake>& laws);
+
+}  // namespace tribo::conformance

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "protocol/answers.hpp"
+
+#include <fmt/compile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "protocol/question.hpp"
+#include "scene/text.hpp"
+#include "tribo/operating_points.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::protocol {
+namespace {
+
+OutputValue number(double value) {
+  if (!std::isfinite(value)) return {.undefined = beyond_double, .word = {}};
+  return {.undefined = {}, .word = {}, .number = value};
+}
+
+OutputValue word(std::string_view text, bool rests_on_finite_numbers) {
+  if (!rests_on_finite_numbers) return {.undefined = beyond_double, .word = {}};
+  return {.undefined = {}, .word = text};
+}
+
+bool is_plain(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; });
+}
+
+void append_scene_answer(Text& to, SceneReading reading, std::vector<InputProblem>& warnings) {
+  if (!reading.scene) return append_first_error(to, reading);
+  append_point(to, *reading.scene, reading.id);
+  for (InputProblem& warning : reading.warnings) warnings.push_back(std::move(warning));
+}
+
+}  // namespace
+
+bool rests_on_balance(Output output) {
+  return output == Output::asperity_load_share || output == Output::fluid_load_share ||
+         output == Output::friction;
+}
+
+OutputValue value_of(const OperatingPoint<double>& point, Output output) {
+  const bool has_collapsed = point.regime == Regime::collapsed;
+  if (rests_on_balance(output) && has_collapsed) return {.undefined = film_collapsed, .word = {}};
+  if (output == Output::regime)
+    return word(name(point.regime),
+                has_collapsed || std::isfinite(point.asperity_load_share + point.fluid_load_share));
+  if (output == Output::inlet) return word(name(point.inlet), std::isfinite(point.film));
+  return number(numbers_of(point)[static_cast<std::size_t>(output)]);
+}
+
+OutputSet needed_for(OutputSet asked) {
+  if (asked.contains(Output::inlet)) asked.insert(Output::film);
+  return asked;
+}
+
+void append_json_text(Text& to, std::string_view text) {
+  if (!is_plain(text)) {
+    using Json = nlohmann::json;
+    append(to, without_controls(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)));
+    return;
+  }
+  to.push_back('"');
+  append(to, text);
+  to.push_back('"');
+}
+
+void append_number(Text& to, double number) {
+  fmt::format_to(fmt::appender(to), FMT_COMPILE("{}"), number);
+}
+
+AnswerObject::AnswerObject(Text& to, std::optional<std::string_view> id) : to_(to) {
+  append(to_, "{\"id\": ");
+  if (id)
+    append_json_text(to_, *id);
+  else
+    append(to_, "null");
+}
+
+void AnswerObject::start_member(std::string_view name) {
+  append(to_, ", \"");
+  append(to_, name);
+  append(to_, "\": ");
+}
+
+void AnswerObject::number(std::string_view name, double value) {
+  if (!std::isfinite(value)) return undefined(name, beyond_double);
+  start_member(name);
+  append_number(to_, value);
+}
+
+void AnswerObject::word(std::string_view name, std::string_view value) {
+  start_member(name);
+  append_json_text(to_, value);
+}
+
+void AnswerObject::undefined(std::string_view name, std::string_view reason) {
+  start_member(name);
+  append(to_, "null");
+  if (undefined_count_ < undefined_.size()) undefined_[undefined_count_++] = {name, reason};
+}
+
+void AnswerObject::value(std::string_view name, const OutputValue& value) {
+  if (!value.undefined.empty())
+    undefined(name, value.undefined);
+  else if (!value.word.empty())
+    word(name, value.word);
+  else
+    number(name, value.number);
+}
+
+void AnswerObject::error(std::string_view field, std::string_view message) {
+  append(to_, ", \"error\": {\"field\": ");
+  append_json_text(to_, field);
+  append(to_, ", \"message\": ");
+  append_json_text(to_, message);
+  to_.push_back('}');
+}
+
+void AnswerObject::close() {
+  const char* before = ", \"undefined\": {";
+  for (std::size_t i = 0; i < undefined_count_; ++i) {
+    append(to_, before);
+    append_json_text(to_, undefined_[i].name);
+    append(to_, ": ");
+    append_json_text(to_, undefined_[i].reason);
+    before = ", ";
+  }
+  append(to_, undefined_count_ > 0 ? "}}" : "}");
+}
+
+void append_error(Text& to, std::optional<std::string_view> id, std::string_view field,
+                  std::string_view message) {
+  AnswerObject answer(to, id);
+  answer.error(field, message);
+  answer.close();
+  to.push_back('\n');
+}
+
+void append_first_error(Text& to, const SceneReading& reading) {
+  const InputProblem& problem = reading.errors.front();
+  std::string message = problem.message;
+  if (problem.column > 0)
+    fmt::format_to(std::back_inserter(message), " (column {})", problem.column);
+  append_error(to, reading.id, problem.field, message);
+}
+
+void append_function_answer(Text& to, const FunctionCall& call) {
+  if (call.fault) return append_error(to, call.id, call.fault->field, call.fault->message);
+  catalogue::Results results{};
+  call.function->value(call.arguments, results);
+  AnswerObject answer(to, call.id);
+  for (std::size_t i = 0; i < call.function->results.size(); ++i)
+    answer.number(call.function->results[i].name, results[i]);
+  answer.close();
+  to.push_back('\n');
+}
+
+void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id) {
+  const MixedContact<double> contact(scene);
+  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
+  AnswerObject answer(to, id);
+  for (const OutputInfo& output : output_infos)
+    if (scene.outputs.contains(output.output))
+      answer.value(output.name, value_of(point, output.output));
+  answer.close();
+  to.push_back('\n');
+}
+
+void append_answer(Text& to, std::string_view line, std::size_t number,
+                   std::vector<InputProblem>& warnings) {
+  Question question = read_question(line, number);
+  if (const auto* call = std::get_if<FunctionCall>(&question))
+    return append_function_answer(to, *call);
+  append_scene_answer(to, std::get<SceneReading>(std::move(question)), warnings);
+}
+
+void answer_lines(LineReader& lines, OutputStream& output,
+                  const std::function<void(const InputProblem&)>& warn) {
+  std::vector<InputProblem> warnings;
+  for (std::size_t number = 1;; ++number) {
+    if (!lines.line_waiting()) output.flush();
+    const Line line = lines.next();
+    if (line.kind == Line::Kind::end_of_input) return;
+    if (line.kind == Line::Kind::too_long)
+      append_error(output.text(), std::nullopt, "", line_too_long);
+    else if (!is_blank(line.text))
+      append_answer(output.text(), line.text, number, warnings);
+    for (const InputProblem& warning : warnings) warn(warning);
+    warnings.clear();
+    output.end_row();
+  }
+}
+
+}  // namespace tribo::protocol

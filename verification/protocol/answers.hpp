@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model's answer to a line of JSON: a JSON object on one line, as `stream` and `--format json`
+// write it:
+//
+//   {"id": "p1", "film": 3.42e-8, "friction": null, "undefined": {"friction": "the film …"}}
+//
+// Numbers read back to the same double; what is undefined is null and has its reason at the end.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol/question.hpp"
+#include "protocol/text_streams.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/scene_reader.hpp"
+
+namespace tribo::protocol {
+
+inline constexpr std::string_view beyond_double = "outside the range of double precision";
+inline constexpr std::string_view film_collapsed =
+    "the film has collapsed: nothing balances the load";
+
+// An output of an operating point as every format shows it. It is exactly one of the three: a
+// reason why there is none, a word, or else a finite number.
+struct OutputValue {
+  std::string_view undefined;
+  std::string_view word;
+  double number = 0;
+};
+
+// The outputs that are undefined where the film has collapsed and nothing balances the load.
+bool rests_on_balance(Output output);
+
+OutputValue value_of(const OperatingPoint<double>& point, Output output);
+
+// The outputs to compute so that value_of() can tell a word that rests on an overflow.
+OutputSet needed_for(OutputSet asked);
+
+// A JSON text with its quotes; bytes that are not UTF-8 become U+FFFD.
+void append_json_text(Text& to, std::string_view text);
+
+// The shortest decimal that reads back to the same double; finite numbers only.
+void append_number(Text& to, double number);
+
+class AnswerObject {
+ public:
+  // Without an id: null.
+  AnswerObject(Text& to, std::optional<std::string_view> id);
+
+  // Members in the order of the calls. Names and reasons must outlive the object.
+  void number(std::string_view name, double value);  // undefined where it is not finite
+  void word(std::string_view name, std::string_view value);
+  void undefined(std::string_view name, std::string_view reason);
+  void value(std::string_view name, const OutputValue& value);
+  void error(std::string_view field, std::string_view message);
+
+  // Ends the object, without a line end.
+  void close();
+
+ private:
+  void start_member(std::string_view name);
+
+  struct Undefined {
+    std::string_view name, reason;
+  };
+  Text& to_;
+  std::array<Undefined, 16> undefined_;
+  std::size_t undefined_count_ = 0;
+};
+
+// Appends the answer, always one whole line with its line end, whatever the input is. `number` is
+// the line's, for warnings, which are added to the list.
+void append_answer(Text& to, std::string_view line, std::size_t number,
+                   std::vector<InputProblem>& warnings);
+
+// {"id": …, "error": {"field": …, "message": …}}
+void append_error(Text& to, std::optional<std::string_view> id, std::string_view field,
+                  std::string_view message);
+
+// The answer to a scene with errors. It names the first error only; if the text is not JSON, it
+// also gives the column.
+void append_first_error(Text& to, const SceneReading& reading);
+
+// {"id": …, "film": …} for a scene with one speed.
+void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id);
+
+// The model's {"id": …, "value": …} to a call, or what is wrong with the call.
+void append_function_answer(Text& to, const FunctionCall& call);
+
+// `stream` without its descriptors and its stderr. Answers all lines but blank ones, in order,
+// until the input ends. A program that waits for each answer gets it before it must ask again: the
+// output is flushed whenever no complete line is waiting.
+void answer_lines(LineReader& lines, OutputStream& output,
+                  const std::function<void(const InputProblem&)>& warn);
+
+}  // namespace tribo::protocol

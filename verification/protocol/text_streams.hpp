@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Text that comes from a descriptor line by line, and text that goes to one in large blocks.
+#pragma once
+
+#include <fmt/format.h>
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tribo::protocol {
+
+// read(2) and write(2) that see through interruptions and descriptors somebody made non-blocking.
+// They return −1 and set errno at an error that is to be reported.
+ssize_t read_some(int descriptor, char* to, std::size_t most);
+ssize_t write_some(int descriptor, const char* from, std::size_t count);
+
+// The text of errno, thread-safe.
+std::string system_message(int code);
+
+struct InputFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Line {
+  enum class Kind : std::uint8_t { whole, too_long, end_of_input };
+  Kind kind = Kind::whole;
+  std::string_view text;  // without its line end, "\n" or "\r\n"; good until the next call
+};
+
+// Lines in bounded memory whatever comes: a line that is too long is skipped without being stored.
+class LineReader {
+ public:
+  LineReader(int descriptor, std::size_t longest);
+
+  // Is there a complete line in memory, so that next() will not wait?
+  bool line_waiting();
+
+  // The last line needs no line end. Throws InputFailed if the descriptor cannot be read.
+  Line next();
+
+ private:
+  Line line_of(std::size_t length, std::size_t with_line_end);
+  Line skip_to_line_end();
+  bool read_more();  // false at the end of the input
+
+  int descriptor_;
+  std::size_t longest_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;  // what is held and not yet handed out: [begin_, end_)
+  std::size_t end_ = 0;
+  std::size_t searched_ = 0;  // no line end in [begin_, searched_)
+};
+
+using Text = fmt::memory_buffer;
+
+inline void append(Text& text, std::string_view part) {
+  text.append(part.data(), part.data() + part.size());
+}
+
+// The reader has gone (`| head -1`): no error, but nothing more to do. Needs SIGPIPE to be ignored.
+struct OutputClosed {};
+
+// Any other failed write, as on a full disk.
+struct OutputFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Every failed write is noticed, and signs that would steer a terminal are written as \u001b, which
+// JSON reads as the sign itself.
+class OutputStream {
+ public:
+  explicit OutputStream(int descriptor) : descriptor_(descriptor) {}
+  OutputStream(const OutputStream&) = delete;
+  OutputStream& operator=(const OutputStream&) = delete;
+
+  // Append to this, then call end_row().
+  Text& text() { return text_; }
+
+  // Writes if a block is full.
+  void end_row() {
+    if (text_.size() >= block_bytes) flush();
+  }
+
+  // Throws OutputClosed or OutputFailed. Text that was not flushed is lost with the object.
+  void flush();
+
+ private:
+  static constexpr std::size_t block_bytes = std::size_t{1} << 16;
+
+  int descriptor_;
+  Text text_;
+};
+
+}  // namespace tribo::protocol
