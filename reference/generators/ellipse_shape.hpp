@@ -1,13 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-// The shape of Hertz' ellipse in ball arithmetic, in two ways.
+// The shape of Hertz' ellipse in ball arithmetic, and the complete elliptic integrals that it
+// needs, by two ways that share nothing: Arb's arithmetic-geometric means, and Carlson's
+// duplication.
 #pragma once
+
+#include <acb_elliptic.h>
 
 #include <stdexcept>
 
-#include "generators/elliptic_integrals.hpp"
-#include "generators/load_sharing_root.hpp"
+#include "generators/zeros.hpp"
 
 namespace tribo::reference {
+
+// The real part of a function of complex balls at a real ball.
+template <class Function>
+Ball at_real(Function&& function, const Ball& x) {
+  acb_t argument, value;
+  acb_init(argument);
+  acb_init(value);
+  acb_set_arb(argument, x.get());
+  function(value, argument, ball_precision);
+  Ball result;
+  arb_set(result.get(), acb_realref(value));
+  acb_clear(value);
+  acb_clear(argument);
+  return result;
+}
+inline Ball first_integral(const Ball& parameter) { return at_real(acb_elliptic_k, parameter); }
+inline Ball second_integral(const Ball& parameter) { return at_real(acb_elliptic_e, parameter); }
+
+// Carlson's R_D(0, y, z).
+inline Ball carlson_rd(const Ball& y, const Ball& z) {
+  acb_t zero, second, third, value;
+  for (acb_ptr x : {zero, second, third, value}) acb_init(x);
+  acb_set_arb(second, y.get());
+  acb_set_arb(third, z.get());
+  acb_elliptic_rj(value, zero, second, third, third, 0, ball_precision);
+  Ball result;
+  arb_set(result.get(), acb_realref(value));
+  for (acb_ptr x : {zero, second, third, value}) acb_clear(x);
+  return result;
+}
+
+// Carlson's integrals at κ = 1/k²: with B and D, the integrals of cos²/√(1 − q sin²) and of
+// sin²/√(1 − q sin²), α = k²B/D. Nothing cancels.
+struct Associated {
+  Ball k, b, d;
+};
+inline Associated associated(const Ball& k) {
+  const Ball complement = 1 / (k * k);
+  return {k, complement * carlson_rd(1, complement) / 3, carlson_rd(complement, 1) / 3};
+}
 
 // The ellipse of α = the greater radius over the smaller one, α ≥ 1: its axes' ratio k ≥ 1, and
 // the complete elliptic integrals of parameter q = 1 − 1/k².
@@ -19,11 +62,10 @@ struct EllipseShape {
 inline EllipseShape shape_by_bisection(const Ball& alpha) {
   if (alpha == 1) return {Ball(1), ball_pi() / 2, ball_pi() / 2};
   const auto parameter = [](const Ball& k) { return 1 - 1 / (k * k); };
-  const Ball k = bisect(
+  const Ball k = zero_between(
       [&](const Ball& x) {
         const Ball first = first_integral(parameter(x)), second = second_integral(parameter(x));
-        const Ball excess = (x * x * second - first) / (first - second) - alpha;
-        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+        return (x * x * second - first) / (first - second) - alpha;
       },
       Ball(1), alpha + 1);
   return {k, first_integral(parameter(k)), second_integral(parameter(k))};
@@ -31,23 +73,15 @@ inline EllipseShape shape_by_bisection(const Ball& alpha) {
 
 // Newton's method on ln(k²B/D) = ln α in t = ln k, with a proof by signs.
 inline Associated shape_by_newton(const Ball& alpha) {
-  const Ball target = log(alpha), h = pow(Ball(2), Ball(-120));
-  const auto excess = [&](const Ball& t) {
-    const Associated at = associated(exp(t));
-    return log(at.k * at.k * at.b / at.d) - target;
-  };
-  Ball t = (target * fraction(5, 8)).midpoint();
-  for (int i = 0; i < 100; ++i) {
-    const Ball value = excess(t);
-    const Ball step = (value * h / (excess((t + h).midpoint()) - value)).midpoint();
-    t = (t - step).midpoint();
-    if (abs(step) < pow(Ball(2), Ball(-235))) break;
-  }
-  const Ball radius = pow(Ball(2), Ball(-230));
-  if (!(excess((t - radius).midpoint()) < 0 && excess((t + radius).midpoint()) > 0))
-    throw std::runtime_error("no sign proof for the shape of an ellipse");
-  arb_add_error(t.get(), radius.get());
-  return associated(exp(t));
+  const Ball target = log(alpha);
+  const std::optional<Ball> t = zero_by_newton(
+      [&](const Ball& x) {
+        const Associated at = associated(exp(x));
+        return log(at.k * at.k * at.b / at.d) - target;
+      },
+      (target * fraction(5, 8)).midpoint(), {230});
+  if (!t) throw std::runtime_error("no sign proof for the shape of an ellipse");
+  return associated(exp(*t));
 }
 
 }  // namespace tribo::reference

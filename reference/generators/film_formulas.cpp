@@ -2,8 +2,9 @@
 // Films by formulas that are no rows of numbers, and what heats or starves them.
 #include <array>
 
-#include "generators/formulas.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
+#include "generators/zeros.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -37,13 +38,15 @@ Ball moes_film_by_logarithms(const Balls& x) {
   const Ball isoviscous = sum(fraction(7, 3), ln_ri, ln_ei);
   const Ball piezoviscous = sum(-fraction(7, 2), ln_rp, ln_ep);
   const Ball total = exp(s * isoviscous) + exp(s * piezoviscous);
-  const Ball film = bisect(
-      [&](const Ball& h) {
-        const Ball excess = exp(s * log(h)) - total;
-        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-      },
-      Ball(1e-40), Ball(1e40));
+  const Ball film =
+      zero_between([&](const Ball& h) { return exp(s * log(h)) - total; }, Ball(1e-40), Ball(1e40));
   return film * x[5] * exp(ln_2u / 2);
+}
+
+// The number x > 0 with x^q = power: by bisection on whole powers.
+Ball root_of_power(const Ball& power, int q) {
+  return zero_between([&](const Ball& x) { return pow(x, Ball(q)) - power; },
+                      pow(Ball(2), Ball(-2000)), pow(Ball(2), Ball(2000)));
 }
 
 constexpr std::array regimes{"isoviscous_rigid", "viscous_rigid_barus", "viscous_rigid_roelands",
@@ -99,17 +102,15 @@ Ball thermal_by_roots(const Balls& x) {
 }  // namespace
 
 Table moes_lines() {
-  Table table;
-  table.header = {"moes_line",
-                  "H = {(RI^(7/3) + EI^(7/3))^(3s/7) + (RP^(-7/2) + EP^(-7/2))^(-2s/7)}^(1/s)",
-                  "m",
-                  "speed [1e-6, 100] m/s, viscosity [1e-4, 100] Pa s, pressure_viscosity [1e-9, "
-                  "1e-7] 1/Pa, load per length [1, 1e7] N/m, modulus [1e5, 1e12] Pa, radius [1e-6, "
-                  "10] m",
-                  "powers of M and L",
-                  "logarithms of the inputs; bisection on the last equation",
-                  "id,speed,viscosity,pressure_viscosity,load_per_length,effective_modulus,"
-                  "reduced_radius,value,high,low,condition,region"};
+  Table table{
+      {"moes_line", "H = {(RI^(7/3) + EI^(7/3))^(3s/7) + (RP^(-7/2) + EP^(-7/2))^(-2s/7)}^(1/s)",
+       "m",
+       "speed [1e-6, 100] m/s, viscosity [1e-4, 100] Pa s, pressure_viscosity [1e-9, "
+       "1e-7] 1/Pa, load per length [1, 1e7] N/m, modulus [1e5, 1e12] Pa, radius [1e-6, "
+       "10] m",
+       "powers of M and L", "logarithms of the inputs; bisection on the last equation",
+       "speed,viscosity,pressure_viscosity,load_per_length,effective_modulus,reduced_radius"},
+      "fl"};
   Sampler sampler(1520);
   for (int i = 0; i < 90; ++i) {
     const bool usual = i < 60;
@@ -122,26 +123,19 @@ Table moes_lines() {
     const double load = i % 3 == 1 ? pick(1, 1e3, 1e-3, 1e3) : pick(1e3, 2e6, 1, 1e7);
     const double modulus = i % 3 == 2 ? pick(1e6, 1e9, 1e5, 1e9) : pick(1e10, 5e11, 1e5, 1e12);
     const double radius = pick(1e-3, 0.3, 1e-6, 10);
-    table.rows.emplace_back([=, id = fmt::format("fl{:04}", i)] {
-      return formula_row(id, {}, {speed, viscosity, alpha, load, modulus, radius}, moes_film,
-                         moes_film_by_logarithms, usual ? "ordinary" : "far");
-    });
+    table.add({}, {speed, viscosity, alpha, load, modulus, radius}, moes_film,
+              moes_film_by_logarithms, usual ? "ordinary" : "far");
   }
   return table;
 }
 
 Table regime_films() {
-  Table table;
-  table.header = {"regime_film",
-                  "H = (hmin/R_x)(W/U)^2 of one of five regimes",
-                  "dimensionless",
-                  "g_V and g_E [1, 1e10], radius ratio [0.1, 80], k [0.1, 20]; far: [1e-12, 1e20]",
-                  "powers",
-                  "bisection on whole powers; the arc of a cosine",
-                  "id,regime,viscosity_parameter,elasticity_parameter,radius_ratio,ellipticity,"
-                  "value,high,low,condition,region"};
+  Table table{{"regime_film", "H = (hmin/R_x)(W/U)^2 of one of five regimes", "dimensionless",
+               "g_V and g_E [1, 1e10], radius ratio [0.1, 80], k [0.1, 20]; far: [1e-12, 1e20]",
+               "powers", "bisection on whole powers; the arc of a cosine",
+               "regime,viscosity_parameter,elasticity_parameter,radius_ratio,ellipticity"},
+              "fr"};
   Sampler sampler(1521);
-  int number = 0;
   for (std::size_t regime = 0; regime < regimes.size(); ++regime)
     for (int i = 0; i < 24; ++i) {
       const bool usual = i < 18;
@@ -151,45 +145,40 @@ Table regime_films() {
       const double viscosity = group(), elasticity = group();
       const double ratio = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 80);
       const double k = i % 6 == 0 ? 1 : sampler.log_uniform(0.1, 20);
-      table.rows.emplace_back([=, id = fmt::format("fr{:04}", number++)] {
-        return formula_row(
-            id, {regimes[regime]}, {viscosity, elasticity, ratio, k},
-            [=](const Balls& x) { return regime_film(regime, x); },
-            [=](const Balls& x) { return regime_film_by_roots(regime, x); },
-            usual ? "ordinary" : "far");
-      });
+      table.add(
+          {regimes[regime]}, {viscosity, elasticity, ratio, k},
+          [=](const Balls& x) { return regime_film(regime, x); },
+          [=](const Balls& x) { return regime_film_by_roots(regime, x); },
+          usual ? "ordinary" : "far");
     }
   return table;
 }
 
 Table thermal_reductions() {
-  Table table;
-  table.header = {"gupta_thermal_reduction",
-                  "(1 - 13.2 (p0/E') L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), E' = 2E*",
-                  "dimensionless",
-                  "p0 [1e8, 3e9] Pa, E* [1e10, 5e11] Pa, S 0 or [1e-3, 2], beta [0.01, 0.1] 1/K, "
-                  "viscosity [1e-3, 1] Pa s, speed [0.01, 30] m/s, k_f [0.05, 0.3] W/(m K), where "
-                  "the numerator is above 0; far: numerators down to 1e-9",
-                  "powers",
-                  "bisection on whole powers",
-                  "id,peak_pressure,effective_modulus,slide_roll_ratio,temperature_viscosity,"
-                  "viscosity,speed,thermal_conductivity,value,high,low,condition,region"};
+  Table table{
+      {"gupta_thermal_reduction",
+       "(1 - 13.2 (p0/E') L^0.42)/(1 + 0.213 (1 + 2.23 S^0.83) L^0.64), E' = 2E*", "dimensionless",
+       "p0 [1e8, 3e9] Pa, E* [1e10, 5e11] Pa, S 0 or [1e-3, 2], beta [0.01, 0.1] 1/K, "
+       "viscosity [1e-3, 1] Pa s, speed [0.01, 30] m/s, k_f [0.05, 0.3] W/(m K), where "
+       "the numerator is above 0; far: numerators down to 1e-9",
+       "powers", "bisection on whole powers",
+       "peak_pressure,effective_modulus,slide_roll_ratio,temperature_viscosity,"
+       "viscosity,speed,thermal_conductivity"},
+      "th"};
   Sampler sampler(1522);
-  for (int number = 0; number < 72;) {
-    const bool usual = number < 60;
+  while (table.rows.size() < 72) {
+    const bool usual = table.rows.size() < 60;
     double pressure = sampler.log_uniform(1e8, 3e9);
     const double modulus = sampler.log_uniform(1e10, 5e11);
-    const double sliding = number % 6 == 0 ? 0 : sampler.log_uniform(1e-3, 2);
+    const double sliding = table.rows.size() % 6 == 0 ? 0 : sampler.log_uniform(1e-3, 2);
     const double beta = sampler.uniform(0.01, 0.1), viscosity = sampler.log_uniform(1e-3, 1);
     const double speed = sampler.log_uniform(0.01, 30), conductivity = sampler.uniform(0.05, 0.3);
     const double heating = beta * viscosity * speed * speed / conductivity;
     const double limit = 2 * modulus / (13.2 * std::pow(heating, 0.42));
     if (usual && pressure > 0.9 * limit) continue;
     if (!usual) pressure = limit * (1 - sampler.log_uniform(1e-9, 0.1));  // next to the refusal
-    table.rows.emplace_back([=, id = fmt::format("th{:04}", number++)] {
-      return formula_row(id, {}, {pressure, modulus, sliding, beta, viscosity, speed, conductivity},
-                         thermal, thermal_by_roots, usual ? "ordinary" : "far");
-    });
+    table.add({}, {pressure, modulus, sliding, beta, viscosity, speed, conductivity}, thermal,
+              thermal_by_roots, usual ? "ordinary" : "far");
   }
   return table;
 }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films of flooded, smooth contacts: laws that are rows of numbers.
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <iterator>
 #include <utility>
 
 #include "generators/film_laws.hpp"
-#include "generators/load_sharing_root.hpp"
-#include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
+#include "generators/zeros.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -29,29 +27,25 @@ struct Groups {
   }
 };
 
-Row row_of(const Law& law, const Contact& x, const std::string& id, const char* region) {
+Row row_of(const Law& law, const Contact& x, const char* region) {
   const Groups groups(law, x);
   const Ball side = fraction(law.m, 100) * exp(-fraction(law.n, 100) * Ball(x.k));
   const Ball scale = fraction(law.constant, 1000) * (1 - side) * Ball(x.radius);
   const Ball power =
       pow(groups.u, Ball(law.a)) * pow(groups.g, Ball(law.b)) / pow(groups.w, Ball(-law.c));
-  const Ball film = bisect(
-      [&](const Ball& h) {
-        const Ball excess = pow(h / scale, Ball(law.q)) - power;
-        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-      },
-      Ball(1e-25), Ball(1e8));
+  const Ball film = zero_between([&](const Ball& h) { return pow(h / scale, Ball(law.q)) - power; },
+                                 Ball(1e-25), Ball(1e8));
   // The condition in u, eta0, alpha, F, E*, R and k.
   const int by_radius = law.q - law.a - (law.is_of_lines ? 1 : 2) * law.c;
   const Ball condition =
       fraction(2 * law.a + law.b - law.c + std::abs(law.b - law.a - law.c) + std::abs(by_radius),
                law.q) +
       fraction(law.n, 100) * Ball(x.k) * side / (1 - side);
-  std::vector<std::string> inputs{hexfloat(x.speed), hexfloat(x.viscosity)};
-  if (law.b != 0) inputs.push_back(hexfloat(x.alpha));
-  for (const double input : {x.load, x.modulus, x.radius}) inputs.push_back(hexfloat(input));
-  if (!law.is_of_lines) inputs.push_back(hexfloat(x.k));
-  return {id,
+  std::vector<double> inputs{x.speed, x.viscosity};
+  if (law.b != 0) inputs.push_back(x.alpha);
+  inputs.insert(inputs.end(), {x.load, x.modulus, x.radius});
+  if (!law.is_of_lines) inputs.push_back(x.k);
+  return {{},
           std::move(inputs),
           scale * pow(groups.u, fraction(law.a, law.q)) * pow(groups.g, fraction(law.b, law.q)) *
               pow(groups.w, fraction(law.c, law.q)),
@@ -60,37 +54,25 @@ Row row_of(const Law& law, const Contact& x, const std::string& id, const char* 
           region};
 }
 
-}  // namespace
-
-std::vector<std::string> film_laws() {
-  std::vector<std::string> names;
-  for (const Law& law : laws) names.emplace_back(law.name);
-  return names;
-}
-
-Table film_table(const std::string& name) {
-  const Law& law = *std::find_if(std::begin(laws), std::end(laws),
-                                 [&](const Law& one) { return one.name == name; });
+Table film_table(const Law& law) {
   const bool is_soft = law.b == 0, is_first = law.rows == 120;
-  Table table;
-  table.header = {
-      law.name,
-      law.definition,
-      "m",
-      fmt::format(
-          "speed [1e-6, 100] m/s, viscosity [1e-4, 100] Pa s, {}{}, modulus [1e5, 1e12] Pa, "
-          "radius [1e-6, 10] m{}",
-          is_soft ? "" : "pressure_viscosity [1e-9, 1e-7] 1/Pa, ",
-          law.is_of_lines ? "load per length [1, 1e7] N/m" : "load [1e-3, 1e6] N",
-          law.is_of_lines ? "" : ", k [0.1, 20]"),
-      "powers",
-      fmt::format("bisection on (h/(CR))^{} = U^{} G^{} W^{}, whole powers", law.q, law.a, law.b,
-                  law.c),
-      fmt::format("id,speed,viscosity,{}{},effective_modulus,{}{},value,high,low,condition,region",
-                  is_soft ? "" : "pressure_viscosity,",
-                  law.is_of_lines ? "load_per_length" : "load",
-                  law.is_of_lines || is_first ? "reduced_radius" : "radius_x",
-                  law.is_of_lines ? "" : ",ellipticity")};
+  Table table{
+      {law.name, law.definition, "m",
+       fmt::format(
+           "speed [1e-6, 100] m/s, viscosity [1e-4, 100] Pa s, {}{}, modulus [1e5, 1e12] Pa, "
+           "radius [1e-6, 10] m{}",
+           is_soft ? "" : "pressure_viscosity [1e-9, 1e-7] 1/Pa, ",
+           law.is_of_lines ? "load per length [1, 1e7] N/m" : "load [1e-3, 1e6] N",
+           law.is_of_lines ? "" : ", k [0.1, 20]"),
+       "powers",
+       fmt::format("bisection on (h/(CR))^{} = U^{} G^{} W^{}, whole powers", law.q, law.a, law.b,
+                   law.c),
+       fmt::format("speed,viscosity,{}{},effective_modulus,{}{}",
+                   is_soft ? "" : "pressure_viscosity,",
+                   law.is_of_lines ? "load_per_length" : "load",
+                   law.is_of_lines || is_first ? "reduced_radius" : "radius_x",
+                   law.is_of_lines ? "" : ",ellipticity")},
+      law.id};
   Sampler sampler(law.seed);
   for (int i = 0; i < law.rows; ++i) {
     const bool usual = i < (is_first ? 60 : 40);  // steel and oil, or rubber
@@ -107,11 +89,17 @@ Table film_table(const std::string& name) {
     x.k = law.is_of_lines || i % 3 == 0 ? 1
           : usual                       ? sampler.uniform(1, 8)
                                         : sampler.log_uniform(0.1, 20);
-    table.rows.emplace_back([x, &law, usual, id = fmt::format("{}{:04}", law.id, i)] {
-      return row_of(law, x, id, usual ? "ordinary" : "far");
-    });
+    table.add([x, &law, usual] { return row_of(law, x, usual ? "ordinary" : "far"); });
   }
   return table;
+}
+
+}  // namespace
+
+std::vector<Table> film_laws() {
+  std::vector<Table> tables;
+  for (const Law& law : laws) tables.push_back(film_table(law));
+  return tables;
 }
 
 }  // namespace tribo::reference

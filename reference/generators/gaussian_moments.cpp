@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "generators/moments.hpp"
-#include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -45,22 +45,18 @@ Ball condition(int twice_n, const Ball& d, const Ball& value) {
 }  // namespace
 
 Table gaussian_moments() {
-  Table table;
-  table.header = {"gaussian_moment",
-                  "F_n(d) = int_d^inf (s-d)^n exp(-s^2/2)/sqrt(2 pi) ds",
-                  "dimensionless",
-                  "order n = 0, 1/2, 1, 3/2, 2, 5/2; argument d in [-40, 40]",
-                  "confluent hypergeometric functions (Arb)",
-                  "rigorous Gauss-Legendre quadrature with a bounded tail (Arb)",
-                  "id,order,argument,value,high,low,condition,region"};
-  int number = 0;
+  Table table{{"gaussian_moment", "F_n(d) = int_d^inf (s-d)^n exp(-s^2/2)/sqrt(2 pi) ds",
+               "dimensionless", "order n = 0, 1/2, 1, 3/2, 2, 5/2; argument d in [-40, 40]",
+               "confluent hypergeometric functions (Arb)",
+               "rigorous Gauss-Legendre quadrature with a bounded tail (Arb)", "order,argument"},
+              "m"};
   for (int twice_n = 0; twice_n < 6; ++twice_n)
     for (const Argument& at : arguments())
-      table.rows.emplace_back([=, id = fmt::format("m{:04}", number++)] {
+      table.add([=] {
         const Ball d(at.value);
         const Ball value = moment_by_hypergeometric(twice_n, d);
-        return Row{id,
-                   {hexfloat(0.5 * twice_n), hexfloat(at.value)},
+        return Row{{},
+                   {0.5 * twice_n, at.value},
                    value,
                    moment_by_quadrature(twice_n, d),
                    condition(twice_n, d, value),

@@ -1,138 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes the tables of reference/exact, or makes a seeded sample of their rows again and compares
 // bytes.
-#include <fmt/chrono.h>
-
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <thread>
 
-#include "generators/checksum.hpp"
-#include "generators/quantities.hpp"
-#include "generators/sampler.hpp"
+#include "generators/table.hpp"
+#include "generators/table_file.hpp"
 
 namespace {
 
-using tribo::reference::Table;
+using namespace tribo::reference;
 
-struct Named {
-  std::string file;
-  std::function<Table()> table;
-};
-const std::vector<Named> tables = [] {
-  std::vector<Named> all{
-      {"effective_modulus.csv", tribo::reference::effective_moduli},
-      {"reduced_radius.csv", tribo::reference::reduced_radii},
-      {"gaussian_moment.csv", tribo::reference::gaussian_moments},
-      {"load_sharing.csv", tribo::reference::load_sharing_roots},
-      {"starvation_ratio.csv", tribo::reference::starvation_ratios},
-      {"onset_constant.csv", tribo::reference::onset_constants},
-      {"hertz_point.csv", tribo::reference::hertz_contacts},
-      {"hertz_ellipse.csv", tribo::reference::elliptical_contact_values},
-      {"hertz_line.csv", tribo::reference::line_contact_values},
-      {"moes_line.csv", tribo::reference::moes_lines},
-      {"regime_film.csv", tribo::reference::regime_films},
-      {"gupta_thermal_reduction.csv", tribo::reference::thermal_reductions},
-      {"dowson_higginson_density.csv", tribo::reference::densities},
-      {"astm_d341_viscosity.csv", tribo::reference::temperature_viscosities},
-      {"summits_from_spectral_moments.csv", tribo::reference::summits_of_moments},
-      {"operating_point.csv", tribo::reference::operating_points}};
-  for (const std::string law : {"barus_viscosity", "roelands_viscosity"})
-    all.push_back({law + ".csv", [=] { return tribo::reference::pressure_viscosities(law); }});
-  for (const std::string& law : tribo::reference::film_laws())
-    all.push_back({law + ".csv", [=] { return tribo::reference::film_table(law); }});
+std::vector<Table> all_tables() {
+  std::vector<Table> all;
+  for (const auto make :
+       {effective_moduli, reduced_radii, gaussian_moments, load_sharing_roots, starvation_ratios,
+        onset_constants, hertz_contacts, elliptical_contact_values, line_contact_values, moes_lines,
+        regime_films, thermal_reductions, densities, temperature_viscosities, summits_of_moments,
+        operating_points, barus_viscosities, roelands_viscosities})
+    all.push_back(make());
+  for (Table& table : film_laws()) all.push_back(std::move(table));
   return all;
-}();
+}
+std::string file_of(const Table& table) { return table.header.quantity + ".csv"; }
 
-std::string header_text(const tribo::reference::Header& h, const std::string& rows) {
+std::string header_text(const Header& h, const std::string& rows) {
   return fmt::format(
       "# quantity: {}\n# definition: {}\n# units: {}\n# domain: {}\n"
       "# generator: reference/generators, Arb {} at {} bits\n"
       "# digits: 40, enclosed to 133 bits or more; high + low are doubles, high the nearest\n"
       "# first method: {}\n# second method: {}; each row's enclosures overlap\n"
-      "# condition: sum of |d ln value/d ln input|\n# date: {:%Y-%m-%d}\n# sha256 of the rows: "
-      "{}\n{}\n",
-      h.quantity, h.definition, h.units, h.domain, arb_version, tribo::reference::ball_precision,
-      h.first_method, h.second_method, fmt::gmtime(std::time(nullptr)),
-      tribo::reference::sha256(rows), h.columns);
+      "# condition: sum of |d ln value/d ln input|\n{}id,{},value,high,low,condition,region\n",
+      h.quantity, h.definition, h.units, h.domain, arb_version, ball_precision, h.first_method,
+      h.second_method, dated(rows), h.inputs);
 }
 
 // Groups of rows that share work (an operating point's outputs) stay on one thread: blocks of 9.
-std::vector<std::string> make_rows(const Table& table, const std::string& file) {
+std::vector<std::string> make_rows(const Table& table) {
   constexpr std::size_t block = 9;
-  std::vector<std::string> lines(table.rows.size());
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> failed = false;
-  const auto work = [&] {
-    for (std::size_t start; (start = block * next++) < table.rows.size() && !failed;) {
-      for (std::size_t i = start; i < std::min(start + block, table.rows.size()); ++i) try {
-          lines[i] = line(table.rows[i]());
-        } catch (const std::exception& error) {
-          std::cerr << fmt::format("{}: {}\n", file, error.what());
-          failed = true;
-        }
-      if (start % (64 * block) == 0)
-        std::cerr << fmt::format("{}: {} of {} rows\n", file, start, table.rows.size());
-    }
-    flint_cleanup();
+  const auto make = [&](std::size_t i) {
+    if (i % (64 * block) == 0)
+      std::cerr << fmt::format("{}: {} of {} rows\n", file_of(table), i, table.rows.size());
+    return table.rows[i]();
   };
-  std::vector<std::thread> threads;
-  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-    threads.emplace_back(work);
-  for (std::thread& thread : threads) thread.join();
-  if (failed) std::exit(1);
-  return lines;
+  return made_on_all_cores(table.rows.size(), block, file_of(table) + ": ", make, flint_cleanup);
 }
 
 int make_tables(const std::filesystem::path& folder, const std::string& only) {
-  for (const Named& named : tables) {
-    if (!only.empty() && only != named.file) continue;
-    const Table table = named.table();
-    std::string rows;
-    for (const std::string& line : make_rows(table, named.file)) rows += line + "\n";
-    const auto temporary = folder / (named.file + ".part");
-    std::ofstream(temporary) << header_text(table.header, rows) << rows;
-    std::filesystem::rename(temporary, folder / named.file);
-    std::cerr << fmt::format("{}: {} rows\n", named.file, table.rows.size());
+  for (const Table& table : all_tables()) {
+    const std::string file = file_of(table);
+    if (!only.empty() && only != file) continue;
+    const std::string rows = joined(make_rows(table));
+    write_whole(folder / file, header_text(table.header, rows) + rows);
+    std::cerr << fmt::format("{}: {} rows\n", file, table.rows.size());
   }
   return 0;
 }
 
-std::vector<std::string> committed_rows(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::vector<std::string> rows;
-  std::string line;
-  while (std::getline(in, line))
-    if (!line.starts_with("#") && !line.starts_with("id,")) rows.push_back(line);
-  return rows;
-}
-
 int check_sample(const std::filesystem::path& folder, std::uint64_t seed, int count) {
   int different = 0;
-  for (const Named& named : tables) {
-    const Table table = named.table();
-    const std::vector<std::string> rows = committed_rows(folder / named.file);
-    if (rows.size() != table.rows.size()) {
-      std::cout << fmt::format("{}: {} rows, the generator makes {}\n", named.file, rows.size(),
-                               table.rows.size());
-      ++different;
-      continue;
-    }
-    tribo::reference::Sampler sampler(seed);
-    for (int i = 0; i < count; ++i) {
-      const auto at =
-          std::min(rows.size() - 1,
-                   static_cast<std::size_t>(sampler.uniform(0, static_cast<double>(rows.size()))));
-      const std::string again = line(table.rows[at]());
-      if (again == rows[at]) continue;
-      ++different;
-      std::cout << fmt::format("{}:\n  committed {}\n  again     {}\n", named.file, rows[at],
-                               again);
-    }
-    std::cout << fmt::format("{}: {} of {} rows made again\n", named.file, count, rows.size());
+  for (const Table& table : all_tables()) {
+    const auto again = [&](const std::vector<std::size_t>& places) {
+      std::vector<std::string> rows;
+      for (const std::size_t place : places) rows.push_back(table.rows[place]());
+      return rows;
+    };
+    different += different_rows(file_of(table), committed_rows(folder / file_of(table), "id,"),
+                                table.rows.size(), seed, count, again, std::equal_to<>());
   }
   return different == 0 ? 0 : 1;
 }

@@ -5,47 +5,38 @@
 #include <vector>
 
 #include "generators/ellipse_shape.hpp"
-#include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
 
 namespace tribo::reference {
 
 Table hertz_contacts() {
-  Table table;
-  table.header = {
-      "hertz_point",
-      "a^3 = 3FR/(4E*), mean pressure F/(pi a^2), peak 3/2 of it, approach a^2/R",
-      "m, Pa, Pa, m",
-      "load [1e-6, 1e6] N, effective modulus [1e6, 1e12] Pa, radius [1e-6, 10] m",
-      "powers",
-      "a by bisection on a^3; peak pressure as 2aE*/(pi R), approach as (9F^2/(16 E*^2 R))^(1/3)",
-      "id,output,load,effective_modulus,reduced_radius,value,high,low,condition,region"};
+  Table table{
+      {"hertz_point", "a^3 = 3FR/(4E*), mean pressure F/(pi a^2), peak 3/2 of it, approach a^2/R",
+       "m, Pa, Pa, m", "load [1e-6, 1e6] N, effective modulus [1e6, 1e12] Pa, radius [1e-6, 10] m",
+       "powers",
+       "a by bisection on a^3; peak pressure as 2aE*/(pi R), approach as (9F^2/(16 E*^2 R))^(1/3)",
+       "output,load,effective_modulus,reduced_radius"},
+      "h"};
   Sampler sampler(404);
-  int number = 0;
   for (int i = 0; i < 40; ++i) {
     const double f = i == 0 ? 50 : sampler.log_uniform(1e-6, 1e6);
     const double e = i == 0 ? 107.9e9 : sampler.log_uniform(1e6, 1e12);
     const double r = i == 0 ? 9.5e-3 : sampler.log_uniform(1e-6, 10);
     for (int k = 0; k < 4; ++k)
-      table.rows.emplace_back([=, id = fmt::format("h{:04}", number++)] {
+      table.add([=] {
         const Ball load(f), modulus(e), radius(r);
         const Ball cube = 3 * load * radius / (4 * modulus);
         const Ball a = pow(cube, fraction(1, 3));
-        const Ball b = bisect(
-            [&](const Ball& x) {
-              const Ball excess = x * x * x - cube;
-              return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-            },
-            Ball(1e-12), Ball(1e4));
+        const Ball b =
+            zero_between([&](const Ball& x) { return x * x * x - cube; }, Ball(1e-12), Ball(1e4));
         const Ball mean = load / (ball_pi() * a * a);
         const Ball values[] = {a, mean, mean * 3 / 2, a * a / radius};
         const Ball others[] = {
             b, 4 * b * modulus / (3 * ball_pi() * radius), 2 * b * modulus / (ball_pi() * radius),
             pow(9 * load * load / (16 * modulus * modulus * radius), fraction(1, 3))};
         constexpr const char* names[] = {"radius", "mean_pressure", "peak_pressure", "approach"};
-        return Row{id,        {names[k], hexfloat(f), hexfloat(e), hexfloat(r)},
-                   values[k], others[k],
-                   Ball(1),   "ordinary"};
+        return Row{{names[k]}, {f, e, r}, values[k], others[k], Ball(1), "ordinary"};
       });
   }
   return table;
@@ -133,24 +124,24 @@ EllipseBalls ellipse_conditions(bool is_exchanged, const Ball& alpha) {
 }  // namespace
 
 Table elliptical_contact_values() {
-  Table table;
-  table.header = {
-      "hertz_ellipse",
-      "alpha = R_y/R_x >= 1 (else x and y exchanged) = (k^2 E - K)/(K - E), integrals of parameter "
-      "1 - 1/k^2; 1/R = 1/R_x + 1/R_y; a_x^3 = 3EFR/(pi k E*), a_y = k a_x; mean pressure "
-      "F/(pi a_x a_y), peak 3/2 of it; approach a_x^2 K/(2RE)",
-      "m, m, 1, Pa, Pa, m",
-      "load [1e-3, 1e6] N, effective modulus [1e5, 1e12] Pa, radii [1e-6, 1e3] m, R_y/R_x [1e-4, "
-      "1e4]; far: [1e-60, 1e60] each, R_y/R_x [1e-30, 1e30]",
-      "k by bisection; K and E by arithmetic-geometric means; as defined",
-      "k by Newton's method with a proof by signs on alpha = R_D(0, 1, 1/k^2)/R_D(0, 1/k^2, 1), "
-      "Carlson's integrals; with B and D, of cos^2 and sin^2 over sqrt(1 - q sin^2), a_x^3 = "
-      "3BFR_x/(pi k E*), a_y^3 = 3DFR_y/(pi E*), approach 3F(B + D)/(2 pi E* a_y)",
-      "id,output,load,effective_modulus,radius_x,radius_y,value,high,low,condition,region"};
-  int number = 0;
+  Table table{
+      {"hertz_ellipse",
+       "alpha = R_y/R_x >= 1 (else x and y exchanged) = (k^2 E - K)/(K - E), integrals of "
+       "parameter "
+       "1 - 1/k^2; 1/R = 1/R_x + 1/R_y; a_x^3 = 3EFR/(pi k E*), a_y = k a_x; mean pressure "
+       "F/(pi a_x a_y), peak 3/2 of it; approach a_x^2 K/(2RE)",
+       "m, m, 1, Pa, Pa, m",
+       "load [1e-3, 1e6] N, effective modulus [1e5, 1e12] Pa, radii [1e-6, 1e3] m, R_y/R_x [1e-4, "
+       "1e4]; far: [1e-60, 1e60] each, R_y/R_x [1e-30, 1e30]",
+       "k by bisection; K and E by arithmetic-geometric means; as defined",
+       "k by Newton's method with a proof by signs on alpha = R_D(0, 1, 1/k^2)/R_D(0, 1/k^2, 1), "
+       "Carlson's integrals; with B and D, of cos^2 and sin^2 over sqrt(1 - q sin^2), a_x^3 = "
+       "3BFR_x/(pi k E*), a_y^3 = 3DFR_y/(pi E*), approach 3F(B + D)/(2 pi E* a_y)",
+       "output,load,effective_modulus,radius_x,radius_y"},
+      "x"};
   for (const EllipticalContact& one : elliptical_contacts())
     for (std::size_t i = 0; i < ellipse_outputs.size(); ++i)
-      table.rows.emplace_back([=, id = fmt::format("x{:04}", number++)] {
+      table.add([=] {
         const bool is_exchanged = one.radius_y < one.radius_x;
         const Ball smaller = std::min(one.radius_x, one.radius_y);
         const Ball greater = std::max(one.radius_x, one.radius_y);
@@ -170,9 +161,8 @@ Table elliptical_contact_values() {
         const EllipseBalls others =
             in_order(is_exchanged, x, y, y / x, load / (pi * x * y),
                      3 * load * (other.b + other.d) / (2 * pi * modulus * y));
-        return Row{id,
-                   {ellipse_outputs[i], hexfloat(one.load), hexfloat(one.modulus),
-                    hexfloat(one.radius_x), hexfloat(one.radius_y)},
+        return Row{{ellipse_outputs[i]},
+                   {one.load, one.modulus, one.radius_x, one.radius_y},
                    values[i],
                    others[i],
                    ellipse_conditions(is_exchanged, alpha)[i],
@@ -182,48 +172,41 @@ Table elliptical_contact_values() {
 }
 
 Table line_contact_values() {
-  Table table;
-  table.header = {
-      "hertz_line",
-      "b^2 = 4(F/L)R/(pi E*), mean pressure F/(2bL), peak 2F/(pi b L), greatest shear stress g - "
-      "g^2/sqrt(1+g^2) of it, g^2 = (sqrt(5)-1)/2",
-      "m, Pa, Pa, Pa",
-      "load per length [1e-3, 1e8] N/m, effective modulus [1e5, 1e12] Pa, radius [1e-6, 10] m; "
-      "far: [1e-90, 1e90] each",
-      "square roots",
-      "b by bisection on b^2; peak pressure as sqrt((F/L)E*/(pi R)), the mean as pi/4 of it; the "
-      "depth of the greatest shear stress by bisection on the slope of z - z^2/sqrt(1+z^2)",
-      "id,output,load_per_length,effective_modulus,reduced_radius,value,high,low,condition,region"};
+  Table table{
+      {"hertz_line",
+       "b^2 = 4(F/L)R/(pi E*), mean pressure F/(2bL), peak 2F/(pi b L), greatest shear stress g - "
+       "g^2/sqrt(1+g^2) of it, g^2 = (sqrt(5)-1)/2",
+       "m, Pa, Pa, Pa",
+       "load per length [1e-3, 1e8] N/m, effective modulus [1e5, 1e12] Pa, radius [1e-6, 10] m; "
+       "far: [1e-90, 1e90] each",
+       "square roots",
+       "b by bisection on b^2; peak pressure as sqrt((F/L)E*/(pi R)), the mean as pi/4 of it; the "
+       "depth of the greatest shear stress by bisection on the slope of z - z^2/sqrt(1+z^2)",
+       "output,load_per_length,effective_modulus,reduced_radius"},
+      "l"};
   Sampler sampler(909);
-  int number = 0;
   for (int i = 0; i < 40; ++i) {
     const bool far = i >= 30;
-    const double f = i == 0 ? 1e5
-                     : far  ? sampler.log_uniform(1e-90, 1e90)
-                            : sampler.log_uniform(1e-3, 1e8);
-    const double e = i == 0 ? 107.9e9
-                     : far  ? sampler.log_uniform(1e-90, 1e90)
-                            : sampler.log_uniform(1e5, 1e12);
-    const double r = i == 0 ? 9.5e-3
-                     : far  ? sampler.log_uniform(1e-90, 1e90)
-                            : sampler.log_uniform(1e-6, 10);
+    const auto pick = [&](double first, double low, double high) {
+      return i == 0 ? first
+             : far  ? sampler.log_uniform(1e-90, 1e90)
+                    : sampler.log_uniform(low, high);
+    };
+    const double f = pick(1e5, 1e-3, 1e8), e = pick(107.9e9, 1e5, 1e12), r = pick(9.5e-3, 1e-6, 10);
     for (std::size_t k = 0; k < 4; ++k)
-      table.rows.emplace_back([=, id = fmt::format("l{:04}", number++)] {
+      table.add([=] {
         const Ball load(f), modulus(e), radius(r), pi = ball_pi();
         const Ball square = 4 * load * radius / (pi * modulus);
-        const auto sign_of = [](const Ball& excess) {
-          return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-        };
         const Ball width = sqrt(square), peak = 2 * load / (pi * width);
-        const Ball found = bisect([&](const Ball& x) { return sign_of(x * x - square); },
-                                  pow(Ball(10), Ball(-150)), pow(Ball(10), Ball(150)));
+        const Ball found = zero_between([&](const Ball& x) { return x * x - square; },
+                                        pow(Ball(10), Ball(-150)), pow(Ball(10), Ball(150)));
         const Ball other_peak = sqrt(load * modulus / (pi * radius));
         const auto shear = [](const Ball& z) { return z - z * z / sqrt(1 + z * z); };
         const Ball depth = sqrt((sqrt(Ball(5)) - 1) / 2);
-        const Ball other_depth = bisect(
+        const Ball other_depth = zero_between(
             [&](const Ball& z) {
               const Ball s = 1 + z * z;
-              return sign_of((2 * z + z * z * z) / (s * sqrt(s)) - 1);
+              return (2 * z + z * z * z) / (s * sqrt(s)) - 1;
             },
             fraction(1, 2), Ball(1));
         const Ball values[] = {width, load / (2 * width), peak, shear(depth) * peak};
@@ -231,12 +214,8 @@ Table line_contact_values() {
                                shear(other_depth) * other_peak};
         constexpr const char* names[] = {"half_width", "mean_pressure", "peak_pressure",
                                          "peak_shear"};
-        return Row{id,
-                   {names[k], hexfloat(f), hexfloat(e), hexfloat(r)},
-                   values[k],
-                   others[k],
-                   fraction(3, 2),
-                   far ? "far" : "ordinary"};
+        return Row{{names[k]}, {f, e, r},      values[k],
+                   others[k],  fraction(3, 2), far ? "far" : "ordinary"};
       });
   }
   return table;

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes the tables of reference/ehl, or makes a seeded sample of its rows again and compares them
 // within the errors that both state. The sample is of line_films.csv alone.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "ehl/line_conditions.hpp"
 #include "ehl/solved_film.hpp"
-#include "generators/checksum.hpp"
 #include "generators/line_collocation.hpp"
-#include "generators/sampler.hpp"
+#include "generators/table_file.hpp"
 #include "tribo/friction.hpp"
 
 namespace {
@@ -110,24 +105,12 @@ std::string row(const Contact& c, bool with_second_method) {
 
 // All of `which`, on all cores, in their order.
 std::vector<std::string> rows_of(const std::vector<Contact>& which, bool with_second_method) {
-  std::vector<std::string> rows(which.size());
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> failed = false;
-  const auto work = [&] {
-    for (std::size_t i; (i = next++) < which.size() && !failed;) try {
-        rows[i] = row(which[i], with_second_method);
-        std::cerr << fmt::format("{} of {}: {}\n", i + 1, which.size(), rows[i]);
-      } catch (const std::exception& error) {
-        std::cerr << error.what() << '\n';
-        failed = true;
-      }
+  const auto make = [&](std::size_t i) {
+    std::string made = row(which[i], with_second_method);
+    std::cerr << fmt::format("{} of {}: {}\n", i + 1, which.size(), made);
+    return made;
   };
-  std::vector<std::thread> threads;
-  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
-    threads.emplace_back(work);
-  for (std::thread& thread : threads) thread.join();
-  if (failed) std::exit(1);
-  return rows;
+  return tribo::reference::made_on_all_cores(which.size(), 1, "", make, [] {});
 }
 
 // The first lines of each file.
@@ -148,30 +131,26 @@ std::string header(const std::string& quantity, const std::string& liquid, const
       "cells\n"
       "# error: shares of what Richardson's value and the value itself changed by and of what a "
       "grid beside differs by, and what a longer inlet would change\n"
-      "{}# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
-      quantity, liquid, more, fmt::gmtime(std::time(nullptr)), tribo::reference::sha256(rows));
+      "{}{}",
+      quantity, liquid, more, tribo::reference::dated(rows));
 }
 constexpr const char* barus_liquid = "Barus, incompressible";
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path temporary = file.string() + ".part";
-  std::ofstream(temporary) << text;
-  std::filesystem::rename(temporary, file);
-}
+using tribo::reference::write_whole;
 
 int make_table(const std::filesystem::path& file) {
-  std::string rows;
-  for (const std::string& line : rows_of(contacts(), true)) rows += line + "\n";
-  write(file,
-        header("films of smooth line contacts, solved", barus_liquid,
-               "# spike: spike_pressure is p/p0 at the second maximum of the pressure, spike_place "
-               "its x/b\n"
-               "# second method: collocation up to a free boundary (line_collocation.hpp), which "
-               "shares no stencil with the first; second_method is by how much of the sum of both "
-               "errors the films differ at most, empty where it did not solve the contact\n"
-               "# domain: M 1 to 200, L 0 to 20\n",
-               rows) +
-            columns + rows);
+  const std::string rows = tribo::reference::joined(rows_of(contacts(), true));
+  write_whole(
+      file,
+      header("films of smooth line contacts, solved", barus_liquid,
+             "# spike: spike_pressure is p/p0 at the second maximum of the pressure, spike_place "
+             "its x/b\n"
+             "# second method: collocation up to a free boundary (line_collocation.hpp), which "
+             "shares no stencil with the first; second_method is by how much of the sum of both "
+             "errors the films differ at most, empty where it did not solve the contact\n"
+             "# domain: M 1 to 200, L 0 to 20\n",
+             rows) +
+          columns + rows);
   return 0;
 }
 
@@ -232,12 +211,13 @@ int make_between(const std::filesystem::path& file) {
   };
   add(all.nodes, "node");
   add(all.checks, "check");
-  write(file, header("films of smooth line contacts, solved, between those of line_films.csv",
-                     barus_liquid,
-                     "# role: node of the map on the page, or check of what it joins\n", rows) +
-                  "load_number,material_number,central,central_error,minimum,minimum_error,"
-                  "at_greatest_pressure,at_greatest_pressure_error,role\n" +
-                  rows);
+  write_whole(
+      file,
+      header("films of smooth line contacts, solved, between those of line_films.csv", barus_liquid,
+             "# role: node of the map on the page, or check of what it joins\n", rows) +
+          "load_number,material_number,central,central_error,minimum,minimum_error,"
+          "at_greatest_pressure,at_greatest_pressure_error,role\n" +
+          rows);
   return 0;
 }
 
@@ -269,7 +249,7 @@ int make_compressible(const std::filesystem::path& file) {
   const MapContacts more = between_contacts();
   for (const Contact& c : more.nodes) add(c, "node");
   for (const Contact& c : more.checks) add(c, "check");
-  write(
+  write_whole(
       file,
       header("films of smooth line contacts with a compressible liquid, solved",
              "Roelands with z = 0.6 and alpha = 20/GPa, density by Dowson and Higginson, E* = "
@@ -283,14 +263,6 @@ int make_compressible(const std::filesystem::path& file) {
           "minimum_error,at_greatest_pressure,at_greatest_pressure_error,role\n" +
           rows);
   return 0;
-}
-
-std::vector<std::string> committed_rows(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  std::vector<std::string> rows;
-  for (std::string line; std::getline(in, line);)
-    if (!line.starts_with("#") && !line.starts_with("load_number")) rows.push_back(line);
-  return rows;
 }
 
 std::vector<double> numbers_of(const std::string& line) {
@@ -315,31 +287,14 @@ bool is_same(const std::string& committed, const std::string& again) {
 
 int check_sample(const std::filesystem::path& file, std::uint64_t seed, int count) {
   const std::vector<Contact> all = contacts();
-  const std::vector<std::string> rows = committed_rows(file);
-  if (rows.size() != all.size()) {
-    std::cout << fmt::format("{}: {} rows, the generator makes {}\n", file.string(), rows.size(),
-                             all.size());
-    return 1;
-  }
-  tribo::reference::Sampler sampler(seed);
-  std::vector<Contact> some;
-  std::vector<std::string> committed;
-  for (int i = 0; i < count; ++i) {
-    const auto at =
-        std::min(rows.size() - 1,
-                 static_cast<std::size_t>(sampler.uniform(0, static_cast<double>(rows.size()))));
-    some.push_back(all[at]);
-    committed.push_back(rows[at]);
-  }
-  int different = 0;
-  const std::vector<std::string> again = rows_of(some, false);
-  for (std::size_t i = 0; i < again.size(); ++i) {
-    if (is_same(committed[i], again[i])) continue;
-    ++different;
-    std::cout << fmt::format("{}:\n  committed {}\n  again     {}\n", file.string(), committed[i],
-                             again[i]);
-  }
-  std::cout << fmt::format("{}: {} of {} rows made again\n", file.string(), count, rows.size());
+  const auto again = [&](const std::vector<std::size_t>& places) {
+    std::vector<Contact> some;
+    for (const std::size_t place : places) some.push_back(all[place]);
+    return rows_of(some, false);
+  };
+  const int different = tribo::reference::different_rows(
+      file.string(), tribo::reference::committed_rows(file, "load_number"), all.size(), seed, count,
+      again, is_same);
   return different == 0 ? 0 : 1;
 }
 

@@ -2,8 +2,9 @@
 // Liquids under pressure and temperature; summits of a rough face from its spectral moments.
 #include <array>
 
-#include "generators/formulas.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
+#include "generators/zeros.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -11,12 +12,8 @@ namespace {
 // Inputs: eta0, alpha and p.
 Ball barus(const Balls& x) { return x[0] * exp(x[1] * x[2]); }
 Ball barus_by_logarithm(const Balls& x) {
-  return bisect(
-      [&](const Ball& y) {
-        const Ball excess = log(y / x[0]) - x[1] * x[2];
-        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-      },
-      x[0] / 2, x[0] * exp(x[1] * x[2] + 1));
+  return zero_between([&](const Ball& y) { return log(y / x[0]) - x[1] * x[2]; }, x[0] / 2,
+                      x[0] * exp(x[1] * x[2] + 1));
 }
 Ball roelands(const Balls& x) {
   const Ball scale = log(x[0]) + fraction(967, 100), pressure(196000000);
@@ -73,75 +70,69 @@ Ball summits_by_squares(std::size_t k, const Balls& x) {
 }  // namespace
 
 Table densities() {
-  Table table;
-  table.header = {"dowson_higginson_density",
-                  "rho/rho0 = (5.9e8 + 1.34p)/(5.9e8 + p)",
-                  "dimensionless",
-                  "p 0 or [1e5, 4e9] Pa; far: [1e-300, 1e300] Pa",
-                  "the quotient",
-                  "1.34 less what is lacking at a finite pressure",
-                  "id,pressure,value,high,low,condition,region"};
+  Table table{{"dowson_higginson_density", "rho/rho0 = (5.9e8 + 1.34p)/(5.9e8 + p)",
+               "dimensionless", "p 0 or [1e5, 4e9] Pa; far: [1e-300, 1e300] Pa", "the quotient",
+               "1.34 less what is lacking at a finite pressure", "pressure"},
+              "ld"};
   Sampler sampler(1530);
   for (int i = 0; i < 40; ++i) {
     const bool usual = i < 30;
     const double p = i == 0  ? 0
                      : usual ? sampler.log_uniform(1e5, 4e9)
                              : sampler.log_uniform(1e-300, 1e300);
-    table.rows.emplace_back([=, id = fmt::format("ld{:04}", i)] {
-      return formula_row(
-          id, {}, {p},
-          [](const Balls& x) {
-            return (Ball(590000000) + fraction(134, 100) * x[0]) / (Ball(590000000) + x[0]);
-          },
-          [](const Balls& x) {
-            return fraction(134, 100) - fraction(34, 100) / (1 + x[0] / 590000000);
-          },
-          usual ? "ordinary" : "far");
-    });
+    table.add(
+        {}, {p},
+        [](const Balls& x) {
+          return (Ball(590000000) + fraction(134, 100) * x[0]) / (Ball(590000000) + x[0]);
+        },
+        [](const Balls& x) {
+          return fraction(134, 100) - fraction(34, 100) / (1 + x[0] / 590000000);
+        },
+        usual ? "ordinary" : "far");
   }
   return table;
 }
 
-Table pressure_viscosities(const std::string& law) {
-  const bool is_barus = law == "barus_viscosity";
-  Table table;
-  table.header = {law,
-                  is_barus ? "eta0 exp(alpha p)"
-                           : "eta0 exp((ln eta0 + 9.67)((1 + p/0.196e9)^z - 1)), z = alpha "
-                             "0.196e9/(ln eta0 + 9.67)",
-                  "Pa s",
-                  "viscosity [1e-3, 10] Pa s, pressure_viscosity [1e-9, 5e-8] 1/Pa, p 0 or [1e5, "
-                  "4e9] Pa, alpha p below 40; far: viscosity from 7e-5 Pa s, alpha p below 200",
-                  is_barus ? "exponential" : "exponential of a power",
-                  is_barus ? "bisection on the logarithm" : "a power of eta0 over 6.315e-5 Pa s",
-                  "id,viscosity,pressure_viscosity,pressure,value,high,low,condition,region"};
+namespace {
+
+Table pressure_viscosities(bool is_barus) {
+  Table table{{is_barus ? "barus_viscosity" : "roelands_viscosity",
+               is_barus ? "eta0 exp(alpha p)"
+                        : "eta0 exp((ln eta0 + 9.67)((1 + p/0.196e9)^z - 1)), z = alpha "
+                          "0.196e9/(ln eta0 + 9.67)",
+               "Pa s",
+               "viscosity [1e-3, 10] Pa s, pressure_viscosity [1e-9, 5e-8] 1/Pa, p 0 or [1e5, "
+               "4e9] Pa, alpha p below 40; far: viscosity from 7e-5 Pa s, alpha p below 200",
+               is_barus ? "exponential" : "exponential of a power",
+               is_barus ? "bisection on the logarithm" : "a power of eta0 over 6.315e-5 Pa s",
+               "viscosity,pressure_viscosity,pressure"},
+              is_barus ? "lb" : "lr"};
   Sampler sampler(is_barus ? 1531 : 1532);
-  for (int number = 0; number < 60;) {
-    const bool usual = number < 48;
+  while (table.rows.size() < 60) {
+    const bool usual = table.rows.size() < 48;
     const double viscosity = usual ? sampler.log_uniform(1e-3, 10) : sampler.log_uniform(7e-5, 1e3);
     const double alpha = sampler.log_uniform(1e-9, 5e-8);
-    const double p = number % 12 == 0 ? 0 : sampler.log_uniform(1e5, 4e9);
+    const double p = table.rows.size() % 12 == 0 ? 0 : sampler.log_uniform(1e5, 4e9);
     if (alpha * p > (usual ? 40 : 200)) continue;
-    table.rows.emplace_back([=, id = fmt::format("{}{:04}", is_barus ? "lb" : "lr", number++)] {
-      return formula_row(id, {}, {viscosity, alpha, p}, is_barus ? barus : roelands,
-                         is_barus ? barus_by_logarithm : roelands_by_pole,
-                         usual ? "ordinary" : "far");
-    });
+    table.add({}, {viscosity, alpha, p}, is_barus ? barus : roelands,
+              is_barus ? barus_by_logarithm : roelands_by_pole, usual ? "ordinary" : "far");
   }
   return table;
 }
 
+}  // namespace
+
+Table barus_viscosities() { return pressure_viscosities(true); }
+Table roelands_viscosities() { return pressure_viscosities(false); }
+
 Table temperature_viscosities() {
-  Table table;
-  table.header = {"astm_d341_viscosity",
-                  "log log(nu + 0.7) = A - B log T through two points, nu in mm2/s",
-                  "m2/s",
-                  "temperatures [250, 450] K, viscosities [2e-6, 2e-3] m2/s; far: next to each "
-                  "other, thinner, and beyond the two points",
-                  "natural logarithms",
-                  "A and B in decimal logarithms",
-                  "id,first_temperature,first_viscosity,second_temperature,second_viscosity,"
-                  "temperature,value,high,low,condition,region"};
+  Table table{{"astm_d341_viscosity",
+               "log log(nu + 0.7) = A - B log T through two points, nu in mm2/s", "m2/s",
+               "temperatures [250, 450] K, viscosities [2e-6, 2e-3] m2/s; far: next to each "
+               "other, thinner, and beyond the two points",
+               "natural logarithms", "A and B in decimal logarithms",
+               "first_temperature,first_viscosity,second_temperature,second_viscosity,temperature"},
+              "lt"};
   Sampler sampler(1533);
   for (int i = 0; i < 60; ++i) {
     const bool usual = i < 44;
@@ -150,30 +141,24 @@ Table temperature_viscosities() {
     const double thin = usual ? sampler.log_uniform(2e-6, 4e-5) : sampler.log_uniform(4e-7, 4e-5);
     const double thick = thin * sampler.log_uniform(1.5, 20);
     const double at = usual ? sampler.uniform(260, 430) : sampler.uniform(200, 600);
-    table.rows.emplace_back([=, id = fmt::format("lt{:04}", i)] {
-      return formula_row(id, {}, {first, thick, second, thin, at}, astm_d341, astm_d341_in_decimals,
-                         usual ? "ordinary" : "far");
-    });
+    table.add({}, {first, thick, second, thin, at}, astm_d341, astm_d341_in_decimals,
+              usual ? "ordinary" : "far");
   }
   return table;
 }
 
 Table summits_of_moments() {
-  Table table;
-  table.header = {
-      "summits_from_spectral_moments",
-      "alpha = m0 m4/m2^2, n = m4/(6 pi sqrt3 m2), beta = 3/8 sqrt(pi/m4), sigma_s^2 = "
-      "(1 - 0.8968/alpha) m0, offset 4 sqrt(m0/(pi alpha))/sigma_s",
-      "1, 1/m2, m, m, 1",
-      "m0 [1e-18, 1e-10] m2, m2 [1e-6, 1e-1], bandwidth [1.5, 500]; far: from 0.8968 (1 "
-      "+ 1e-9)",
-      "as they are defined",
-      "by m2^2/m4, and squares under one root",
-      "id,output,m0,m2,m4,value,high,low,condition,region"};
+  Table table{{"summits_from_spectral_moments",
+               "alpha = m0 m4/m2^2, n = m4/(6 pi sqrt3 m2), beta = 3/8 sqrt(pi/m4), sigma_s^2 = "
+               "(1 - 0.8968/alpha) m0, offset 4 sqrt(m0/(pi alpha))/sigma_s",
+               "1, 1/m2, m, m, 1",
+               "m0 [1e-18, 1e-10] m2, m2 [1e-6, 1e-1], bandwidth [1.5, 500]; far: from 0.8968 (1 "
+               "+ 1e-9)",
+               "as they are defined", "by m2^2/m4, and squares under one root", "output,m0,m2,m4"},
+              "sm"};
   constexpr std::array names{"bandwidth", "summit_density", "summit_radius", "summit_height_sd",
                              "summit_plane_offset"};
   Sampler sampler(1534);
-  int number = 0;
   for (int i = 0; i < 32; ++i) {
     const bool usual = i < 24;
     const double m0 = sampler.log_uniform(1e-18, 1e-10), m2 = sampler.log_uniform(1e-6, 1e-1);
@@ -181,11 +166,9 @@ Table summits_of_moments() {
         usual ? sampler.log_uniform(1.5, 500) : 0.8968 * (1 + sampler.log_uniform(1e-9, 0.5));
     const double m4 = bandwidth * m2 * m2 / m0;
     for (std::size_t k = 0; k < names.size(); ++k)
-      table.rows.emplace_back([=, id = fmt::format("sm{:04}", number++)] {
-        return formula_row(
-            id, {names[k]}, {m0, m2, m4}, [=](const Balls& x) { return summits(k, x); },
-            [=](const Balls& x) { return summits_by_squares(k, x); }, usual ? "ordinary" : "far");
-      });
+      table.add(
+          {names[k]}, {m0, m2, m4}, [=](const Balls& x) { return summits(k, x); },
+          [=](const Balls& x) { return summits_by_squares(k, x); }, usual ? "ordinary" : "far");
   }
   return table;
 }

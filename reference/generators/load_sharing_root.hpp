@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "generators/moments.hpp"
+#include "generators/zeros.hpp"
 
 namespace tribo::reference {
 
@@ -40,35 +41,15 @@ inline int sign_at(const RoughContact& contact, const Ball& lambda0, const Ball&
   const Ball share = contact.share(lambda);
   if (share >= 1) return -1;
   if (!(share < 1)) return 0;
-  const Ball value = log(lambda) - log(lambda0) + contact.exponent * log1p(-share);
-  return value < 0 ? -1 : value > 0 ? 1 : 0;
-}
-
-inline Ball with_relative_radius(const Ball& midpoint, int bits) {
-  Ball result = midpoint;
-  const Ball radius = abs(midpoint) * pow(Ball(2), Ball(-bits));
-  arb_add_error(result.get(), radius.get());
-  return result;
+  return sign(log(lambda) - log(lambda0) + contact.exponent * log1p(-share));
 }
 
 // Between λ(1 − 2^−bits) and λ(1 + 2^−bits) the residual changes sign for certain.
-inline bool is_proven(const std::function<int(const Ball&)>& sign, const Ball& lambda, int bits) {
+inline bool is_proven(const RoughContact& contact, const Ball& lambda0, const Ball& lambda,
+                      int bits) {
   const Ball step = pow(Ball(2), Ball(-bits));
-  return sign((lambda * (1 - step)).midpoint()) < 0 && sign((lambda * (1 + step)).midpoint()) > 0;
-}
-
-// The zero of an increasing function with certain signs, in [low, high] > 0: bisection, geometric
-// while the ends are far apart, until the sign is undecided or 230 bits are reached.
-inline Ball bisect(const std::function<int(const Ball&)>& sign, Ball low, Ball high) {
-  for (int i = 0; i < 4000; ++i) {
-    const Ball middle = (high > 2 * low ? sqrt(low * high) : (low + high) / 2).midpoint();
-    const int s = sign(middle);
-    if (s == 0 || (high - low) < low * pow(Ball(2), Ball(-230))) break;
-    (s < 0 ? low : high) = middle;
-  }
-  Ball result;
-  arb_union(result.get(), low.get(), high.get(), ball_precision);
-  return result;
+  return sign_at(contact, lambda0, (lambda * (1 - step)).midpoint()) < 0 &&
+         sign_at(contact, lambda0, (lambda * (1 + step)).midpoint()) > 0;
 }
 
 // Upper end of the root's bracket, generous: F_p(d) ≤ F_p(0) e^{−d²/2}, A ≤ 1/2 there.
@@ -87,7 +68,6 @@ inline Ball root_by_bisection(const RoughContact& contact, const Ball& lambda0) 
 // Newton's method on the midpoints of A + w − 1, from the left end, then the proof. Where the floor
 // is the root to working precision the steps end there.
 inline Ball root_by_newton(const RoughContact& contact, const Ball& lambda0) {
-  const auto sign = [&](const Ball& x) { return sign_at(contact, lambda0, x); };
   Ball lambda = lambda0.midpoint();
   if (contact.share(lambda) >= 1)  // below the floor: start from a coarse bracket of the floor
     lambda = bisect([&](const Ball& x) { return contact.share(x) >= 1 ? -1 : 1; }, lambda,
@@ -104,7 +84,7 @@ inline Ball root_by_newton(const RoughContact& contact, const Ball& lambda0) {
     if (abs(step) < lambda * pow(Ball(2), Ball(-260))) break;
   }
   for (const int bits : {250, 220, 180, 145})
-    if (is_proven(sign, lambda, bits)) return with_relative_radius(lambda, bits);
+    if (is_proven(contact, lambda0, lambda, bits)) return with_relative_radius(lambda, bits);
   throw std::runtime_error("no sign proof for a load-sharing root");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "generators/load_sharing_root.hpp"
-#include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -61,25 +61,21 @@ Ball condition(const RoughContact& contact, const Ball& film, const Ball& lambda
 }  // namespace
 
 Table load_sharing_roots() {
-  Table table;
-  table.header = {
-      "load_sharing",
-      "lambda with ln lambda - ln lambda0 + 0.14 ln(1-A) = 0, A = (K F_p(lambda-delta))^q",
-      "dimensionless",
-      "K and lambda0 in [1e-300, 1e300], delta in [0, 10]; p, q = 5/2, 1/2 "
-      "(greenwood_tripp) or 3/2, 1 (greenwood_williamson)",
-      "Newton's method, then a change of certain signs across a width of 2^-145 or less",
-      "bisection in ball arithmetic",
-      "id,asperity,stiffness,offset,flooded_film_parameter,value,high,low,condition,region"};
-  int number = 0;
+  Table table{{"load_sharing",
+               "lambda with ln lambda - ln lambda0 + 0.14 ln(1-A) = 0, A = (K F_p(lambda-delta))^q",
+               "dimensionless",
+               "K and lambda0 in [1e-300, 1e300], delta in [0, 10]; p, q = 5/2, 1/2 "
+               "(greenwood_tripp) or 3/2, 1 (greenwood_williamson)",
+               "Newton's method, then a change of certain signs across a width of 2^-145 or less",
+               "bisection in ball arithmetic", "asperity,stiffness,offset,flooded_film_parameter"},
+              "r"};
   for (const Problem& p : problems())
-    table.rows.emplace_back([=, id = fmt::format("r{:04}", number++)] {
+    table.add([=] {
       const RoughContact contact{p.model, Ball(p.stiffness), Ball(p.offset)};
       const Ball film(p.film);
       const Ball root = root_by_newton(contact, film);
-      return Row{id,
-                 {p.model == Rough::tripp ? "greenwood_tripp" : "greenwood_williamson",
-                  hexfloat(p.stiffness), hexfloat(p.offset), hexfloat(p.film)},
+      return Row{{p.model == Rough::tripp ? "greenwood_tripp" : "greenwood_williamson"},
+                 {p.stiffness, p.offset, p.film},
                  root,
                  root_by_bisection(contact, film),
                  condition(contact, film, root.midpoint()),

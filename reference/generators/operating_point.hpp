@@ -7,6 +7,7 @@
 
 #include "generators/ellipse_shape.hpp"
 #include "generators/film_laws.hpp"
+#include "generators/load_sharing_root.hpp"
 #include "generators/starved_film.hpp"
 
 namespace tribo::reference {

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "generators/operating_point.hpp"
-#include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -56,23 +56,21 @@ Inputs random_inputs(Sampler& sampler) {
   return in;
 }
 
-std::vector<std::string> columns(const Inputs& in) {
+std::vector<std::string> words_of(const Inputs& in) {
   constexpr std::array roughs{"greenwood_tripp", "greenwood_williamson"};
   constexpr std::array inlets{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
   constexpr std::array supplies{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"};
   constexpr std::array shears{"eyring", "limiting"};
   constexpr std::array viscosity_laws{"barus", "ambient", "roelands"};
   constexpr std::array shapes{"circle", "ellipse", "line"};
-  std::vector<std::string> all{roughs[static_cast<std::size_t>(in.rough)],
-                               inlets[static_cast<std::size_t>(in.inlet)],
-                               supplies[static_cast<std::size_t>(in.supply_kind)],
-                               shears[static_cast<std::size_t>(in.shear)],
-                               viscosity_laws[static_cast<std::size_t>(in.law)],
-                               shapes[static_cast<std::size_t>(in.shape)],
-                               laws[in.film].name,
-                               std::to_string(in.planes)};
-  for (const Ball& x : in.value) all.push_back(hexfloat(x.nearest()));
-  return all;
+  return {roughs[static_cast<std::size_t>(in.rough)],
+          inlets[static_cast<std::size_t>(in.inlet)],
+          supplies[static_cast<std::size_t>(in.supply_kind)],
+          shears[static_cast<std::size_t>(in.shear)],
+          viscosity_laws[static_cast<std::size_t>(in.law)],
+          shapes[static_cast<std::size_t>(in.shape)],
+          laws[in.film].name,
+          std::to_string(in.planes)};
 }
 
 constexpr std::array output_names{"film_flooded",
@@ -110,39 +108,39 @@ struct Solved {
 }  // namespace
 
 Table operating_points() {
-  Table table;
-  table.header = {
-      "operating_point",
-      "all outputs of a scene at a speed (model/README.md)",
-      "SI; film in m",
-      "random scenes of steel, ceramics and polymers under 0.1 N to 10 kN at 1e-5 to 30 m/s; "
-      "circles "
-      "(across is k of the film's constant), ellipses (R_y) and lines (length)",
-      "hypergeometric moments, root by Newton's method with a proof by signs",
-      "moments by quadrature, roots and film ratios by bisection",
-      "id,output,asperity,starvation,supply_kind,fluid,viscosity_law,shape,film,offset_planes,load,"
-      "speed,"
-      "summit_density,summit_radius,summit_height_sd,summit_plane_offset,effective_modulus,"
-      "radius_x,across,viscosity,pressure_viscosity,eyring_stress,supply,"
-      "boundary_coefficient,slide_roll_ratio,damiens_exponent,value,high,low,condition,region"};
+  Table table{
+      {"operating_point", "all outputs of a scene at a speed (model/README.md)", "SI; film in m",
+       "random scenes of steel, ceramics and polymers under 0.1 N to 10 kN at 1e-5 to 30 m/s; "
+       "circles "
+       "(across is k of the film's constant), ellipses (R_y) and lines (length)",
+       "hypergeometric moments, root by Newton's method with a proof by signs",
+       "moments by quadrature, roots and film ratios by bisection",
+       "output,asperity,starvation,supply_kind,fluid,viscosity_law,shape,film,offset_planes,load,"
+       "speed,"
+       "summit_density,summit_radius,summit_height_sd,summit_plane_offset,effective_modulus,"
+       "radius_x,across,viscosity,pressure_viscosity,eyring_stress,supply,"
+       "boundary_coefficient,slide_roll_ratio,damiens_exponent"},
+      "p"};
   Sampler sampler(505), shapes(507);
   for (int scene = 0; scene < scene_count; ++scene) {
     Inputs in = random_inputs(sampler);
     if (scene >= circle_count) choose_shape(in, shapes);
     auto solved = std::make_shared<std::optional<Solved>>();
     for (std::size_t k = 0; k < output_names.size(); ++k)
-      table.rows.emplace_back([=] {
+      table.add(fmt::format("p{:04}.{}", scene, k), [=] {
         if (!*solved) {
           const Outputs value = solve(in, first_way);
           *solved = Solved{value, solve(in, second_way), conditions(in, value)};
         }
-        std::vector<std::string> inputs = columns(in);
-        inputs.insert(inputs.begin(), output_names[k]);
+        std::vector<std::string> words = words_of(in);
+        words.insert(words.begin(), output_names[k]);
+        std::vector<double> numbers;
+        for (const Ball& x : in.value) numbers.push_back(x.nearest());
         const bool floored = (*solved)->value[2] > (*solved)->value[1];
         const bool collapsed = (*solved)->value[1] == 0;
         const Ball& value = (*solved)->value[k];
-        return Row{fmt::format("p{:04}.{}", scene, k),
-                   inputs,
+        return Row{words,
+                   numbers,
                    value,
                    (*solved)->second[k],
                    (*solved)->condition[k],

@@ -3,7 +3,9 @@
 // ψ).
 #pragma once
 
-#include "generators/load_sharing_root.hpp"
+#include <stdexcept>
+
+#include "generators/zeros.hpp"
 
 namespace tribo::reference {
 
@@ -33,12 +35,8 @@ inline Ball film_ratio_by_bisection(Inlet inlet, const Ball& r, const Ball& gamm
   if (inlet == Inlet::flooded_inlet && r >= 1) return Ball(0);
   const Ball low = pow(r > 1 ? r : Ball(1), Ball(-4)) * pow(Ball(10), Ball(-6));
   const Ball high = 1 - pow(Ball(2), Ball(-250));
-  return bisect(
-      [&](const Ball& y) {
-        const Ball excess = inverse_ratio(inlet, y) * r - 1;
-        return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-      },
-      low.midpoint(), high.midpoint());
+  return zero_between([&](const Ball& y) { return inverse_ratio(inlet, y) * r - 1; },
+                      low.midpoint(), high.midpoint());
 }
 
 // Second way: explicit where it can be (flooded_inlet by the arctangent, damiens by ρ = 1/r), else
@@ -61,24 +59,10 @@ inline Ball film_ratio_by_inlet_length(Inlet inlet, const Ball& r, const Ball& g
     if (inlet == Inlet::printed_exponents) term = term / (y * sqrt(sqrt(y)));
     return log(r * (y + term));
   };
-  Ball t = (-log(r)).midpoint();
-  const Ball h = pow(Ball(2), Ball(-120));
-  for (int i = 0; i < 300; ++i) {
-    const Ball value = excess(t);
-    const Ball slope = (excess((t + h).midpoint()) - value) / h;
-    Ball step = (value / slope).midpoint();
-    if (step > 2) step = 2;
-    if (step < -2) step = -2;
-    t = (t - step).midpoint();
-    if (abs(step) < pow(Ball(2), Ball(-250))) break;
-  }
-  for (const int bits : {240, 210, 170, 145}) {  // r is a root itself, known to as many bits
-    const Ball radius = pow(Ball(2), Ball(-bits));
-    if (!(excess((t - radius).midpoint()) < 0 && excess((t + radius).midpoint()) > 0)) continue;
-    arb_add_error(t.get(), radius.get());
-    return ratio_at(exp(t));
-  }
-  throw std::runtime_error("no sign proof for a film ratio");
+  // r is a root itself, known to as many bits.
+  const std::optional<Ball> t = zero_by_newton(excess, (-log(r)).midpoint(), {240, 210, 170, 145});
+  if (!t) throw std::runtime_error("no sign proof for a film ratio");
+  return ratio_at(exp(*t));
 }
 
 }  // namespace tribo::reference

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference files: header, rows, checksum. A row is admitted when its enclosure is narrower
-// than 1e-40 relative and a second method's enclosure overlaps it.
+// The tables of reference/exact: their headers, and their rows one by one, so that any of them can
+// be made again alone. A row is admitted when its enclosure is narrower than 1e-40 relative and a
+// second method's enclosure overlaps it.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generators/ball.hpp"
@@ -15,12 +17,13 @@
 namespace tribo::reference {
 
 struct Header {
-  std::string quantity, definition, units, domain, first_method, second_method, columns;
+  std::string quantity, definition, units, domain, first_method, second_method;
+  std::string inputs;  // names of their columns
 };
 
 struct Row {
-  std::string id;
-  std::vector<std::string> inputs;  // hexfloats and words
+  std::vector<std::string> words;  // they stand before the numbers
+  std::vector<double> numbers;
   Ball value, second;
   Ball condition;
   std::string region;
@@ -30,13 +33,14 @@ inline std::string hexfloat(double x) { return fmt::format("{:a}", x); }
 
 // The row's text: value to 40 digits, the same as high + low doubles, the condition number to 3
 // digits; these are empty where the quantity is undefined.
-inline std::string line(const Row& row) {
-  std::string text = row.id;
-  for (const std::string& input : row.inputs) text += "," + input;
+inline std::string line(const std::string& id, const Row& row) {
+  std::string text = id;
+  for (const std::string& word : row.words) text += "," + word;
+  for (const double number : row.numbers) text += "," + hexfloat(number);
   if (!is_finite(row.value) && !is_finite(row.second)) return text + ",,,,," + row.region;
   const bool is_zero = row.value == 0 && row.second == 0;
   if (!is_zero && (row.value.accurate_bits() < 133 || !overlaps(row.value, row.second)))
-    throw std::runtime_error(fmt::format("row {} is not admitted: {} bits, {} {}", row.id,
+    throw std::runtime_error(fmt::format("row {} is not admitted: {} bits, {} {}", id,
                                          row.value.accurate_bits(), row.value.decimal(25),
                                          row.second.decimal(25)));
   const double high = row.value.nearest();  // 0 below the range of double
@@ -44,5 +48,62 @@ inline std::string line(const Row& row) {
   return text + fmt::format(",{},{},{},{:.3g},{}", row.value.decimal(40), hexfloat(high),
                             hexfloat(low), row.condition.nearest(), row.region);
 }
+
+using Balls = std::vector<Ball>;
+using Formula = std::function<Ball(const Balls& inputs)>;
+
+// The sum of |d ln value/d ln input| by steps of 2^-100, at least 1.
+inline Ball condition_of(const Formula& formula, const Balls& inputs) {
+  const Ball step = pow(Ball(2), Ball(-100)), value = formula(inputs);
+  Ball sum = 0;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    Balls moved = inputs;
+    moved[i] = (inputs[i] * (1 + step)).midpoint();
+    sum += abs(formula(moved) / value - 1) / step;
+  }
+  return sum < 1 ? Ball(1) : sum.midpoint();
+}
+
+struct Table {
+  Header header;
+  std::string ids;                                   // the start of its rows' ids
+  std::vector<std::function<std::string()>> rows{};  // each makes its text, alone
+
+  void add(std::string id, std::function<Row()> make) {
+    rows.emplace_back([id = std::move(id), make = std::move(make)] { return line(id, make()); });
+  }
+  void add(std::function<Row()> make) {
+    add(fmt::format("{}{:04}", ids, rows.size()), std::move(make));
+  }
+  // Two texts of a formula at the same inputs, and the condition by differences.
+  void add(std::vector<std::string> words, std::vector<double> numbers, Formula first,
+           Formula second, const char* region) {
+    add([=] {
+      const Balls inputs(numbers.begin(), numbers.end());
+      return Row{words, numbers, first(inputs), second(inputs), condition_of(first, inputs),
+                 region};
+    });
+  }
+};
+
+Table gaussian_moments();
+Table load_sharing_roots();
+Table starvation_ratios();
+Table onset_constants();
+Table effective_moduli();
+Table reduced_radii();
+Table hertz_contacts();
+Table elliptical_contact_values();
+Table line_contact_values();
+std::vector<Table> film_laws();
+Table moes_lines();
+Table regime_films();
+Table thermal_reductions();
+Table densities();
+Table barus_viscosities();
+Table roelands_viscosities();
+Table temperature_viscosities();
+Table summits_of_moments();
+Table operating_points();
 
 }  // namespace tribo::reference

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
-#include "generators/quantities.hpp"
 #include "generators/sampler.hpp"
+#include "generators/table.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -66,19 +66,15 @@ std::vector<Pair> pairs() {
 }  // namespace
 
 Table effective_moduli() {
-  Table table;
-  table.header = {"effective_modulus",
-                  "1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2",
-                  "Pa",
-                  "moduli [1e5, 1e12] Pa, Poisson's ratios [0, 0.5]; far: [1e-250, 1e250] Pa, "
-                  "(-1, 0.5]",
-                  "as it is defined",
-                  "by the shear moduli G = E/(2(1+nu)): 2 G1 G2/((1-nu1) G2 + (1-nu2) G1)",
-                  "id,first_modulus,first_poisson_ratio,second_modulus,second_poisson_ratio,value,"
-                  "high,low,condition,region"};
-  int number = 0;
+  Table table{
+      {"effective_modulus", "1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2", "Pa",
+       "moduli [1e5, 1e12] Pa, Poisson's ratios [0, 0.5]; far: [1e-250, 1e250] Pa, "
+       "(-1, 0.5]",
+       "as it is defined", "by the shear moduli G = E/(2(1+nu)): 2 G1 G2/((1-nu1) G2 + (1-nu2) G1)",
+       "first_modulus,first_poisson_ratio,second_modulus,second_poisson_ratio"},
+      "e"};
   for (const Pair& pair : pairs())
-    table.rows.emplace_back([=, id = fmt::format("e{:04}", number++)] {
+    table.add([=] {
       const Ball modulus[] = {pair.first.modulus, pair.second.modulus};
       const Ball ratio[] = {pair.first.poisson_ratio, pair.second.poisson_ratio};
       const auto compliance = [&](int i) { return (1 - ratio[i] * ratio[i]) / modulus[i]; };
@@ -88,9 +84,9 @@ Table effective_moduli() {
           2 * shear(0) * shear(1) / ((1 - ratio[0]) * shear(1) + (1 - ratio[1]) * shear(0));
       Ball condition = 1;  // both moduli's share
       for (const int i : {0, 1}) condition += value * 2 * ratio[i] * ratio[i] / modulus[i];
-      return Row{id,
-                 {hexfloat(pair.first.modulus), hexfloat(pair.first.poisson_ratio),
-                  hexfloat(pair.second.modulus), hexfloat(pair.second.poisson_ratio)},
+      return Row{{},
+                 {pair.first.modulus, pair.first.poisson_ratio, pair.second.modulus,
+                  pair.second.poisson_ratio},
                  value,
                  by_shear,
                  condition,
@@ -156,20 +152,16 @@ Ball parallel(const Ball& a, const Ball& b) { return a * b / (a + b); }
 }  // namespace
 
 Table reduced_radii() {
-  Table table;
-  table.header = {"reduced_radius",
-                  "1/R_x = 1/R1x + 1/R2x, 1/R_y = 1/R1y + 1/R2y, 1/R = 1/R_x + 1/R_y",
-                  "m",
-                  "radii above 0, or below 0 where the sum of the curvatures is above 0: "
-                  "[1e-4, 1] m or 1e30 m; far: [1e-250, 1e250] m, sums down to 2^-52 of them",
-                  "inverse of the sum of inverses",
-                  "product over sum",
-                  "id,output,first_radius_x,second_radius_x,first_radius_y,second_radius_y,value,"
-                  "high,low,condition,region"};
-  int number = 0;
+  Table table{
+      {"reduced_radius", "1/R_x = 1/R1x + 1/R2x, 1/R_y = 1/R1y + 1/R2y, 1/R = 1/R_x + 1/R_y", "m",
+       "radii above 0, or below 0 where the sum of the curvatures is above 0: "
+       "[1e-4, 1] m or 1e30 m; far: [1e-250, 1e250] m, sums down to 2^-52 of them",
+       "inverse of the sum of inverses", "product over sum",
+       "output,first_radius_x,second_radius_x,first_radius_y,second_radius_y"},
+      "g"};
   for (const Faces& one : faces())
     for (int k = 0; k < 3; ++k)
-      table.rows.emplace_back([=, id = fmt::format("g{:04}", number++)] {
+      table.add([=] {
         constexpr const char* names[] = {"radius_x", "radius_y", "reduced_radius"};
         const auto& radii = one.radii;
         const std::size_t from = k == 1 ? 2 : 0, to = k == 0 ? 2 : 4;
@@ -179,15 +171,9 @@ Table reduced_radii() {
           sizes += 1 / abs(Ball(radii[i]));
         }
         const Ball x = parallel(radii[0], radii[1]), y = parallel(radii[2], radii[3]);
-        return Row{id,
-                   {names[k], hexfloat(radii[0]), hexfloat(radii[1]), hexfloat(radii[2]),
-                    hexfloat(radii[3])},
-                   1 / curvature,
-                   k == 0   ? x
-                   : k == 1 ? y
-                            : parallel(x, y),
-                   sizes / curvature,
-                   one.region};
+        return Row{{names[k]},        {radii.begin(), radii.end()},
+                   1 / curvature,     k == 0 ? x : k == 1 ? y : parallel(x, y),
+                   sizes / curvature, one.region};
       });
   return table;
 }

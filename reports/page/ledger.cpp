@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The group `ledger`: the paper's claims under each reading.
+#include "reproduction/ledger.hpp"
+
 #include <algorithm>
 
 #include "page/groups.hpp"
 #include "page/ledger_data.hpp"
 #include "page/ledger_json.hpp"
-#include "reproduction/ledger_file.hpp"
 
 namespace tribo::report {
 namespace {

@@ -119,7 +119,8 @@ Json uncertainty_json(const Uncertainty& one) {
 }
 
 Json ranking_json(const Ledger& ledger) {
-  const reproduction::Standing corrected = standing(ledger.ranking, ledger.readings.front().score);
+  const reproduction::ReadingRank corrected =
+      standing(ledger.ranking, ledger.readings.front().score);
   Json object{{"readings", reading_count()},
               {"readings_by_score", ledger.ranking.histogram},
               {"mean_score", ledger.ranking.mean_score},

@@ -195,7 +195,7 @@ TextTable ranking_table(const Ledger& ledger) {
          percent(static_cast<double>(readings) / static_cast<double>(reading_count())),
          named.empty() ? no_entry : named});
   }
-  const Standing corrected = standing(ranking, ledger.readings.front().score);
+  const ReadingRank corrected = standing(ranking, ledger.readings.front().score);
   table.note = fmt::format(
       "There are {} readings: every combination of the {} switches. One drawn at random reproduces "
       "{} claims (standard deviation {}). {} readings reproduce more than the corrected one, and "

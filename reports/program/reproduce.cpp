@@ -20,7 +20,7 @@
 #include "page/ledger_json.hpp"
 #include "page/ledger_tables.hpp"
 #include "page/project_files.hpp"
-#include "reproduction/ledger_file.hpp"
+#include "reproduction/ledger.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {

@@ -76,4 +76,13 @@ std::vector<ReferenceRow> read_reference_table(const std::string& path, char sep
   return rows;
 }
 
+void each_published_row(const std::string& path,
+                        const std::function<void(const ReferenceRow&)>& take) {
+  for (const ReferenceRow& row : read_reference_table(path, '\t')) try {
+      take(row);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{}: {}", path, error.what()));
+    }
+}
+
 }  // namespace tribo::verification

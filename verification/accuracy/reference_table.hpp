@@ -3,6 +3,7 @@
 // tables of reference/exact are comma-separated, those of reference/published tab-separated.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -31,5 +32,10 @@ class ReferenceRow {
 // The rows of a table. Throws std::runtime_error with one line that names the file and what is
 // wrong with it.
 std::vector<ReferenceRow> read_reference_table(const std::string& path, char separator = ',');
+
+// Hands the rows of a tab-separated table to `take`, in their order. Throws as
+// read_reference_table does; an error that `take` throws names the file too.
+void each_published_row(const std::string& path,
+                        const std::function<void(const ReferenceRow&)>& take);
 
 }  // namespace tribo::verification

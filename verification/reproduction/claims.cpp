@@ -11,32 +11,12 @@
 #include <stdexcept>
 
 #include "accuracy/reference_table.hpp"
-#include "reproduction/in_file.hpp"
 
 namespace tribo::reproduction {
 namespace {
 
 using verification::ReferenceRow;
 
-constexpr std::array<std::string_view, 19> quantity_names{"onset_speed",
-                                                          "onset_film_parameter",
-                                                          "onset_speed_order",
-                                                          "slow_asperity_share",
-                                                          "equal_share_speed_order",
-                                                          "late_share_rise",
-                                                          "area_gw_over_gt",
-                                                          "slow_area_spread",
-                                                          "area_rough_over_smooth",
-                                                          "area_transition_gw_over_gt",
-                                                          "slow_count_gt_over_gw",
-                                                          "count_gw_over_gt",
-                                                          "count_smoother_over_rougher",
-                                                          "film_gw_over_gt",
-                                                          "friction_gt_over_gw",
-                                                          "onset_gw_over_gt",
-                                                          "flooded_slope",
-                                                          "starved_slope_range",
-                                                          "film_constant"};
 constexpr std::array<std::string_view, 4> rule_names{"number", "order", "equal", "at_least"};
 constexpr std::array<std::string_view, 3> surface_names{"rough", "medium", "smooth"};
 constexpr std::string_view nothing = "–";
@@ -49,14 +29,13 @@ double printed_limit(double reported, double last_digit, int side) {
   return reported + side * (last_digit / 2 * (1 + 1e-9));
 }
 
-template <class Enum, std::size_t n>
-Enum by_name(const ReferenceRow& row, std::string_view column,
-             const std::array<std::string_view, n>& names) {
-  const auto found = std::find(names.begin(), names.end(), row.text(column));
-  if (found == names.end())
-    throw std::runtime_error(
-        fmt::format("row {}: {} is no {}", row.text("item"), row.text(column), column));
-  return static_cast<Enum>(found - names.begin());
+// The enumerator whose name is in a column.
+template <class Enum>
+Enum by_name(const ReferenceRow& row, std::string_view column, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
+    if (name(static_cast<Enum>(i)) == row.text(column)) return static_cast<Enum>(i);
+  throw std::runtime_error(
+      fmt::format("row {}: {} is no {}", row.text("item"), row.text(column), column));
 }
 
 double number_if(bool wanted, const ReferenceRow& row, std::string_view column) {
@@ -79,13 +58,13 @@ double tolerance(const ReferenceRow& row) {
 }
 
 Item item_of(const ReferenceRow& row) {
-  const Rule rule = by_name<Rule>(row, "rule", rule_names);
+  const Rule rule = by_name<Rule>(row, "rule", rule_names.size());
   const bool has_surface = row.text("surface") != nothing;
   const bool has_tolerance = rule == Rule::equal || rule == Rule::at_least;
   return {row.text("item"),
           row.text("claim"),
-          by_name<Quantity>(row, "quantity", quantity_names),
-          has_surface ? by_name<PaperSurface>(row, "surface", surface_names) : PaperSurface::smooth,
+          by_name<Quantity>(row, "quantity", quantity_count),
+          has_surface ? by_name<PaperSurface>(row, "surface", surface_count) : PaperSurface::smooth,
           has_surface,
           row.text("surface"),
           row.text("model"),
@@ -112,9 +91,7 @@ Verdict judge_number(const Item& item, double value) {
 
 }  // namespace
 
-std::string_view name(Quantity quantity) {
-  return quantity_names[static_cast<std::size_t>(quantity)];
-}
+std::string_view name(Rule rule) { return rule_names[static_cast<std::size_t>(rule)]; }
 
 std::string_view name(PaperSurface surface) {
   return surface_names[static_cast<std::size_t>(surface)];
@@ -240,30 +217,27 @@ std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observ
 }
 
 std::vector<Item> read_claims(const std::string& path) {
-  return in_file(path, [&] {
-    std::vector<Item> items;
-    for (const ReferenceRow& row : verification::read_reference_table(path, '\t'))
-      items.push_back(item_of(row));
-    if (items.size() > 32) throw std::runtime_error("more than 32 items");
-    return items;
+  std::vector<Item> items;
+  verification::each_published_row(path, [&](const ReferenceRow& row) {
+    if (items.size() == 32) throw std::runtime_error("more than 32 items");
+    items.push_back(item_of(row));
   });
+  return items;
 }
 
 std::vector<std::string> read_statements(const std::string& path,
                                          const std::vector<std::string>& claims) {
-  return in_file(path, [&] {
-    std::vector<std::string> statements(claims.size());
-    for (const ReferenceRow& row : verification::read_reference_table(path, '\t')) {
-      const auto found = std::find(claims.begin(), claims.end(), row.text("claim"));
-      if (found == claims.end())
-        throw std::runtime_error(fmt::format("{} is no claim of claims.tsv", row.text("claim")));
-      statements[static_cast<std::size_t>(found - claims.begin())] = row.text("statement");
-    }
-    for (std::size_t k = 0; k < claims.size(); ++k)
-      if (statements[k].empty())
-        throw std::runtime_error(fmt::format("{} has no statement", claims[k]));
-    return statements;
+  std::vector<std::string> statements(claims.size());
+  verification::each_published_row(path, [&](const ReferenceRow& row) {
+    const auto found = std::find(claims.begin(), claims.end(), row.text("claim"));
+    if (found == claims.end())
+      throw std::runtime_error(fmt::format("{} is no claim of claims.tsv", row.text("claim")));
+    statements[static_cast<std::size_t>(found - claims.begin())] = row.text("statement");
   });
+  for (std::size_t k = 0; k < claims.size(); ++k)
+    if (statements[k].empty())
+      throw std::runtime_error(fmt::format("{}: {} has no statement", path, claims[k]));
+  return statements;
 }
 
 std::vector<std::string> claim_names(const std::vector<Item>& items) {

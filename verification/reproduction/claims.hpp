@@ -38,9 +38,11 @@ enum class Quantity : std::uint8_t {
   starved_slope_range,
   film_constant,
 };
-std::string_view name(Quantity quantity);
+inline constexpr std::size_t quantity_count = 19;
+std::string_view name(Quantity quantity);  // observation.cpp, which has the quantities' table
 
 enum class Rule : std::uint8_t { number, order, equal, at_least };
+std::string_view name(Rule rule);
 
 // One line of claims.tsv.
 struct Item {

@@ -24,7 +24,7 @@ template <std::size_t n>
 void set_digits(Reading& reading, const std::array<Switch, n>& which, std::size_t number) {
   for (const Switch one : which) {
     const std::size_t choices = info(one).choices.size();
-    reading.choice[static_cast<std::size_t>(one)] = static_cast<std::uint8_t>(number % choices);
+    reading.at(one) = static_cast<std::uint8_t>(number % choices);
     number /= choices;
   }
 }
@@ -96,12 +96,12 @@ struct Masks {
   }
 };
 
-Masks judged(const std::vector<Item>& items, const Stages& stages, Needs what,
+Masks judged(const std::vector<Item>& items, const Stages& stages, Stage what,
              std::optional<bool> film_parameter = std::nullopt) {
   Masks masks;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Item& item = items[i];
-    if (needs(item.quantity) != what) continue;
+    if (stage(item.quantity) != what) continue;
     if (film_parameter && *film_parameter != (item.quantity == Quantity::onset_film_parameter))
       continue;
     Observed observed = observe(item, stages, Effort::grid);
@@ -185,13 +185,13 @@ class Enumerator {
     for (std::size_t c = 0; c < contact_count; ++c) stages.starved[c] = &branches[c]->starved;
     stages.film_constant = film_constant(scenes_, reading);
     const Masks base =
-        judged(items_, stages, Needs::films) | judged(items_, stages, Needs::constant);
+        judged(items_, stages, Stage::films) | judged(items_, stages, Stage::constant);
     for (std::size_t law = 0; law < law_count; ++law) {
       set_law(reading, law);
       stages.law = friction_law(reading);
       for (std::size_t c = 0; c < contact_count; ++c)
         stages.friction[c] = &branches[c]->friction[law];
-      const Masks with_friction = base | judged(items_, stages, Needs::friction);
+      const Masks with_friction = base | judged(items_, stages, Stage::friction);
       for (std::size_t k = 0; k < onset_choices.size(); ++k)
         judge_onset(group, reading, k, law, stages, branches, with_friction);
     }
@@ -199,17 +199,16 @@ class Enumerator {
 
   void judge_onset(const FilmGroup& group, Reading reading, std::size_t criterion, std::size_t law,
                    Stages& stages, const PerContact<const Branch*>& branches, Masks masks) {
-    reading.choice[static_cast<std::size_t>(Switch::criterion)] =
-        static_cast<std::uint8_t>(criterion);
+    reading.at(Switch::criterion) = static_cast<std::uint8_t>(criterion);
     const bool by_friction = onset_choices[criterion].rule == OnsetRule::friction_minimum;
     for (std::size_t c = 0; c < contact_count; ++c)
       stages.onsets[c] =
           by_friction ? branches[c]->friction_minimum[law] : branches[c]->onset[criterion];
-    masks = masks | judged(items_, stages, Needs::onsets, false);
+    masks = masks | judged(items_, stages, Stage::onsets, false);
     for (std::uint8_t scale = 0; scale < 2; ++scale) {
-      reading.choice[static_cast<std::size_t>(Switch::lambda_scale)] = scale;
+      reading.at(Switch::lambda_scale) = scale;
       stages.lambda_divisor = lambda_divisor(reading);
-      const Masks all = masks | judged(items_, stages, Needs::onsets, true);
+      const Masks all = masks | judged(items_, stages, Stage::onsets, true);
       for (const std::size_t number : group.numbers) {
         set_digits(reading, film_switches, number);
         const std::size_t index = index_of(reading);

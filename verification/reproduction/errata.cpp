@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reproduction/errata.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -9,8 +7,7 @@
 #include <stdexcept>
 
 #include "accuracy/reference_table.hpp"
-#include "reproduction/evaluation.hpp"
-#include "reproduction/in_file.hpp"
+#include "reproduction/ledger.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/spectral_moments.hpp"
@@ -26,21 +23,13 @@ struct Evidence {
   std::string decided_by;
 };
 
-Reading with(Switch which, std::uint8_t choice) {
-  Reading reading = corrected_reading();
-  reading.choice[static_cast<std::size_t>(which)] = choice;
-  return reading;
+// Of the rough surface, computed as printed and as corrected.
+Evidence slow_share(double printed, double right) {
+  return {"asperity share at the lowest speed, rough surface", printed, right, "C4: 0.82"};
 }
-
-double slow_share(const PaperScenes& scenes, std::size_t contact, const Reading& reading) {
-  const Scene& scene = scenes.scene[contact];
-  return ReadContact(scene, reading).point(scene.speeds.from, ReadInlet(reading)).asperity_share;
-}
-
 Evidence share_under(const PaperScenes& scenes, Switch which) {
-  return {"asperity share at the lowest speed, rough surface",
-          slow_share(scenes, rough, with(which, 1)), slow_share(scenes, rough, corrected_reading()),
-          "C4: 0.82"};
+  return slow_share(slow_asperity_share(scenes, with(which, 1), rough),
+                    slow_asperity_share(scenes, corrected_reading(), rough));
 }
 
 // Film at 1 m/s, smooth surface, in m.
@@ -83,9 +72,8 @@ Evidence evidence(const std::string& id, const PaperScenes& scenes) {
             0.5 * (compliance - compliance), 0.5 * (compliance + compliance), "0 is a rigid body"};
   }
   if (id == "E2") {
-    Reading all_plain = with(Switch::speed_modulus, 1);
-    for (const Switch one : {Switch::material_modulus, Switch::load_modulus})
-      all_plain.choice[static_cast<std::size_t>(one)] = 1;
+    const Reading all_plain = with(
+        Switch::speed_modulus, 1, with(Switch::material_modulus, 1, with(Switch::load_modulus, 1)));
     return {"flooded film of the smooth surface at 1 m/s, m, with E* throughout and with 2E*",
             film_at(scenes, all_plain), film_at(scenes, corrected), ""};
   }
@@ -142,9 +130,8 @@ Evidence evidence(const std::string& id, const PaperScenes& scenes) {
     PaperScenes changed = scenes;
     scale(changed, rough, Field::summit_density,
           scene.lubricant.viscosity / scenes.scene[rough].surface.summit_density);
-    return {"asperity share at the lowest speed, rough surface",
-            slow_share(changed, rough, corrected), slow_share(scenes, rough, corrected),
-            "C4: 0.82"};
+    return slow_share(slow_asperity_share(changed, corrected, rough),
+                      slow_asperity_share(scenes, corrected, rough));
   }
   if (id == "E17") return share_under(scenes, Switch::summit_radius);
   if (id == "E18")
@@ -187,17 +174,15 @@ Evidence evidence(const std::string& id, const PaperScenes& scenes) {
 }  // namespace
 
 std::vector<Erratum> read_errata(const std::string& path, const PaperScenes& scenes) {
-  return in_file(path, [&] {
-    std::vector<Erratum> errata;
-    for (const auto& row : verification::read_reference_table(path, '\t')) {
-      const Evidence found = evidence(row.text("erratum"), scenes);
-      errata.push_back({row.text("erratum"), row.text("place"), row.text("printed"),
-                        row.text("right"), row.text("settled_by"), row.text("kind"),
-                        row.text("switch_or_reason"), found.what, found.printed, found.right,
-                        found.decided_by});
-    }
-    return errata;
+  std::vector<Erratum> errata;
+  verification::each_published_row(path, [&](const auto& row) {
+    const Evidence found = evidence(row.text("erratum"), scenes);
+    errata.push_back({row.text("erratum"), row.text("place"), row.text("printed"),
+                      row.text("right"), row.text("settled_by"), row.text("kind"),
+                      row.text("switch_or_reason"), found.what, found.printed, found.right,
+                      found.decided_by});
   });
+  return errata;
 }
 
 }  // namespace tribo::reproduction

@@ -32,13 +32,13 @@ class ReadingStages {
   ReadingStages(const ReadingStages&) = delete;
   ReadingStages& operator=(const ReadingStages&) = delete;
 
-  const Stages& for_what(Needs what) {
-    if (what == Needs::friction && friction_.empty()) {
+  const Stages& for_what(Stage what) {
+    if (what == Stage::friction && friction_.empty()) {
       for (std::size_t i = 0; i < contact_count; ++i)
         friction_.push_back(friction_curve(flooded_[i], starved_[i], stages_.law));
       for (std::size_t i = 0; i < contact_count; ++i) stages_.friction[i] = &friction_[i];
     }
-    if (what == Needs::onsets && !onsets_known_) {
+    if (what == Stage::onsets && !onsets_known_) {
       for (std::size_t i = 0; i < contact_count; ++i)
         stages_.onsets[i] =
             onset_of(flooded_[i], starved_[i], inlet_, reading_.onset(), stages_.law);
@@ -65,6 +65,13 @@ double film_constant(const PaperScenes& scenes, const Reading& reading) {
          tribo::film_constant(film_law(reading), scenes.scene[0].bodies.ellipticity);
 }
 
+double slow_asperity_share(const PaperScenes& scenes, const Reading& reading, std::size_t contact) {
+  const Scene& scene = scenes.scene[contact];
+  return ReadContact(scene, reading, scenes.film_scale())
+      .point(scene.speeds.from, ReadInlet(reading))
+      .asperity_share;
+}
+
 std::optional<OnsetPoint> onset_of(const FloodedCurve& flooded, const StarvedCurve& starved,
                                    const ReadInlet& inlet, const OnsetChoice& choice,
                                    FrictionLaw law) {
@@ -83,13 +90,13 @@ std::vector<ItemResult> evaluate(const PaperScenes& scenes, const Reading& readi
   std::vector<ItemResult> results;
   results.reserve(items.size());
   for (const Item& item : items)
-    results.push_back(judged(item, observe(item, stages.for_what(needs(item.quantity)))));
+    results.push_back(judged(item, observe(item, stages.for_what(stage(item.quantity)))));
   return results;
 }
 
 Observed evaluate(const PaperScenes& scenes, const Reading& reading, const Item& item) {
   ReadingStages stages(scenes, reading);
-  return observe(item, stages.for_what(needs(item.quantity)));
+  return observe(item, stages.for_what(stage(item.quantity)));
 }
 
 std::vector<Verdict> claim_verdicts(const std::vector<Item>& items,

@@ -28,6 +28,9 @@ Observed evaluate(const PaperScenes& scenes, const Reading& reading, const Item&
 // The constant in the place of 2.69(1 − 0.61 e^{−0.73}) in a reading, times the scale on it.
 double film_constant(const PaperScenes& scenes, const Reading& reading);
 
+// The asperities' share at the lowest speed in a contact (ContactName).
+double slow_asperity_share(const PaperScenes& scenes, const Reading& reading, std::size_t contact);
+
 // The number that λ divides the film by, over σ_s.
 inline double lambda_divisor(const Reading& reading) {
   return reading.is(Switch::lambda_scale, 1) ? 1.4 : 1;

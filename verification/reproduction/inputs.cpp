@@ -8,18 +8,12 @@
 #include <stdexcept>
 
 #include "accuracy/reference_table.hpp"
-#include "reproduction/in_file.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::reproduction {
 namespace {
 
-constexpr std::array<std::string_view, field_count> field_names{
-    "summit_density",    "summit_radius",  "summit_height_sd", "summit_plane_offset",
-    "effective_modulus", "reduced_radius", "viscosity",        "pressure_viscosity",
-    "eyring_stress",     "load",           "inlet_film_ratio", "boundary_coefficient",
-    "film_constant",     "speed"};
 constexpr PerContact<std::string_view> stems{"rough", "medium", "smooth", "smooth_gw"};
 
 Scene read_one(const std::string& path, AsperityModel model) {
@@ -44,38 +38,30 @@ Scene read_one(const std::string& path, AsperityModel model) {
   return *std::move(reading.scene);
 }
 
-double* member(Scene& scene, Field field) {
-  switch (field) {
-    case Field::summit_density:
-      return &scene.surface.summit_density;
-    case Field::summit_radius:
-      return &scene.surface.summit_radius;
-    case Field::summit_height_sd:
-      return &scene.surface.summit_height_sd;
-    case Field::summit_plane_offset:
-      return &scene.surface.summit_plane_offset;
-    case Field::effective_modulus:
-      return &scene.bodies.effective_modulus;
-    case Field::reduced_radius:
-      return &scene.bodies.reduced_radius;
-    case Field::viscosity:
-      return &scene.lubricant.viscosity;
-    case Field::pressure_viscosity:
-      return &scene.lubricant.pressure_viscosity;
-    case Field::eyring_stress:
-      return &*scene.lubricant.eyring_stress;
-    case Field::load:
-      return &scene.load;
-    case Field::inlet_film_ratio:
-      return &scene.supply.value;
-    case Field::boundary_coefficient:
-      return &*scene.friction.boundary_coefficient;
-    case Field::film_constant:
-    case Field::speed:
-      break;
-  }
-  return nullptr;
-}
+// An input's name and its place in a scene; the conventions of the film formula have no place.
+struct FieldInfo {
+  std::string_view name;
+  double* (*place)(Scene&);
+};
+double* no_place(Scene&) { return nullptr; }
+// In the order of Field.
+constexpr std::array<FieldInfo, field_count> fields{{
+    {"summit_density", [](Scene& scene) { return &scene.surface.summit_density; }},
+    {"summit_radius", [](Scene& scene) { return &scene.surface.summit_radius; }},
+    {"summit_height_sd", [](Scene& scene) { return &scene.surface.summit_height_sd; }},
+    {"summit_plane_offset", [](Scene& scene) { return &scene.surface.summit_plane_offset; }},
+    {"effective_modulus", [](Scene& scene) { return &scene.bodies.effective_modulus; }},
+    {"reduced_radius", [](Scene& scene) { return &scene.bodies.reduced_radius; }},
+    {"viscosity", [](Scene& scene) { return &scene.lubricant.viscosity; }},
+    {"pressure_viscosity", [](Scene& scene) { return &scene.lubricant.pressure_viscosity; }},
+    {"eyring_stress", [](Scene& scene) { return &*scene.lubricant.eyring_stress; }},
+    {"load", [](Scene& scene) { return &scene.load; }},
+    {"inlet_film_ratio", [](Scene& scene) { return &scene.supply.value; }},
+    {"boundary_coefficient", [](Scene& scene) { return &*scene.friction.boundary_coefficient; }},
+    {"film_constant", no_place},
+    {"speed", no_place},
+}};
+const FieldInfo& info(Field field) { return fields[static_cast<std::size_t>(field)]; }
 
 }  // namespace
 
@@ -84,7 +70,7 @@ double PaperScenes::film_scale() const {
          decimal_power(speed_scale, hamrock_dowson_central_law.speed_exponent);
 }
 
-std::string_view name(Field field) { return field_names[static_cast<std::size_t>(field)]; }
+std::string_view name(Field field) { return info(field).name; }
 
 PaperScenes read_paper_scenes(const std::string& folder) {
   PaperScenes scenes;
@@ -106,22 +92,22 @@ bool Input::is_of(std::size_t contact) const {
 }
 
 std::vector<Input> read_inputs(const std::string& path) {
-  return in_file(path, [&] {
-    std::vector<Input> inputs;
-    for (const auto& row : verification::read_reference_table(path, '\t')) {
-      const auto found = std::find(field_names.begin(), field_names.end(), row.text("field"));
-      if (found == field_names.end())
-        throw std::runtime_error(fmt::format("{} is no input", row.text("field")));
-      inputs.push_back({static_cast<Field>(found - field_names.begin()), row.text("surface"),
-                        row.number("value"), row.number("last_digit"), row.number("low"),
-                        row.number("high"), row.text("unit"), row.text("reason")});
-    }
-    return inputs;
+  std::vector<Input> inputs;
+  verification::each_published_row(path, [&](const auto& row) {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const FieldInfo& one) {
+      return one.name == row.text("field");
+    });
+    if (found == fields.end())
+      throw std::runtime_error(fmt::format("{} is no input", row.text("field")));
+    inputs.push_back({static_cast<Field>(found - fields.begin()), row.text("surface"),
+                      row.number("value"), row.number("last_digit"), row.number("low"),
+                      row.number("high"), row.text("unit"), row.text("reason")});
   });
+  return inputs;
 }
 
 void scale(PaperScenes& scenes, std::size_t contact, Field field, double factor) {
-  if (double* const value = member(scenes.scene[contact], field)) *value *= factor;
+  if (double* const value = info(field).place(scenes.scene[contact])) *value *= factor;
 }
 
 void scale_all(PaperScenes& scenes, Field field, double factor) {

@@ -1,18 +1,122 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ledger: every claim and erratum of the paper, under every reading, and what stands behind it.
+// The ledger: every claim and erratum of the paper under every reading, and what stands behind each
+// verdict. A source of its own name makes each part.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "reproduction/arguments.hpp"
-#include "reproduction/errata.hpp"
-#include "reproduction/independent.hpp"
-#include "reproduction/ranking.hpp"
-#include "reproduction/requirements.hpp"
-#include "reproduction/uncertainty.hpp"
+#include "reproduction/enumeration.hpp"
 
 namespace tribo::reproduction {
+
+// arguments.cpp: which reading a number of the paper identifies, by the number with its print
+// precision, and what each candidate gives.
+struct Candidate {
+  std::string name;
+  std::optional<double> value;  // none: it gives no such number
+  bool agrees;                  // within the reported interval
+};
+
+struct Argument {
+  std::string question;
+  std::string reported;  // "0.82/0.60 = 1.37"
+  double low, high;      // by print precision
+  std::vector<Candidate> candidates;
+
+  std::size_t agreeing() const;  // one: the number identifies it
+};
+
+std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
+                                const std::vector<Input>& inputs);
+
+// errata.cpp: the paper's misprints, from reference/published/errata.tsv, with what the printed and
+// the right form give, so that each can be seen to matter, or not to.
+struct Erratum {
+  std::string id, place, printed, right, settled_by, kind, switch_or_reason;
+  std::string evidence;  // what is computed; empty where there is nothing to compute
+  std::optional<double> as_printed, as_corrected;
+  std::string decided_by;  // the number of the paper, or the bound, that settles it
+};
+
+// Throws std::runtime_error: the file must list exactly the errata that the code knows.
+std::vector<Erratum> read_errata(const std::string& path, const PaperScenes& scenes);
+
+// independent.cpp: film and Hertz contact beside another library's numbers,
+// reference/published/independent.tsv.
+struct IndependentNumber {
+  std::string case_name;  // "u = 1 m/s, F = 20 N"
+  std::string quantity, unit;
+  double reported, computed;
+  double digits;    // of the reported number
+  bool reproduced;  // to half a unit of its last digit, but for the films' documented constant
+};
+std::vector<IndependentNumber> independent_numbers(const std::string& path);
+
+// requirements.cpp: the change of a single input that would make a failing item hold, and what else
+// that change does.
+struct Requirement {
+  std::size_t item;  // index
+  Field field;
+  std::optional<double> sensitivity;     // d ln(number)/d ln(input) at the scene's inputs
+  std::optional<double> by_sensitivity;  // of numbers: the factor that it predicts
+  std::optional<double> factor;  // the nearest to 1 between 1/30 and 30 at which the item holds
+  std::string surface;           // of the values below: the item's surface, or else rough
+  std::string unit;              // of the values
+  double paper_value;            // the input as the paper has it
+  double value;                  // the input at that factor
+  double low, high;              // its plausible range
+  bool plausible;
+  std::vector<std::string> broken, mended;  // claims that the change breaks or mends
+};
+
+// For every item that the reading does not reproduce, every input.
+std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& reading,
+                                      const std::vector<Item>& items,
+                                      const std::vector<ItemResult>& results,
+                                      const std::vector<Input>& inputs);
+
+// C1 as a film departure: the ε that gives each surface its reported speed, and the one common ε
+// whose greatest factor from the reported speeds is least.
+struct CommonDeparture {
+  std::array<std::optional<double>, surface_count> own;  // ε for rough, medium, smooth
+  double best;                                           // ε for all
+  std::array<double, surface_count> factor;              // computed/reported there
+};
+CommonDeparture common_departure(const PaperScenes& scenes, const Reading& reading,
+                                 const std::array<double, surface_count>& reported);
+
+// uncertainty.cpp: how sure the computed numbers are, as the corrected reading with Table 1 varied
+// within its print precision, and within what is plausible. Draws come from a counter (Philox), so
+// that draw i is the same whatever was drawn before it.
+enum class Spread : std::uint8_t {
+  print,      // uniform within half of the last printed digit
+  plausible,  // log-uniform within the plausible range
+};
+
+struct Interval {
+  double low, median, high;  // 2.5 %, 50 %, 97.5 % of the draws
+  double least, greatest;
+};
+
+struct Uncertainty {
+  Spread spread;
+  std::size_t draws;
+  std::array<Interval, surface_count> onset_speed;          // film_maximum
+  std::array<Interval, surface_count> slow_asperity_share;  // at the lowest speed
+  Interval medium_over_smooth, rough_over_medium;           // of the onset speeds
+  Interval film_parameter;                                  // at the onset
+  std::size_t all_onsets_reported;  // draws in which all three speeds print as reported
+};
+
+// `reported` with the unit of the last digit, for all_onsets_reported.
+struct ReportedOnsets {
+  std::array<double, surface_count> speed, last_digit;
+};
+Uncertainty uncertainty(const PaperScenes& scenes, const std::vector<Input>& inputs, Spread spread,
+                        std::size_t draws, const ReportedOnsets& reported);
 
 // One column of the ledger.
 struct NamedReading {
@@ -54,5 +158,20 @@ Ledger make_ledger(const LedgerOptions& options);
 // One column of the ledger, for callers that need no more.
 NamedReading named_reading(const PaperScenes& scenes, const std::vector<Item>& items,
                            std::string name, const Reading& reading);
+
+// ledger_file.cpp: the ledger as comma-separated values. `tribocheck reproduce --format csv` writes
+// them; they are committed as reference/baselines/ledger.csv.
+std::string ledger_csv(const Ledger& ledger, const std::vector<NamedReading>& readings,
+                       const std::vector<std::string>& claims);
+
+struct LedgerChanges {
+  std::vector<std::string> verdicts;  // one line each; a reading that is another one is among them
+  std::vector<std::string> numbers;   // moved by more than 1e-6 of themselves, verdict unchanged
+};
+// Against the committed ledger: the readings and items that both have. Throws std::runtime_error
+// with one line.
+LedgerChanges changes_since(const std::string& path, const Ledger& ledger,
+                            const std::vector<NamedReading>& readings,
+                            const std::vector<std::string>& claims);
 
 }  // namespace tribo::reproduction

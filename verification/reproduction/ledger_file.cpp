@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reproduction/ledger_file.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +8,7 @@
 #include <stdexcept>
 
 #include "accuracy/reference_table.hpp"
+#include "reproduction/ledger.hpp"
 
 namespace tribo::reproduction {
 namespace {

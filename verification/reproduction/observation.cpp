@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t of(ContactName name) { return static_cast<std::size_t>(name); }
 constexpr ContactName contact_of(PaperSurface surface) { return static_cast<ContactName>(surface); }
+constexpr auto gt = ContactName::smooth, gw = ContactName::smooth_gw;  // as the paper compares them
 
 const std::vector<ContactPoint>& points(const Stages& stages, ContactName name) {
   return stages.starved[of(name)]->points;
@@ -153,7 +154,6 @@ Observed ratio_over(const Stages& stages, const Item& item, ContactName above, C
 }
 
 Observed friction_over(const Stages& stages, const Item& item, Effort effort) {
-  const auto gt = ContactName::smooth, gw = ContactName::smooth_gw;
   const Zone where = zone(stages, {gt, gw}, false);
   if (!where.none.empty()) return {{}, 0, 0, where.none};
   const OverZone ratio(stages, where, gt, gw, [&](const ContactPoint& a, const ContactPoint& b) {
@@ -247,24 +247,23 @@ Observed at_lowest_speed(const Stages& stages, std::initializer_list<ContactName
 
 Observed slow_area_spread(const Stages& stages) {
   const auto area = [&](ContactName name) { return points(stages, name).front().real_area_ratio; };
-  const auto rough = ContactName::rough, medium = ContactName::medium, smooth = ContactName::smooth;
-  const auto [least, greatest] = std::minmax({area(rough), area(medium), area(smooth)});
-  return at_lowest_speed(stages, {rough, medium, smooth}, greatest / least, 0);
+  const auto [least, greatest] =
+      std::minmax({area(ContactName::rough), area(ContactName::medium), area(gt)});
+  return at_lowest_speed(stages, {ContactName::rough, ContactName::medium, gt}, greatest / least,
+                         0);
 }
 
 Observed slow_count_ratio(const Stages& stages) {
-  const auto gt = ContactName::smooth, gw = ContactName::smooth_gw;
   const double ratio =
       points(stages, gt).front().summit_count / points(stages, gw).front().summit_count;
   return at_lowest_speed(stages, {gt, gw}, ratio, ratio > 1 ? 1.0 : 0.0);
 }
 
-Observed area_transition(const Stages& stages, Effort effort) {
-  const auto smooth = ContactName::smooth, smooth_gw = ContactName::smooth_gw;
-  const Zone where = zone(stages, {smooth, smooth_gw}, false);
+Observed area_transition(const Stages& stages, const Item&, Effort effort) {
+  const Zone where = zone(stages, {gt, gw}, false);
   if (!where.none.empty()) return {{}, 0, 0, where.none};
   Observed found{1.0, 1.0, 0};
-  for (const ContactName name : {smooth, smooth_gw}) {
+  for (const ContactName name : {gt, gw}) {
     const OverZone area(
         stages, where, name, name,
         [](const ContactPoint& point, const ContactPoint&) { return point.real_area_ratio; });
@@ -282,7 +281,7 @@ Observed area_transition(const Stages& stages, Effort effort) {
     const auto log_speed = curve.first_fall_to({(slowest + least.value) / 2, least.error / 2});
     if (!log_speed) return {{}, 0, 0, "the area does not fall with speed"};
     const double factor = std::exp(log_speed->value);
-    *found.value = name == smooth ? 1 / factor : *found.value * factor;
+    *found.value = name == gt ? 1 / factor : *found.value * factor;
     found.error += log_speed->error;
   }
   found.error *= *found.value;
@@ -291,13 +290,13 @@ Observed area_transition(const Stages& stages, Effort effort) {
 }
 
 Observed smoother_over_rougher(const Stages& stages, const Item& item, Effort effort) {
-  const auto rough = ContactName::rough, medium = ContactName::medium, smooth = ContactName::smooth;
-  const Zone where = zone(stages, {rough, medium, smooth}, false);
+  constexpr auto rough = ContactName::rough, medium = ContactName::medium;
+  const Zone where = zone(stages, {rough, medium, gt}, false);
   if (!where.none.empty()) return {{}, 0, 0, where.none};
   const auto log_ratio = [](const ContactPoint& a, const ContactPoint& b) {
     return std::log(a.summit_count / b.summit_count);
   };
-  const OverZone first(stages, where, smooth, medium, log_ratio);
+  const OverZone first(stages, where, gt, medium, log_ratio);
   const OverZone second(stages, where, medium, rough, log_ratio);
   std::vector<double> at_speeds = first.values();
   const std::vector<double> others = second.values();
@@ -305,7 +304,7 @@ Observed smoother_over_rougher(const Stages& stages, const Item& item, Effort ef
   return over(
       where, item, std::move(at_speeds),
       [&](double x) { return std::min(first.at(x), second.at(x)); },
-      rounding_of_ratio(stages, {rough, medium, smooth}), effort);
+      rounding_of_ratio(stages, {rough, medium, gt}), effort);
 }
 
 Observed flooded_slope(const Stages& stages) {
@@ -343,6 +342,10 @@ Observed onset_number(const Stages& stages, const Item& item, double OnsetPoint:
   return {value, value, 1, {}, onset->error * value};
 }
 
+Observed film_constant(const Stages& stages) {
+  return {stages.film_constant, stages.film_constant, 1, {}, 1e-15 * stages.film_constant};
+}
+
 Observed onset_order(const Stages& stages) {
   std::array<std::optional<Estimate>, surface_count> speed;
   for (std::size_t i = 0; i < surface_count; ++i)
@@ -356,6 +359,61 @@ Observed onset_ratio(const Stages& stages) {
   if (!gt || !gw) return {{}, 0, 0, "no onset by this criterion with GT or with GW"};
   const double ratio = gw->speed / gt->speed;
   return {ratio, ratio, 0, {}, (gt->error + gw->error) * ratio};
+}
+
+// One quantity: its name in claims.tsv, the stage that it needs, and its number.
+struct QuantityInfo {
+  std::string_view name;
+  Stage stage;
+  Observed (*observe)(const Stages& stages, const Item& item, Effort effort);
+};
+
+// A number of the points of two contacts, its ratio over all speeds that are compared.
+template <ContactName above, ContactName below, double ContactPoint::*quantity, bool mixed>
+Observed ratio_of(const Stages& stages, const Item& item, Effort effort) {
+  return ratio_over(stages, item, above, below, quantity, mixed, effort);
+}
+// A quantity that is one number asks for no item and no effort.
+template <Observed (*number)(const Stages&)>
+Observed alone(const Stages& stages, const Item&, Effort) {
+  return number(stages);
+}
+
+// In the order of Quantity.
+constexpr std::array<QuantityInfo, quantity_count> quantities{{
+    {"onset_speed", Stage::onsets,
+     [](const Stages& stages, const Item& item, Effort) {
+       return onset_number(stages, item, &OnsetPoint::speed, 1);
+     }},
+    {"onset_film_parameter", Stage::onsets,
+     [](const Stages& stages, const Item& item, Effort) {
+       return onset_number(stages, item, &OnsetPoint::film_parameter, stages.lambda_divisor);
+     }},
+    {"onset_speed_order", Stage::onsets, alone<onset_order>},
+    {"slow_asperity_share", Stage::films,
+     [](const Stages& stages, const Item& item, Effort) {
+       const ContactName name = contact_of(item.surface);
+       return at_lowest_speed(stages, {name}, points(stages, name).front().asperity_share, 1);
+     }},
+    {"equal_share_speed_order", Stage::films, alone<equal_share_order>},
+    {"late_share_rise", Stage::films, late_share_rise},
+    {"area_gw_over_gt", Stage::films, ratio_of<gw, gt, &ContactPoint::real_area_ratio, false>},
+    {"slow_area_spread", Stage::films, alone<slow_area_spread>},
+    {"area_rough_over_smooth", Stage::films,
+     ratio_of<ContactName::rough, gt, &ContactPoint::real_area_ratio, true>},
+    {"area_transition_gw_over_gt", Stage::films, area_transition},
+    {"slow_count_gt_over_gw", Stage::films, alone<slow_count_ratio>},
+    {"count_gw_over_gt", Stage::films, ratio_of<gw, gt, &ContactPoint::summit_count, true>},
+    {"count_smoother_over_rougher", Stage::films, smoother_over_rougher},
+    {"film_gw_over_gt", Stage::films, ratio_of<gw, gt, &ContactPoint::film_parameter, false>},
+    {"friction_gt_over_gw", Stage::friction, friction_over},
+    {"onset_gw_over_gt", Stage::onsets, alone<onset_ratio>},
+    {"flooded_slope", Stage::films, alone<flooded_slope>},
+    {"starved_slope_range", Stage::films, alone<starved_slope_range>},
+    {"film_constant", Stage::constant, alone<film_constant>},
+}};
+const QuantityInfo& info(Quantity quantity) {
+  return quantities[static_cast<std::size_t>(quantity)];
 }
 
 // ln u at the least friction between two speeds, and how far it may be off.
@@ -454,70 +512,11 @@ std::vector<std::string_view> beyond_collapse(const Observed& observed) {
   return names;
 }
 
-Needs needs(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::onset_speed:
-    case Quantity::onset_film_parameter:
-    case Quantity::onset_speed_order:
-    case Quantity::onset_gw_over_gt:
-      return Needs::onsets;
-    case Quantity::friction_gt_over_gw:
-      return Needs::friction;
-    case Quantity::film_constant:
-      return Needs::constant;
-    default:
-      return Needs::films;
-  }
-}
+std::string_view name(Quantity quantity) { return info(quantity).name; }
+Stage stage(Quantity quantity) { return info(quantity).stage; }
 
 Observed observe(const Item& item, const Stages& stages, Effort effort) {
-  const auto smooth = ContactName::smooth, smooth_gw = ContactName::smooth_gw;
-  switch (item.quantity) {
-    case Quantity::onset_speed:
-      return onset_number(stages, item, &OnsetPoint::speed, 1);
-    case Quantity::onset_film_parameter:
-      return onset_number(stages, item, &OnsetPoint::film_parameter, stages.lambda_divisor);
-    case Quantity::onset_speed_order:
-      return onset_order(stages);
-    case Quantity::slow_asperity_share: {
-      const ContactName name = contact_of(item.surface);
-      return at_lowest_speed(stages, {name}, points(stages, name).front().asperity_share, 1);
-    }
-    case Quantity::equal_share_speed_order:
-      return equal_share_order(stages);
-    case Quantity::late_share_rise:
-      return late_share_rise(stages, item, effort);
-    case Quantity::area_gw_over_gt:
-      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::real_area_ratio, false,
-                        effort);
-    case Quantity::slow_area_spread:
-      return slow_area_spread(stages);
-    case Quantity::area_rough_over_smooth:
-      return ratio_over(stages, item, ContactName::rough, smooth, &ContactPoint::real_area_ratio,
-                        true, effort);
-    case Quantity::area_transition_gw_over_gt:
-      return area_transition(stages, effort);
-    case Quantity::slow_count_gt_over_gw:
-      return slow_count_ratio(stages);
-    case Quantity::count_gw_over_gt:
-      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::summit_count, true, effort);
-    case Quantity::count_smoother_over_rougher:
-      return smoother_over_rougher(stages, item, effort);
-    case Quantity::film_gw_over_gt:
-      return ratio_over(stages, item, smooth_gw, smooth, &ContactPoint::film_parameter, false,
-                        effort);
-    case Quantity::friction_gt_over_gw:
-      return friction_over(stages, item, effort);
-    case Quantity::onset_gw_over_gt:
-      return onset_ratio(stages);
-    case Quantity::flooded_slope:
-      return flooded_slope(stages);
-    case Quantity::starved_slope_range:
-      return starved_slope_range(stages);
-    case Quantity::film_constant:
-      return {stages.film_constant, stages.film_constant, 1, {}, 1e-15 * stages.film_constant};
-  }
-  return {{}, 0, 0, "unknown quantity"};
+  return info(item.quantity).observe(stages, item, effort);
 }
 
 }  // namespace tribo::reproduction

@@ -66,8 +66,8 @@ struct Stages {
 };
 
 // The stage that a quantity needs beyond the films.
-enum class Needs : std::uint8_t { films, friction, onsets, constant };
-Needs needs(Quantity quantity);
+enum class Stage : std::uint8_t { films, friction, onsets, constant };
+Stage stage(Quantity quantity);
 
 // By Effort::grid the error is what may lie between the nodes, and the part where a comparison
 // holds is all or none of it; refined, they are those of the numbers themselves.

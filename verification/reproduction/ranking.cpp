@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reproduction/ranking.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <map>
+
+#include "reproduction/enumeration.hpp"
 
 namespace tribo::reproduction {
 namespace {
@@ -90,8 +90,8 @@ Ranking rank(const Enumeration& enumeration, const std::vector<Item>& items, std
   return ranking;
 }
 
-Standing standing(const Ranking& ranking, int score) {
-  Standing found{0, ranking.histogram[static_cast<std::size_t>(score)]};
+ReadingRank standing(const Ranking& ranking, int score) {
+  ReadingRank found{0, ranking.histogram[static_cast<std::size_t>(score)]};
   for (std::size_t s = static_cast<std::size_t>(score) + 1; s < ranking.histogram.size(); ++s)
     found.above += ranking.histogram[s];
   return found;

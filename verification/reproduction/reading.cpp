@@ -68,6 +68,11 @@ const SwitchInfo& info(Switch which) { return infos[static_cast<std::size_t>(whi
 Reading corrected_reading() { return reading_of(&SwitchInfo::corrected); }
 Reading literal_reading() { return reading_of(&SwitchInfo::literal); }
 
+Reading with(Switch which, std::uint8_t choice, Reading reading) {
+  reading.at(which) = choice;
+  return reading;
+}
+
 std::size_t reading_count() {
   std::size_t count = 1;
   for (const SwitchInfo& one : infos) count *= one.choices.size();

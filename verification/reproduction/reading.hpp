@@ -66,6 +66,7 @@ struct Reading {
   std::array<std::uint8_t, switch_count> choice{};
 
   std::uint8_t at(Switch which) const { return choice[static_cast<std::size_t>(which)]; }
+  std::uint8_t& at(Switch which) { return choice[static_cast<std::size_t>(which)]; }
   bool is(Switch which, std::uint8_t index) const { return at(which) == index; }
   InletRule inlet() const { return static_cast<InletRule>(at(Switch::inlet)); }
   const OnsetChoice& onset() const { return onset_choices[at(Switch::criterion)]; }
@@ -74,6 +75,8 @@ struct Reading {
 
 Reading corrected_reading();
 Reading literal_reading();
+// A reading with another choice at one switch.
+Reading with(Switch which, std::uint8_t choice, Reading reading = corrected_reading());
 
 // All combinations, numbered 0 … reading_count() − 1; the first switch turns slowest.
 std::size_t reading_count();

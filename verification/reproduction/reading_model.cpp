@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "tribo/bracketed_root.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/hertz.hpp"
 #include "tribo/stribeck_walk.hpp"
@@ -34,6 +36,23 @@ AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading
   return contact;
 }
 
+// The circular contact's gap is greater by 4/π than the line contact's, and c less.
+InletCurve<double> curve_of(const Reading& reading) {
+  const StarvationClosure closure = reading.inlet() == InletRule::as_printed
+                                        ? StarvationClosure::flooded_inlet
+                                        : static_cast<StarvationClosure>(reading.inlet());
+  return {closure, reading.is(Switch::gap, 1) ? std::numbers::pi / 4 : 1};
+}
+
+// E11: with 1.12 to 1.14 as they stand, h*/h_oil = (2/π) arctan(2.7ψ) and h_oil/h* = 1 + ψ^{3/2}/c,
+// and no film enters.
+double printed_constant(const InletCurve<double>& curve) {
+  const double length =
+      bracketed_root([&](double t) { return curve.log_film_ratio(t) + curve.log_inverse_r(t); },
+                     -20.0, 20.0, epsilon<double>());
+  return wolveridge_film_ratio(std::exp(length));
+}
+
 }  // namespace
 
 FrictionLaw friction_law(const Reading& reading) {
@@ -49,6 +68,27 @@ FilmLaw film_law(const Reading& reading) {
   law.speed_multiple += reading.at(Switch::speed);
   if (reading.is(Switch::film_constant, 1)) law.side_leakage = {0, 1};
   return law;
+}
+
+ReadInlet::ReadInlet(const Reading& reading) : rule_(reading.inlet()), curve_(curve_of(reading)) {
+  if (rule_ == InletRule::as_printed)
+    constant_film_ = printed_constant(curve_);
+  else if (const double r = curve_.at_film_maximum(); r == r)
+    maximum_ = r;
+}
+
+double ReadInlet::film_ratio(double flooded_over_inlet) const {
+  if (rule_ == InletRule::as_printed) return constant_film_ / flooded_over_inlet;
+  return curve_.film_ratio(flooded_over_inlet);
+}
+
+double ReadInlet::slope(double flooded_over_inlet) const {
+  return rule_ == InletRule::as_printed ? -1 : curve_.slope(flooded_over_inlet);
+}
+
+double ReadInlet::departure(double departure) const {
+  if (rule_ == InletRule::as_printed) return constant_film_ / (1 - departure);
+  return curve_.at_departure(departure);
 }
 
 ReadContact::ReadContact(const Scene& scene, const Reading& reading, double film_scale)

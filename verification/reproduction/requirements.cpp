@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reproduction/requirements.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "reproduction/ledger.hpp"
 #include "sweep/on_threads.hpp"
 #include "tribo/bracketed_root.hpp"
 #include "tribo/onset.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "reproduction/uncertainty.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "reproduction/ledger.hpp"
 #include "sampling/philox.hpp"
 
 namespace tribo::reproduction {

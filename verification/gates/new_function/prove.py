@@ -52,10 +52,9 @@ def add_function(tree):
     insert(family, "constexpr std::array entries{\n", piece("parameters.inc"))
     insert(family, '    Function{.name = "hertz_point"', piece("entry.inc"))
     generators = tree / "reference/generators"
-    insert(generators / "small_tables.cpp", "}  // namespace tribo::reference\n", piece("generator.inc"))
-    insert(generators / "quantities.hpp", "Table operating_points();", "Table oil_bulk_moduli();\n")
-    insert(generators / "generate.cpp", '{"operating_point.csv",',
-           '{"oil_bulk_modulus.csv", tribo::reference::oil_bulk_moduli}, ')
+    insert(generators / "liquids.cpp", "}  // namespace tribo::reference\n", piece("generator.inc"))
+    insert(generators / "table.hpp", "Table operating_points();", "Table oil_bulk_moduli();\n")
+    insert(generators / "generate.cpp", "operating_points", "oil_bulk_moduli, ")
     with open(tree / "reference/mistakes.toml", "a") as mistakes:
         mistakes.write(piece("mistakes.toml"))
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Other film laws than the default one, in load sharing and in whole contacts: h = h₀ γ^{a−b} with
-// the numbers of the law, in 50 digits, in double and in ball arithmetic.
+// the numbers of the law, in 50 digits and in double.
 #include <gtest/gtest.h>
 
 #include "support/condition.hpp"
-#include "support/enclosure.hpp"
 #include "support/film_laws.hpp"
 #include "support/judge.hpp"
 #include "support/scenes.hpp"
@@ -69,8 +68,9 @@ TEST(FilmLaw, RootInDoubleAgreesWithFiftyDigits) {
 // ln λ − ln λ₀ + (a−b) ln(1 − A), −1 where A ≥ 1.
 TEST(FilmLaw, ResidualChangesSignAtTheRootAlone) {
   Sampler sampler(72);
-  for (int i = 0; i < 100; ++i) {
-    const Problem p = random_problem(sampler);
+  for (int i = 0; i < 200; ++i) {
+    Problem p = random_problem(sampler);
+    if (i % 2 == 0) p.law = &hamrock_dowson_central_law;
     const auto sharing = p.sharing<Reference>();
     const Reference lambda = sharing.solve(Reference(p.flooded)).film_parameter;
     const Reference exponent =
@@ -103,17 +103,6 @@ TEST(FilmLaw, RootOfTheMinimumFilmAgreesWithGsl) {
                          p.condition()));
   }
   EXPECT_GT(compared, 40);
-}
-
-TEST(FilmLaw, BallsHoldTheFiftyDigits) {
-  Sampler sampler(74);
-  for (int i = 0; i < 40; ++i) {
-    const Problem p = random_problem(sampler);
-    const LoadShares<Reference> exact = p.sharing<Reference>().solve(Reference(p.flooded));
-    const auto ball = p.sharing<reference::Ball>().solve(reference::Ball(p.flooded));
-    EXPECT_TRUE(is_close(std::stod(ball.film_parameter.decimal(20)), exact.film_parameter, 1e-15,
-                         {{"K", p.stiffness}, {"delta", p.offset}, {"lambda0", p.flooded}}));
-  }
 }
 
 // d ln λ₀/d ln(1−A) at a film, from two surfaces of different stiffness, and back from λ₀ to λ.

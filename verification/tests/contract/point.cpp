@@ -24,25 +24,33 @@
 namespace tribo::verification {
 namespace {
 
-// Places in rows().
-constexpr std::size_t scene_row = 0;
-constexpr std::size_t extreme_row = scene_row + number_count + 1;
-constexpr std::size_t sharing_row = extreme_row + number_count + 1;
-constexpr std::size_t ratio_row = sharing_row + 2;
-constexpr std::size_t moment_row = ratio_row + 4;
-constexpr std::size_t scaled_row = moment_row + 6;
-static_assert(scaled_row == stress_rows);
-constexpr std::size_t deficit_row = scaled_row + 12;
-constexpr std::size_t hertz_row = deficit_row + 3;
-constexpr std::size_t film_row = hertz_row + 5;
-constexpr std::size_t rough_row = film_row + 1;
-constexpr std::size_t viscosity_row = rough_row + 3;
-constexpr std::size_t shear_row = viscosity_row + 1;
-constexpr std::size_t modulus_row = shear_row + 1;
-constexpr std::size_t radius_row = modulus_row + 1;
-constexpr std::size_t ellipse_row = radius_row + 3;
-constexpr std::size_t line_row = ellipse_row + 6;
-constexpr std::size_t formula_row = line_row + 4;  // the kinds after it have a row each
+constexpr std::string_view kind_names[] = {"scene",
+                                           "extreme_scene",
+                                           "load_sharing",
+                                           "film_ratio",
+                                           "moment",
+                                           "scaled_moment",
+                                           "deficit",
+                                           "hertz",
+                                           "film",
+                                           "rough_contact",
+                                           "viscosity",
+                                           "shear",
+                                           "effective_modulus",
+                                           "reduced_radius",
+                                           "hertz_ellipse",
+                                           "hertz_line",
+                                           "film_law",
+                                           "moes_line",
+                                           "film_regime",
+                                           "thermal_reduction",
+                                           "density",
+                                           "pressure_viscosity",
+                                           "astm_d341",
+                                           "spectral_moments"};
+static_assert(std::size(kind_names) == kind_count);
+// The kinds up to moment have these rows.
+static_assert(stress_rows == 2 * (number_count + 1) + 2 + 4 + 6);
 
 constexpr std::array orders{Order::zero,         Order::half, Order::one,
                             Order::three_halves, Order::two,  Order::five_halves};
@@ -214,52 +222,69 @@ double logarithm_condition(double value) {
 
 }  // namespace
 
-std::span<const Row> rows() {
-  static const std::vector<Row> all = [] {
-    std::vector<Row> table;
-    const auto add = [&](std::string_view family, std::initializer_list<std::string_view> names,
-                         const Contract& contract) {
+namespace {
+
+// All rows, and the place of the first row of each kind.
+struct RowTable {
+  std::vector<Row> rows;
+  std::array<std::size_t, kind_count> first{};
+};
+const RowTable& row_table() {
+  static const RowTable all = [] {
+    RowTable table;
+    Kind last = Kind::count;
+    const auto add = [&](Kind kind, std::string_view family,
+                         std::initializer_list<std::string_view> names, const Contract& contract) {
+      if (kind != last) table.first[static_cast<std::size_t>(kind)] = table.rows.size();
+      last = kind;
       for (const std::string_view name : names)
-        table.push_back({fmt::format("{}.{}", family, name), contract});
+        table.rows.push_back({fmt::format("{}.{}", family, name), contract});
     };
-    for (const char* family : {"operating_point", "extreme_operating_point"}) {
+    for (const auto& [kind, family] : {std::pair{Kind::scene, "operating_point"},
+                                       {Kind::extreme_scene, "extreme_operating_point"}}) {
       for (std::size_t i = 0; i < number_count; ++i)
-        add(family, {output_infos[i].name}, operating_point_contract);
-      add(family, {"states"}, {0, 0});
+        add(kind, family, {output_infos[i].name}, operating_point_contract);
+      add(kind, family, {"states"}, {0, 0});
     }
-    add("load_sharing", {"greenwood_tripp", "greenwood_williamson"}, load_sharing_contract);
-    add("starvation_ratio", {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"},
+    add(Kind::load_sharing, "load_sharing", {"greenwood_tripp", "greenwood_williamson"},
+        load_sharing_contract);
+    add(Kind::film_ratio, "starvation_ratio",
+        {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"},
         starvation_ratio_contract);
     const auto by_order = {"0", "1/2", "1", "3/2", "2", "5/2"};
-    for (const auto& order : by_order) add("gaussian_moment", {order}, gaussian_moment_contract);
+    for (const auto& order : by_order)
+      add(Kind::moment, "gaussian_moment", {order}, gaussian_moment_contract);
     for (const auto& order : by_order) {
-      add("scaled_gaussian_moment", {order}, gaussian_moment_contract);
-      add("log_gaussian_moment", {order}, {0, log_gaussian_moment_contract.ulp});
+      add(Kind::scaled_moment, "scaled_gaussian_moment", {order}, gaussian_moment_contract);
+      add(Kind::scaled_moment, "log_gaussian_moment", {order},
+          {0, log_gaussian_moment_contract.ulp});
     }
-    add("starvation", {"deficit"}, starvation_ratio_contract);
-    add("starvation", {"departure_ratio"}, {0, starvation_ratio_contract.ulp});
-    add("starvation", {"slope"}, {450, 0});
-    add("hertz_point", {"radius", "nominal_area", "mean_pressure", "peak_pressure", "approach"},
-        hertz_contract);
-    add("hamrock_dowson_central", {"value"}, film_contract);
-    add("asperity_contact", {"stiffness", "area_factor", "count_factor"}, {10, 0});
-    add("log_viscosity_ratio", {"value"}, {450, 0});
-    add("fluid_shear_stress", {"value"}, {0, 20});
-    add("effective_modulus", {"value"}, effective_modulus_contract);
-    add("reduced_radius", {"radius_x", "radius_y", "reduced_radius"}, reduced_radius_contract);
-    add("hertz_ellipse",
+    add(Kind::deficit, "starvation", {"deficit"}, starvation_ratio_contract);
+    add(Kind::deficit, "starvation", {"departure_ratio"}, {0, starvation_ratio_contract.ulp});
+    add(Kind::deficit, "starvation", {"slope"}, {450, 0});
+    add(Kind::hertz, "hertz_point",
+        {"radius", "nominal_area", "mean_pressure", "peak_pressure", "approach"}, hertz_contract);
+    add(Kind::film, "hamrock_dowson_central", {"value"}, film_contract);
+    add(Kind::rough_contact, "asperity_contact", {"stiffness", "area_factor", "count_factor"},
+        {10, 0});
+    add(Kind::viscosity, "log_viscosity_ratio", {"value"}, {450, 0});
+    add(Kind::shear, "fluid_shear_stress", {"value"}, {0, 20});
+    add(Kind::effective_modulus, "effective_modulus", {"value"}, effective_modulus_contract);
+    add(Kind::reduced_radius, "reduced_radius", {"radius_x", "radius_y", "reduced_radius"},
+        reduced_radius_contract);
+    add(Kind::hertz_ellipse, "hertz_ellipse",
         {"semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure", "peak_pressure", "approach"},
         hertz_ellipse_contract);
-    add("hertz_line", {"half_width", "mean_pressure", "peak_pressure", "peak_shear"},
-        hertz_line_contract);
-    add("film_law", {"value"}, film_contract);
-    add("moes_line", {"value"}, moes_line_contract);
-    add("regime_film", {"value"}, film_contract);
-    add("gupta_thermal_reduction", {"value"}, gupta_thermal_contract);
-    add("dowson_higginson_density", {"value"}, density_contract);
-    add("viscosity_at", {"value"}, roelands_contract);
-    add("astm_d341_viscosity", {"value"}, astm_d341_contract);
-    add("summits_from_spectral_moments",
+    add(Kind::hertz_line, "hertz_line",
+        {"half_width", "mean_pressure", "peak_pressure", "peak_shear"}, hertz_line_contract);
+    add(Kind::film_law, "film_law", {"value"}, film_contract);
+    add(Kind::moes_line, "moes_line", {"value"}, moes_line_contract);
+    add(Kind::film_regime, "regime_film", {"value"}, film_contract);
+    add(Kind::thermal_reduction, "gupta_thermal_reduction", {"value"}, gupta_thermal_contract);
+    add(Kind::density, "dowson_higginson_density", {"value"}, density_contract);
+    add(Kind::pressure_viscosity, "viscosity_at", {"value"}, roelands_contract);
+    add(Kind::astm_d341, "astm_d341_viscosity", {"value"}, astm_d341_contract);
+    add(Kind::spectral_moments, "summits_from_spectral_moments",
         {"bandwidth", "summit_density", "summit_radius", "summit_height_sd", "summit_plane_offset"},
         spectral_moments_contract);
     return table;
@@ -267,26 +292,17 @@ std::span<const Row> rows() {
   return all;
 }
 
+}  // namespace
+
+std::span<const Row> rows() { return row_table().rows; }
+
 std::size_t first_row(const Point& point) {
-  switch (point.kind) {
-    case Kind::scene:
-      return scene_row;
-    case Kind::extreme_scene:
-      return extreme_row;
-    case Kind::load_sharing:
-      return sharing_row + static_cast<std::size_t>(point.scene.closures.asperity);
-    case Kind::film_ratio:
-      return ratio_row + static_cast<std::size_t>(point.scene.closures.starvation);
-    default: {
-      if (point.kind >= Kind::film_law)
-        return formula_row + static_cast<std::size_t>(point.kind) -
-               static_cast<std::size_t>(Kind::film_law);
-      constexpr std::array first{moment_row,  scaled_row, deficit_row,   hertz_row,
-                                 film_row,    rough_row,  viscosity_row, shear_row,
-                                 modulus_row, radius_row, ellipse_row,   line_row};
-      return first[static_cast<std::size_t>(point.kind) - static_cast<std::size_t>(Kind::moment)];
-    }
-  }
+  const std::size_t first = row_table().first[static_cast<std::size_t>(point.kind)];
+  if (point.kind == Kind::load_sharing)
+    return first + static_cast<std::size_t>(point.scene.closures.asperity);
+  if (point.kind == Kind::film_ratio)
+    return first + static_cast<std::size_t>(point.scene.closures.starvation);
+  return first;
 }
 
 Point point_at(std::uint64_t seed, std::uint64_t index) {
@@ -300,33 +316,7 @@ Point point_at(std::uint64_t seed, std::uint64_t index) {
   return point;
 }
 
-std::string_view name(Kind kind) {
-  constexpr std::array<std::string_view, kind_count> names{"scene",
-                                                           "extreme_scene",
-                                                           "load_sharing",
-                                                           "film_ratio",
-                                                           "moment",
-                                                           "scaled_moment",
-                                                           "deficit",
-                                                           "hertz",
-                                                           "film",
-                                                           "rough_contact",
-                                                           "viscosity",
-                                                           "shear",
-                                                           "effective_modulus",
-                                                           "reduced_radius",
-                                                           "hertz_ellipse",
-                                                           "hertz_line",
-                                                           "film_law",
-                                                           "moes_line",
-                                                           "film_regime",
-                                                           "thermal_reduction",
-                                                           "density",
-                                                           "pressure_viscosity",
-                                                           "astm_d341",
-                                                           "spectral_moments"};
-  return names[static_cast<std::size_t>(kind)];
-}
+std::string_view name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 void draw(Sampler& sampler, Point& point) {
   const auto numbers = [&](std::initializer_list<std::pair<double, double>> ranges) {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reproduction/ledger_file.hpp"
+#include "reproduction/ledger.hpp"
 #include "sampling/sampler.hpp"
 #include "support/judge.hpp"
 #include "support/temporary_folder.hpp"

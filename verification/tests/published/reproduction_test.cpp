@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reproduction/ledger_file.hpp"
+#include "reproduction/ledger.hpp"
 #include "sampling/sampler.hpp"
 #include "support/judge.hpp"
 #include "support/temporary_folder.hpp"
@@ -41,11 +41,6 @@ const std::vector<Item>& items() {
 const Ledger& ledger() {
   static const Ledger made = make_ledger({published, {}, 3, 2000});
   return made;
-}
-Reading with(Switch which, std::uint8_t choice) {
-  Reading reading = corrected_reading();
-  reading.choice[static_cast<std::size_t>(which)] = choice;
-  return reading;
 }
 const Item& item(std::string_view id) {
   return *std::find_if(items().begin(), items().end(),

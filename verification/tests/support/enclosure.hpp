@@ -37,7 +37,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "generators/elliptic_integrals.hpp"
+#include "generators/ellipse_shape.hpp"
 #include "generators/moments.hpp"
 #include "tribo/bracketed_root.hpp"
 #include "tribo/gaussian_moment.hpp"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Starvation ratios and onset constants.
-#include "generators/quantities.hpp"
+#include <array>
+
 #include "generators/sampler.hpp"
 #include "generators/starved_film.hpp"
+#include "generators/table.hpp"
 
 namespace tribo::reference {
 namespace {
@@ -27,41 +29,37 @@ Ball ratio_condition(Inlet inlet, const Ball& r, const Ball& gamma, const Ball& 
 // certain but within 2^-150 of the root; `digits` of the two ways differ by their step.
 Ball maximum_film_ratio(Inlet inlet, int step_bits) {
   const Ball h = pow(Ball(2), Ball(-step_bits));
-  const auto sign = [&](const Ball& y) {
+  const auto excess = [&](const Ball& y) {
     // Richardson: error h⁴
     const auto log_inverse = [&](int k) { return log(inverse_ratio(inlet, y * exp(k * h))); };
     const Ball slope =
         (8 * (log_inverse(1) - log_inverse(-1)) - (log_inverse(2) - log_inverse(-2))) / (12 * h);
-    const Ball excess = slope - 1;
-    return excess < 0 ? -1 : excess > 0 ? 1 : 0;
+    return slope - 1;
   };
-  return bisect(sign, fraction(1, 100), fraction(99, 100));
+  return zero_between(excess, fraction(1, 100), fraction(99, 100));
 }
 
 }  // namespace
 
 Table starvation_ratios() {
-  Table table;
-  table.header = {"starvation_ratio",
-                  "y = h*/h_ff at r = h_ff/h_oil",
-                  "dimensionless",
-                  "r in [1e-12, 1e12], gamma in [0.5, 6] (damiens alone uses it)",
-                  "explicit, or Newton's method in ln psi with a proof by signs",
-                  "bisection on y in ball arithmetic (damiens: the other form, rho = 1/r)",
-                  "id,closure,flooded_over_inlet,damiens_exponent,value,high,low,condition,region"};
+  Table table{{"starvation_ratio", "y = h*/h_ff at r = h_ff/h_oil", "dimensionless",
+               "r in [1e-12, 1e12], gamma in [0.5, 6] (damiens alone uses it)",
+               "explicit, or Newton's method in ln psi with a proof by signs",
+               "bisection on y in ball arithmetic (damiens: the other form, rho = 1/r)",
+               "closure,flooded_over_inlet,damiens_exponent"},
+              "s"};
   Sampler sampler(303);
-  int number = 0;
   for (const Inlet inlet : inlets) {
     std::vector<double> ratios{0.5, 1 - 0x1p-30, 1, 0.6327757634209, 0.6962389029717};
     for (int i = 0; i < 60; ++i) ratios.push_back(sampler.log_uniform(1e-3, 1e3));
     for (int i = 0; i < 30; ++i) ratios.push_back(sampler.log_uniform(1e-12, 1e12));
     for (const double r : ratios) {
       const double gamma = sampler.uniform(0.5, 6);
-      table.rows.emplace_back([=, id = fmt::format("s{:04}", number++)] {
+      table.add([=] {
         const Ball y = film_ratio_by_inlet_length(inlet, Ball(r), Ball(gamma));
         const bool collapsed = inlet == Inlet::flooded_inlet && r >= 1;
-        return Row{id,
-                   {name(inlet), hexfloat(r), hexfloat(gamma)},
+        return Row{{name(inlet)},
+                   {r, gamma},
                    y,
                    film_ratio_by_bisection(inlet, Ball(r), Ball(gamma)),
                    collapsed ? Ball(1) : ratio_condition(inlet, Ball(r), Ball(gamma), y),
@@ -75,21 +73,20 @@ Table starvation_ratios() {
 }
 
 Table onset_constants() {
-  Table table;
-  table.header = {
-      "onset_constant",
-      "r, and h*/h_oil, at which h* is greatest at constant h_oil; r at a departure",
-      "dimensionless",
-      "flooded_inlet and printed_exponents (maximum); all closures (departure 0.05, gamma 3)",
-      "bisection on the slope of ln(1/r) in ln y, differences of step 2^-40",
-      "the same with a step of 2^-45; departures: substitution into r -> y by bisection",
-      "id,closure,constant,value,high,low,condition,region"};
-  int number = 0;
+  Table table{
+      {"onset_constant",
+       "r, and h*/h_oil, at which h* is greatest at constant h_oil; r at a departure",
+       "dimensionless",
+       "flooded_inlet and printed_exponents (maximum); all closures (departure 0.05, gamma 3)",
+       "bisection on the slope of ln(1/r) in ln y, differences of step 2^-40",
+       "the same with a step of 2^-45; departures: substitution into r -> y by bisection",
+       "closure,constant"},
+      "o"};
   const auto add = [&](Inlet inlet, const char* constant,
                        std::function<std::pair<Ball, Ball>()> both, const char* region) {
-    table.rows.emplace_back([=, id = fmt::format("o{:04}", number++)] {
+    table.add([=] {
       const auto [first, second] = both();
-      return Row{id, {name(inlet), constant}, first, second, Ball(1), region};
+      return Row{{name(inlet), constant}, {}, first, second, Ball(1), region};
     });
   };
   for (const Inlet inlet : {Inlet::flooded_inlet, Inlet::printed_exponents}) {
@@ -102,18 +99,9 @@ Table onset_constants() {
       const Ball y = maximum_film_ratio(inlet, bits);
       return with_relative_radius((y / inverse_ratio(inlet, y)).midpoint(), 4 * bits - 12);
     };
-    add(
-        inlet, "flooded_over_inlet_at_maximum",
-        [=] {
-          return std::pair{ratio(40), ratio(45)};
-        },
-        "maximum");
-    add(
-        inlet, "film_over_inlet_at_maximum",
-        [=] {
-          return std::pair{film(40), film(45)};
-        },
-        "maximum");
+    const auto by_both = [](auto of) { return [=] { return std::pair{of(40), of(45)}; }; };
+    add(inlet, "flooded_over_inlet_at_maximum", by_both(ratio), "maximum");
+    add(inlet, "film_over_inlet_at_maximum", by_both(film), "maximum");
   }
   for (const Inlet inlet : inlets)
     add(
@@ -123,11 +111,8 @@ Table onset_constants() {
           const Ball r = inlet == Inlet::damiens ? pow(1 - pow(y, gamma), 1 / gamma) / y
                                                  : 1 / inverse_ratio(inlet, y);
           // the second way: bisection on r of y(r) − 0.95
-          const Ball found = bisect(
-              [&](const Ball& x) {
-                const Ball excess = y - film_ratio_by_inlet_length(inlet, x, gamma);
-                return excess < 0 ? -1 : excess > 0 ? 1 : 0;
-              },
+          const Ball found = zero_between(
+              [&](const Ball& x) { return y - film_ratio_by_inlet_length(inlet, x, gamma); },
               fraction(1, 1000), inlet == Inlet::flooded_inlet ? fraction(999, 1000) : Ball(100));
           return std::pair{r, found};
         },

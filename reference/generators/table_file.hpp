@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files of tables: how their rows are made on all cores, dated and written, read again, and
+// compared with a sample that is made anew.
+#pragma once
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <openssl/sha.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "generators/sampler.hpp"
+
+namespace tribo::reference {
+
+// The last lines of a header's comments: the date, and the checksum of the rows.
+inline std::string dated(const std::string& rows) {
+  unsigned char digest[SHA256_DIGEST_LENGTH];
+  SHA256(reinterpret_cast<const unsigned char*>(rows.data()), rows.size(), digest);
+  std::string checksum;
+  for (const unsigned char byte : digest) checksum += fmt::format("{:02x}", byte);
+  return fmt::format("# date: {:%Y-%m-%d}\n# sha256 of the rows: {}\n",
+                     fmt::gmtime(std::time(nullptr)), checksum);
+}
+
+inline void write_whole(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path temporary = file.string() + ".part";
+  std::ofstream(temporary) << text;
+  std::filesystem::rename(temporary, file);
+}
+
+inline std::string joined(const std::vector<std::string>& rows) {
+  std::string text;
+  for (const std::string& row : rows) text += row + "\n";
+  return text;
+}
+
+// The texts of make(0), …, make(count − 1), on all cores. `block` neighbours stay on one thread,
+// which calls at_end() last. An error ends the program with its message after `prefix`.
+template <class Make, class AtEnd>
+std::vector<std::string> made_on_all_cores(std::size_t count, std::size_t block,
+                                           const std::string& prefix, Make&& make, AtEnd&& at_end) {
+  std::vector<std::string> rows(count);
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  const auto work = [&] {
+    for (std::size_t start; (start = block * next++) < count && !failed;)
+      for (std::size_t i = start; i < std::min(start + block, count); ++i) try {
+          rows[i] = make(i);
+        } catch (const std::exception& error) {
+          std::cerr << prefix + error.what() + "\n";
+          failed = true;
+        }
+    at_end();
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 0; i < std::max(1U, std::thread::hardware_concurrency()); ++i)
+    threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  if (failed) std::exit(1);
+  return rows;
+}
+
+// The rows of a file, below its comments and the line of columns, which begins with `columns`.
+inline std::vector<std::string> committed_rows(const std::filesystem::path& file,
+                                               std::string_view columns) {
+  std::ifstream in(file);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with("#") && !line.starts_with(columns)) rows.push_back(line);
+  return rows;
+}
+
+// Makes a seeded sample of a table's rows again: again(places) has their texts. Says what is
+// different, which is_same(committed, again) decides, and returns how many rows are.
+template <class Again, class IsSame>
+int different_rows(const std::string& name, const std::vector<std::string>& committed,
+                   std::size_t count_now, std::uint64_t seed, int count, Again&& again,
+                   IsSame&& is_same) {
+  if (committed.size() != count_now) {
+    std::cout << fmt::format("{}: {} rows, the generator makes {}\n", name, committed.size(),
+                             count_now);
+    return 1;
+  }
+  Sampler sampler(seed);
+  std::vector<std::size_t> places;
+  for (int i = 0; i < count; ++i)
+    places.push_back(std::min(count_now - 1, static_cast<std::size_t>(sampler.uniform(
+                                                 0, static_cast<double>(committed.size())))));
+  const std::vector<std::string> rows = again(places);
+  int different = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (is_same(committed[places[i]], rows[i])) continue;
+    ++different;
+    std::cout << fmt::format("{}:\n  committed {}\n  again     {}\n", name, committed[places[i]],
+                             rows[i]);
+  }
+  std::cout << fmt::format("{}: {} of {} rows made again\n", name, count, committed.size());
+  return different;
+}
+
+}  // namespace tribo::reference

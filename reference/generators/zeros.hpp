@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Zeros of functions of balls, each found in one of two ways that have no step in common: bisection
+// by certain signs, and Newton's method with a proof by signs afterwards.
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <optional>
+
+#include "generators/ball.hpp"
+
+namespace tribo::reference {
+
+// −1, 1: certain; 0: undecided, or zero.
+inline int sign(const Ball& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
+
+// The zero of an increasing function with certain signs, in [low, high] > 0: bisection, geometric
+// while the ends are far apart, until the sign is undecided or 230 bits are reached.
+inline Ball bisect(const std::function<int(const Ball&)>& certain_sign, Ball low, Ball high) {
+  for (int i = 0; i < 4000; ++i) {
+    const Ball middle = (high > 2 * low ? sqrt(low * high) : (low + high) / 2).midpoint();
+    const int s = certain_sign(middle);
+    if (s == 0 || (high - low) < low * pow(Ball(2), Ball(-230))) break;
+    (s < 0 ? low : high) = middle;
+  }
+  Ball result;
+  arb_union(result.get(), low.get(), high.get(), ball_precision);
+  return result;
+}
+// The same for a function itself.
+inline Ball zero_between(const std::function<Ball(const Ball&)>& function, const Ball& low,
+                         const Ball& high) {
+  return bisect([&](const Ball& x) { return sign(function(x)); }, low, high);
+}
+
+// The zero of an increasing function by Newton's method on midpoints from t, in steps of at most 2
+// with the slope over 2^-120. The radius of the result is the first 2^−bits at whose two ends the
+// function has certain and opposite signs; there is no result where no radius has them.
+inline std::optional<Ball> zero_by_newton(const std::function<Ball(const Ball&)>& function, Ball t,
+                                          std::initializer_list<int> bits) {
+  const Ball h = pow(Ball(2), Ball(-120));
+  for (int i = 0; i < 300; ++i) {
+    const Ball value = function(t);
+    const Ball slope = (function((t + h).midpoint()) - value) / h;
+    Ball step = (value / slope).midpoint();
+    if (step > 2) step = 2;
+    if (step < -2) step = -2;
+    t = (t - step).midpoint();
+    if (abs(step) < pow(Ball(2), Ball(-250))) break;
+  }
+  for (const int one : bits) {
+    const Ball radius = pow(Ball(2), Ball(-one));
+    if (!(function((t - radius).midpoint()) < 0 && function((t + radius).midpoint()) > 0)) continue;
+    arb_add_error(t.get(), radius.get());
+    return t;
+  }
+  return std::nullopt;
+}
+
+inline Ball with_relative_radius(const Ball& midpoint, int bits) {
+  Ball result = midpoint;
+  const Ball radius = abs(midpoint) * pow(Ball(2), Ball(-bits));
+  arb_add_error(result.get(), radius.get());
+  return result;
+}
+
+}  // namespace tribo::reference
