@@ -443,14 +443,5 @@ TEST(MedianSeconds, AreTheMedianOfEachContendersOwnRounds) {
   }
 }
 
-TEST(PartWithin, CountsWhatIsSolvedAgainstTheLeastTimeOfAll) {
-  const double never = std::numeric_limits<double>::infinity();
-  const std::vector<std::vector<double>> times{{1, 2, never, never}, {2, 1, 3, never}};
-  for (const double within : {1.0, 1.99, 2.0, 1e9}) {
-    EXPECT_EQ(part_within(times, 0, within), within < 2 ? 0.25 : 0.5);
-    EXPECT_EQ(part_within(times, 1, within), within < 2 ? 0.5 : 0.75);
-  }
-}
-
 }  // namespace
 }  // namespace tribo::benchmarks

@@ -17,12 +17,6 @@ struct Timed {
 // random order, until `least` seconds have passed.
 std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least);
 
-// The part of the cases that a contender solves within so many times the least time of all
-// contenders; times[contender][case], ∞ where it does not solve the case.
-double part_within(const std::vector<std::vector<double>>& times, std::size_t contender,
-                   double times_the_least);
-
-double cpu_seconds();   // used by this process
-double wall_seconds();  // since some time
+double cpu_seconds();  // used by this process
 
 }  // namespace tribo::benchmarks

@@ -241,11 +241,6 @@ def software(report):
     yield f"fitted from {films['exponents'][0]['from_cells']} cells on" + "".join(
         f"{';' if i else ', with their standard errors.'} {one['solver']}, {whole(one['cells'])} cells: {sig(1e-9 * one['step_ns'], 2)} s a step, "
         f"{sig(1e-6 * one['bytes'], 3)} MB" for i, one in enumerate(films["largest"])) + "."
-    fastest = sorted(work["profile"], key=lambda one: one["fastest"])[-1]
-    settled = sum(one["within_greatest_factor"] >= 1 for one in work["profile"])
-    yield f"{fastest['solver']} is the fastest in {percent(fastest['fastest'])} of the cases. {settled} of {len(work['profile'])} solvers settle all cases"
-    yield "greatest throughput: " + ", ".join(f"{one['kernel']} {sig(one['gigabytes_per_second'], 3)} GB/s" for one in work["throughput"]) + "."
-    yield f"up to {work['most_threads']} threads; greatest speed-up: " + ", ".join(f"{one['kernel']} {sig(one['speedup'], 3)}" for one in work["speedup"]) + "."
     yield (f"by what it asks for, a scene saves {percent(least['least_saved'], 2)} to {percent(least['greatest_saved'], 2)} of the evaluations of Fn.")
     yield f"at {many(least['speeds'])} speeds over the range"
     gates, speed = report["gates"], report["sweep_speed"]

@@ -90,18 +90,11 @@ def work_precision(base):
                      "ways": list(timed.values())})
     both = [(job["ours"], job["fastest_alternative"]) for job in jobs if job["ours"] and job["fastest_alternative"]]
     times = [other["times_ours"] for _, other in both]
-
-    def most(table, key):
-        return [{"kernel": kernel, key: max(row[key] for row in rows)} for kernel, rows in groups(base[table], "kernel").items()]
     films = base["line_film_run"]
     return run_of(base) | {
         "environment": of(base["environment"], "cpu", "compiler", "instruction_set"), "jobs": jobs,
         "alternatives": {"jobs": len(both), "less_exact": sum(other["max_ulp"] > ours["max_ulp"] for ours, other in both),
                          "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None)},
-        "profile": [{"solver": solver, "fastest": rows[0]["fraction"], "within_greatest_factor": rows[-1]["fraction"]}
-                    for solver, rows in groups(base["performance_profile"], "solver").items()],
-        "throughput": most("throughput_by_size", "gigabytes_per_second"), "speedup": most("throughput_by_threads", "speedup"),
-        "most_threads": max(row["threads"] for row in base["throughput_by_threads"]),
         "line_film": run_of(films) | {
             "ways": [of(row, "family", "name", "ns", "steps", "max_relative", "mean_relative", "no_numbers", "judged") for row in base["line_film"]],
             "exponents": [of(row, "solver", "quantity", "exponent", "uncertainty", "from_cells", "to_cells") for row in base["line_film_exponents"]],
