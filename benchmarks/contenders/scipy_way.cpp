@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contenders/scipy_way.hpp"
-
+// SciPy's quad and fsolve, asked in a Python process.
 #include <chrono>
 #include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "conformance/subject_process.hpp"
+#include "contenders/moment_contender.hpp"
+#include "contenders/root_contender.hpp"
 #include "protocol/bounded_json.hpp"
 
 namespace tribo::benchmarks {

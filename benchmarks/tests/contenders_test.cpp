@@ -14,10 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/curve_cases.hpp"
-#include "cases/ellipse_cases.hpp"
-#include "cases/moment_cases.hpp"
-#include "cases/root_cases.hpp"
+#include "cases/jobs.hpp"
 #include "support/case_count.hpp"
 #include "support/judge.hpp"
 #include "tribo/batch.hpp"

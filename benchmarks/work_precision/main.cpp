@@ -12,12 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "cases/measured.hpp"
 #include "contenders/plugin_way.hpp"
 #include "protocol/bounded_json.hpp"
 #include "tribo/batch.hpp"
-#include "work_precision/error_against_work.hpp"
-#include "work_precision/line_film.hpp"
+#include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
 namespace {

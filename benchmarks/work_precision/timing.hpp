@@ -8,6 +8,12 @@
 
 namespace tribo::benchmarks {
 
+// How long to measure.
+struct Effort {
+  int rounds = 7;
+  double least_seconds = 0.02;
+};
+
 struct Timed {
   std::function<void()> run;
   std::function<double()> own_seconds;  // CPU time of the last call, if in another process
