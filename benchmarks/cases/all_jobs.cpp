@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <iterator>
-
-#include "cases/curve_cases.hpp"
-#include "cases/measured.hpp"
-#include "cases/moment_cases.hpp"
-#include "cases/root_cases.hpp"
+#include "cases/jobs.hpp"
 #include "contenders/plugin_way.hpp"
 
 namespace tribo::benchmarks {
 
-namespace {
-
-std::vector<Measured> joined(std::vector<std::vector<Measured>> parts) {
-  std::vector<Measured> all;
-  for (std::vector<Measured>& part : parts)
-    std::move(part.begin(), part.end(), std::back_inserter(all));
-  return all;
-}
-
-}  // namespace
-
 std::vector<Measured> all_jobs(Settings settings) {
-  return joined(
-      {moment_jobs(settings), root_jobs(settings), curve_jobs(settings), ellipse_jobs(settings)});
+  return joined<Measured>(
+      {jobs_of(moment_contenders(settings)), jobs_of(wide_root_contenders(settings), RootJob::wide),
+       jobs_of(one_surface_root_contenders(settings), RootJob::one_surface),
+       jobs_of(curve_contenders(settings)), jobs_of(ellipse_contenders(settings))});
 }
 
 std::vector<Measured> plugin_jobs(const conformance::Plugin& plugin) {
   const std::vector<RootContender> roots = plugin_roots(plugin);
-  return joined({jobs_of(plugin_moments(plugin)), jobs_of(roots, RootJob::wide),
-                 jobs_of(roots, RootJob::one_surface), jobs_of(plugin_curves(plugin))});
+  return joined<Measured>({jobs_of(plugin_moments(plugin)), jobs_of(roots, RootJob::wide),
+                           jobs_of(roots, RootJob::one_surface), jobs_of(plugin_curves(plugin))});
 }
 
 const std::vector<std::pair<std::string, std::string>>& job_titles() {

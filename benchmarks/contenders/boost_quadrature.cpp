@@ -4,27 +4,15 @@
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <exception>
 #include <limits>
 
 #include "contenders/gsl_quadrature.hpp"
-#include "contenders/integrand.hpp"
-#include "contenders/moment_families.hpp"
+#include "contenders/moment_contender.hpp"
 
 namespace tribo::benchmarks {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Boost throws where it meets what is not finite.
-template <class Integral>
-double value_or_nan(const Integral& integral) {
-  try {
-    return integral();
-  } catch (const std::exception&) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-}
 
 template <class Count>
 struct GaussKronrod {

@@ -10,11 +10,9 @@
 #include <memory>
 #include <utility>
 
-#include "contenders/bessel_form.hpp"
 #include "contenders/gsl_quadrature.hpp"
+#include "contenders/moment_contender.hpp"
 #include "contenders/root_equation.hpp"
-#include "contenders/root_families.hpp"
-#include "tribo/gaussian_moment.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -66,8 +64,6 @@ struct Toms748 {
     return low + (high - low) / 2;
   }
 };
-
-double fast_moment(double d) { return gaussian_moment(Order::five_halves, d); }
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contenders/settings.hpp"
+#include "contenders/contender.hpp"
 #include "tribo/operating_points.hpp"
 #include "tribo/scene.hpp"
 

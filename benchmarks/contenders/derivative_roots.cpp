@@ -5,12 +5,9 @@
 
 #include <boost/math/tools/roots.hpp>
 #include <cstdint>
-#include <exception>
-#include <limits>
 #include <tuple>
 
 #include "contenders/root_equation.hpp"
-#include "contenders/root_families.hpp"
 #include "tribo/gaussian_moment.hpp"
 
 namespace tribo::benchmarks {
@@ -41,15 +38,6 @@ Derivatives derivatives(const RootCase& c, double film, bool with_curvature) {
 }
 
 constexpr double highest = 200;
-
-template <class Iterate>
-double value_or_nan(const Iterate& iterate) {
-  try {
-    return iterate();
-  } catch (const std::exception&) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-}
 
 template <class Count>
 struct Newton {

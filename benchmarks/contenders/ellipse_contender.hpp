@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "contenders/counting.hpp"
-#include "contenders/settings.hpp"
+#include "contenders/contender.hpp"
 
 namespace tribo::benchmarks {
 
@@ -56,8 +55,7 @@ EllipseBatch by_shape(Shape shape) {
 
 // Every one, family by family; ours last.
 std::vector<EllipseContender> ellipse_contenders(Settings settings = Settings::usual);
-
+// Those that find the axes' ratio as a root.
 std::vector<EllipseContender> ellipse_roots(Settings settings);
-std::vector<EllipseContender> ellipse_fits();
 
 }  // namespace tribo::benchmarks

@@ -2,16 +2,17 @@
 // Ways to F_n(d), each as its users write it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "contenders/counting.hpp"
-#include "contenders/settings.hpp"
+#include "contenders/contender.hpp"
 #include "tribo/gaussian_moment.hpp"
 
 namespace tribo::benchmarks {
@@ -72,5 +73,30 @@ MomentContender quadrature(std::string family, std::string name, Order order,
 
 // Every one, family by family; ours last.
 std::vector<MomentContender> moment_contenders(Settings settings = Settings::usual);
+
+// The families.
+std::vector<MomentContender> gsl_quadratures(Settings settings);
+std::vector<MomentContender> gsl_special_functions();
+std::vector<MomentContender> boost_quadratures(Settings settings);
+std::vector<MomentContender> bessel_forms();
+std::vector<MomentContender> gauss_laguerre_rules(Settings settings);
+std::vector<MomentContender> splines(Settings settings);
+std::vector<MomentContender> published_fits();
+// SciPy's quad in a Python process of its own, which times itself: its start costs nothing here.
+std::vector<MomentContender> scipy_moments();
+
+// F_{5/2}(d) = Γ(7/2)/√2π e^{−d²/4} U(3, d), with Weber's U(0, d) and U(1, d) in Bessel functions
+// of d²/4 (DLMF 12.7.10 and on) and two steps of the recurrence in its first argument.
+double bessel_moment(double d);
+
+// A fit from the literature, with the range that it claims. Beyond it the fit is used as 0, which
+// is how programs write it.
+struct PublishedFit {
+  std::string_view name;
+  Order order;
+  Range claimed;
+  double (*value)(double d);
+};
+const std::array<PublishedFit, 6>& all_published_fits();
 
 }  // namespace tribo::benchmarks

@@ -1,25 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <iterator>
+// All ways to F_n; among them this project's, and std::exp on the same arguments as the control.
+#include <cmath>
 
-#include "contenders/moment_families.hpp"
-#include "contenders/scipy_way.hpp"
+#include "contenders/moment_contender.hpp"
+#include "tribo/batch.hpp"
 
 namespace tribo::benchmarks {
+namespace {
+
+void batch(Order order, std::string_view set, std::span<const double> d,
+           std::span<double> moments) {
+  const std::string_view usual = instruction_set();
+  use_instruction_set(set);
+  gaussian_moment(order, d, moments);
+  use_instruction_set(usual);
+}
+
+std::vector<MomentContender> own_moments() {
+  std::vector<MomentContender> all;
+  for (const Order order : {Order::five_halves, Order::two}) {
+    all.push_back(closed_form("tribocheck", "scalar", order,
+                              [order](double d) { return gaussian_moment(order, d); }));
+    for (const std::string_view set : instruction_sets())
+      all.push_back({"tribocheck",
+                     "batch " + std::string(set),
+                     order,
+                     [order, set](std::span<const double> d, std::span<double> moments) {
+                       batch(order, set, d, moments);
+                     },
+                     {}});
+  }
+  all.push_back(
+      closed_form("tribocheck", "template in long double", Order::five_halves, [](double d) {
+        return static_cast<double>(
+            gaussian_moment(Order::five_halves, static_cast<long double>(d)));
+      }));
+  constexpr Range nowhere{1, 0};
+  all.push_back(closed_form(
+      "control", "std::exp", Order::five_halves, [](double d) { return std::exp(d); }, nowhere));
+  return all;
+}
+
+}  // namespace
 
 std::vector<MomentContender> moment_contenders(Settings settings) {
-  std::vector<MomentContender> all;
-  std::vector<std::vector<MomentContender>> families{gsl_quadratures(settings),
-                                                     gsl_special_functions(),
-                                                     boost_quadratures(settings),
-                                                     bessel_forms(),
-                                                     gauss_laguerre_rules(settings),
-                                                     splines(settings),
-                                                     published_fits(),
-                                                     scipy_moments(),
-                                                     own_moments()};
-  for (std::vector<MomentContender>& family : families)
-    std::move(family.begin(), family.end(), std::back_inserter(all));
-  return all;
+  return joined<MomentContender>({gsl_quadratures(settings), gsl_special_functions(),
+                                  boost_quadratures(settings), bessel_forms(),
+                                  gauss_laguerre_rules(settings), splines(settings),
+                                  published_fits(), scipy_moments(), own_moments()});
 }
 
 }  // namespace tribo::benchmarks

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "contenders/counting.hpp"
-#include "contenders/settings.hpp"
+#include "contenders/contender.hpp"
 
 namespace tribo::benchmarks {
 
@@ -44,5 +43,13 @@ struct RootContender {
 // the same K and δ). Our own come last.
 std::vector<RootContender> wide_root_contenders(Settings settings = Settings::usual);
 std::vector<RootContender> one_surface_root_contenders(Settings settings = Settings::usual);
+
+// The families.
+std::vector<RootContender> bracketing_roots(Settings settings);  // Brent, TOMS 748
+std::vector<RootContender> derivative_roots(Settings settings);  // Newton, Halley
+std::vector<RootContender> textbook_roots(Settings settings);    // fixed point, Newton on the film
+std::vector<RootContender> inverse_tables(Settings settings);    // one surface only
+// SciPy's fsolve in the process of scipy_moments().
+std::vector<RootContender> scipy_roots();
 
 }  // namespace tribo::benchmarks

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contenders/scipy_way.hpp"
-
+// SciPy's quad and fsolve, asked in a Python process.
+#include <chrono>
 #include <initializer_list>
 #include <limits>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "contenders/line_process.hpp"
+#include "conformance/child_process.hpp"
+#include "contenders/moment_contender.hpp"
+#include "contenders/root_contender.hpp"
 #include "protocol/bounded_json.hpp"
 
 namespace tribo::benchmarks {
@@ -20,19 +26,26 @@ class Scipy {
   nlohmann::json ask(std::string_view function,
                      std::initializer_list<std::span<const double>> arguments) {
     if (!process_) {
-      process_ = std::make_unique<LineProcess>(
-          std::vector<std::string>{"/usr/bin/python3", "-B", TRIBOCHECK_SCIPY_WAY});
-      process_->read_line();
+      process_.emplace(std::vector<std::string>{"/usr/bin/python3", "-B", TRIBOCHECK_SCIPY_WAY},
+                       conformance::ChildProcess::Pipes::all);
+      answer();  // says that it is ready
     }
     nlohmann::json lists = nlohmann::json::array();
     for (const std::span<const double> list : arguments)
       lists.push_back(std::vector<double>(list.begin(), list.end()));
-    process_->write_line(nlohmann::json{{"function", function}, {"arguments", lists}}.dump());
-    return protocol::parse_bounded_json(process_->read_line());
+    process_->send(nlohmann::json{{"function", function}, {"arguments", lists}}.dump());
+    return protocol::parse_bounded_json(answer());
   }
 
  private:
-  std::unique_ptr<LineProcess> process_;
+  std::string answer() {
+    std::string line;
+    if (process_->next_line(line, std::chrono::hours(1)) != conformance::ChildProcess::Event::line)
+      throw std::runtime_error("the process has gone");
+    return line;
+  }
+
+  std::optional<conformance::ChildProcess> process_;
 };
 
 Scipy& scipy() {

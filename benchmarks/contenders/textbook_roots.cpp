@@ -7,9 +7,8 @@
 #include <limits>
 
 #include "contenders/gsl_quadrature.hpp"
-#include "contenders/published_fits.hpp"
+#include "contenders/moment_contender.hpp"
 #include "contenders/root_equation.hpp"
-#include "contenders/root_families.hpp"
 #include "tribo/gaussian_moment.hpp"
 
 namespace tribo::benchmarks {
@@ -52,8 +51,6 @@ struct NewtonOnFilm {
     return std::numeric_limits<double>::quiet_NaN();
   }
 };
-
-double fast_moment(double d) { return gaussian_moment(Order::five_halves, d); }
 
 }  // namespace
 

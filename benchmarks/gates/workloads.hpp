@@ -22,11 +22,6 @@ struct Workload {
 };
 using Workloads = std::vector<Workload>;
 
-Workloads moment_workloads();
-Workloads root_workloads();
-Workloads point_workloads();  // operating points and curves
-
-// All of them.
 const Workloads& workloads();
 // std::exp over an array: the times of the workloads are compared with its time.
 void run_control();

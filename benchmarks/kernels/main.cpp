@@ -18,7 +18,6 @@
 
 #include "conformance/plugin.hpp"
 #include "conformance/serve.hpp"
-#include "kernels/progress.hpp"
 #include "kernels/registered.hpp"
 #include "tribo/scene_reader.hpp"
 

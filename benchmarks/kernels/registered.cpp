@@ -2,13 +2,14 @@
 #include "kernels/registered.hpp"
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <utility>
-
-#include "kernels/progress.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -66,6 +67,13 @@ std::vector<std::string>& names() {
 }
 
 }  // namespace
+
+void show_progress(std::string_view step) {
+  static const bool is_watched = ::isatty(STDERR_FILENO) != 0;
+  if (!is_watched) return;
+  const std::string line = fmt::format("\r{}\033[K", step);
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
 
 const std::vector<std::string>& registered_names() { return names(); }
 

@@ -14,10 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/curve_cases.hpp"
-#include "cases/ellipse_cases.hpp"
-#include "cases/moment_cases.hpp"
-#include "cases/root_cases.hpp"
+#include "cases/jobs.hpp"
 #include "support/case_count.hpp"
 #include "support/judge.hpp"
 #include "tribo/batch.hpp"
@@ -440,15 +437,6 @@ TEST(MedianSeconds, AreTheMedianOfEachContendersOwnRounds) {
     const double middle = 10.0 * (rounds + 1) / 2;
     EXPECT_EQ(median_seconds(timed, rounds, 0),
               (std::vector<double>{middle, middle + 1, middle + 2}));
-  }
-}
-
-TEST(PartWithin, CountsWhatIsSolvedAgainstTheLeastTimeOfAll) {
-  const double never = std::numeric_limits<double>::infinity();
-  const std::vector<std::vector<double>> times{{1, 2, never, never}, {2, 1, 3, never}};
-  for (const double within : {1.0, 1.99, 2.0, 1e9}) {
-    EXPECT_EQ(part_within(times, 0, within), within < 2 ? 0.25 : 0.5);
-    EXPECT_EQ(part_within(times, 1, within), within < 2 ? 0.5 : 0.75);
   }
 }
 

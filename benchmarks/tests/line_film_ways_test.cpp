@@ -10,7 +10,7 @@
 
 #include "contenders/dense_line_film.hpp"
 #include "ehl/line_contact.hpp"
-#include "work_precision/line_film.hpp"
+#include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
 namespace {

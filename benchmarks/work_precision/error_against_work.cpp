@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "work_precision/error_against_work.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -8,9 +6,7 @@
 #include <regex>
 #include <utility>
 
-#include "cases/measured.hpp"
-#include "cases/moment_cases.hpp"
-#include "work_precision/timing.hpp"
+#include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "work_precision/line_film.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -11,7 +9,7 @@
 #include "contenders/line_film_ways.hpp"
 #include "ehl/line_contact.hpp"
 #include "ehl/solved_film.hpp"
-#include "work_precision/timing.hpp"
+#include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
 namespace {

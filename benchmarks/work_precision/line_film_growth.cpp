@@ -12,8 +12,7 @@
 #include "ehl/jacobian.hpp"
 #include "ehl/line_contact.hpp"
 #include "ehl/reynolds.hpp"
-#include "work_precision/line_film.hpp"
-#include "work_precision/timing.hpp"
+#include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
 namespace {

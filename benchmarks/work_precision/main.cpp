@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck_work_precision: true error against work, the performance profile and the throughput,
-// as tables for gnuplot and as a baseline.
+// tribocheck_work_precision: true error against work, as tables for gnuplot and as a baseline.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,14 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "cases/measured.hpp"
 #include "contenders/plugin_way.hpp"
 #include "protocol/bounded_json.hpp"
 #include "tribo/batch.hpp"
-#include "work_precision/error_against_work.hpp"
-#include "work_precision/line_film.hpp"
-#include "work_precision/profile.hpp"
-#include "work_precision/throughput.hpp"
+#include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -101,21 +96,11 @@ void write_line_film(const Arguments& arguments, const Effort& effort) {
 
 void write_all(const Arguments& arguments, const Effort& effort) {
   std::vector<Measured> others;
-  std::vector<RootContender> other_roots;
-  if (!arguments.plugin.empty()) {
-    const conformance::Plugin plugin = conformance::load_plugin(arguments.plugin);
-    others = plugin_jobs(plugin);
-    other_roots = plugin_roots(plugin);
-  }
+  if (!arguments.plugin.empty()) others = plugin_jobs(conformance::load_plugin(arguments.plugin));
   step("error against work");
   const Rows work = errors_against_work(effort, std::move(others));
   step("error by range");
   const Rows ranges = errors_by_range();
-  step("performance profile");
-  const Rows profile = performance_profile(effort, other_roots);
-  step("throughput");
-  const Rows by_size = throughput_by_size(effort);
-  const Rows by_threads = throughput_by_threads(effort);
   const Json line_film = line_film_parts(arguments, effort);
 
   const std::string folder = arguments.out + "/";
@@ -125,14 +110,12 @@ void write_all(const Arguments& arguments, const Effort& effort) {
     write_text(folder + job + ".blocks.tsv", tsv_blocks(rows, "series"));
   write_text(folder + "work_precision.tsv", tsv(work));
   write_text(folder + "ranges.tsv", tsv(ranges));
-  write_text(folder + "profile.blocks.tsv", tsv_blocks(profile, "solver"));
-  write_text(folder + "by_size.blocks.tsv", tsv_blocks(by_size, "kernel"));
-  write_text(folder + "by_threads.blocks.tsv", tsv_blocks(by_threads, "kernel"));
   if (arguments.baseline.empty()) return;
-  Json baseline{{"commit", arguments.commit},    {"date", arguments.date},
-                {"environment", environment()},  {"error_against_work", work},
-                {"error_by_range", ranges},      {"performance_profile", profile},
-                {"throughput_by_size", by_size}, {"throughput_by_threads", by_threads}};
+  Json baseline{{"commit", arguments.commit},
+                {"date", arguments.date},
+                {"environment", environment()},
+                {"error_against_work", work},
+                {"error_by_range", ranges}};
   baseline.update(line_film);
   write_baseline(arguments.baseline, baseline);
 }

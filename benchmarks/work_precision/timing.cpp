@@ -2,7 +2,6 @@
 #include "work_precision/timing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <ctime>
 #include <numeric>
@@ -10,12 +9,6 @@
 
 namespace tribo::benchmarks {
 namespace {
-
-double seconds_of(clockid_t clock) {
-  std::timespec now{};
-  ::clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double seconds_a_call(const Timed& timed, double least) {
   if (timed.own_seconds) {
@@ -36,8 +29,11 @@ double seconds_a_call(const Timed& timed, double least) {
 
 }  // namespace
 
-double cpu_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
-double wall_seconds() { return seconds_of(CLOCK_MONOTONIC); }
+double cpu_seconds() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least) {
   std::vector<std::vector<double>> seconds(all.size());
@@ -55,18 +51,6 @@ std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, do
     medians.push_back(*middle);
   }
   return medians;
-}
-
-double part_within(const std::vector<std::vector<double>>& times, std::size_t contender,
-                   double times_the_least) {
-  const std::vector<double>& own = times[contender];
-  std::size_t within = 0;
-  for (std::size_t c = 0; c < own.size(); ++c) {
-    double least = own[c];
-    for (const std::vector<double>& others : times) least = std::min(least, others[c]);
-    within += std::isfinite(own[c]) && own[c] <= times_the_least * least ? 1 : 0;
-  }
-  return static_cast<double>(within) / static_cast<double>(own.size());
 }
 
 }  // namespace tribo::benchmarks

@@ -8,6 +8,12 @@
 
 namespace tribo::benchmarks {
 
+// How long to measure.
+struct Effort {
+  int rounds = 7;
+  double least_seconds = 0.02;
+};
+
 struct Timed {
   std::function<void()> run;
   std::function<double()> own_seconds;  // CPU time of the last call, if in another process
@@ -17,12 +23,6 @@ struct Timed {
 // random order, until `least` seconds have passed.
 std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least);
 
-// The part of the cases that a contender solves within so many times the least time of all
-// contenders; times[contender][case], ∞ where it does not solve the case.
-double part_within(const std::vector<std::vector<double>>& times, std::size_t contender,
-                   double times_the_least);
-
-double cpu_seconds();   // used by this process
-double wall_seconds();  // since some time
+double cpu_seconds();  // used by this process
 
 }  // namespace tribo::benchmarks

@@ -22,7 +22,7 @@ inline constexpr std::array<BaselineKind, 7> baseline_kinds{{
     {"accuracy.json", "baseline", "accuracy that later versions have to keep"},
     {"stress.json", "stress", "random points against long double"},
     {"planted_faults.json", "faults", "planted faults and what caught them"},
-    {"work_precision.json", "work-precision", "error against work, and throughput"},
+    {"work_precision.json", "work-precision", "error against work"},
     {"performance.json", "gate-baseline", "work and time that the gates hold"},
     {"gates.json", "gate-proof", "proof that the gates turn red"},
     {"sweep.json", "bench-sweep", "speed, memory and scaling of sweeps"},

@@ -116,41 +116,6 @@ Json contest(const Json& jobs) {
           {"greatest_times_ours", compared > 0 ? Json(greatest) : Json()}};
 }
 
-// The fraction of cases that each solver settles as fast as the best one, and within the greatest
-// factor.
-Json profile(const Json& baseline) {
-  Json solvers = Json::array();
-  for (const Json& row : baseline.at("performance_profile")) {
-    const auto fraction = row.at("fraction").get<double>();
-    if (Json* const known = find(solvers, "solver", row.at("solver")))
-      (*known)["within_greatest_factor"] = fraction;
-    else
-      solvers.push_back({{"solver", row.at("solver").get<std::string>()},
-                         {"fastest", fraction},
-                         {"within_greatest_factor", fraction}});
-  }
-  return solvers;
-}
-
-// The greatest `key` of each kernel, in the order of the file.
-Json greatest_of_kernels(const Json& rows, const char* key) {
-  Json kernels = Json::array();
-  for (const Json& row : rows) {
-    const auto value = row.at(key).get<double>();
-    if (Json* const known = find(kernels, "kernel", row.at("kernel")))
-      (*known)[key] = std::max((*known)[key].get<double>(), value);
-    else
-      kernels.push_back({{"kernel", row.at("kernel").get<std::string>()}, {key, value}});
-  }
-  return kernels;
-}
-
-std::size_t most_threads(const Json& rows) {
-  std::size_t most = 1;
-  for (const Json& row : rows) most = std::max(most, row.at("threads").get<std::size_t>());
-  return most;
-}
-
 struct Column {
   std::string_view key;   // in the baseline
   std::string_view name;  // in the table, with its unit
@@ -206,31 +171,10 @@ std::vector<DataFile> data_files(const Json& baseline) {
                                     {"failures", "failures"},
                                     {"no_numbers", "no numbers"},
                                     {"judged", "cases judged"}};
-  const auto every = [](const Json&) { return true; };
   std::vector<DataFile> files;
   for (const std::string& job : jobs_of(baseline))
     files.push_back(blocks(baseline, "error_against_work", job, "series", of_ways,
                            [&](const Json& row) { return row.at("job") == job; }));
-  files.push_back(blocks(
-      baseline, "performance_profile", "profile", "solver",
-      {{"solver", "solver"}, {"tau", "times the best time"}, {"fraction", "fraction solved"}},
-      every));
-  files.push_back(blocks(baseline, "throughput_by_size", "by_size", "kernel",
-                         {{"kernel", "kernel"},
-                          {"points", "points"},
-                          {"ns", "time a point [ns]"},
-                          {"points_per_second", "points a second [1/s]"},
-                          {"bytes", "bytes a point"},
-                          {"gigabytes_per_second", "read and written [GB/s]"},
-                          {"share_of_copy", "share of a copy"}},
-                         every));
-  files.push_back(blocks(baseline, "throughput_by_threads", "by_threads", "kernel",
-                         {{"kernel", "kernel"},
-                          {"threads", "threads"},
-                          {"points_per_second", "points a second [1/s]"},
-                          {"gigabytes_per_second", "read and written [GB/s]"},
-                          {"speedup", "speed-up"}},
-                         every));
   return files;
 }
 
@@ -306,14 +250,8 @@ Group work_precision(const Json& baseline) {
   for (const std::string& job : jobs_of(baseline)) jobs.push_back(job_json(baseline, job));
   Json found = contest(jobs);
   const bool is_compared = found["jobs"] > 0;
-  const Json& by_threads = baseline.at("throughput_by_threads");
   group.data.update({{"alternatives", std::move(found)},
                      {"jobs", std::move(jobs)},
-                     {"profile", profile(baseline)},
-                     {"throughput", greatest_of_kernels(baseline.at("throughput_by_size"),
-                                                        "gigabytes_per_second")},
-                     {"most_threads", most_threads(by_threads)},
-                     {"speedup", greatest_of_kernels(by_threads, "speedup")},
                      {"line_film", line_film(baseline)}});
   group.files = data_files(baseline);
   for (DataFile& file : line_film_files(baseline)) group.files.push_back(std::move(file));

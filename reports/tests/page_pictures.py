@@ -35,9 +35,7 @@ AXES = {  # titles of the axes: the x axis, and the y axis of each panel
     "line_film_profile": ("place across the contact x/b (–); the surfaces move to the right", "pressure p/p0 (–)", "film h (µm)"),
     "ellipse_fits": ("ratio of the radii α = Ry/Rx", "|error| of k (%)", "|error| of ax (%)", "|error| of p0 (%)"),
     "line_film_growth": ("cells N of the grid", "CPU time (s)", "memory (MB)"),
-    "work_line_film": ("CPU time a contact (s)", "greatest relative error (–)"),
-    "work_profile": ("τ, times the best solver's time for the case", "fraction of the cases solved to 10−10 within it"),
-    "work_by_size": ("points in a batch", "read and written (GB/s)"), "work_by_threads": ("threads", "speed-up, wall time")}
+    "work_line_film": ("CPU time a contact (s)", "greatest relative error (–)")}
 
 
 def series(title, colour, points, adds=False):
@@ -200,13 +198,6 @@ class Data:
     def work(self, name):
         stem, of_evaluations = re.fullmatch(r"work_(.*?)(_evaluations)?", name).groups()
         found = list(blocks(self.out / f"data/work_precision/{stem}.blocks.tsv"))
-        if stem == "profile":
-            return [(True, False, [series(title, None, column(rows, "times the best time", "fraction solved")) for title, rows in found], True)]
-        if stem == "by_size":
-            return [(True, True, [series(title, None, column(rows, "points", "read and written")) for title, rows in found], False)]
-        if stem == "by_threads":
-            return [(False, False, [series("as many times as threads", 0xC0C0C0, [(1, 1), (2.05, 2.05)], True)] +
-                     [series(title, None, column(rows, "threads", "speed-up")) for title, rows in found], False)]
         x, factor = {"line_film": ("CPU time a contact", 1e-9)}.get(stem, ("CPU time a point", 1))
         x, y = "evaluations a point" if of_evaluations else x, "greatest relative error" if stem == "line_film" else "greatest error"
 

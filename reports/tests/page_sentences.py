@@ -241,11 +241,6 @@ def software(report):
     yield f"fitted from {films['exponents'][0]['from_cells']} cells on" + "".join(
         f"{';' if i else ', with their standard errors.'} {one['solver']}, {whole(one['cells'])} cells: {sig(1e-9 * one['step_ns'], 2)} s a step, "
         f"{sig(1e-6 * one['bytes'], 3)} MB" for i, one in enumerate(films["largest"])) + "."
-    fastest = sorted(work["profile"], key=lambda one: one["fastest"])[-1]
-    settled = sum(one["within_greatest_factor"] >= 1 for one in work["profile"])
-    yield f"{fastest['solver']} is the fastest in {percent(fastest['fastest'])} of the cases. {settled} of {len(work['profile'])} solvers settle all cases"
-    yield "greatest throughput: " + ", ".join(f"{one['kernel']} {sig(one['gigabytes_per_second'], 3)} GB/s" for one in work["throughput"]) + "."
-    yield f"up to {work['most_threads']} threads; greatest speed-up: " + ", ".join(f"{one['kernel']} {sig(one['speedup'], 3)}" for one in work["speedup"]) + "."
     yield (f"by what it asks for, a scene saves {percent(least['least_saved'], 2)} to {percent(least['greatest_saved'], 2)} of the evaluations of Fn.")
     yield f"at {many(least['speeds'])} speeds over the range"
     gates, speed = report["gates"], report["sweep_speed"]
@@ -264,12 +259,10 @@ def software(report):
     yield (f"A point takes at most {sig(targets['times_alone']['is'], 3)} times as long as its scene and root alone {target('times_alone', 'at most')}; "
            f"two threads are {sig(targets['two_threads']['is'], 3)} times as fast as one {target('two_threads', 'at least')}; a rank needs at most "
            f"{sig(targets['mb_of_rank']['is'], 3)} MB {target('mb_of_rank', 'below', ' MB')}. {measured(speed)}.")
-    ranks, filled = speed["two_ranks"], speed["model"]
+    ranks = speed["two_ranks"]
     yield (f"Two ranks are {sig(ranks['speedup'], 3)} times as fast as one by the clock, and {sig(ranks['cpu_speedup'], 3)} times by their CPU time. With twice "
            f"the points two ranks keep {percent(ranks['weak_efficiency'])} of their speed by the clock, and {percent(ranks['weak_cpu_efficiency'])} by their CPU "
            f"time. Other processes disturb the clock: they used up to {sig(speed['others'], 2)} of {speed['processors']} processors meanwhile.")
-    yield (f"rank 0 saturates near {sig(filled['ranks_that_fill_rank_0'], 2)} ranks. Journals of points fill the disk from "
-           f"{sig(filled['ranks_whose_journals_fill_the_disk'], 2)} ranks on, and with {sig(filled['ranks_that_compute_as_long_as_points_are_written'], 2)} ranks")
     for one in (faults, work, wrong, gates, gates["baseline"], speed):
         yield provenance(one)
     standings = [one["standing"] for one in report["findings"] if one["about"] == "software"]

@@ -63,14 +63,10 @@ def sweep_speed(base):
     targets = {"times_alone": {"is": slowest, "at_most": 1.5, "reached": slowest <= 1.5},
                "two_threads": {"is": speedup, "at_least": 1.8, "reached": speedup >= 1.8},
                "mb_of_rank": {"is": memory, "below": 300, "reached": memory < 300}}
-    ranks, model = base["ranks"], base["model"]
-    rows = [of(row, "keep", "points", "chunks") | {"times": [of(one, "ranks", "seconds", "efficiency", "most") for one in row["times"]]}
-            for row in model["rows"]]
+    ranks = base["ranks"]
     return run_of(base) | of(base, "processors", "others") | {
         "ratios": ratios, "targets": targets, "targets_missed": sum(not one["reached"] for one in targets.values()),
-        "two_ranks": {"speedup": ranks["speedup"]["2"], "cpu_speedup": ranks["cpu_speedup"]["2"]} | of(ranks, "weak_efficiency", "weak_cpu_efficiency"),
-        "model": of(model, "ranks_that_fill_rank_0", "ranks_whose_journals_fill_the_disk", "ranks_that_compute_as_long_as_points_are_written") |
-        {"rows": rows}}
+        "two_ranks": {"speedup": ranks["speedup"]["2"], "cpu_speedup": ranks["cpu_speedup"]["2"]} | of(ranks, "weak_efficiency", "weak_cpu_efficiency")}
 
 
 def groups(rows, key):
@@ -94,18 +90,11 @@ def work_precision(base):
                      "ways": list(timed.values())})
     both = [(job["ours"], job["fastest_alternative"]) for job in jobs if job["ours"] and job["fastest_alternative"]]
     times = [other["times_ours"] for _, other in both]
-
-    def most(table, key):
-        return [{"kernel": kernel, key: max(row[key] for row in rows)} for kernel, rows in groups(base[table], "kernel").items()]
     films = base["line_film_run"]
     return run_of(base) | {
         "environment": of(base["environment"], "cpu", "compiler", "instruction_set"), "jobs": jobs,
         "alternatives": {"jobs": len(both), "less_exact": sum(other["max_ulp"] > ours["max_ulp"] for ours, other in both),
                          "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None)},
-        "profile": [{"solver": solver, "fastest": rows[0]["fraction"], "within_greatest_factor": rows[-1]["fraction"]}
-                    for solver, rows in groups(base["performance_profile"], "solver").items()],
-        "throughput": most("throughput_by_size", "gigabytes_per_second"), "speedup": most("throughput_by_threads", "speedup"),
-        "most_threads": max(row["threads"] for row in base["throughput_by_threads"]),
         "line_film": run_of(films) | {
             "ways": [of(row, "family", "name", "ns", "steps", "max_relative", "mean_relative", "no_numbers", "judged") for row in base["line_film"]],
             "exponents": [of(row, "solver", "quantity", "exponent", "uncertainty", "from_cells", "to_cells") for row in base["line_film_exponents"]],

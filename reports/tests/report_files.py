@@ -30,10 +30,9 @@ JOBS = ["moment_5_2", "moment_2", "root_wide", "root_one_surface", "curve_200", 
 COUNTED = ["moment_5_2", "root_wide", "root_one_surface", "hertz_ellipse"]
 FITS_FIGURES = ["ellipse_fits"]  # behind those of work, and made without a baseline
 WORK_DATA = sorted(f"data/work_precision/{name}.blocks.tsv"
-                   for name in JOBS + ["profile", "by_size", "by_threads", "line_film", "line_film_growth",
-                                       "line_film_exponents"])
+                   for name in JOBS + ["line_film", "line_film_growth", "line_film_exponents"])
 WORK_FIGURES = [f"work_{name}" for name in JOBS + [f"{job}_evaluations" for job in COUNTED] +
-                ["profile", "by_size", "by_threads", "line_film"]] + ["line_film_growth"] + FITS_FIGURES
+                ["line_film"]] + ["line_film_growth"] + FITS_FIGURES
 CONTACTS = ["ball_on_flat", "bearing_outer_ring", "gear_flank"]
 CONTACT_DATA = [f"data/{kind}{contact}{end}" for kind, end in (("contact_", ".tsv"), ("scenes/", ".toml"))
                 for contact in CONTACTS] + ["data/contact_marks.tsv"]

@@ -46,7 +46,6 @@ def piece(name):
 
 def add_function(tree):
     shutil.copy(HERE / "oil_bulk_modulus.hpp", tree / "model/include/tribo")
-    insert(tree / "model/CMakeLists.txt", "    include/tribo/onset.hpp\n", "    include/tribo/oil_bulk_modulus.hpp\n")
     family = tree / "model/catalogue/smooth_contact.cpp"
     insert(family, '#include "tribo/hertz.hpp"\n', '#include "tribo/oil_bulk_modulus.hpp"\n')
     insert(family, "constexpr std::array entries{\n", piece("parameters.inc"))

@@ -29,7 +29,7 @@ foreach(file IN LISTS package_files)
   endif()
 endforeach()
 
-# A header forgotten on the list in model/CMakeLists.txt builds here, and is missing there.
+# A public header that is not installed builds here, and is missing there.
 file(GLOB headers RELATIVE ${SOURCE_DIR}/model ${SOURCE_DIR}/model/include/tribo/*.hpp)
 file(GLOB scenes RELATIVE ${SOURCE_DIR}/reference
   ${SOURCE_DIR}/reference/published/*.toml ${SOURCE_DIR}/reference/published/*.tsv)

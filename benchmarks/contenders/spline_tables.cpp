@@ -1,15 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// ln λ as a spline of ln λ₀ for one surface; the knots are found by walking λ.
+// Tables that are read by a spline: ln F_{5/2} in knots, made once with GSL's quadrature; and for
+// one surface ln λ over ln λ₀, whose knots are found by walking λ.
 #include <fmt/format.h>
+#include <gsl/gsl_spline.h>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
-#include "contenders/gsl_spline_table.hpp"
-#include "contenders/root_families.hpp"
+#include "contenders/gsl_quadrature.hpp"
+#include "contenders/moment_contender.hpp"
+#include "contenders/root_contender.hpp"
 #include "tribo/load_sharing.hpp"
 
 namespace tribo::benchmarks {
 namespace {
+
+// A natural cubic spline, as GSL's users keep one.
+class SplineTable {
+ public:
+  SplineTable(const std::vector<double>& x, const std::vector<double>& y)
+      : spline_(gsl_spline_alloc(gsl_interp_cspline, x.size()), gsl_spline_free),
+        place_(gsl_interp_accel_alloc(), gsl_interp_accel_free) {
+    gsl_spline_init(spline_.get(), x.data(), y.data(), x.size());
+  }
+  double operator()(double x) const { return gsl_spline_eval(spline_.get(), x, place_.get()); }
+
+ private:
+  std::shared_ptr<gsl_spline> spline_;
+  std::shared_ptr<gsl_interp_accel> place_;
+};
+
+constexpr Range knots_range{-5, 12};
+
+SplineTable log_table(int knots) {
+  const Qagiu<PowIntegrand>::Method<Uncounted> moment{2.5, 1e-13};
+  std::vector<double> d;
+  std::vector<double> logarithm;
+  for (int i = 0; i < knots; ++i) {
+    d.push_back(knots_range.from + (knots_range.to - knots_range.from) * i / (knots - 1));
+    logarithm.push_back(std::log(moment(d.back())));
+  }
+  return {d, logarithm};
+}
 
 constexpr double lowest = 1e-5;  // λ₀
 constexpr double highest = 1000;
@@ -32,6 +65,15 @@ SplineTable inverse_table(const LoadSharing<double>& sharing, int knots) {
 }
 
 }  // namespace
+
+std::vector<MomentContender> splines(Settings settings) {
+  std::vector<MomentContender> all;
+  for (const int knots : chosen(settings, {400}, {25, 50, 100, 200, 400, 800, 1600, 6400}))
+    all.push_back(closed_form(
+        "table", fmt::format("spline of ln F {} knots", knots), Order::five_halves,
+        [table = log_table(knots)](double d) { return std::exp(table(d)); }, knots_range));
+  return all;
+}
 
 std::vector<RootContender> inverse_tables(Settings settings) {
   std::vector<RootContender> all;
