@@ -45,7 +45,7 @@ bool read_to_end(int from, Clock::time_point deadline, std::string& text) {
 
 }  // namespace
 
-ChildEnd run_child(std::vector<std::string> command, std::chrono::milliseconds limit) {
+ChildEnd run_child(std::vector<std::string> command, std::chrono::milliseconds limit, int input) {
   ChildEnd end;
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
@@ -54,7 +54,7 @@ ChildEnd run_child(std::vector<std::string> command, std::chrono::milliseconds l
   }
   std::optional<conformance::GuardedChild> child;
   try {
-    child.emplace(std::move(command), conformance::ChildStreams{-1, pipe[1], STDERR_FILENO});
+    child.emplace(std::move(command), conformance::ChildStreams{input, pipe[1], STDERR_FILENO});
   } catch (const std::system_error& error) {
     end.start_error = error.code().value();
   }

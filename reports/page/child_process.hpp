@@ -19,10 +19,10 @@ struct ChildEnd {
   bool exited_with(int code) const { return start_error == 0 && !is_late && exit_code == code; }
 };
 
-// The program is looked for in PATH unless its name has a slash; it gets no input, and its errors
-// go where ours go. One that has not ended within `limit` is ended, with all that it has started;
-// 0: no limit.
+// The program is looked for in PATH unless its name has a slash; its errors go where ours go, and
+// it reads this file from where it stands, or nothing (−1). One that has not ended within `limit`
+// is ended, with all that it has started; 0: no limit.
 ChildEnd run_child(std::vector<std::string> command,
-                   std::chrono::milliseconds limit = std::chrono::milliseconds(0));
+                   std::chrono::milliseconds limit = std::chrono::milliseconds(0), int input = -1);
 
 }  // namespace tribo::report

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The groups of report.json, one function each. Where a group cannot be made, its function throws
-// std::exception: the page says why in place of the group.
+// The groups of report.json that are not made by Python (groups/report.py), one function each.
+// Where a group cannot be made, its function throws std::exception: the page says why in place of
+// the group.
 #pragma once
 
 #include <string>
@@ -13,7 +14,6 @@
 
 namespace tribo::report {
 
-Group environment_group(const ReportPlaces& places, const std::string& commit);
 // The published scenes solved: inputs, curves, onsets, and each beside what the paper reports.
 Group paper_group(const ReportPlaces& places, const std::vector<SolvedCase>& solved);
 // The paper's claims under each reading.
@@ -24,15 +24,6 @@ Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Le
 Group contacts_group(const ReportPlaces& places);
 // Film formulas of a line contact beside its solved film: reference/ehl, reference/scenes.
 Group line_films_group(const ReportPlaces& places);
-// The model against the certified tables of reference/exact.
-Group certified_group(const ReportPlaces& places);
-// Results that the slow targets of make left in reference/baselines.
-Group stress_group(const ReportPlaces& places);
-Group planted_faults_group(const ReportPlaces& places);
-Group diagnosis_group(const ReportPlaces& places);
-Group work_precision_group(const ReportPlaces& places);
-Group gates_group(const ReportPlaces& places);
-Group sweep_speed_group(const ReportPlaces& places);
 // Published fits to Hertz' ellipse beside the ellipse.
 Group ellipse_fits_group(const ReportPlaces& places);
 // Evaluations that scenes with fewer outputs save.

@@ -24,7 +24,6 @@ except ImportError as error:
 import drawing  # noqa: E402
 import markup  # noqa: E402
 import numbers_text as numbers  # noqa: E402
-import schema  # noqa: E402
 import sections  # noqa: E402
 import sweep_pictures  # noqa: E402
 
@@ -155,10 +154,8 @@ def main():
     made = sections.Page(report, text, figures)
     drawing.write_text(out / "report.md", made.markdown)
     drawing.write_text(out / "index.html", made.html)
-    whole = json.dumps(schema.joined(), indent=1, ensure_ascii=False)
-    drawing.write_text(out / "report.schema.json", whole + "\n")
     figures.steps.show("")
-    print(json.dumps({"written": figures.written + ["report.md", "index.html", "report.schema.json"],
+    print(json.dumps({"written": figures.written + ["report.md", "index.html"],
                       "undrawn": figures.undrawn}))
 
 
