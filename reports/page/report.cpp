@@ -6,19 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "page/environment.hpp"
 #include "page/groups.hpp"
-#include "page/ledger_tables.hpp"
 #include "page/rendering.hpp"
 #include "page/report_error.hpp"
 #include "page/write_file.hpp"
-#include "reproduction/ledger.hpp"
 #include "tribo/batch.hpp"
+#include "tribo/outputs.hpp"
 #include "tribo/scene_reader.hpp"
 #include "tribo/version.hpp"
 
@@ -87,38 +85,6 @@ std::string_view word(Standing standing) {
   return standing_words[static_cast<std::size_t>(standing)];
 }
 
-// Slow work that several groups share, done where the first of them needs it.
-class Sources {
- public:
-  Sources(const ReportPlaces& places, const std::vector<Case>& cases, const Progress& progress)
-      : places_(places), cases_(cases), progress_(progress) {}
-
-  const std::vector<SolvedCase>& solved() {
-    if (solved_.empty())
-      for (const Case& one : cases_) {
-        progress_("solving " + one.file);
-        solved_.push_back(solve_case(one));
-      }
-    return solved_;
-  }
-  const reproduction::Ledger& ledger() {
-    if (!ledger_) {
-      progress_("judging the paper's claims under every reading");
-      reproduction::LedgerOptions options;
-      options.published = places_.scenes.string();
-      ledger_ = reproduction::make_ledger(options);
-    }
-    return *ledger_;
-  }
-
- private:
-  const ReportPlaces& places_;
-  const std::vector<Case>& cases_;
-  const Progress& progress_;
-  std::vector<SolvedCase> solved_;
-  std::optional<reproduction::Ledger> ledger_;
-};
-
 Json finding_json(const Finding& one) {
   Json finding{{"id", one.id},
                {"section", one.section},
@@ -128,40 +94,35 @@ Json finding_json(const Finding& one) {
   return finding;
 }
 
-template <class... Words>
-std::string in_line(fmt::format_string<Words...> form, Words&&... words) {
-  return printable(fmt::format(form, std::forward<Words>(words)...), std::string::npos) + '\n';
-}
-
 struct GroupMaker {
   std::string_view id;
   std::string_view step;                  // for the progress line; empty: it takes no time
   std::string_view how_to;                // Markdown: what gives the group where it is missing
   std::function<Group()> make = nullptr;  // null: Python makes it
+  bool is_facts = false;                  // Python makes it of what is made here
 };
 
-std::vector<GroupMaker> makers(const ReportPlaces& places, Sources& sources) {
+std::vector<GroupMaker> makers(const ReportPlaces& places, const std::vector<Case>& cases) {
   return {
-      {"paper", "", "", [&] { return paper_group(places, sources.solved()); }},
-      {"ledger", "", "`tribocheck reproduce`",
-       [&] { return ledger_group(places, sources.ledger()); }},
+      {"paper", "solving the published scenes", "", [&] { return paper_facts(places, cases); },
+       true},
+      {"ledger", "judging the paper's claims under every reading", "`tribocheck reproduce`"},
       {"onset_uncertainty", "drawing onsets within the precision of Table 1",
-       "`tribocheck sweep` of `reference/published/sweeps`",
-       [&] { return onset_uncertainty_group(places, sources.ledger()); }},
+       "`tribocheck sweep` of `reference/published/sweeps`"},
       {"contacts", "solving the contacts of machines", "The checkout's folder `reference/scenes`",
-       [&] { return contacts_group(places); }},
+       [&] { return contacts_facts(places); }, true},
       {"line_films", "solving films of line contacts",
        "The checkout's folders `reference/ehl` and `reference/scenes`",
        [&] { return line_films_group(places); }},
-      {"certified", "", "The checkout's folder `reference/exact`, or `make references`,"},
+      {"certified", "holding the model to the certified tables",
+       "The checkout's folder `reference/exact`, or `make references`,"},
       {"stress", "", "`make stress`"},
       {"planted_faults", "", "`make faults`"},
       {"diagnosis", "", "`make diagnosis`"},
       {"work_precision", "", "`make work-precision`"},
       {"ellipse_fits", "", "The file `reference/mistakes.toml`",
        [&] { return ellipse_fits_group(places); }},
-      {"skipped_work", "counting work", "",
-       [&] { return skipped_work_group(places, sources.solved()); }},
+      {"skipped_work", "counting work", "", [&] { return skipped_work_group(cases); }},
       {"gates", "", "`make gate-proof`"},
       {"sweep_speed", "", "`make bench-sweep`"},
       {"environment", "", ""},
@@ -170,11 +131,18 @@ std::vector<GroupMaker> makers(const ReportPlaces& places, Sources& sources) {
 
 // A group as groups/report.py takes it; its files of data are written.
 Json group_json(const GroupMaker& maker, const ReportPlaces& places) {
-  Json json{{"id", maker.id}, {"section", section_of(maker.id)}, {"how_to", maker.how_to}};
+  Json json{{"id", maker.id},
+            {"section", section_of(maker.id)},
+            {"step", maker.step},
+            {"how_to", maker.how_to}};
   if (!maker.make) return json;
   Group group;
   try {
     group = maker.make();
+    if (maker.is_facts) {
+      json["facts"] = std::move(group.data);
+      return json;
+    }
   } catch (const ReportError&) {
     throw;
   } catch (const std::exception& error) {
@@ -191,35 +159,12 @@ Json group_json(const GroupMaker& maker, const ReportPlaces& places) {
     write_file(places.out / file.path, file.content);
     files.push_back(Json::array({file.path, nullptr}));
   }
+  json["step"] = "";
   json["made"] = {{"data", std::move(group.data)},
                   {"findings", std::move(findings)},
                   {"not_run", std::move(not_run)},
                   {"files", std::move(files)}};
   return json;
-}
-
-// `told` is what groups/report.py says.
-std::string verdict_in_short(const nlohmann::json& told) {
-  std::string text;
-  if (told["summary"].is_string())
-    text += in_line("The paper: {}.", told["summary"].get<std::string>());
-  std::map<std::string, int> count;
-  std::string lines;
-  for (const nlohmann::json& one : told["findings"]) {
-    const auto standing = one["standing"].get<std::string>();
-    if (one["about"] == "software") ++count[standing];
-    if (standing == "fails" || standing == "missed" || standing == "absent")
-      lines += in_line("  {}: {}: {}",
-                       standing == "fails"    ? "FAILS"
-                       : standing == "absent" ? "not run"
-                                              : "missed",
-                       one["id"].get<std::string>(), one.value("why", ""));
-  }
-  return text +
-         fmt::format(
-             "This software: {} checks hold, {} fail, {} missed a target, {} did not run.\n",
-             count["holds"], count["fails"], count["missed"], count["absent"]) +
-         lines;
 }
 
 }  // namespace
@@ -230,9 +175,9 @@ Report write_report(const ReportOptions& options, const Progress& progress) {
   ReadCases read = read_cases(places);
   make_folder(places.out / "data");
   make_folder(places.out / "figures");
-  Sources sources(places, read.cases, progress);
   Json request{{"out", places.out.string()},
                {"root", places.root.string()},
+               {"scenes", places.scenes.string()},
                {"reference", places.reference.string()},
                {"program", std::filesystem::read_symlink("/proc/self/exe").string()},
                {"version", version},
@@ -240,11 +185,15 @@ Report write_report(const ReportOptions& options, const Progress& progress) {
                {"compiler", compiler_name()},
                {"processor", processor_name()},
                {"instruction_set", instruction_set()},
+               {"outputs", Json::array()},
                {"sections", asked.sections},
                {"groups", Json::array()}};
-  for (const GroupMaker& maker : makers(places, sources)) {
+  for (const OutputInfo& one : output_infos)
+    request["outputs"].push_back(
+        {{"name", one.name}, {"unit", one.unit}, {"meaning", one.meaning}});
+  for (const GroupMaker& maker : makers(places, read.cases)) {
     if (!asked.groups.contains(maker.id)) continue;
-    if (!maker.step.empty()) progress(maker.step);
+    if (maker.make && !maker.is_facts && !maker.step.empty()) progress(maker.step);
     request["groups"].push_back(group_json(maker, places));
   }
   progress("");
@@ -253,8 +202,7 @@ Report write_report(const ReportOptions& options, const Progress& progress) {
 
   Report report;
   report.folder = places.out.string();
-  report.verdict = verdict_in_short(told);
-  if (told["summary"].is_string()) report.table = plain_table(headline_table(sources.ledger()));
+  report.verdict = told["verdict"].get<std::string>();
   report.warnings = std::move(read.warnings);
   report.written = told["written"].get<std::vector<std::string>>();
   Rendering rendering = render(places);

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 """Certified values, random points, planted faults and wrong solvers: each is held, or a promise is broken."""
-import program
 from baselines import copied, count, flag, from_baseline, number, number_or_none, part, run_of, text, texts
 from group import Group, not_run, promise
 
@@ -66,7 +65,8 @@ def diagnosed(baseline):
 
 
 def certified(asked):
-    quantities = [held_quantity(one) for one in program.answer(asked.program, "verify", "--reference", asked.places.reference / "exact")]
+    answers = asked.program.answer("verify", "--reference", asked.places.reference / "exact")
+    quantities = [held_quantity(one) for one in answers]
     before, left_out = part(asked.places, "accuracy.json", "accuracy of an earlier version, to compare with", accuracy_before)
     data = {"quantities": quantities} | judged(quantities)
     return Group(data | {"before": before}, [promise("certified_values", "verification", data["held"], len(quantities))], left_out)
