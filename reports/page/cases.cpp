@@ -85,11 +85,4 @@ ReadCases read_cases(const ReportPlaces& places) {
   return std::move(reader.result);
 }
 
-const Case& find_case(const std::vector<Case>& cases, std::string_view surface,
-                      AsperityModel model) {
-  return *std::find_if(cases.begin(), cases.end(), [&](const Case& one) {
-    return one.surface == surface && one.model == model;
-  });
-}
-
 }  // namespace tribo::report

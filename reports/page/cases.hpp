@@ -35,7 +35,4 @@ struct ReadCases {
 // Throws ReportError with every problem of every scene.
 ReadCases read_cases(const ReportPlaces& places);
 
-const Case& find_case(const std::vector<Case>& cases, std::string_view surface,
-                      AsperityModel model);
-
 }  // namespace tribo::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A group of report.json: the numbers of one part of the page, computed and judged once. The page's
-// templates (render/templates) take every number and every verdict from it.
+// A group of report.json: the numbers of one part of the page, computed and judged once.
+// groups/report.py makes the others, and joins them.
 #pragma once
 
 #include <array>

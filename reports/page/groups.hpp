@@ -1,41 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// The groups of report.json, one function each. Where a group cannot be made, its function throws
-// std::exception: the page says why in place of the group.
+// The groups of report.json that are not made by Python (groups/report.py) alone, one function
+// each: whole groups, and facts of scenes that Python makes a group of. Where a group cannot be
+// made, its function throws std::exception: the page says why in place of the group.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "page/cases.hpp"
 #include "page/group.hpp"
 #include "page/project_files.hpp"
-#include "page/solved_case.hpp"
-#include "reproduction/ledger.hpp"
 
 namespace tribo::report {
 
-Group environment_group(const ReportPlaces& places, const std::string& commit);
-// The published scenes solved: inputs, curves, onsets, and each beside what the paper reports.
-Group paper_group(const ReportPlaces& places, const std::vector<SolvedCase>& solved);
-// The paper's claims under each reading.
-Group ledger_group(const ReportPlaces& places, const reproduction::Ledger& ledger);
-// Onsets drawn within the precision of Table 1, by a sweep that is run here.
-Group onset_uncertainty_group(const ReportPlaces& places, const reproduction::Ledger& ledger);
-// Scenes of a circle, an ellipse and a line, solved: reference/scenes.
-Group contacts_group(const ReportPlaces& places);
+// The published scenes: their inputs, and what is known before they are solved. Throws ReportError
+// where claims.tsv cannot be read.
+Group paper_facts(const ReportPlaces& places, const std::vector<Case>& cases);
+// Scenes of a circle, an ellipse and a line, before they are solved: reference/scenes.
+Group contacts_facts(const ReportPlaces& places);
 // Film formulas of a line contact beside its solved film: reference/ehl, reference/scenes.
 Group line_films_group(const ReportPlaces& places);
-// The model against the certified tables of reference/exact.
-Group certified_group(const ReportPlaces& places);
-// Results that the slow targets of make left in reference/baselines.
-Group stress_group(const ReportPlaces& places);
-Group planted_faults_group(const ReportPlaces& places);
-Group diagnosis_group(const ReportPlaces& places);
-Group work_precision_group(const ReportPlaces& places);
-Group gates_group(const ReportPlaces& places);
-Group sweep_speed_group(const ReportPlaces& places);
 // Published fits to Hertz' ellipse beside the ellipse.
 Group ellipse_fits_group(const ReportPlaces& places);
 // Evaluations that scenes with fewer outputs save.
-Group skipped_work_group(const ReportPlaces& places, const std::vector<SolvedCase>& solved);
+Group skipped_work_group(const std::vector<Case>& cases);
 
 }  // namespace tribo::report

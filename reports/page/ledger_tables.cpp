@@ -59,23 +59,6 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
   return table;
 }
 
-TextTable headline_table(const Ledger& ledger) {
-  TextTable table{"The paper's numbers, and what comes out (misprints mended)",
-                  {"number", "paper", "computed", "against the paper", "verdict"},
-                  {false, true, true, false, false},
-                  {},
-                  {}};
-  for (const std::string_view id : headline_items)
-    for (std::size_t i = 0; i < ledger.items.size(); ++i) {
-      const Item& item = ledger.items[i];
-      const ItemResult& result = ledger.readings.front().results[i];
-      if (item.id == id)
-        table.rows.push_back({item.label, asked(item), computed(item, result),
-                              against_the_paper(item, result), verdict(result)});
-    }
-  return table;
-}
-
 TextTable statement_table(const Ledger& ledger, const std::vector<std::string>& claims) {
   TextTable table{"The parts of the claims, and how each is computed",
                   {"part of claim", "the paper says", "printed", "place", "computed as"},

@@ -25,7 +25,6 @@ std::string verdict_sentence(const reproduction::Ledger& ledger,
 // The items of claims.tsv that stand first wherever the claims are told.
 inline constexpr std::string_view headline_items[] = {"C1.smooth", "C1.medium", "C1.rough",
                                                       "C2.smooth", "C4.rough",  "C4.smooth"};
-TextTable headline_table(const reproduction::Ledger& ledger);
 // Is the number of this item a ratio at each of many speeds?
 bool is_over_speeds(const reproduction::Item& item);
 inline constexpr const char* no_reading_sentence =

@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "page/project_files.hpp"
-#include "page/solved_case.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::report {
+
+struct SpeedRange {
+  double low;   // m/s
+  double high;  // m/s
+};
 
 struct LineScene {
   std::string name;  // the file's, without .toml

@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 
 #include "conformance/child_process.hpp"
 #include "protocol/bounded_json.hpp"
+#include "protocol/output_stream.hpp"
 
 namespace tribo::report {
 namespace {
@@ -22,7 +25,35 @@ std::string python() {
   return std::filesystem::exists(of_debian, ignored) ? of_debian : "python3";
 }
 
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+// A file without a name that holds this text, to be read from its start.
+File file_of(const std::string& text) {
+  File file(std::tmpfile(), &std::fclose);
+  if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
+      std::fflush(file.get()) != 0)
+    throw protocol::OutputFailed("cannot write a temporary file");
+  std::rewind(file.get());
+  return file;
+}
+
 }  // namespace
+
+nlohmann::json make_data(const ReportPlaces& places, const std::string& request) {
+  const std::string script = "report.py";
+  const File input = file_of(request);
+  const conformance::ChildEnd end = conformance::run_child(
+      {python(), "-B", (places.render.parent_path() / "groups" / script).string()},
+      std::chrono::milliseconds(0), ::fileno(input.get()));
+  if (end.start_error != 0)
+    throw protocol::OutputFailed(
+        "python3 was not found: no report can be made (Debian: apt-get install python3)");
+  nlohmann::json said = nlohmann::json::parse(end.text, nullptr, false);
+  if (!end.succeeded() || said.is_discarded())
+    throw protocol::OutputFailed(fmt::format("{} failed: see above", script));
+  if (said.contains("failed")) throw protocol::OutputFailed(said["failed"].get<std::string>());
+  return said;
+}
 
 Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page and the pictures, made by the Python scripts of reports/page/render.
+// The data, the page and the pictures, made by the Python scripts of reports/page.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct Rendering {
 // one line in `undrawn` says so.
 Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments);
+
+// What groups/report.py says of the data that it has made as `request` asks. Throws
+// protocol::OutputFailed where they cannot be made, or a file cannot be written.
+nlohmann::json make_data(const ReportPlaces& places, const std::string& request);
 
 // The page of places.out/report.json.
 Rendering render(const ReportPlaces& places);

@@ -13,9 +13,8 @@
 namespace tribo::report {
 
 struct Report {
-  std::string table;                  // the paper's first numbers beside what comes out
-  std::string verdict;                // a few lines: the paper's claims, and this software
-  std::string folder;                 // where the report lies, and
+  std::string verdict;  // some lines: the paper's first numbers and claims, and this software
+  std::string folder;   // where the report lies, and
   std::vector<std::string> written;   // every file written, below that folder
   std::vector<std::string> warnings;  // about the scenes
   std::vector<std::string> undrawn;  // why the page or its figures are missing; empty: all is there

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "page/groups.hpp"
+#include "tribo/mixed_contact.hpp"
+#include "tribo/onset.hpp"
 #include "tribo/operating_points.hpp"
 
 namespace tribo::report {
@@ -12,10 +14,11 @@ namespace {
 
 constexpr std::size_t count = 10000;  // speeds of each scene, log-spaced over its range
 
-std::vector<double> speeds_of(const SolvedCase& one) {
+std::vector<double> speeds_of(const Scene& scene) {
+  const auto span = detail::speed_span(scene.speeds);
   Speeds speeds;
-  speeds.from = one.range.low;
-  speeds.to = one.range.high;
+  speeds.from = span.low;
+  speeds.to = span.high;
   speeds.count = count;
   speeds.spacing = Spacing::log;
   std::vector<double> all(count);
@@ -23,11 +26,12 @@ std::vector<double> speeds_of(const SolvedCase& one) {
   return all;
 }
 
-WorkCounts work_of(const SolvedCase& one, const std::vector<double>& speeds, OutputSet outputs) {
+WorkCounts work_of(const MixedContact<double>& contact, const std::vector<double>& speeds,
+                   OutputSet outputs) {
   OperatingPoints points;
   points.resize(speeds.size(), outputs);
   WorkCounts work;
-  solve(one.contact, speeds, outputs, points, work);
+  solve(contact, speeds, outputs, points, work);
   return work;
 }
 
@@ -44,8 +48,8 @@ Request request(const std::vector<std::string>& names) {
 
 // Evaluations of F_n that all outputs take when every root takes a step or more: a root that is λ₀
 // or λ_b without a step counts as one step; a share and two moments a point come on top.
-std::uint64_t full_work(const SolvedCase& one, const std::vector<double>& speeds) {
-  const WorkCounts work = work_of(one, speeds, request({"film_flooded"}).outputs);
+std::uint64_t full_work(const MixedContact<double>& contact, const std::vector<double>& speeds) {
+  const WorkCounts work = work_of(contact, speeds, request({"film_flooded"}).outputs);
   return work[Work::root_step] + work[Work::root_is_film] + work[Work::root_is_floor] + 3 * count;
 }
 
@@ -56,7 +60,7 @@ double saved_part(const WorkCounts& work, std::uint64_t full) {
 
 }  // namespace
 
-Group skipped_work_group(const ReportPlaces&, const std::vector<SolvedCase>& solved) {
+Group skipped_work_group(const std::vector<Case>& cases) {
   const std::vector<Request> requests{{{}, OutputSet::all()},
                                       request({"film"}),
                                       request({"fluid_load_share", "regime"}),
@@ -64,16 +68,17 @@ Group skipped_work_group(const ReportPlaces&, const std::vector<SolvedCase>& sol
   Group group;
   group.data = {{"speeds", count}, {"rows", Json::array()}};
   double least = 1, greatest = 0;
-  for (const SolvedCase& one : solved) {
-    const std::vector<double> speeds = speeds_of(one);
-    const std::uint64_t full = full_work(one, speeds);
+  for (const Case& one : cases) {
+    const MixedContact<double> contact(one.scene);
+    const std::vector<double> speeds = speeds_of(one.scene);
+    const std::uint64_t full = full_work(contact, speeds);
     for (const Request& asked : requests) {
-      const WorkCounts work = work_of(one, speeds, asked.outputs);
+      const WorkCounts work = work_of(contact, speeds, asked.outputs);
       const double saved = saved_part(work, full);
       least = std::min(least, saved);
       greatest = std::max(greatest, saved);
       group.data["rows"].push_back(
-          {{"scene", one.source.stem()},
+          {{"scene", one.stem()},
            {"asked", asked.names},
            {"root_steps", work[Work::root_step]},
            {"roots_that_are_film", work[Work::root_is_film]},

@@ -25,7 +25,6 @@ report::Report written_report(const report::ReportOptions& options) {
 int tell(const report::Report& done, OutputStream& output) {
   for (const std::string& line : done.warnings) complain("warning: " + line);
   for (const std::string& line : done.undrawn) complain(line);
-  if (!done.table.empty()) append(output.text(), done.table + "\n");
   append(output.text(), done.verdict);
   append_line(output.text(),
               fmt::format("{}: {}/{} ({} files in all, data and pictures among them)",

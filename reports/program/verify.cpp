@@ -90,9 +90,10 @@ void append_json(Text& to, const std::vector<QuantityResult>& results) {
     protocol::append_json_text(to, r.quantity);
     append(to,
            fmt::format(", \"cases\": {}, \"worst_ulp\": {}, \"worst_ulp_per_condition\": {}, "
-                       "\"allowed_ulp\": {}, \"allowed_ulp_per_condition\": {}, \"worst_row\": ",
+                       "\"allowed_ulp\": {}, \"allowed_ulp_per_condition\": {}, "
+                       "\"worst_part_of_bound\": {}, \"worst_row\": ",
                        r.cases, number(r.worst_ulp), number(r.worst_ulp_per_condition),
-                       r.allowed_ulp, r.allowed_ulp_per_condition));
+                       r.allowed_ulp, r.allowed_ulp_per_condition, number(r.worst_part_of_bound)));
     protocol::append_json_text(to, r.worst_row);
     append(to, fmt::format(", \"passed\": {}}}", r.passed()));
   }

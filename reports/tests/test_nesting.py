@@ -141,6 +141,7 @@ class Baselines(Deep):
         tree = pathlib.Path(self.folder.path("tree"))
         for part in ("reports/page/render", "reference/baselines"):
             (tree / part).mkdir(parents=True)
+        (tree / "reports/page/groups").symlink_to(ROOT / "reports/page/groups")
         for part in ("published", "exact", "scenes", "ehl", "mistakes.toml"):
             (tree / "reference" / part).symlink_to(ROOT / "reference" / part)
         for name, nest in JSON_NESTS.items():

@@ -539,7 +539,7 @@ class Failures(unittest.TestCase):
     def test_default_folders_are_the_projects(self):
         project = self.path / "project"
         shutil.copytree(PUBLISHED, project / "reference/published")
-        for folder in ("gnuplot", "render", "schema"):
+        for folder in ("gnuplot", "groups", "render"):
             shutil.copytree(ROOT / "reports/page" / folder, project / "reports/page" / folder)
         (project / "deep/below").mkdir(parents=True)
         done = report(cwd=project / "deep/below")
@@ -551,7 +551,7 @@ class Failures(unittest.TestCase):
     def test_a_changed_verdict_breaks_the_ledgers_promise_and_a_moved_number_does_not(self):
         project = self.path / "project"
         for part in ("reference/published", "reference/baselines", "reports/page/gnuplot", "reports/page/render",
-                     "reports/page/schema"):
+                     "reports/page/groups"):
             shutil.copytree(ROOT / part, project / part)
         path = project / "reference/baselines/ledger.csv"
         whole = path.read_text()

@@ -35,7 +35,7 @@ class Baselines(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.project = pathlib.Path(self.folder.name) / "project"
         for part in ("reference/published", "reference/scenes", "reference/ehl", "reference/exact", "reference/baselines",
-                     "reports/page/gnuplot", "reports/page/render", "reports/page/schema"):
+                     "reports/page/gnuplot", "reports/page/groups", "reports/page/render"):
             shutil.copytree(ROOT / part, self.project / part)
         shutil.copy(ROOT / "reference/mistakes.toml", self.project / "reference")
         # A ledger lacks new faults until the next run that plants a part of them.

@@ -123,7 +123,7 @@ class WithoutThem(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.project = pathlib.Path(folder.name) / "project"
         for part in ("reference/published", "reference/scenes", "reports/page/gnuplot", "reports/page/render",
-                     "reports/page/schema"):
+                     "reports/page/groups"):
             shutil.copytree(ROOT / part, self.project / part)
 
     def test_a_scene_that_is_missing_or_wrong_is_named_on_the_page(self):

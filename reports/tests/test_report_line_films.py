@@ -141,7 +141,7 @@ class OtherFiles(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.project = pathlib.Path(folder.name) / "project"
         for part in ("reference/published", "reference/scenes", "reference/ehl", "reports/page/gnuplot", "reports/page/render",
-                     "reports/page/schema"):
+                     "reports/page/groups"):
             shutil.copytree(ROOT / part, self.project / part)
 
     def told(self, *arguments):

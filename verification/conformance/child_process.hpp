@@ -57,10 +57,10 @@ class ChildProcess {
   using Time = std::chrono::milliseconds;
   enum class Pipes : std::uint8_t {
     all,     // lines go to its stdin and come from its stdout, and the end of its stderr is kept
-    output,  // it has no input, and its errors go where ours go
+    output,  // it reads the file `input`, and its errors go where ours go
   };
-  // As GuardedChild.
-  ChildProcess(std::vector<std::string> command, Pipes pipes);
+  // As GuardedChild. `input` is read from where it stands; −1: /dev/null.
+  ChildProcess(std::vector<std::string> command, Pipes pipes, int input = -1);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();  // kills it
@@ -119,6 +119,6 @@ struct ChildEnd {
 
 // Runs a program to its end with Pipes::output. One that has not ended within `limit` is ended,
 // with all that it has started; 0: no limit.
-ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit = {});
+ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit = {}, int input = -1);
 
 }  // namespace tribo::conformance

@@ -7,6 +7,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 
 SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "gnuplot"
@@ -28,6 +29,12 @@ def read_data(path):
             return {cleaned(name): cleaned(one) for name, one in value.items()}
         return value
     return cleaned(json.loads(pathlib.Path(path).read_text(encoding="utf-8")))
+
+
+def show_step(step):
+    """One line on stderr that each step overwrites, where a person watches."""
+    if sys.stderr.isatty():
+        print(f"\r{step}\033[K", end="", file=sys.stderr, flush=True)
 
 
 def enhanced(text):

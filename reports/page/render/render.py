@@ -24,26 +24,17 @@ except ImportError as error:
 import drawing  # noqa: E402
 import markup  # noqa: E402
 import numbers_text as numbers  # noqa: E402
-import schema  # noqa: E402
 import sections  # noqa: E402
 import sweep_pictures  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-class Steps:
-    """One line on stderr that each step overwrites, where a person watches."""
-
-    def show(self, step):
-        if sys.stderr.isatty():
-            print(f"\r{step}\033[K", end="", file=sys.stderr, flush=True)
-
-
 class Figures:
     """The figures that the templates ask for; each is drawn where it stands."""
 
-    def __init__(self, out, steps, files):
-        self.out, self.steps = out, steps
+    def __init__(self, out, files):
+        self.out = out
         self.files = files  # data files, for the page to list
         self.written, self.undrawn, self.html, self.missing = [], [], {}, []
         self.gnuplot_is_there = True
@@ -54,7 +45,7 @@ class Figures:
         why = "" if self.gnuplot_is_there else drawing.NO_GNUPLOT
         for path in paths:
             if not why:
-                self.steps.show(f"drawing {path}")
+                drawing.show_step(f"drawing {path}")
                 why = drawing.draw(drawn, self.out / drawn["data"], self.out / path)
                 if why and why != drawing.NO_GNUPLOT:
                     why = f"{path}: {why}"
@@ -150,15 +141,13 @@ def main():
     parser.add_argument("out", type=pathlib.Path, help="the report's folder, with report.json in it")
     out = parser.parse_args().out
     report = drawing.read_data(out / "report.json")
-    figures = Figures(out, Steps(), report["files"])
+    figures = Figures(out, report["files"])
     text = environment(report, figures)
     made = sections.Page(report, text, figures)
     drawing.write_text(out / "report.md", made.markdown)
     drawing.write_text(out / "index.html", made.html)
-    whole = json.dumps(schema.joined(), indent=1, ensure_ascii=False)
-    drawing.write_text(out / "report.schema.json", whole + "\n")
-    figures.steps.show("")
-    print(json.dumps({"written": figures.written + ["report.md", "index.html", "report.schema.json"],
+    drawing.show_step("")
+    print(json.dumps({"written": figures.written + ["report.md", "index.html"],
                       "undrawn": figures.undrawn}))
 
 

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes solved over their speeds, and the tables of points that figures are drawn from."""
+import dataclasses
+import math
+
+import scenes
+from group import exact
+
+POINTS = 601
+CRITERIA = ("film_maximum", "film_departure", "friction_minimum", "asperity_minimum")
+
+
+def first_speed(low, high, holds):
+    """The least speed at which something holds, by bisection down to neighbouring doubles.
+
+    `holds` is false up to some speed, and true from there to `high`. The answer is `low` if it holds there, and None if it
+    does not hold at `high`. 0 < low ≤ high.
+    """
+    if holds(low):
+        return low
+    if not holds(high):
+        return None
+    while True:
+        middle = math.sqrt(low) * math.sqrt(high)
+        if not low < middle < high:
+            middle = low + (high - low) / 2  # its own rounding is some units
+        if not low < middle < high:
+            return high
+        low, high = (low, middle) if holds(middle) else (middle, high)
+
+
+@dataclasses.dataclass
+class Contact:
+    """A scene and its speeds, which the program is asked for."""
+    program: object
+    scene: dict  # as in its file
+    low: float  # m/s
+    high: float
+
+    def solve(self, *speeds):
+        """The operating points at these speeds, by the names of their outputs; None: undefined."""
+        answers = self.program.ask(*(scenes.point(self.scene, speed) for speed in speeds))
+        return [{"speed": speed} | answer for speed, answer in zip(speeds, answers)]
+
+    def at(self, speed):
+        return self.solve(speed)[0]
+
+    def contains(self, speed):
+        return speed is not None and self.low <= speed <= self.high
+
+
+@dataclasses.dataclass
+class Solved:
+    contact: Contact
+    curve: list  # of points with ascending speeds, closely spaced where the film drops into its collapse
+    onsets: dict  # by their criteria, as `tribocheck onset` answers
+    at_collapse: dict | None  # the first collapsed point of the range
+    at_onset: dict | None  # film_maximum, if it lies within the range
+
+    @property
+    def slowest(self):
+        return self.curve[0]
+
+
+def before_collapse(contact, collapse):
+    """Points just below a collapse at u_c, at speeds u_c (1 − 10^−e): the film falls as the 2/3rd power of the distance, so
+    that on logarithmic axes evenly spaced e draw an even line."""
+    speeds = [collapse * (1 - math.pow(10, -eighths / 8)) for eighths in range(8, 65)]
+    return contact.solve(*(speed for speed in speeds if contact.low < speed < contact.high))
+
+
+def solved(contacts, criteria=CRITERIA):
+    """Each contact solved."""
+    program = contacts[0].program
+    with scenes.files_of([{name: one for name, one in contact.scene.items() if name != "outputs"} |
+                          {"speed": {"from": contact.low, "to": contact.high, "count": POINTS}} for contact in contacts]) as paths:
+        rows = program.answer("curve", *paths, whole=float)
+    onsets = scenes.onsets(program, [contact.scene for contact in contacts], criteria)
+    found = []
+    for i, contact in enumerate(contacts):
+        curve = rows[i * POINTS:(i + 1) * POINTS]
+        speed = first_speed(contact.low, contact.high, lambda speed: contact.at(speed)["inlet"] == "collapsed")
+        at_collapse = None if speed is None else contact.at(speed)
+        if at_collapse:
+            curve = sorted([*curve, *before_collapse(contact, speed), at_collapse], key=lambda point: point["speed"])
+        maximum = onsets[i]["film_maximum"]["speed"] if "film_maximum" in criteria else None
+        at_onset = contact.at(maximum) if contact.contains(maximum) else None
+        found.append(Solved(contact, curve, onsets[i], at_collapse, at_onset))
+    return found
+
+
+class Tables:
+    """The files of points. `outputs` are the name, unit and meaning of each column behind the speed."""
+
+    def __init__(self, version, outputs):
+        self.version, self.outputs = version, outputs
+        self.columns = "\t".join(["speed [m/s]", *(f"{one['name']} [{one['unit']}]" if one["unit"] else one["name"]
+                                                   for one in outputs)])
+        self.notes = "# NaN: undefined\n" + "".join(f"# {one['name']}: {one['meaning']}\n" for one in outputs)
+
+    def header(self, what, made_from):
+        return f"# {what}\n# tribocheck {self.version}, from {made_from}\n"
+
+    def cells(self, point):
+        return "\t".join(value if isinstance(value, str) else "NaN" if value is None else exact(value)
+                         for value in (point["speed"], *(point[one["name"]] for one in self.outputs)))
+
+    def curve(self, what, made_from, curve):
+        lines = "".join(self.cells(point) + "\n" for point in curve)
+        return self.header(what, made_from) + f"{self.notes}# {self.columns}\n{lines}"
+
+    def named(self, what, made_from, points, name="name"):
+        """Points with a name each; None is left out."""
+        lines = "".join(f"{title}\t{self.cells(point)}\n" for title, point in points if point)
+        return self.header(what, made_from) + f"# {name}\t{self.columns}\n{lines}"

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""When and where the page was made, and how old the results are that it shows."""
+import datetime
+import os
+import re
+
+from baselines import BASELINES, from_baseline
+from group import Group, Missing
+
+UNKNOWN = "unknown"
+
+
+def today():
+    seconds = os.environ.get("SOURCE_DATE_EPOCH", "")
+    now = datetime.datetime.now(datetime.timezone.utc)
+    if re.fullmatch(r"-?\d{1,11}", seconds):
+        now = datetime.datetime.fromtimestamp(int(seconds), datetime.timezone.utc)
+    return now.date()
+
+
+def day_of(date):
+    """Reads "2026-11-21"; None where it is no date."""
+    found = re.match(r"(\d{4})-(\d{1,2})-(\d{1,2})", date)
+    try:
+        return datetime.date(*map(int, found.groups())) if found else None
+    except ValueError:
+        return None
+
+
+def text_of(of, key):
+    value = of.get(key) if isinstance(of, dict) else None
+    return value if isinstance(value, str) else UNKNOWN
+
+
+def baseline_of(places, file, now):
+    """The baseline that a slow target left, and its age in days; or why its file cannot be read."""
+    target, what = BASELINES[file]
+    row = {"file": file, "what": what, "target": target}
+    try:
+        baseline = from_baseline(places, file, dict)
+    except Missing as missing:
+        return row | {"missing": str(missing)}
+    date, machine = text_of(baseline, "date"), baseline.get("environment")
+    day = day_of(date)
+    return row | {"commit": text_of(baseline, "commit"), "date": date, "age_in_days": (now - day).days if day else None,
+                  "processor": text_of(machine, "cpu"), "compiler": text_of(machine, "compiler")}
+
+
+def environment(asked):
+    now, kernel = today(), os.uname()
+    return Group({
+        "version": asked.version, "commit": asked.commit or None, "compiler": asked.compiler, "processor": asked.processor,
+        "instruction_set": asked.instruction_set, "kernel": f"{kernel.sysname} {kernel.release} {kernel.machine}",
+        "date": now.isoformat(), "baselines": [baseline_of(asked.places, file, now) for file in BASELINES]})

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A group of report.json: the numbers of one part of the page, computed and judged once. The page's templates
+(../render/templates) take every number and every verdict from it."""
+import math
+import re
+import typing
+
+
+class Missing(Exception):
+    """Why a group, or a part of one, cannot be made: the page says so in its place."""
+
+
+class Group(typing.NamedTuple):
+    data: dict
+    findings: list = []
+    not_run: list = []  # what is missing from the page
+    files: list = []  # (path below the report's folder, text): what figures are drawn from
+
+
+def finding(name, section, about, standing, why=""):
+    """A line at the top of the page, about the `paper` or the `software`. Its sentence stands in the section's template,
+    as finding_<name>; `why` is one where the template has none.
+
+    holds: agrees, within what is declared; differs: does not agree with the paper, or in part; fails: a promise of this
+    software is broken; missed: a target that it sets itself is not reached; measured: neither good nor bad; absent: not
+    known, as its source is missing or was not run.
+    """
+    made = {"id": name, "section": section, "about": about, "standing": standing}
+    return made | {"why": why} if why else made
+
+
+def promise(name, section, held, count):
+    """It is kept where all are held, and there is one at least."""
+    if 0 < count == held:
+        return finding(name, section, "software", "holds")
+    return finding(name, section, "software", "fails", f"{count - held} of {count} are not held.")
+
+
+def not_run(what, why, how_to):
+    """`how_to` is Markdown: the command that gives it."""
+    return {"what": what, "why": why, "how_to": how_to}
+
+
+def exact(value):
+    """Reads back to the same double; NaN for what is undefined."""
+    return "NaN" if math.isnan(value) else repr(float(value)).removesuffix(".0")
+
+
+CONTROLS = re.compile("[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff]")
+
+
+def printable(text):
+    """The text as one line, whatever it holds."""
+    return CONTROLS.sub(lambda sign: {"\n": "\\n", "\t": "\\t"}.get(sign[0], f"\\u{ord(sign[0]):04x}"), text)

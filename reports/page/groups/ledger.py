@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The paper's claims under each reading, as `tribocheck reproduce` judges them, and what its figures are drawn from."""
+import csv
+import json
+import math
+
+import scenes
+from group import Group, Missing, exact, finding, not_run
+
+SURFACES = ("rough", "medium", "smooth")
+
+
+def claims_of(places):
+    """The rows of claims.tsv: each item as it is printed."""
+    with (places.scenes / "claims.tsv").open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader((line for line in file if not line.startswith("#")), delimiter="\t", quoting=csv.QUOTE_NONE))
+
+
+def reported(places, quantity, surface):
+    """The first number that is printed of it, with half of its last digit down and up; None where there is none."""
+    for row in claims_of(places):
+        if (row["quantity"], row["surface"], row["rule"]) == (quantity, surface, "number"):
+            value, half = float(row["value"]), float(row["last_digit"]) / 2
+            return value, value - half, value + half
+    return None
+
+
+def reproduced(asked):
+    """What `tribocheck reproduce` answers, and what has changed since the committed ledger, or why that is not known."""
+    arguments = ("reproduce", "--published", asked.places.scenes, "--format", "json", "--ledger")
+    try:
+        answer, complaints = asked.program.said(*arguments, asked.places.reference / "baselines/ledger.csv")
+    except Missing as missing:
+        answer, _ = asked.program.said(*arguments, "none")
+        return json.loads(answer), {"missing": str(missing)}
+    changes = {name: [line.removeprefix(start) for line in complaints if line.startswith(start)]
+               for name, start in (("verdicts_changed", "verdict changed: "), ("numbers_moved", "number moved: "))}
+    return json.loads(answer), changes
+
+
+def comparison(committed):
+    """Did a verdict change? And what is missing to know it."""
+    if "missing" in committed:
+        why = committed["missing"]
+        return (finding("committed_ledger", "claims", "software", "absent", why),
+                [not_run("Comparison with the committed ledger", why, "`make ledger`")])
+    changed = committed["verdicts_changed"]
+    return finding("committed_ledger", "claims", "software", "fails" if changed else "holds",
+                   f"verdict changed: {changed[0]}" if changed else ""), []
+
+
+def cell(value):
+    return "NaN" if value is None else exact(value)
+
+
+def row(cells):
+    return "\t".join(map(cell, cells)) + "\n"
+
+
+def ends(interval):
+    return interval["low"], interval["high"]
+
+
+def surfaces_data(asked, told, contacts):
+    """The onset speeds and shares of each surface, varied, beside the paper's."""
+    print_precision, plausible = told["uncertainty"][:2]
+    onsets = scenes.onsets(asked.program, contacts, ("film_maximum", "friction_minimum"))
+    text = ("# Onset speeds (m/s) and asperity shares at the lowest speed, corrected reading, with the intervals of 95 % that "
+            "varied inputs give\n"
+            "# surface\tsd_nm\tonset_median\tonset_plausible_low\tonset_plausible_high\tonset_print_low\tonset_print_high\t"
+            "onset_reported\treported_low\treported_high\tfilm_maximum\tfriction_minimum\tshare_plausible_low\t"
+            "share_plausible_high\tshare_print_low\tshare_print_high\tshare_reported\tshare_reported_low\tshare_reported_high\n")
+    for name, scene, onset in zip(SURFACES, contacts, onsets):
+        text += f"{name}\t" + row((
+            1e9 * scene["surface"]["summit_height_sd"], print_precision["onset_speed"][name]["median"],
+            *ends(plausible["onset_speed"][name]), *ends(print_precision["onset_speed"][name]),
+            *(reported(asked.places, "onset_speed", name) or (None,) * 3),
+            onset["film_maximum"]["speed"], onset["friction_minimum"]["speed"],
+            *ends(plausible["slow_asperity_share"][name]), *ends(print_precision["slow_asperity_share"][name]),
+            *(reported(asked.places, "slow_asperity_share", name) or (None,) * 3)))
+    return "data/ledger_surfaces.tsv", text
+
+
+def law_data(asked, smooth):
+    """Onsets and shares where n·β·σ_s stays what it is and σ_s goes from 20 to 125 nm."""
+    surface = smooth["surface"]
+    factors = [0.8 * math.pow(6.25, i / 60) for i in range(61)]
+    contacts = [smooth | {"surface": surface | {"summit_height_sd": surface["summit_height_sd"] * factor,
+                                                "summit_density": surface["summit_density"] / factor}} for factor in factors]
+    onsets = scenes.onsets(asked.program, contacts, ("film_maximum", "film_departure"))
+    slowest = asked.program.ask(*(scenes.point(one, one["speed"]["from"]) for one in contacts))
+    text = ("# Closed forms at constant n·β·σ_s, corrected reading: onset speeds (m/s), asperity share at the lowest speed\n"
+            "# sd_nm\tfilm_maximum\tfilm_departure_0.05\tslow_asperity_share\n")
+    for scene, onset, point in zip(contacts, onsets, slowest):
+        text += row((1e9 * scene["surface"]["summit_height_sd"], onset["film_maximum"]["speed"], onset["film_departure"]["speed"],
+                     point["asperity_load_share"]))
+    return "data/ledger_law.tsv", text
+
+
+def scores_data(told):
+    text = "# Of all readings, how many reproduce how many claims\n# claims\treadings\twho\n"
+    for score, count in enumerate(told["ranking"]["readings_by_score"]):
+        who = ", ".join(one["name"] for one in told["readings"] if one["score"] == score)
+        text += f"{score}\t{count}\t{who or '-'}\n"
+    return "data/ledger_scores.tsv", text
+
+
+def table_data(told):
+    """The rows of `tribocheck reproduce --format csv`."""
+    verdicts = {one["claim"]: one["verdicts"] for one in told["claims"]}
+    text = ("reading,departures,item,claim,computed,other_end,numerical_error,holds_at,reported,factor,verdict,claim_verdict,"
+            "margin,margin_of,margin_error,decided,beyond_collapse,met_by\n")
+    for reading in told["readings"]:
+        for item in told["items"]:
+            name, result = reading["name"], item["readings"][reading["name"]]
+            margin, computed = result.get("margin"), result["computed"]
+            text += ",".join((
+                name, reading["departures"], item["item"], item["claim"], csv_number(computed),
+                csv_number(result.get("other_end", computed)), csv_error(result.get("numerical_error")),
+                csv_number(float(result.get("holds_at", computed is not None))), csv_number(item["reported"]),
+                csv_number(result.get("factor")), result["verdict"], verdicts[item["claim"]][name],
+                csv_number(margin and margin["distance"]), margin["of"] if margin else "", csv_error(margin and margin["error"]),
+                "yes" if result["decided"] else "no", " ".join(result.get("beyond_collapse", [])),
+                csv_number(item["met_by"]))) + "\n"
+    return "data/ledger.csv", text
+
+
+def csv_number(value):
+    return "" if value is None else exact(value)
+
+
+def csv_error(value):
+    """Errors are known to their size alone."""
+    return "" if value is None else f"{value:.2g}"
+
+
+def ledger(asked):
+    told, committed = asked.reproduced
+    contacts = [scenes.read(asked.places.scenes / f"{name}.toml") for name in SURFACES]
+    reproduces_all = told["readings"][0]["score"] == len(told["claims"])
+    all_independent = all(one["reproduced"] for one in told["independent"])
+    compared, left_out = comparison(committed)
+    found = [finding("claims", "claims", "paper", "holds" if reproduces_all else "differs"),
+             finding("readings", "readings", "paper", "measured"),
+             finding("independent_numbers", "uncertainty", "software", "holds" if all_independent else "fails"), compared]
+    return Group(told | {"committed": committed}, found, left_out, [
+        surfaces_data(asked, told, contacts), law_data(asked, contacts[SURFACES.index("smooth")]), scores_data(told),
+        table_data(told)])

@@ -1,0 +1,238 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The published scenes solved: inputs, curves, onsets, and each beside what the paper reports."""
+import math
+import typing
+
+import curves
+import ledger
+import scenes
+from group import Group, exact, finding
+
+TOLD = ("speed", "film", "film_parameter", "asperity_load_share", "real_area_ratio", "summit_count", "friction")
+QUANTITIES = ("onset_speed", "onset_film_parameter", "slow_asperity_share")
+
+
+class Case(typing.NamedTuple):
+    """One of the six scenes: a surface with the contact of Greenwood and Tripp (GT), or Greenwood and Williamson (GW)."""
+    stem: str  # "smooth_gw": of the scene and of its data
+    fact: dict  # what the program says of the scene before it is solved
+    solved: curves.Solved
+
+    @property
+    def surface(self):
+        return self.fact["surface"]
+
+    @property
+    def model(self):
+        return self.fact["model"]
+
+    def reported(self, claims, quantity):
+        """The number that the paper prints of it, as a row of claims.tsv; None where it prints none."""
+        return next((row for row in claims if (row["rule"], row["quantity"], row["surface"]) == ("number", quantity, self.surface)
+                     and row["model"] in (self.model, "both")), None)
+
+
+def told(point):
+    return point and {name: point[name] for name in TOLD}
+
+
+def equal_share_speed(case):
+    """The first speed at which the film carries half the load. The asperities' share falls with speed up to the onset, and
+    rises beyond it."""
+    contact, onset = case.solved.contact, case.solved.at_onset
+
+    def holds(speed):
+        share = contact.at(speed)["asperity_load_share"]
+        return share is not None and share <= 0.5
+    return curves.first_speed(contact.low, onset["speed"] if onset else contact.high, holds)
+
+
+def least_friction(case):
+    """Between the points of the curve it is at the interior minimum."""
+    frictions = [point["friction"] for point in case.solved.curve if point["friction"] is not None]
+    interior = case.solved.onsets["friction_minimum"]["speed"]
+    if frictions and interior is not None:
+        frictions += [one for one in [case.solved.contact.at(interior)["friction"]] if one is not None]
+    return min(frictions, default=None)
+
+
+def scene_of(case):
+    fact = {name: value for name, value in case.fact.items() if name not in ("speeds", "share_without_film", "speed_power")}
+    return fact | {"slowest": told(case.solved.slowest), "fastest": told(case.solved.curve[-1]), "onset": told(case.solved.at_onset),
+                   "collapse": told(case.solved.at_collapse), "contact_share": min(1.0, case.fact["share_without_film"]),
+                   "equal_share_speed": equal_share_speed(case), "least_friction": least_friction(case)}
+
+
+# --- Computed beside reported.
+
+def judged(computed, value, last_digit):
+    """The verdict on a number that the paper prints, as the ledger judges it (verification/reproduction/claims.hpp)."""
+    half = last_digit / 2 * (1 + 1e-9)  # the slack is the rounding of the decimals
+    if value - half <= computed <= value + half:
+        return "reproduced"
+    factor = computed / value
+    if factor > 0 and abs(factor - 1) <= 0.1:
+        return "within 10 %"
+    return "order only" if factor > 0 and abs(math.log(factor)) <= math.log(10) / 2 else "not reproduced"
+
+
+def row_of(case, claims, quantity, criterion, computed, none):
+    claim = case.reported(claims, quantity)
+    value = claim and float(claim["value"])
+    is_compared = computed is not None and claim is not None
+    row = {"surface": case.surface, "model": case.model, "criterion": criterion, "computed": computed, "reported": value,
+           "factor": computed / value if is_compared else None,
+           "verdict": judged(computed, value, float(claim["last_digit"])) if is_compared else None}
+    return row if computed is not None else row | {"none": none}
+
+
+def rows_of(cases, claims, quantity):
+    if quantity == "slow_asperity_share":
+        return [row_of(case, claims, quantity, None, case.solved.slowest["asperity_load_share"], "") for case in cases]
+    name = {"onset_speed": "speed", "onset_film_parameter": "film_parameter"}[quantity]
+    return [row_of(case, claims, quantity, criterion, onset[name], onset.get("undefined", {}).get("speed"))
+            for case in cases for criterion, onset in case.solved.onsets.items()]
+
+
+def comparison(quantity, rows):
+    """The criterion film_maximum counts alone of several onset criteria."""
+    counted = [row for row in rows if row["verdict"] and row["criterion"] in (None, "film_maximum")]
+    agreeing = sum(row["verdict"] == "reproduced" for row in counted)
+    factors = [row["factor"] for row in counted]
+    standing = "absent" if not counted else "holds" if agreeing == len(counted) else "differs"
+    return ({"rows": rows, "counted": len(counted), "agreeing": agreeing, "factors": [min(factors), max(factors)] if factors else []},
+            finding(quantity, "comparison", "paper", standing))
+
+
+# --- Figure 4: film against speed, u^0.67 while the inlet is flooded, u^−1 once it starves. The second slope needs an oil
+# supply that is carried in at a constant rate, and a closure with h* → h_oil.
+
+class SlopeCurve(typing.NamedTuple):
+    change: str  # the difference from the scene file
+    solved: curves.Solved
+
+    def slope(self, low, high):
+        """d ln h*/d ln u between two speeds a thousandth apart; None where the film has collapsed."""
+        film_low, film_high = (point["film"] for point in self.solved.contact.solve(low, high))
+        return math.log(film_high / film_low) / math.log(high / low) if film_low > 0 and film_high > 0 else None
+
+    @property
+    def slopes(self):
+        low, high = self.solved.contact.low, self.solved.contact.high
+        return {"first_slope": self.slope(low, low * 1.001), "last_slope": self.slope(high / 1.001, high)}
+
+
+class TwoSlopes:
+    """Variations of a scene. `knee` is the middle of its speeds on a logarithmic axis, where the flooded film meets that of
+    the flow, h_oil = q/u."""
+
+    def __init__(self, base):
+        contact, scene = base.solved.contact, base.solved.contact.scene
+        self.knee = math.sqrt(contact.low) * math.sqrt(contact.high)
+        film = contact.at(self.knee)["film_flooded"]
+        self.flow = film * self.knee
+        changed = {"flooded": ("no supply", {name: one for name, one in scene.items() if name != "supply"})}
+        for closure in ("starved_inlet", "damiens"):
+            changed[closure] = (f"supply.inlet_flow = {exact(self.flow)} m2/s, closures.starvation = {closure}", scene | {
+                "supply": {"inlet_flow": self.flow}, "closures": scene.get("closures", {}) | {"starvation": closure}})
+        found = curves.solved([curves.Contact(contact.program, one, contact.low, contact.high) for _, one in changed.values()],
+                              ["film_maximum"])
+        self.curves = {name: SlopeCurve(change, one) for (name, (change, _)), one in zip(changed.items(), found)}
+        self.curves["paper"] = SlopeCurve("as the scene file", base.solved)
+        # The guides stand a little above the curves, on both sides of the knee.
+        third = math.cbrt(self.knee / contact.low)
+        self.guides = [self.guide(base.fact["speed_power"], film * 1.7, contact.low * third, self.knee / third),
+                       self.guide(-1.0, film * 1.7, self.knee * math.sqrt(third), self.knee * third * math.sqrt(third))]
+
+    def guide(self, slope, film, low, high):
+        """The line u^slope through a film at the knee: its speeds, films and slope."""
+        return [(speed, film * math.pow(speed / self.knee, slope), slope) for speed in (low, math.sqrt(low * high), high)]
+
+    @property
+    def told(self):
+        return {"inlet_flow": self.flow, "knee": self.knee, "curves": {name: one.slopes for name, one in self.curves.items()}}
+
+
+def slope_files(tables, slopes, file):
+    files = [(f"data/figure_04_{name}.tsv", tables.curve("Film against speed", f"{file}: {one.change}", one.solved.curve))
+             for name, one in slopes.curves.items() if name != "paper"]
+    guides = "".join("".join("\t".join(map(exact, place)) + "\n" for place in line) + "\n\n" for line in slopes.guides)
+    files.append(("data/figure_04_guides.tsv", tables.header("Lines of constant slope beside the curves of Figure 4", file) +
+                  f"# speed [m/s]\tfilm [m]\tslope of ln film in ln speed\n{guides}"))  # gnuplot reads the blocks by index
+    files.append(("data/figure_04_marks.tsv", tables.named(
+        "Onset of starvation (film_maximum) on the curves of Figure 4", file,
+        [(name, one.solved.at_onset) for name, one in slopes.curves.items() if name != "paper"], "curve")))
+    return files
+
+
+# --- What figures are drawn from.
+
+def ratio_file(tables, gt, gw):
+    """Where neither film has collapsed."""
+    text = tables.header("Film with GW over film with GT, up to the collapse", f"{gw.fact['file']} and {gt.fact['file']}")
+    text += "# speed [m/s]\tfilm with GW/film with GT\n"
+    others = gt.solved.contact.solve(*(point["speed"] for point in gw.solved.curve))
+    for point, other in zip(gw.solved.curve, others):
+        if "collapsed" in (point["inlet"], other["inlet"]):
+            break
+        text += f"{exact(point['speed'])}\t{exact(point['film'] / other['film'])}\n"
+    return "data/figure_11_ratio.tsv", text
+
+
+def as_printed(case, point):
+    """Past a collapse without a floor: the limits A(0) and 1 − A(0), which the paper draws as shares."""
+    if point is None or point["regime"] != "collapsed":
+        return point
+    share = case.fact["share_without_film"]
+    return point | {"asperity_load_share": share, "fluid_load_share": 1 - share}
+
+
+def marks_of(case, claims):
+    reported, one = case.reported(claims, "onset_speed"), case.solved
+    marks = [("slowest", one.slowest), ("reported", one.contact.at(float(reported["value"])) if reported else None),
+             ("onset", one.at_onset), ("collapse", as_printed(case, one.at_collapse))]
+    if one.curve[-1]["regime"] == "collapsed":  # the ends of the line that a curve as printed follows past its collapse
+        marks += [("printed", as_printed(case, one.at_collapse)), ("printed", as_printed(case, one.curve[-1]))]
+    return [(event, point) for event, point in marks if point]
+
+
+def marks_file(tables, cases, claims):
+    text = tables.header(
+        "Points to mark: the lowest speed, the onset speed that the paper reports, the onset of starvation (film_maximum) and "
+        "the collapse of the film where they lie within the speeds, and both ends of what the paper draws past a collapse; of "
+        "these two the shares are the limits A(0) and 1 − A(0), which balance no load", "the scenes of the curves and claims.tsv")
+    text += f"{tables.notes}# event\tsurface\tmodel\t{tables.columns}\n"
+    for case in cases:
+        text += "".join(f"{event}\t{case.surface}\t{case.model}\t{tables.cells(point)}\n" for event, point in marks_of(case, claims))
+    return "data/marks.tsv", text
+
+
+def comparison_file(tables, comparisons):
+    text = tables.header("Computed beside reported; speeds in m/s, film parameters and shares without a unit",
+                         "the scenes of the curves and claims.tsv")
+    text += ("# NaN: no such onset, or no number in the paper; the verdict says which\n"
+             "# quantity\tsurface\tmodel\tcriterion\tcomputed\treported\tcomputed/reported\tverdict\n")
+    for quantity, (compared, _) in comparisons.items():
+        for row in compared["rows"]:
+            numbers = ("NaN" if row[name] is None else exact(row[name]) for name in ("computed", "reported", "factor"))
+            text += "\t".join((quantity, row["surface"], row["model"], row["criterion"] or "-", *numbers,
+                               row.get("none") or row["verdict"] or "no number in the paper")) + "\n"
+    return "data/comparison.tsv", text
+
+
+def paper(asked, facts):
+    """`facts` are the scenes before they are solved, by their stems, and all their `inputs`."""
+    places, tables, claims = asked.places, asked.tables, ledger.claims_of(asked.places)
+    found = curves.solved([curves.Contact(asked.program, scenes.read(places.scenes / f"{stem}.toml"), *fact["speeds"])
+                           for stem, fact in facts["scenes"].items()])
+    cases = {stem: Case(stem, fact, one) for (stem, fact), one in zip(facts["scenes"].items(), found)}
+    slopes = TwoSlopes(cases["smooth"])
+    comparisons = {quantity: comparison(quantity, rows_of(cases.values(), claims, quantity)) for quantity in QUANTITIES}
+    data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": facts["inputs"], "departure": scenes.DEPARTURE,
+            "comparisons": {quantity: compared for quantity, (compared, _) in comparisons.items()}, "two_slopes": slopes.told}
+    files = [(f"data/curve_{stem}.tsv", tables.curve("Stribeck curve", case.fact["file"], case.solved.curve))
+             for stem, case in cases.items()]
+    files += [*slope_files(tables, slopes, cases["smooth"].fact["file"]), ratio_file(tables, cases["smooth"], cases["smooth_gw"]),
+              marks_file(tables, cases.values(), claims), comparison_file(tables, comparisons)]
+    files += [(f"data/scenes/{stem}.toml", scenes.file_text(places.scenes / f"{stem}.toml")) for stem in cases]
+    return Group(data, [found for _, found in comparisons.values()], files=files)

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The program's own commands, asked as any user asks them."""
+import json
+import subprocess
+import threading
+
+from group import Missing
+
+
+class Program:
+    """One `tribocheck stream` answers all its lines; it ends with this object's context."""
+
+    def __init__(self, path):
+        self.path, self.stream = path, None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        if self.stream is not None:
+            self.stream.kill()
+            self.stream.communicate()
+
+    def said(self, *arguments):
+        """What a command says: its output, and the lines that it complains of. Raises Missing, with the first of these,
+        where it has no output or refuses what it is given."""
+        done = subprocess.run([self.path, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
+                              errors="replace")
+        complaints = [line.removeprefix("tribocheck: ") for line in done.stderr.splitlines()]
+        if not done.stdout or done.returncode not in (0, 1):
+            errors = [line for line in complaints if not line.startswith("warning: ")]
+            raise Missing(errors[0] if errors else f"{arguments[0]} ended with exit code {done.returncode}")
+        return done.stdout, complaints
+
+    def answer(self, *arguments, whole=int):
+        """What a command answers as JSON. `whole` makes its whole numbers: float where all numbers are."""
+        return json.loads(self.said(*arguments, "--format", "json")[0], parse_int=whole)
+
+    def ask(self, *lines):
+        """What `tribocheck stream` answers to each of these lines of JSON. Raises Missing where one of them is refused."""
+        if self.stream is None:
+            self.stream = subprocess.Popen([self.path, "stream"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                           stderr=subprocess.DEVNULL, encoding="utf-8")
+        writer = threading.Thread(target=self.write, args=(lines,))
+        writer.start()
+        answers = [json.loads(self.stream.stdout.readline() or '{"error": {"message": "stream has ended"}}', parse_int=float)
+                   for _ in lines]
+        writer.join()
+        for answer in answers:
+            if "error" in answer:
+                raise Missing(": ".join(answer["error"].values()))
+        return answers
+
+    def write(self, lines):
+        self.stream.stdin.write("".join(f"{line}\n" for line in lines))
+        self.stream.stdin.flush()

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Certified values, random points, planted faults and wrong solvers: each is held, or a promise is broken."""
+from baselines import copied, count, flag, from_baseline, number, number_or_none, part, run_of, text, texts
+from group import Group, not_run, promise
+
+
+def held_quantity(answer):
+    """A quantity as `verify` answers."""
+    return (copied(answer, text, "quantity") | copied(answer, count, "cases") |
+            copied(answer, number_or_none, "worst_ulp", "worst_ulp_per_condition", "allowed_ulp", "allowed_ulp_per_condition",
+                   "worst_part_of_bound") | copied(answer, text, "worst_row") | {"held": flag(answer["passed"])})
+
+
+def accuracy_before(baseline):
+    """The worst error of each quantity when the baseline was made."""
+    return run_of(baseline) | {"worst_ulp_per_condition": {text(row["quantity"]): number(row["worst_ulp_per_condition"])
+                                                           for row in baseline["quantities"]}}
+
+
+def worst_point(at):
+    """The point at which an output is worst; None where every case was exact."""
+    if at is None:
+        return None
+    return copied(at, count, "index") | {"inputs": {name: number(value[0]) for name, value in at["inputs"].items()}}
+
+
+def stressed_output(output):
+    return (copied(output, text, "output") | copied(output, count, "cases", "beyond_contract") |
+            copied(output, number, "worst_part_of_bound") | copied(output, flag, "held") |
+            copied(output, number_or_none, "worst_ulp", "worst_ulp_per_condition") |
+            {"worst_ulp_per_condition_in_balls": number_or_none(output["in_balls"]["worst_ulp_per_condition"]),
+             "worst_point": worst_point(output["worst_ulp_per_condition_at"])})
+
+
+def judged(rows):
+    """How many of the rows are held, and the worst of them."""
+    return {"held": sum(row["held"] for row in rows), "cases": sum(row["cases"] for row in rows),
+            "worst_part_of_bound": max((row["worst_part_of_bound"] or 0.0 for row in rows), default=0.0)}
+
+
+def stressed(baseline):
+    outputs = [stressed_output(one) for one in baseline["outputs"]]
+    data = run_of(baseline) | copied(baseline, count, "points", "seed") | {"outputs": outputs} | judged(outputs)
+    return Group(data, [promise("random_inputs", "worst-inputs", data["held"], len(outputs))])
+
+
+def planted(baseline):
+    faults = [copied(one, text, "id", "fault", "file", "check", "said") | copied(one, flag, "caught") |
+              copied(one, number, "seconds") for one in baseline["faults"]]
+    caught, catalogue = sum(fault["caught"] for fault in faults), count(baseline["catalogue"])
+    left_out = [not_run("planted faults", f"{len(faults)} of the {catalogue} in the catalogue were planted", "`make faults`")]
+    return Group(run_of(baseline) | {"catalogue": catalogue, "caught": caught, "faults": faults},
+                 [promise("planted_faults", "planted-faults", caught, len(faults))],
+                 left_out if catalogue > len(faults) else [])
+
+
+def diagnosed(baseline):
+    """Answers of `verify --subject` on wrong solvers, and whether it accused right ones."""
+    solvers = [copied(one, text, "function", "said") | copied(one, texts, "fakes") | copied(one, flag, "named")
+               for one in baseline["wrong_solvers"]]
+    named = sum(solver["named"] for solver in solvers)
+    right = copied(baseline["right_solvers"], count, "tries") | copied(baseline["right_solvers"], flag, "accused")
+    return Group(run_of(baseline) | {"right_solvers": right, "named": named, "wrong_solvers": solvers},
+                 [promise("diagnosis", "diagnosis", 0 if right["accused"] else named, len(solvers))])
+
+
+def certified(asked):
+    answers = asked.program.answer("verify", "--reference", asked.places.reference / "exact")
+    quantities = [held_quantity(one) for one in answers]
+    before, left_out = part(asked.places, "accuracy.json", "accuracy of an earlier version, to compare with", accuracy_before)
+    data = {"quantities": quantities} | judged(quantities)
+    return Group(data | {"before": before}, [promise("certified_values", "verification", data["held"], len(quantities))], left_out)
+
+
+def stress(asked):
+    return from_baseline(asked.places, "stress.json", stressed)
+
+
+def planted_faults(asked):
+    return from_baseline(asked.places, "planted_faults.json", planted)
+
+
+def diagnosis(asked):
+    return from_baseline(asked.places, "diagnosis.json", diagnosed)

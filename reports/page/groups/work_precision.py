@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Ways of doing a job, timed and judged: which is the fastest, and the tables for gnuplot."""
+import re
+
+from baselines import copied, count, from_baseline, number, number_or_none, run_of, text
+from group import Group, Missing, exact, finding, printable
+
+OURS = "tribocheck"
+
+
+def grouped(rows, key):
+    """The rows of each value of `key`, in the order of the file."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(text(row[key]), []).append(row)
+    return groups
+
+
+def jobs_of(baseline):
+    jobs = grouped(baseline["error_against_work"], "job")
+    for job in jobs:  # files and figures are named after jobs
+        if not re.fullmatch(r"[A-Za-z0-9_]+", job):
+            shown = printable(job[:60]) + ("…" if len(job) > 60 else "")
+            raise Missing(f'work_precision.json: the job "{shown}" is not named by letters, digits and _ alone')
+    return jobs
+
+
+def fastest_ways(rows):
+    """The fastest of each family's ways that were judged and failed nowhere, as the file orders them."""
+    ways = {}
+    for row in rows:
+        if number(row["failures"]) > 0 or row["max_ulp"] is None:
+            continue
+        way = (copied(row, text, "family", "name") | copied(row, number, "ns", "max_ulp") |
+               copied(row, number_or_none, "evaluations"))
+        if way["family"] not in ways or way["ns"] < ways[way["family"]]["ns"]:
+            ways[way["family"]] = way
+    return ways
+
+
+def job_of(name, rows):
+    """The fastest ways beside ours, and the fastest alternative."""
+    ways = fastest_ways(rows)
+    ours = ways.get(OURS)
+    timed = {family: way | {"times_ours": way["ns"] / ours["ns"] if ours else None} for family, way in ways.items()}
+    others = [way for family, way in timed.items() if family != OURS]
+    return {"job": name, "ours": ours, "fastest_alternative": min(others, key=lambda way: way["ns"], default=None),
+            "is_counted": any(row["family"] != OURS and row["evaluations"] is not None for row in rows),
+            "ways": list(timed.values())}
+
+
+def contest(jobs):
+    """How many times as long as ours the fastest alternative takes, over the jobs that have both."""
+    both = [(job["ours"], job["fastest_alternative"]) for job in jobs if job["ours"] and job["fastest_alternative"]]
+    times = [other["times_ours"] for _, other in both]
+    return {"jobs": len(both), "less_exact": sum(other["max_ulp"] > ours["max_ulp"] for ours, other in both),
+            "least_times_ours": min(times, default=None), "greatest_times_ours": max(times, default=None)}
+
+
+def line_film(baseline):
+    """Films of line contacts: every way, and how ours and a dense matrix grow."""
+    return run_of(baseline["line_film_run"]) | {
+        "ways": [copied(row, text, "family", "name") | copied(row, number, "ns") |
+                 copied(row, number_or_none, "steps", "max_relative", "mean_relative") |
+                 copied(row, count, "no_numbers", "judged") for row in baseline["line_film"]],
+        "exponents": [copied(row, text, "solver", "quantity") | copied(row, number, "exponent", "uncertainty") |
+                      copied(row, count, "from_cells", "to_cells") for row in baseline["line_film_exponents"]],
+        "largest": [copied(rows[-1], text, "solver") | copied(rows[-1], number, "cells", "kernel_ns", "step_ns", "bytes")
+                    for rows in grouped(baseline["line_film_growth"], "solver").values()]}  # grid of each solver
+
+
+def cell(value):
+    """A value of the baseline in a table; a text also fits within quotes."""
+    if isinstance(value, str):
+        return printable(value).replace('"', "'")
+    return exact(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else "NaN"
+
+
+def blocks(table, name, key, columns, rows):
+    """A file of blocks, one for each value of `key` in the order of the rows, two blank lines between."""
+    titled = {}
+    for row in rows:
+        line = "\t".join(cell(row[column]) for column in columns)
+        titled.setdefault(cell(text(row[key])), []).append(line + "\n")
+    heading = "\t".join(columns.values())
+    return (f"data/work_precision/{name}.blocks.tsv",
+            f"# reference/baselines/work_precision.json, {table}\n# {heading}\n" +
+            "\n\n".join(f'"{title}"\n{"".join(lines)}' for title, lines in titled.items()))
+
+
+# The columns of each table with their names, which have the units.
+WAYS = {"job": "job", "family": "family", "series": "series", "name": "way", "ns": "CPU time a point [ns]",
+        "evaluations": "evaluations a point", "max_ulp": "greatest error [ulp]",
+        "p99_ulp": "99th percentile of the error [ulp]", "mean_ulp": "mean error [ulp]", "failures": "failures",
+        "no_numbers": "no numbers", "judged": "cases judged"}
+# Table: the file's name, what each block is of, and the columns.
+TABLES = {
+    "line_film": ("line_film", "series", {
+        "job": "job", "family": "family", "series": "series", "name": "way", "ns": "CPU time a contact [ns]",
+        "steps": "steps of Newton's method a contact", "max_relative": "greatest relative error",
+        "mean_relative": "mean relative error", "no_numbers": "no numbers", "judged": "numbers judged"}),
+    "line_film_growth": ("line_film_growth", "solver", {
+        "solver": "solver", "cells": "cells", "kernel_ns": "CPU time for the matrix of influences [ns]",
+        "step_ns": "CPU time of a step of Newton's method [ns]", "bytes": "bytes"}),
+    "line_film_exponents": ("line_film_exponents", "solver", {
+        "solver": "solver", "quantity": "quantity", "exponent": "exponent of the cells", "uncertainty": "its standard error",
+        "from_cells": "fitted from cells", "to_cells": "fitted to cells"}),
+}
+
+
+def compared(baseline):
+    by_job = jobs_of(baseline)
+    jobs = [job_of(name, rows) for name, rows in by_job.items()]
+    alternatives = contest(jobs)
+    data = run_of(baseline)
+    data["environment"] |= copied(baseline["environment"], text, "instruction_set")
+    data |= {"alternatives": alternatives, "jobs": jobs, "line_film": line_film(baseline)}
+    found = finding("work_precision", "work-precision", "software", "measured")
+    if not alternatives["jobs"]:
+        found = finding("work_precision", "work-precision", "software", "absent",
+                        "No job has both our way and an alternative without failures.")
+    return Group(data, [found], files=[
+        *(blocks("error_against_work", name, "series", WAYS, rows) for name, rows in by_job.items()),
+        *(blocks(table, name, key, columns, baseline[table]) for table, (name, key, columns) in TABLES.items())])
+
+
+def work_precision(asked):
+    return from_baseline(asked.places, "work_precision.json", compared)
