@@ -60,16 +60,16 @@ std::vector<IndependentNumber> independent_numbers(const std::string& path);
 struct Requirement {
   std::size_t item;  // index
   Field field;
-  std::optional<double> sensitivity;     // d ln(number)/d ln(input) at the scene's inputs
-  std::optional<double> by_sensitivity;  // of numbers: the factor that it predicts
-  std::optional<double> factor;  // the nearest to 1 between 1/30 and 30 at which the item holds
-  std::string surface;           // of the values below: the item's surface, or else rough
-  std::string unit;              // of the values
-  double paper_value;            // the input as the paper has it
-  double value;                  // the input at that factor
-  double low, high;              // its plausible range
-  bool plausible;
-  std::vector<std::string> broken, mended;  // claims that the change breaks or mends
+  std::optional<double> sensitivity{};     // d ln(number)/d ln(input) at the scene's inputs
+  std::optional<double> by_sensitivity{};  // of numbers: the factor that it predicts
+  std::optional<double> factor{};  // the nearest to 1 between 1/30 and 30 at which the item holds
+  std::string surface;             // of the values below: the item's surface, or else rough
+  std::string unit;                // of the values
+  double paper_value;              // the input as the paper has it
+  double value;                    // the input at that factor
+  double low, high;                // its plausible range
+  bool plausible = false;
+  std::vector<std::string> broken{}, mended{};  // claims that the change breaks or mends
 };
 
 // For every item that the reading does not reproduce, every input.

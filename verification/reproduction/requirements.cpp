@@ -91,20 +91,14 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
     const std::string surface(name(items[i].has_surface ? items[i].surface : PaperSurface::rough));
     for (const Input& input : inputs)
       if (input.surface == "all" || input.surface == surface)
-        found.push_back({i,
-                         input.field,
-                         {},
-                         {},
-                         {},
-                         surface,
-                         input.unit,
-                         input.value,
-                         input.value,
-                         input.low,
-                         input.high,
-                         false,
-                         {},
-                         {}});
+        found.push_back({.item = i,
+                         .field = input.field,
+                         .surface = surface,
+                         .unit = input.unit,
+                         .paper_value = input.value,
+                         .value = input.value,
+                         .low = input.low,
+                         .high = input.high});
   }
   each_on_threads(0, found.size(), [&](std::size_t k) {
     Requirement& one = found[k];

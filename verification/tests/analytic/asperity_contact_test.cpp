@@ -48,64 +48,54 @@ struct Case {
   double area = hertz_point(load, modulus, body_radius).nominal_area;
 };
 
+// Load, area and count of a contact, where sum(d, quantity) adds a quantity of w up over all pairs
+// of summits that are pressed by w > 0 at a distance d of the mean planes.
+template <class Sum>
+void expect_sums(const Case& c, AsperityModel model, double pair_radius, Sum&& sum) {
+  const auto contact =
+      asperity_contact(model, c.density, c.radius, c.sd, c.offset, c.modulus, c.area, c.load);
+  for (const double separation : {0.0, 0.7, 1.9, 3.5}) {
+    const double d = (separation - c.offset) * c.sd;
+    const auto pair = [&](double w) { return hertz_pair(w, pair_radius, c.modulus); };
+    const auto close = [&](double got, double expected) {
+      EXPECT_TRUE(is_close(got, expected, 1e-8, {{"separation", separation}}));
+    };
+    close(moment_product(contact.stiffness, load_order(contact.model), separation - c.offset),
+          sum(d, [&](double w) { return pair(w).load; }) / c.load);
+    close(real_area_ratio(contact, separation),
+          sum(d, [&](double w) { return pair(w).area; }) / c.area);
+    close(summit_count(contact, separation), sum(d, [](double) { return 1.0; }));
+  }
+}
+
 // A smooth plane against summits: n per area, heights Gaussian, pair radius β.
 TEST(GreenwoodWilliamson, IsHertzContactsOfParaboloidsOnAPlane) {
   const Case c;
-  const auto contact = asperity_contact(AsperityModel::greenwood_williamson, c.density, c.radius,
-                                        c.sd, c.offset, c.modulus, c.area, c.load);
-  for (const double separation : {0.0, 0.7, 1.9, 3.5}) {
-    const double d = (separation - c.offset) * c.sd;
-    const auto sum = [&](auto&& quantity) {
-      return c.density * c.area *
-             integrate([&](double z) { return gaussian(z, c.sd) * quantity(z - d); }, d,
-                       d + 12 * c.sd);
-    };
-    const double load = sum([&](double w) { return hertz_pair(w, c.radius, c.modulus).load; });
-    const double area = sum([&](double w) { return hertz_pair(w, c.radius, c.modulus).area; });
-    const double count = sum([](double) { return 1.0; });
-    EXPECT_TRUE(is_close(
-        moment_product(contact.stiffness, load_order(contact.model), separation - c.offset),
-        load / c.load, 1e-8, {{"separation", separation}}));
-    EXPECT_TRUE(is_close(real_area_ratio(contact, separation), area / c.area, 1e-8,
-                         {{"separation", separation}}));
-    EXPECT_TRUE(
-        is_close(summit_count(contact, separation), count, 1e-8, {{"separation", separation}}));
-  }
+  expect_sums(c, AsperityModel::greenwood_williamson, c.radius, [&](double d, auto&& quantity) {
+    return c.density * c.area *
+           integrate([&](double z) { return gaussian(z, c.sd) * quantity(z - d); }, d,
+                     d + 12 * c.sd);
+  });
 }
 
 // Two faces of n summits per area each: a pair at the lateral offset x meets at a slope, pressed by
 // w = z − d − x²/(4β) with z the sum of the heights (standard deviation σ_s), pair radius β/2.
 TEST(GreenwoodTripp, IsHertzContactsOfPairsOfParaboloidsAtRandomOffsets) {
   const Case c;
-  const auto contact = asperity_contact(AsperityModel::greenwood_tripp, c.density, c.radius, c.sd,
-                                        c.offset, c.modulus, c.area, c.load);
-  for (const double separation : {0.0, 0.7, 1.9, 3.5}) {
-    const double d = (separation - c.offset) * c.sd;
-    const auto sum = [&](auto&& quantity) {
-      return c.density * c.density * c.area *
-             integrate(
-                 [&](double z) {
-                   const double reach = std::sqrt(4 * c.radius * (z - d));
-                   return gaussian(z, c.sd) * integrate(
-                                                  [&](double x) {
-                                                    const double w = z - d - x * x / (4 * c.radius);
-                                                    return w > 0 ? 2 * M_PI * x * quantity(w) : 0.0;
-                                                  },
-                                                  0, reach);
-                 },
-                 d, d + 12 * c.sd);
+  expect_sums(c, AsperityModel::greenwood_tripp, c.radius / 2, [&](double d, auto&& quantity) {
+    const auto over_offsets = [&](double z) {
+      const double reach = std::sqrt(4 * c.radius * (z - d));
+      return integrate(
+          [&](double x) {
+            const double w = z - d - x * x / (4 * c.radius);
+            return w > 0 ? 2 * M_PI * x * quantity(w) : 0.0;
+          },
+          0, reach);
     };
-    const double load = sum([&](double w) { return hertz_pair(w, c.radius / 2, c.modulus).load; });
-    const double area = sum([&](double w) { return hertz_pair(w, c.radius / 2, c.modulus).area; });
-    const double count = sum([](double) { return 1.0; });
-    EXPECT_TRUE(is_close(
-        moment_product(contact.stiffness, load_order(contact.model), separation - c.offset),
-        load / c.load, 1e-8, {{"separation", separation}}));
-    EXPECT_TRUE(is_close(real_area_ratio(contact, separation), area / c.area, 1e-8,
-                         {{"separation", separation}}));
-    EXPECT_TRUE(
-        is_close(summit_count(contact, separation), count, 1e-8, {{"separation", separation}}));
-  }
+    return c.density * c.density * c.area *
+           integrate([&](double z) { return gaussian(z, c.sd) * over_offsets(z); }, d,
+                     d + 12 * c.sd);
+  });
 }
 
 }  // namespace
