@@ -11,7 +11,7 @@
 
 #include "conformance/child_process.hpp"
 #include "protocol/bounded_json.hpp"
-#include "protocol/output_stream.hpp"
+#include "protocol/text_streams.hpp"
 
 namespace tribo::report {
 namespace {
