@@ -131,7 +131,7 @@ class Prepared:
     def __init__(self, folder, seed, sizes, workers, left_out):
         self.folder, self.workers, self.lock = folder, workers, threading.Lock()
         self.file = folder / "prepared.json"
-        kept = {"outlived": {}, "met": [], **json.loads(self.file.read_text())} if self.file.is_file() else {}
+        kept = json.loads(self.file.read_text()) if self.file.is_file() else {}
         if kept.get("seed") not in (None, seed):
             sys.exit(f"{folder} holds the copy of seed {kept['seed']}; remove it, or name another folder with --work")
         # The text that the sample is of: the tree may change while it runs.
@@ -144,8 +144,7 @@ class Prepared:
                 schemata.with_history(ROOT, tree)
             self.copy.configure()
             write(folder / "places.json", found)
-            kept = {"seed": seed, "commit": plant.commit(), "numbers": {}, "dropped": [], "built": False, "coverage": {},
-                    "outlived": {}, "met": []}
+            kept = {"seed": seed, "commit": plant.commit(), "numbers": {}, "dropped": [], "built": False, "coverage": {}}
         self.kept = kept
         if not kept["built"]:
             found = json.loads((folder / "places.json").read_text())
@@ -159,16 +158,6 @@ class Prepared:
 
     def save(self):
         write(self.file, self.kept)
-
-    def note_outlived(self, mutant, names):
-        with self.lock:
-            self.kept["outlived"][mutant["id"]] = names
-            self.save()
-
-    def note_met(self, unit):
-        with self.lock:
-            self.kept["met"].append(unit["name"])
-            self.save()
 
     def build(self, found, seed, sizes):
         """Builds the copy; a mutant whose switch does not compile is dropped, and another one drawn."""
@@ -252,6 +241,7 @@ class Verdicts:
                     "environment": plant.environment(), "rooms": kept["population"], "not_compiled": len(kept["dropped"]),
                     "tests_left_out": kept["left_out"], "mutants": [{key: one[key] for key in KEPT} for one in prepared.mutants]}
             self.ledger["samples"].append(mine)
+        self.mine = mine
         self.rows = {row["id"]: row for row in mine["mutants"]}
         self.free = queue.SimpleQueue()
         for tree in prepared.trees:
@@ -272,9 +262,20 @@ class Verdicts:
         able, reach = self.prepared.who_can_notice(mutant)
         row = {"tests": len(able), "reach_without_change": reach, "verdict": verdict, **({"by": by} if by else {}), "seconds": round(seconds, 1)}
         with self.lock:
+            self.rows[mutant["id"]].pop("outlived", None)
             self.rows[mutant["id"]].update(row)
             write_ledger(self.path, self.ledger)
         print(f"{verdict:12}{seconds:7.1f} s  {mutant['id']}  {mutant['file']}:{mutant['line']}  {mutant['operator']}  {by or ''}", flush=True)
+
+    def note_outlived(self, mutant, names):
+        with self.lock:
+            self.rows[mutant["id"]]["outlived"] = names
+            write_ledger(self.path, self.ledger)
+
+    def note_met(self, unit):
+        with self.lock:
+            self.mine.setdefault("met", []).append(unit["name"])
+            write_ledger(self.path, self.ledger)
 
     def run(self, unit, mutants, tree):
         """How a part of the tests ends with all these mutants, its check, and the part cut down to the test at which it ended."""
@@ -291,7 +292,7 @@ class Verdicts:
             for unit in tests.together(able):
                 planned += unit["seconds"]
                 if planned > patience:
-                    self.prepared.note_outlived(mutant, outlived)
+                    self.note_outlived(mutant, outlived)
                     return
                 end, check, _ = self.run(unit, [mutant], tree)
                 if end != "green":
@@ -304,7 +305,7 @@ class Verdicts:
         """Each other test meets all mutants that wait for it together. Those that none notices survive."""
         waiting, awaited = self.waiting(), {}
         for mutant in waiting:
-            outlived = self.prepared.kept["outlived"][mutant["id"]]
+            outlived = self.rows[mutant["id"]]["outlived"]
             for unit in self.prepared.who_can_notice(mutant)[0]:
                 if (unit["test"] if "case" in unit else unit["name"]) not in outlived:
                     awaited.setdefault(unit["name"], []).append(mutant)
@@ -312,18 +313,19 @@ class Verdicts:
         print(f"{len(waiting)} mutants outlived the quick tests, and wait for {len(units)} others", flush=True)
 
         def meet(unit):
-            if self.over() or unit["name"] in self.prepared.kept["met"]:
+            if self.over() or unit["name"] in self.mine.get("met", []):
                 return
             start = time.monotonic()
             with self.a_tree() as tree:
                 for mutant, end, check in self.noticed_by(unit, awaited[unit["name"]], tree):
                     if "verdict" not in self.rows[mutant["id"]]:
                         self.say(mutant, NOTICED[end], time.monotonic() - start, check)
-            self.prepared.note_met(unit)
+            self.note_met(unit)
 
         with concurrent.futures.ThreadPoolExecutor(workers) as pool:
             list(pool.map(meet, units))
         if not self.over():
+            self.mine.pop("met", None)
             for mutant in self.waiting():
                 self.say(mutant, "survived", 0)
 
@@ -360,7 +362,7 @@ def take_sample(arguments):
     prepared = Prepared(arguments.work.resolve(), arguments.seed, sizes, arguments.workers, arguments.without)
     verdicts = Verdicts(prepared, arguments.seed, arguments.out,
                         lambda: bool(arguments.minutes) and time.monotonic() - started > 60 * arguments.minutes)
-    quick = [one for one in verdicts.waiting() if one["id"] not in prepared.kept["outlived"]]
+    quick = [one for one in verdicts.waiting() if "outlived" not in verdicts.rows[one["id"]]]
     random.Random(arguments.seed).shuffle(quick)
     with concurrent.futures.ThreadPoolExecutor(arguments.workers) as pool:
         list(pool.map(lambda mutant: verdicts.meet_quick_tests(mutant, arguments.patience), quick))
