@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "page/groups.hpp"
+#include "page/facts.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/scene_reader.hpp"
@@ -60,11 +60,11 @@ Json contact_json(const ReportPlaces& places, std::string_view stem) {
 
 }  // namespace
 
-Group contacts_facts(const ReportPlaces& places) {
-  Group group;
+Json contacts_facts(const ReportPlaces& places) {
+  Json facts;
   for (const std::string_view stem : contact_stems)
-    group.data[std::string(stem)] = contact_json(places, stem);
-  return group;
+    facts[std::string(stem)] = contact_json(places, stem);
+  return facts;
 }
 
 }  // namespace tribo::report

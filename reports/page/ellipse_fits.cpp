@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "conformance/mistake.hpp"
-#include "page/groups.hpp"
+#include "page/facts.hpp"
 #include "page/number_text.hpp"
 #include "tribo/hertz_ellipse.hpp"
 
@@ -60,11 +60,10 @@ std::array<double, fitted_results.size()> errors_at(const conformance::Mistake& 
 
 }  // namespace
 
-Group ellipse_fits_group(const ReportPlaces& places) {
-  Group group;
-  group.data = {{"greatest_ratio", greatest_ratio},
-                {"moderate_ratio", moderate_ratio},
-                {"fits", Json::array()}};
+Json ellipse_fits_facts(const ReportPlaces& places) {
+  Json data{{"greatest_ratio", greatest_ratio},
+            {"moderate_ratio", moderate_ratio},
+            {"fits", Json::array()}};
   std::string text =
       "# relative errors of fits to Hertz' ellipse, each a block\n# "
       "R_y/R_x\tellipticity\tsemi-axis "
@@ -73,7 +72,7 @@ Group ellipse_fits_group(const ReportPlaces& places) {
        conformance::read_mistakes((places.reference / "mistakes.toml").string())) {
     if (!is_fit(fit)) continue;
     const std::string name = formula_of(fit);
-    text += (group.data["fits"].empty() ? "\"" : "\n\n\"") + name + "\"\n";
+    text += (data["fits"].empty() ? "\"" : "\n\n\"") + name + "\"\n";
     Json greatest = Json::object(), moderate = Json::object();
     for (int step = 0; step <= ratio_steps; ++step) {
       const double ratio = std::pow(greatest_ratio, static_cast<double>(step) / ratio_steps);
@@ -90,13 +89,13 @@ Group ellipse_fits_group(const ReportPlaces& places) {
       }
       text += "\n";
     }
-    group.data["fits"].push_back(
+    data["fits"].push_back(
         {{"name", name}, {"text", fit.text}, {"greatest", greatest}, {"moderate", moderate}});
   }
-  if (group.data["fits"].empty())
+  if (data["fits"].empty())
     throw std::runtime_error("reference/mistakes.toml has no fits to Hertz' ellipse");
-  group.files = {{"data/ellipse_fits.blocks.tsv", std::move(text)}};
-  return group;
+  return {{"data", std::move(data)},
+          {"files", {{"data/ellipse_fits.blocks.tsv", std::move(text)}}}};
 }
 
 }  // namespace tribo::report

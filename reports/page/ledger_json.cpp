@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "page/group.hpp"
+#include "page/facts.hpp"
 #include "page/ledger_tables.hpp"
 
 namespace tribo::report {

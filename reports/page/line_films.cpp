@@ -19,7 +19,7 @@
 #include "ehl/line_formulas.hpp"
 #include "ehl/solved_film.hpp"
 #include "page/contour_labels.hpp"
-#include "page/groups.hpp"
+#include "page/facts.hpp"
 #include "page/line_scenes.hpp"
 #include "page/number_text.hpp"
 #include "page/solved_films.hpp"
@@ -229,8 +229,8 @@ class MapFrame {
 std::string number_cell(double value) { return fmt::format("{:.5g}", value); }
 
 // Blocks: each track, its name first; whole powers of ten of the speed have it in a fourth column.
-DataFile tracks_file(const MapFrame& frame, std::vector<Track>& tracks,
-                     std::vector<MapPlace>& taken) {
+std::string tracks_text(const MapFrame& frame, std::vector<Track>& tracks,
+                        std::vector<MapPlace>& taken) {
   std::string text =
       "# line contacts over the numbers of load and of material, each a block\n"
       "# load number M\tmaterial number L\tspeed [m/s]\twhole power of ten of it [m/s]\tlabel\n";
@@ -265,12 +265,12 @@ DataFile tracks_file(const MapFrame& frame, std::vector<Track>& tracks,
     text += (is_first ? "" : "\n\n") + block;
     is_first = false;
   }
-  return {"data/line_film_tracks.blocks.tsv", std::move(text)};
+  return text;
 }
 
-// The errors over the map, and the labels of their contours.
-std::vector<DataFile> map_files(const SolvedFilms& solved, const MapFrame& frame,
-                                const std::vector<MapPlace>& taken) {
+// Adds the errors over the map, and the labels of their contours.
+void add_map(Json& files, const SolvedFilms& solved, const MapFrame& frame,
+             const std::vector<MapPlace>& taken) {
   std::string text =
       "# errors of formulas for the film of a line contact against the solved film, of the liquid "
       "that each was fitted to [%]\n"
@@ -318,8 +318,8 @@ std::vector<DataFile> map_files(const SolvedFilms& solved, const MapFrame& frame
                                               : "",
                             std::fabs(label.level));
   }
-  return {{"data/line_film_errors.tsv", std::move(text)},
-          {"data/line_film_labels.blocks.tsv", std::move(labels)}};
+  files["data/line_film_errors.tsv"] = std::move(text);
+  files["data/line_film_labels.blocks.tsv"] = std::move(labels);
 }
 
 Json tracks_json(const std::vector<Track>& tracks) {
@@ -341,8 +341,8 @@ Json estimate_json(const ehl::Estimate& estimate, double unit) {
                                                          : std::nullopt)}};
 }
 
-// Pressure and film across a contact, and what is read off them.
-void add_profile(Group& group, const std::vector<Track>& tracks) {
+// Adds pressure and film across a contact, and returns what is read off them.
+Json add_profile(Json& files, const std::vector<Track>& tracks) {
   const auto found = std::find_if(tracks.begin(), tracks.end(), [](const Track& one) {
     return one.scene.name == profile_scene && !one.is_of_report;
   });
@@ -371,25 +371,24 @@ void add_profile(Group& group, const std::vector<Track>& tracks) {
                         exact(std::sqrt(std::fmax(0, 1 - x * x))),
                         exact(1e6 * scale.film * solved.film.film[at]));
   }
-  group.files.push_back({"data/line_film_profile.tsv", std::move(text)});
-  group.data["profile"] = {
-      {"file", found->scene.file},
-      {"speed", profile_speed},
-      {"viscosity", conditions.viscosity_law == ViscosityLaw::roelands ? "roelands" : "barus"},
-      {"load_number", contact.load_number},
-      {"material_number", contact.material_number},
-      {"half_width", scale.half_width},
-      {"peak_pressure", scale.peak_pressure},
-      {"cells", solved.film.x.size() - 1},
-      {"central", estimate_json(solved.central, scale.film)},
-      {"minimum", estimate_json(solved.minimum, scale.film)},
-      {"spike_pressure", estimate_json(solved.spike_pressure, 1)},
-      {"spike_place", estimate_json(solved.spike_place, 1)}};
+  files["data/line_film_profile.tsv"] = std::move(text);
+  return {{"file", found->scene.file},
+          {"speed", profile_speed},
+          {"viscosity", conditions.viscosity_law == ViscosityLaw::roelands ? "roelands" : "barus"},
+          {"load_number", contact.load_number},
+          {"material_number", contact.material_number},
+          {"half_width", scale.half_width},
+          {"peak_pressure", scale.peak_pressure},
+          {"cells", solved.film.x.size() - 1},
+          {"central", estimate_json(solved.central, scale.film)},
+          {"minimum", estimate_json(solved.minimum, scale.film)},
+          {"spike_pressure", estimate_json(solved.spike_pressure, 1)},
+          {"spike_place", estimate_json(solved.spike_place, 1)}};
 }
 
 }  // namespace
 
-Group line_films_group(const ReportPlaces& places) {
+Json line_films_facts(const ReportPlaces& places) {
   const SolvedFilms films{barus_films(places.reference / "ehl"),
                           compressible_films(places.reference / "ehl")};
   const FilmMap& map = films.barus.map;
@@ -400,25 +399,24 @@ Group line_films_group(const ReportPlaces& places) {
   for (LineScene& one : line_scenes(places, places.scenes))
     tracks.push_back({std::move(one), true});
 
-  Group group;
+  Json files;
   std::vector<MapPlace> taken;
-  group.files.push_back(tracks_file(frame, tracks, taken));
-  for (DataFile& file : map_files(films, frame, taken)) group.files.push_back(std::move(file));
-  group.data = {{"speed_number", map_speed_number},
-                {"least_load_number", map.load_numbers.front()},
-                {"greatest_load_number", map.load_numbers.back()},
-                {"least_material_number", map.material_numbers.front()},
-                {"greatest_material_number", map.material_numbers.back()},
-                {"solved", solved_errors_json(films.barus.table)},
-                {"solved_compressible", solved_errors_json(films.compressible.table)},
-                {"interpolation", interpolation_json(films)},
-                {"formulas", Json::array()},
-                {"scenes", tracks_json(tracks)}};
+  files["data/line_film_tracks.blocks.tsv"] = tracks_text(frame, tracks, taken);
+  add_map(files, films, frame, taken);
+  Json data{{"speed_number", map_speed_number},
+            {"least_load_number", map.load_numbers.front()},
+            {"greatest_load_number", map.load_numbers.back()},
+            {"least_material_number", map.material_numbers.front()},
+            {"greatest_material_number", map.material_numbers.back()},
+            {"solved", solved_errors_json(films.barus.table)},
+            {"solved_compressible", solved_errors_json(films.compressible.table)},
+            {"interpolation", interpolation_json(films)},
+            {"formulas", Json::array()},
+            {"scenes", tracks_json(tracks)}};
   for (const ehl::LineFormula& formula : ehl::line_formulas)
-    group.data["formulas"].push_back(formula_json(formula, films.of(formula)));
-  add_profile(group, tracks);
-  group.findings = {{"line_films", "film-solved", About::software, Standing::measured}};
-  return group;
+    data["formulas"].push_back(formula_json(formula, films.of(formula)));
+  data["profile"] = add_profile(files, tracks);
+  return {{"data", std::move(data)}, {"files", std::move(files)}};
 }
 
 }  // namespace tribo::report

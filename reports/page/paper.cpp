@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "page/groups.hpp"
+#include "page/facts.hpp"
 #include "page/report_error.hpp"
 #include "reproduction/claims.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -162,12 +162,12 @@ void check_claims(const ReportPlaces& places) {
 
 }  // namespace
 
-Group paper_facts(const ReportPlaces& places, const std::vector<Case>& cases) {
+Json paper_facts(const ReportPlaces& places, const std::vector<Case>& cases) {
   check_claims(places);
-  Group group;
-  for (const Case& one : cases) group.data["scenes"][one.stem()] = scene_json(one);
-  group.data["inputs"] = inputs_json(cases);
-  return group;
+  Json facts;
+  for (const Case& one : cases) facts["scenes"][one.stem()] = scene_json(one);
+  facts["inputs"] = inputs_json(cases);
+  return facts;
 }
 
 }  // namespace tribo::report

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "conformance/child_process.hpp"
+#include "page/report_error.hpp"
 #include "protocol/bounded_json.hpp"
 #include "protocol/text_streams.hpp"
 
@@ -43,7 +44,9 @@ nlohmann::json make_data(const ReportPlaces& places, const std::string& request)
   const std::string script = "report.py";
   const File input = file_of(request);
   const conformance::ChildEnd end = conformance::run_child(
-      {python(), "-B", (places.render.parent_path() / "groups" / script).string()},
+      {python(), "-B", (places.render.parent_path() / "groups" / script).string(),
+       std::filesystem::read_symlink("/proc/self/exe").string(), places.out.string(),
+       places.scenes.string(), places.reference.string(), places.root.string()},
       std::chrono::milliseconds(0), ::fileno(input.get()));
   if (end.start_error != 0)
     throw protocol::OutputFailed(
@@ -51,6 +54,7 @@ nlohmann::json make_data(const ReportPlaces& places, const std::string& request)
   nlohmann::json said = nlohmann::json::parse(end.text, nullptr, false);
   if (!end.succeeded() || said.is_discarded())
     throw protocol::OutputFailed(fmt::format("{} failed: see above", script));
+  if (said.contains("refused")) throw ReportError(said["refused"].get<std::string>());
   if (said.contains("failed")) throw protocol::OutputFailed(said["failed"].get<std::string>());
   return said;
 }

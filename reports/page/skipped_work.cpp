@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "page/groups.hpp"
+#include "page/facts.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/operating_points.hpp"
@@ -60,13 +61,12 @@ double saved_part(const WorkCounts& work, std::uint64_t full) {
 
 }  // namespace
 
-Group skipped_work_group(const std::vector<Case>& cases) {
+Json skipped_work_facts(const std::vector<Case>& cases) {
   const std::vector<Request> requests{{{}, OutputSet::all()},
                                       request({"film"}),
                                       request({"fluid_load_share", "regime"}),
                                       request({"real_area_ratio"})};
-  Group group;
-  group.data = {{"speeds", count}, {"rows", Json::array()}};
+  Json rows = Json::array();
   double least = 1, greatest = 0;
   for (const Case& one : cases) {
     const MixedContact<double> contact(one.scene);
@@ -77,7 +77,7 @@ Group skipped_work_group(const std::vector<Case>& cases) {
       const double saved = saved_part(work, full);
       least = std::min(least, saved);
       greatest = std::max(greatest, saved);
-      group.data["rows"].push_back(
+      rows.push_back(
           {{"scene", one.stem()},
            {"asked", asked.names},
            {"root_steps", work[Work::root_step]},
@@ -88,10 +88,12 @@ Group skipped_work_group(const std::vector<Case>& cases) {
            {"saved", saved}});
     }
   }
-  group.data["least_saved"] = least;
-  group.data["greatest_saved"] = greatest;
-  group.findings = {{"skipped_work", "skipped-work", About::software, Standing::measured}};
-  return group;
+  return {{"data",
+           {{"speeds", count},
+            {"rows", std::move(rows)},
+            {"least_saved", least},
+            {"greatest_saved", greatest}}},
+          {"files", Json::object()}};
 }
 
 }  // namespace tribo::report

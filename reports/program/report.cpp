@@ -49,7 +49,7 @@ index.html, report.md, report.json, data/*.tsv and, with gnuplot, figures/*.svg 
 scenes of reference/scenes, shows what reference/exact and reference/baselines have, and says what is
 missing. The folders' defaults lie in the project that the current folder, or else the program, is
 part of.
-Exit code 1: figures are missing, because gnuplot is or because it failed.
+Exit code 1: python3 is missing, or figures are, because gnuplot is or because it failed.
 
 Example:
   tribocheck report --out my_report

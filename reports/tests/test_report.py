@@ -423,6 +423,16 @@ class Failures(unittest.TestCase):
         missing = re.search(r'<section id="not-run".*?</section>', text, re.DOTALL)[0]
         self.assertEqual(missing.count("<tr>") - 1, len(FIGURES + WORK_FIGURES) + NOT_RUN)
 
+    def test_without_a_package_of_python_the_data_are_written(self):
+        (self.path / "jinja2.py").write_text('raise ImportError(name="jinja2")\n')
+        out = self.path / "out"
+        done = report("--out", out, "--section", "work-precision", environment={"PYTHONPATH": str(self.path)})
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+        self.assertIn("jinja2 is missing", done.stderr)
+        self.assertIn(f"The data: {out}/report.json", done.stdout)
+        written = json.loads((out / "report.json").read_text())
+        self.assertEqual(files_below(out), sorted([*written["files"], "report.json", "report.schema.json"]))
+
     def test_gnuplot_that_fails_is_quoted(self):
         fake = self.path / "gnuplot"
         fake.write_text("#!/bin/sh\necho half > \"$6\"\necho no such terminal >&2\nexit 3\n")

@@ -12,8 +12,8 @@ def told(point):
     return point and {name: point[name] for name in TOLD}
 
 
-def contacts(asked, facts):
-    """`facts` are those of the dry contacts, with the speeds of the scenes."""
+def contacts(asked):
+    facts = asked.facts_of("contacts")  # of the dry contacts, with the speeds of the scenes
     paths = {stem: asked.places.reference / f"scenes/{stem}.toml" for stem in facts}
     found = curves.solved([curves.Contact(asked.program, scenes.read(paths[stem]), *fact["speeds"])
                            for stem, fact in facts.items()], ["friction_minimum"])

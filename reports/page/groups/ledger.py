@@ -25,13 +25,13 @@ def reported(places, quantity, surface):
     return None
 
 
-def reproduced(asked):
+def reproduced(program, places):
     """What `tribocheck reproduce` answers, and what has changed since the committed ledger, or why that is not known."""
-    arguments = ("reproduce", "--published", asked.places.scenes, "--format", "json", "--ledger")
+    arguments = ("reproduce", "--published", places.scenes, "--format", "json", "--ledger")
     try:
-        answer, complaints = asked.program.said(*arguments, asked.places.reference / "baselines/ledger.csv")
+        answer, complaints = program.said(*arguments, places.reference / "baselines/ledger.csv")
     except Missing as missing:
-        answer, _ = asked.program.said(*arguments, "none")
+        answer, _ = program.said(*arguments, "none")
         return json.loads(answer), {"missing": str(missing)}
     changes = {name: [line.removeprefix(start) for line in complaints if line.startswith(start)]
                for name, start in (("verdicts_changed", "verdict changed: "), ("numbers_moved", "number moved: "))}
@@ -135,7 +135,7 @@ def csv_error(value):
 
 
 def ledger(asked):
-    told, committed = asked.reproduced
+    told, committed = asked.ledger.result()
     contacts = [scenes.read(asked.places.scenes / f"{name}.toml") for name in SURFACES]
     reproduces_all = told["readings"][0]["score"] == len(told["claims"])
     all_independent = all(one["reproduced"] for one in told["independent"])

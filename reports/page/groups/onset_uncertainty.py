@@ -80,7 +80,8 @@ def speeds_of(asked, sweep, columns, reported):
     scene = as_printed({name: one for name, one in sweep.items() if name != "sweep"})
     onsets, = scenes.onsets(asked.program, [scene], criteria, settings.get("departure", scenes.DEPARTURE))
     return [{"criterion": criterion, "column": name, "as_printed": onsets[criterion]["speed"],
-             "reported_lies": place_of(value, printed), "cases_below_reported": part_below(value, printed) if value["count"] else None,
+             "reported_lies": place_of(value, printed),
+             "cases_below_reported": part_below(value, printed) if value["count"] else None,
              "reported_is_within_95_percent": high >= quantile(value, 0.025)[0] and low <= quantile(value, 0.975)[0]}
             for criterion, (name, value) in zip(criteria, columns.items())]
 
@@ -115,7 +116,7 @@ def onset_uncertainty(asked):
             raise Missing(f"onset_{surface}.toml does not ask for the onset by film_maximum")
         surfaces.append({"surface": surface, "reported": dict(zip(("value", "low", "high"), reported)),
                          "speeds": speeds_of(asked, sweeps[surface], columns[surface], reported)})
-    compared = agreement(columns, asked.reproduced[0]["uncertainty"][0])
+    compared = agreement(columns, asked.ledger.result()[0]["uncertainty"][0])
     return Group({"inputs_drawn": len(answer["scenes"][0]["inputs"]), "surfaces": surfaces, "agreement": compared, "sweep": answer},
                  [finding("onset_speeds_drawn", "uncertainty", "paper", "measured"),
                   finding("onset_speeds_drawn_twice", "uncertainty", "software", "holds" if compared["agree"] else "fails")],

@@ -57,10 +57,11 @@ def least_friction(case):
 
 
 def scene_of(case):
-    fact = {name: value for name, value in case.fact.items() if name not in ("speeds", "share_without_film", "speed_power")}
-    return fact | {"slowest": told(case.solved.slowest), "fastest": told(case.solved.curve[-1]), "onset": told(case.solved.at_onset),
-                   "collapse": told(case.solved.at_collapse), "contact_share": min(1.0, case.fact["share_without_film"]),
-                   "equal_share_speed": equal_share_speed(case), "least_friction": least_friction(case)}
+    fact, one = case.fact, case.solved
+    return {name: value for name, value in fact.items() if name not in ("speeds", "share_without_film", "speed_power")} | {
+        "slowest": told(one.slowest), "fastest": told(one.curve[-1]), "onset": told(one.at_onset), "collapse": told(one.at_collapse),
+        "contact_share": min(1.0, fact["share_without_film"]), "equal_share_speed": equal_share_speed(case),
+        "least_friction": least_friction(case)}
 
 
 # --- Computed beside reported.
@@ -100,8 +101,8 @@ def comparison(quantity, rows):
     agreeing = sum(row["verdict"] == "reproduced" for row in counted)
     factors = [row["factor"] for row in counted]
     standing = "absent" if not counted else "holds" if agreeing == len(counted) else "differs"
-    return ({"rows": rows, "counted": len(counted), "agreeing": agreeing, "factors": [min(factors), max(factors)] if factors else []},
-            finding(quantity, "comparison", "paper", standing))
+    return ({"rows": rows, "counted": len(counted), "agreeing": agreeing,
+             "factors": [min(factors), max(factors)] if factors else []}, finding(quantity, "comparison", "paper", standing))
 
 
 # --- Figure 4: film against speed, u^0.67 while the inlet is flooded, u^−1 once it starves. The second slope needs an oil
@@ -203,7 +204,8 @@ def marks_file(tables, cases, claims):
         "these two the shares are the limits A(0) and 1 − A(0), which balance no load", "the scenes of the curves and claims.tsv")
     text += f"{tables.notes}# event\tsurface\tmodel\t{tables.columns}\n"
     for case in cases:
-        text += "".join(f"{event}\t{case.surface}\t{case.model}\t{tables.cells(point)}\n" for event, point in marks_of(case, claims))
+        text += "".join(f"{event}\t{case.surface}\t{case.model}\t{tables.cells(point)}\n"
+                        for event, point in marks_of(case, claims))
     return "data/marks.tsv", text
 
 
@@ -220,16 +222,17 @@ def comparison_file(tables, comparisons):
     return "data/comparison.tsv", text
 
 
-def paper(asked, facts):
-    """`facts` are the scenes before they are solved, by their stems, and all their `inputs`."""
+def paper(asked):
+    facts = asked.facts_of("paper")  # the scenes before they are solved, by their stems, and all their inputs
     places, tables, claims = asked.places, asked.tables, ledger.claims_of(asked.places)
     found = curves.solved([curves.Contact(asked.program, scenes.read(places.scenes / f"{stem}.toml"), *fact["speeds"])
                            for stem, fact in facts["scenes"].items()])
     cases = {stem: Case(stem, fact, one) for (stem, fact), one in zip(facts["scenes"].items(), found)}
     slopes = TwoSlopes(cases["smooth"])
     comparisons = {quantity: comparison(quantity, rows_of(cases.values(), claims, quantity)) for quantity in QUANTITIES}
-    data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": facts["inputs"], "departure": scenes.DEPARTURE,
-            "comparisons": {quantity: compared for quantity, (compared, _) in comparisons.items()}, "two_slopes": slopes.told}
+    data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": facts["inputs"],
+            "departure": scenes.DEPARTURE, "comparisons": {quantity: compared for quantity, (compared, _) in comparisons.items()},
+            "two_slopes": slopes.told}
     files = [(f"data/curve_{stem}.tsv", tables.curve("Stribeck curve", case.fact["file"], case.solved.curve))
              for stem, case in cases.items()]
     files += [*slope_files(tables, slopes, cases["smooth"].fact["file"]), ratio_file(tables, cases["smooth"], cases["smooth_gw"]),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The program's own commands, asked as any user asks them."""
+import contextlib
 import json
 import subprocess
 import threading
@@ -52,5 +53,6 @@ class Program:
         return answers
 
     def write(self, lines):
-        self.stream.stdin.write("".join(f"{line}\n" for line in lines))
-        self.stream.stdin.flush()
+        with contextlib.suppress(BrokenPipeError):  # the reader tells that the stream has ended
+            self.stream.stdin.write("".join(f"{line}\n" for line in lines))
+            self.stream.stdin.flush()

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the report's data, report.json, data/*.tsv and the schema of the first. It needs no package of Python.
 
-`tribocheck report` calls this with a request on stdin: where things are, which sections the page has, and the groups of
-report.json that they need, some of them made already, some with facts of their scenes. Prints what was written and the verdict in
-short as JSON; or `failed`, why a file cannot be written.
+`tribocheck report` calls this with a request on stdin: which sections are asked for, and what only the program itself makes
+of scenes. Prints what was written and the verdict in short as JSON; or `failed`, why a file cannot be
+written; or `refused`, what is wrong with the request.
 """
+import argparse
+import concurrent.futures
+import contextlib
 import dataclasses
-import functools
 import json
 import math
+import os
 import pathlib
 import sys
 import typing
@@ -29,24 +32,55 @@ import verification  # noqa: E402
 import work_precision  # noqa: E402
 from group import Group, Missing, finding  # noqa: E402
 from program import Program  # noqa: E402
+from section_table import SECTIONS  # noqa: E402
 
-GROUPS = {"paper": paper.paper, "ledger": ledger.ledger, "onset_uncertainty": onset_uncertainty.onset_uncertainty,
-          "contacts": contacts.contacts,
-          "certified": verification.certified, "stress": verification.stress, "planted_faults": verification.planted_faults,
-          "diagnosis": verification.diagnosis, "work_precision": work_precision.work_precision, "gates": speed.gates,
-          "sweep_speed": speed.sweep_speed, "environment": environment.environment}
+class Maker(typing.NamedTuple):
+    make: typing.Callable
+    how_to: str = ""  # Markdown: what gives the group where it is missing
+    step: str = ""  # for the progress line; empty: it takes no time
+
+
+def solved_by_program(name, section=None):
+    """A group that the program has made, with the section that tells what was measured."""
+    def make(asked):
+        facts = asked.facts_of(name)
+        found = [finding(name, section, "software", "measured")] if section else []
+        return Group(facts["data"], found, files=list(facts["files"].items()))
+    return make
+
+
+# In the order of report.json.
+GROUPS = {
+    "paper": Maker(paper.paper, "", "solving the published scenes"),
+    "ledger": Maker(ledger.ledger, "`tribocheck reproduce`", "judging the paper's claims under every reading"),
+    "onset_uncertainty": Maker(onset_uncertainty.onset_uncertainty, "`tribocheck sweep` of `reference/published/sweeps`",
+                               "drawing onsets within the precision of Table 1"),
+    "contacts": Maker(contacts.contacts, "The checkout's folder `reference/scenes`", "solving the contacts of machines"),
+    "line_films": Maker(solved_by_program("line_films", "film-solved"),
+                        "The checkout's folders `reference/ehl` and `reference/scenes`"),
+    "certified": Maker(verification.certified, "The checkout's folder `reference/exact`, or `make references`,",
+                       "holding the model to the certified tables"),
+    "stress": Maker(verification.stress, "`make stress`"),
+    "planted_faults": Maker(verification.planted_faults, "`make faults`"),
+    "diagnosis": Maker(verification.diagnosis, "`make diagnosis`"),
+    "work_precision": Maker(work_precision.work_precision, "`make work-precision`"),
+    "ellipse_fits": Maker(solved_by_program("ellipse_fits"), "The file `reference/mistakes.toml`"),
+    "skipped_work": Maker(solved_by_program("skipped_work", "skipped-work")),
+    "gates": Maker(speed.gates, "`make gate-proof`"),
+    "sweep_speed": Maker(speed.sweep_speed, "`make bench-sweep`"),
+    "environment": Maker(environment.environment),
+}
 
 
 class Places(typing.NamedTuple):
     out: pathlib.Path
-    root: pathlib.Path | None  # the project's folder, where there is one
     scenes: pathlib.Path  # the published ones
     reference: pathlib.Path  # the folder of exact/, baselines/ and scenes/
+    root: pathlib.Path  # the project's folder; "." where there is none
 
     def shown(self, file):
         """A file as provenance names it: from the project's root if it lies below it."""
-        inside = self.root is not None and file.is_relative_to(self.root)
-        return str(file.relative_to(self.root) if inside else file)
+        return str(file.relative_to(self.root) if file.is_relative_to(self.root) else file)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -60,27 +94,46 @@ class Asked:
     processor: str
     instruction_set: str
     tables: curves.Tables
+    facts: dict  # what the program makes of scenes, by the names of groups
+    ledger: concurrent.futures.Future | None  # which takes some seconds, and two groups read
 
-    @functools.cached_property
-    def reproduced(self):
-        """The ledger, which two groups read."""
-        return ledger.reproduced(self)
+    def facts_of(self, group):
+        facts = self.facts[group]
+        if "missing" in facts:
+            raise Missing(facts["missing"])
+        return facts
 
 
 class OutputFailed(Exception):
     pass
 
 
-def group_of(one, asked):
-    """A group as asked for: the one that is made already, or made here, or why it is missing."""
-    if "made" in one:
-        return Group(**one["made"])
+class Refused(Exception):
+    pass
+
+
+def sections_of(names):
+    """The sections that are asked for, in the order of the page; all if none is named."""
+    for name in names:
+        if name not in SECTIONS:
+            raise Refused(f"--section: {name} is not one of {', '.join(SECTIONS)}")
+    return [name for name in SECTIONS if not names or name in names]
+
+
+def section_of(group):
+    """Rather where the group comes first."""
+    return next(name for place in (0, 1) for name, section in SECTIONS.items() if section.groups[place:place + 1] == (group,))
+
+
+def group_of(name, asked):
+    """A group, or why it is missing."""
+    maker = GROUPS[name]
     try:
-        return GROUPS[one["id"]](asked, one["facts"]) if "facts" in one else GROUPS[one["id"]](asked)
+        return maker.make(asked)
     except Missing as missing:
         why = str(missing)
-        return Group({"missing": {"why": why, "how_to": one["how_to"]}},
-                     [finding(one["id"], one["section"], "software", "absent", why)])
+        absent = finding(name, section_of(name), "software", "absent", why)
+        return Group({"missing": {"why": why, "how_to": maker.how_to}}, [absent])
 
 
 def without_nan(value):
@@ -92,47 +145,73 @@ def without_nan(value):
     return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def write(out, path, text):
-    target = out / path
+def legible(text):
+    """The text without bytes of file names that are no UTF-8."""
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
+@contextlib.contextmanager
+def writing(target):
     try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        drawing.write_text(target, text)
+        yield
     except OSError as error:
         raise OutputFailed(f"cannot write {target}: {error.strerror}") from error
 
 
-def make(request, program):
-    places = Places(pathlib.Path(request["out"]), pathlib.Path(request["root"]) if request["root"] else None,
-                    pathlib.Path(request["scenes"]), pathlib.Path(request["reference"]))
+def make_folder(folder):
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+
+
+def write(out, path, text):
+    """Replaces the file that is there, or the one that a link there leads to."""
+    make_folder((out / path).parent)
+    with writing(out / path):
+        drawing.write_text(pathlib.Path(os.path.realpath(out / path)), legible(text))
+
+
+def make(request, places, program, beside):
+    """`beside` takes work that goes on beside the rest."""
+    sections = sections_of(request["sections"])
+    needed = {group for name in sections for group in SECTIONS[name].groups}
+    for folder in ("data", "figures"):
+        make_folder(places.out / folder)
+    judged = beside.submit(ledger.reproduced, program, places) if "ledger" in needed else None
     asked = Asked(places, program, *(request[name] for name in ("version", "commit", "compiler", "processor", "instruction_set")),
-                  curves.Tables(request["version"], request["outputs"]))
-    report = {"tribocheck": asked.version, "sections": request["sections"], "findings": [], "not_run": [], "files": []}
-    written = []
-    for one in request["groups"]:
-        if one["step"]:
-            drawing.show_step(one["step"])
-        group = group_of(one, asked)
-        report[one["id"]] = group.data
-        report["findings"] += [found for found in group.findings if found["section"] in request["sections"]]
+                  curves.Tables(request["version"], request["outputs"]), request["facts"], judged)
+    report = {"tribocheck": asked.version, "sections": sections, "findings": [], "not_run": [], "files": []}
+    for name in GROUPS:
+        if name not in needed:
+            continue
+        if GROUPS[name].step:
+            drawing.show_step(GROUPS[name].step)
+        group = group_of(name, asked)
+        report[name] = group.data
+        report["findings"] += [found for found in group.findings if found["section"] in sections]
         report["not_run"] += group.not_run
         for path, text in group.files:
             if text is not None:  # None: it is there already
                 write(places.out, path, text)
             report["files"].append(path)
-            written.append(path)
-    write(places.out, "report.schema.json", (HERE / "report.schema.json").read_text(encoding="utf-8"))
     drawing.show_step("")
+    write(places.out, "report.schema.json", (HERE / "report.schema.json").read_text(encoding="utf-8"))
     write(places.out, "report.json", json.dumps(without_nan(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n")
-    return {"written": [*written, "report.schema.json", "report.json"], "verdict": terminal.verdict(report)}
+    return {"written": [*report["files"], "report.schema.json", "report.json"], "verdict": terminal.verdict(report)}
 
 
 def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", help="that makes the request")
+    for name in Places._fields:
+        parser.add_argument(name, type=pathlib.Path, help="a folder")
+    told = vars(parser.parse_args())
     try:
-        request = json.load(sys.stdin)
-        with Program(request["program"]) as program:
-            answer = make(request, program)
+        with Program(told.pop("program")) as program, concurrent.futures.ThreadPoolExecutor(1) as beside:
+            answer = make(json.load(sys.stdin.buffer), Places(**told), program, beside)
     except OutputFailed as failed:
-        answer = {"failed": str(failed)}
+        answer = {"failed": legible(str(failed))}
+    except Refused as refused:
+        answer = {"refused": str(refused)}
     print(json.dumps(answer))
 
 

@@ -9,38 +9,11 @@ import jinja2
 import jinja2.meta
 import jinja2.nodes
 import markup
+from section_table import SECTIONS
 
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-class Section(typing.NamedTuple):
-    title: str  # Markdown
-    is_folded: bool = False  # closed until a reader opens it
-    further: tuple = ()  # more templates; each is left out alone where its data is missing
-
-
-# The paper first, then this software. templates/<id>.md says what each shows.
-SECTIONS = {
-    "figures": Section("The paper's figures, redrawn"),
-    "comparison": Section("The paper's numbers by each criterion and model"),
-    "claims": Section("The paper's 17 claims, one by one"),
-    "readings": Section("Interpretations of what the paper leaves open", True),
-    "requirements": Section("What would make the other claims hold", True),
-    "uncertainty": Section("How sure the computed numbers are", further=("uncertainty-sweep",)),
-    "misprints": Section("The paper's misprints", True),
-    "model": Section("The model, its equations and inputs", True),
-    "contacts": Section("Contacts as machines have them: circle, ellipse and line"),
-    "film-solved": Section("The film solved, and what formulas are worth", True),
-    "verification": Section("Accuracy, quantity by quantity", True),
-    "worst-inputs": Section("Accuracy at random inputs", True),
-    "planted-faults": Section("Planted faults: do the checks find errors?", True),
-    "diagnosis": Section("Wrong solvers: are their mistakes named?", True),
-    "work-precision": Section("Run time against error", further=("ellipse-fits",)),
-    "skipped-work": Section("Work that is skipped", True),
-    "gates": Section("Checks of run time", True),
-    "sweep-speed": Section("Run time of sweeps over many inputs", True),
-    "environment": Section("Where and when this page was made", True),
-}
 STANDINGS = {"holds": "holds", "differs": "differs", "fails": "FAILS", "missed": "missed",
              "measured": "measured", "absent": "not run"}
 

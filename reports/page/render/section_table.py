@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sections of the page in their order, and the groups of report.json that each needs."""
+import typing
+
+
+class Section(typing.NamedTuple):
+    title: str  # Markdown
+    groups: tuple  # of report.json, which its templates read
+    is_folded: bool = False  # closed until a reader opens it
+    further: tuple = ()  # more templates; each is left out alone where its data is missing
+
+
+# The paper first, then this software. templates/<id>.md says what each shows.
+SECTIONS = {
+    "figures": Section("The paper's figures, redrawn", ("paper", "ledger")),
+    "comparison": Section("The paper's numbers by each criterion and model", ("paper",)),
+    "claims": Section("The paper's 17 claims, one by one", ("ledger",)),
+    "readings": Section("Interpretations of what the paper leaves open", ("ledger",), True),
+    "requirements": Section("What would make the other claims hold", ("ledger",), True),
+    "uncertainty": Section("How sure the computed numbers are", ("ledger", "onset_uncertainty"), further=("uncertainty-sweep",)),
+    "misprints": Section("The paper's misprints", ("ledger",), True),
+    "model": Section("The model, its equations and inputs", ("paper", "ledger"), True),
+    "contacts": Section("Contacts as machines have them: circle, ellipse and line", ("contacts",)),
+    "film-solved": Section("The film solved, and what formulas are worth", ("line_films",), True),
+    "verification": Section("Accuracy, quantity by quantity", ("certified",), True),
+    "worst-inputs": Section("Accuracy at random inputs", ("stress",), True),
+    "planted-faults": Section("Planted faults: do the checks find errors?", ("planted_faults",), True),
+    "diagnosis": Section("Wrong solvers: are their mistakes named?", ("diagnosis",), True),
+    "work-precision": Section("Run time against error", ("work_precision", "ellipse_fits"), further=("ellipse-fits",)),
+    "skipped-work": Section("Work that is skipped", ("skipped_work",), True),
+    "gates": Section("Checks of run time", ("gates",), True),
+    "sweep-speed": Section("Run time of sweeps over many inputs", ("sweep_speed",), True),
+    "environment": Section("Where and when this page was made", ("environment",), True),
+}
