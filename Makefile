@@ -136,7 +136,7 @@ bench: ## measure speed and true error of every contender; FILTER=RE chooses, PL
 bench-sweep: ## measure sweeps beside the kernels, threads, ranks, memory; writes reference/baselines/sweep.json; some six minutes
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
-	cmake --build --preset release --target tribocheck tribocheck_bench_sweep tribocheck_bench_ranks
+	cmake --build --preset release --target tribocheck tribocheck_bench_sweep
 	benchmarks/sweep/scaling.py build/release
 
 work-precision: ## measure true error against work, draw it: reports/out/work_precision; some five minutes; ONLY=line-film for a part

@@ -1,15 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast sweeps are, how they scale on threads and ranks, and what that says of a thousand ranks.
+"""How fast sweeps are, and how they scale on threads and ranks.
 
   ratios    time a point beside preparation and kernels alone, by tribocheck_bench_sweep
   threads   1 and 2
   ranks     strong scaling on 1, 2 and 4, weak on 1 and 2
-  messages  what rank 0 needs for a request, and the way there and back
-  files     bytes of journal and result a point, and what writing the result takes
-  chunks    into how many the sweeps of the model are cut
   memory    greatest resident memory of each rank, at a hundred million points (--billion: a thousand)
-  model     the time on more ranks, from these constants: model.py
 
 All of it goes to reference/baselines/sweep.json and is printed. Times by the clock are taken in turn, and
 medians are of those repetitions in which other processes used the processors least; how much they did is
@@ -25,7 +21,6 @@ import json
 import math
 import os
 import pathlib
-import re
 import resource
 import shutil
 import statistics
@@ -34,15 +29,12 @@ import sys
 import tempfile
 import time
 
-import model
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks/gates"))
 import measure  # noqa: E402
 
 BASELINE = ROOT / "reference/baselines/sweep.json"
-PAGE = pathlib.Path(__file__).with_name("README.md")
-PARTS = ("ratios", "threads", "ranks", "messages", "files", "chunks", "memory")
+PARTS = ("ratios", "threads", "ranks", "memory")
 REPETITIONS = 21  # runs of a contender, interleaved with those of all others
 ROUNDS = 7       # timings by the clock
 KEPT = 3         # the timings kept, with the least work of others meanwhile
@@ -85,7 +77,6 @@ class Sweeps:
 
     def __init__(self, build, folder):
         self.program = pathlib.Path(build).resolve() / "tribocheck"
-        self.ranks_program = self.program.with_name("tribocheck_bench_ranks")
         self.bench_program = self.program.with_name("tribocheck_bench_sweep")
         self.folder = pathlib.Path(folder)
 
@@ -98,10 +89,6 @@ class Sweeps:
         out = self.folder / "out.h5"
         start = [] if ranks is None else ["mpirun", "--oversubscribe", "-n", str(ranks)]
         return [*start, self.program, "sweep", sweep, "-o", out, "--force", "--format", "json", *options]
-
-    def chunks(self, sweep):
-        said = self.run([self.program, "sweep", sweep, "--estimate", "--threads", "1"])
-        return int(re.search(r"^points .*, chunks (\d+)$", said, re.MULTILINE).group(1))
 
     def run(self, command):
         done = subprocess.run(list(map(str, command)), stdin=subprocess.DEVNULL, capture_output=True, text=True,
@@ -209,63 +196,6 @@ def ranks(sweeps):
             "weak_efficiency": net("strong 1") / net("weak 2")}
 
 
-def messages(sweeps):
-    """Medians over five runs of an answer's CPU time and of a way there and back, for 2 and for 8 ranks."""
-    found = {}
-    for count in (2, 8):
-        answers, trips = [], []
-        for _ in range(5):
-            for line in sweeps.run(["mpirun", "--oversubscribe", "-n", count, sweeps.ranks_program]).splitlines():
-                kind, number, first, *rest = line.split("\t")
-                if kind == "answered":
-                    answers.append(float(rest[0]) / int(number))
-                else:
-                    trips.append(float(first))
-        found[str(count)] = {"cpu_seconds_an_answer": statistics.median(answers),
-                             "seconds_there_and_back": statistics.median(trips)}
-    return found
-
-
-def files(sweeps):
-    """A shard is a journal whose chunks are in order; merging writes the result from it, on one thread."""
-    found = {}
-    for keep, draws in (("points", 1 << 22), ("summaries", 1 << 25)):
-        sweep = sweeps.file(FIVE if keep == "points" else OF_SPEED, draws, keep)
-        shard, result = sweeps.folder / "one.shard", sweeps.folder / "merged.h5"
-        sweeps.run([sweeps.program, "sweep", sweep, "--shard", "1/1", "-o", shard, "--force"])
-        merge = interleaved({keep: lambda: sweeps.run(
-            [sweeps.program, "sweep", "merge", shard, "-o", result, "--force", "--format", "json"])})[keep]
-        found[keep] = {"points": draws, "chunks": sweeps.chunks(sweep), "journal_bytes": shard.stat().st_size,
-                       "result_bytes": result.stat().st_size, "write": merge}
-        shard.unlink()
-        result.unlink()
-    return found
-
-
-def chunks(sweeps):
-    """Into how many sweeps of many points are cut."""
-    return {keep: {str(points): sweeps.chunks(sweeps.file(FIVE, points, keep)) for points in sizes}
-            for keep, sizes in (("summaries", (10**8, 10**9, 10**10, 10**12)), ("points", (10**8, 10**9)))}
-
-
-def disk(sweeps):
-    """Bytes a second of writing that ends on the disk."""
-    block = os.urandom(1 << 20)
-
-    def write():
-        with open(sweeps.folder / "bytes", "wb") as file:
-            for _ in range(256):
-                file.write(block)
-            file.flush()
-            os.fsync(file.fileno())
-    speeds = []
-    for _ in range(KEPT):
-        seconds, _, _ = timed(write)
-        speeds.append(256 * len(block) / seconds)
-    os.unlink(sweeps.folder / "bytes")
-    return statistics.median(speeds)
-
-
 def memory(sweeps, billion):
     """MB of each process, threads 2 and ranks 2; each rank is started by this script, which waits for it."""
     found = {}
@@ -313,17 +243,8 @@ def tables(found):
             f"{100 * of['weak_cpu_efficiency']:.0f} % by CPU time")
     if "others" in found:
         say(f"other processes used at most {found['others']:.2f} processors meanwhile")
-    for count, of in found.get("messages", {}).items():
-        say(f"{count} ranks: rank 0 takes {1e6 * of['cpu_seconds_an_answer']:.1f} µs of CPU a request, its "
-            f"sender waits {1e6 * of['seconds_there_and_back']:.0f} µs")
-    for keep, of in found.get("files", {}).items():
-        say(f"{keep}: {of['journal_bytes'] / of['points']:.3g} bytes of journal a point; the result written in "
-            f"{of['write']['seconds']:.2f} s, {1e9 * of['write']['seconds'] / of['points']:.2f} ns a point")
     for name, of in found.get("memory", {}).items():
         say(f"{name}: {max(of['mb_of_rank'].values()):.0f} MB, {of['seconds']:.1f} s")
-    if "model" in found:
-        say()
-        say(model.text(found["model"]))
 
 
 def greatest_use_by_others(found):
@@ -334,7 +255,7 @@ def greatest_use_by_others(found):
             uses.extend([value["others"]] if "others" in value and "seconds" in value else [])
             for one in value.values():
                 look(one)
-    look({part: found[part] for part in ("threads", "ranks", "files") if part in found})
+    look({part: found[part] for part in ("threads", "ranks") if part in found})
     return max(uses, default=0.0)
 
 
@@ -366,7 +287,7 @@ def main():
         sweeps = Sweeps(wanted.build, folder)
         found = {"commit": measure.commit(), "date": measure.today(), "environment": environment(),
                  "seconds": 0.0, "processors": os.cpu_count()}
-        parts = {"ratios": ratios, "threads": threads, "ranks": ranks, "messages": messages, "files": files, "chunks": chunks,
+        parts = {"ratios": ratios, "threads": threads, "ranks": ranks,
                  "memory": lambda of: memory(of, wanted.billion)}
         for part in PARTS:
             if part in only:
@@ -374,22 +295,12 @@ def main():
                 found[part] = parts[part](sweeps)
             elif part in before:
                 found[part] = before[part]
-        found["disk_bytes_a_second"] = disk(sweeps)
     found["others"] = greatest_use_by_others(found)
     found["seconds"] = round(time.perf_counter() - start, 1)
-    if set(PARTS) <= found.keys():
-        found["model"] = model.of(found)
     found = rounded(found)
     wanted.out.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
-    if wanted.out == BASELINE and "model" in found:
-        write_page(found)
     tables(found)
     return 0
-
-
-def write_page(found):
-    text = PAGE.read_text()
-    PAGE.write_text(text.replace(model.page_block(text), model.page_text(found)))
 
 
 def rounded(value):

@@ -132,30 +132,6 @@ Json targets_json(const Json& ratios, const Json& baseline) {
           {"mb_of_rank", target(memory, "below", 300, memory < 300)}};
 }
 
-Json predicted(const Json& model) {
-  Json json;
-  copy<double>(model,
-               {"ranks_that_fill_rank_0", "ranks_whose_journals_fill_the_disk",
-                "ranks_that_compute_as_long_as_points_are_written"},
-               json);
-  json["rows"] = Json::array();
-  for (const Json& row : model.at("rows")) {
-    Json to;
-    copy<std::string>(row, {"keep"}, to);
-    copy<std::size_t>(row, {"points", "chunks"}, to);
-    to["times"] = Json::array();
-    for (const Json& time : row.at("times")) {
-      Json one;
-      copy<std::size_t>(time, {"ranks"}, one);
-      copy<double>(time, {"seconds", "efficiency"}, one);
-      copy<std::string>(time, {"most"}, one);
-      to["times"].push_back(std::move(one));
-    }
-    json["rows"].push_back(std::move(to));
-  }
-  return json;
-}
-
 Group sweep_speed(const Json& baseline) {
   Group group{run_of(baseline)};
   copy<std::size_t>(baseline, {"processors"}, group.data);
@@ -168,7 +144,6 @@ Group sweep_speed(const Json& baseline) {
     two[key] = ranks.at(key).at("2").get<double>();
   copy<double>(ranks, {"weak_efficiency", "weak_cpu_efficiency"}, two);
   group.data["two_ranks"] = std::move(two);
-  group.data["model"] = predicted(baseline.at("model"));
   std::size_t missed = 0;
   for (const Json& target : group.data["targets"]) missed += target["reached"].get<bool>() ? 0 : 1;
   group.data["targets_missed"] = missed;

@@ -264,12 +264,10 @@ def software(report):
     yield (f"A point takes at most {sig(targets['times_alone']['is'], 3)} times as long as its scene and root alone {target('times_alone', 'at most')}; "
            f"two threads are {sig(targets['two_threads']['is'], 3)} times as fast as one {target('two_threads', 'at least')}; a rank needs at most "
            f"{sig(targets['mb_of_rank']['is'], 3)} MB {target('mb_of_rank', 'below', ' MB')}. {measured(speed)}.")
-    ranks, filled = speed["two_ranks"], speed["model"]
+    ranks = speed["two_ranks"]
     yield (f"Two ranks are {sig(ranks['speedup'], 3)} times as fast as one by the clock, and {sig(ranks['cpu_speedup'], 3)} times by their CPU time. With twice "
            f"the points two ranks keep {percent(ranks['weak_efficiency'])} of their speed by the clock, and {percent(ranks['weak_cpu_efficiency'])} by their CPU "
            f"time. Other processes disturb the clock: they used up to {sig(speed['others'], 2)} of {speed['processors']} processors meanwhile.")
-    yield (f"rank 0 saturates near {sig(filled['ranks_that_fill_rank_0'], 2)} ranks. Journals of points fill the disk from "
-           f"{sig(filled['ranks_whose_journals_fill_the_disk'], 2)} ranks on, and with {sig(filled['ranks_that_compute_as_long_as_points_are_written'], 2)} ranks")
     for one in (faults, work, wrong, gates, gates["baseline"], speed):
         yield provenance(one)
     standings = [one["standing"] for one in report["findings"] if one["about"] == "software"]

@@ -63,14 +63,10 @@ def sweep_speed(base):
     targets = {"times_alone": {"is": slowest, "at_most": 1.5, "reached": slowest <= 1.5},
                "two_threads": {"is": speedup, "at_least": 1.8, "reached": speedup >= 1.8},
                "mb_of_rank": {"is": memory, "below": 300, "reached": memory < 300}}
-    ranks, model = base["ranks"], base["model"]
-    rows = [of(row, "keep", "points", "chunks") | {"times": [of(one, "ranks", "seconds", "efficiency", "most") for one in row["times"]]}
-            for row in model["rows"]]
+    ranks = base["ranks"]
     return run_of(base) | of(base, "processors", "others") | {
         "ratios": ratios, "targets": targets, "targets_missed": sum(not one["reached"] for one in targets.values()),
-        "two_ranks": {"speedup": ranks["speedup"]["2"], "cpu_speedup": ranks["cpu_speedup"]["2"]} | of(ranks, "weak_efficiency", "weak_cpu_efficiency"),
-        "model": of(model, "ranks_that_fill_rank_0", "ranks_whose_journals_fill_the_disk", "ranks_that_compute_as_long_as_points_are_written") |
-        {"rows": rows}}
+        "two_ranks": {"speedup": ranks["speedup"]["2"], "cpu_speedup": ranks["cpu_speedup"]["2"]} | of(ranks, "weak_efficiency", "weak_cpu_efficiency")}
 
 
 def groups(rows, key):

@@ -472,11 +472,6 @@ def sweep_speed(report):
     yield ("Time of a point of a sweep, beside that of its scene and root alone",
            ["sweep", "alone, ns", "summaries, ns", "times alone", "points, ns", "times alone", "drawing, ns"],
            [[one["sweep"], *(sig(one[key], 3) for key in keys)] for one in found["ratios"]])
-    rows = found["model"]["rows"]
-    yield ("Predicted time with more ranks, by the model of benchmarks/sweep/README.md",
-           ["kept", "points", "chunks", *(f"{many(one['ranks'])} rank{'' if one['ranks'] == 1 else 's'}" for one in rows[0]["times"])],
-           [[row["keep"], sig(row["points"], 1), many(row["chunks"]),
-             *(f"{sig(one['seconds'], 2)} s, {percent(one['efficiency'], 2)}, {one['most']}" for one in row["times"])] for row in rows])
 
 
 def environment(report):
