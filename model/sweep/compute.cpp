@@ -4,7 +4,6 @@
 #include <atomic>
 
 #include "sweep/chunk_solver.hpp"
-#include "sweep/journal.hpp"
 #include "sweep/on_threads.hpp"
 
 namespace tribo::sweep {

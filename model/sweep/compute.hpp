@@ -4,12 +4,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "sweep/chunk.hpp"
 #include "sweep/plan.hpp"
-#include "sweep/ranks.hpp"
 
 namespace tribo::sweep {
+
+// The next chunk for a thread; nothing: no more. Any thread may ask.
+using NextChunk = std::function<std::optional<std::uint64_t>()>;
 
 // Computes the chunks that next() gives, on `threads` threads (0: as many as the machine has),
 // until it gives no more, or until stopped(), which is asked many times a second, is true: chunks

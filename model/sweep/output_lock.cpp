@@ -11,20 +11,36 @@ namespace fs = std::filesystem;
 
 // A process that holds the lock removes the lock's file before it releases the lock. So a process
 // that locks a file which has lost its name meanwhile has locked nothing, and begins again.
-OutputLock::OutputLock(const std::string& output) : output_(output), place_(output, ".lock") {
+OutputLock::OutputLock(const std::string& output, std::string_view ending)
+    : output_(output), place_(output, ending) {
   do {
     std::optional<Descriptor> file = place_.open_ours(no_mark);
     if (!file) file = place_.create();
     if (!file) continue;
+    locking_ = lock_file(*file, place_.path());
+    if (locking_ == Locking::taken_by_another) return;
     file_ = std::move(*file);
-    if (!lock_file(file_, place_.path()))
-      throw RunRefused(output + " is being written by another process, which holds " +
-                       place_.path() + "; wait until it has ended, or give another output");
-  } while (!place_.leads_to(file_));
+  } while (!leads_to_it());
+}
+
+OutputLock::OutputLock(const std::string& output) : OutputLock(output, ".lock") {
+  if (locking_ == Locking::taken_by_another)
+    throw RunRefused(output + " is being written by another process, which holds " + place_.path() +
+                     "; wait until it has ended, or give another output");
+}
+
+std::optional<OutputLock> OutputLock::take(const std::string& output, std::string_view ending) {
+  OutputLock lock(output, ending);
+  if (lock.locking_ == Locking::taken_by_another) return std::nullopt;
+  return lock;
 }
 
 OutputLock::~OutputLock() {
   if (place_.leads_to(file_)) place_.remove();
+}
+
+bool OutputLock::leads_to_it() const {
+  return locking_ == Locking::without_locks || place_.leads_to(file_);
 }
 
 void OutputLock::check() const {
@@ -32,7 +48,7 @@ void OutputLock::check() const {
     throw std::runtime_error("the folder of " + output_ +
                              " was removed or moved while this process computed; nothing can be "
                              "written there, and what was removed has to be computed anew");
-  if (!place_.leads_to(file_))
+  if (!leads_to_it())
     throw std::runtime_error(place_.path() + " was removed while this process held it, so that " +
                              "another one may write the same output; nothing is put in its place");
 }

@@ -5,12 +5,14 @@
 //
 //   case    one set of values of the varied fields
 //   point   one case at one speed, or one case with its onsets where no operating point is asked
-//   chunk   so many cases in a row: what is computed, kept and handed out as a whole
+//   chunk   so many cases in a row: what a thread computes as a whole
+//   part    chunks of some seconds of work: what a process claims, writes and resumes as a whole
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -92,10 +94,15 @@ struct SceneSweep {
   std::uint64_t points() const;
 };
 
+// The version of the numbers that chunks hold: it changes only when an answer changes a bit, or the
+// bytes of a chunk mean something else, so that a newer program goes on with older parts.
+inline constexpr std::uint64_t numbers_version = 1;
+
 struct SweepPlan {
   std::vector<SceneSweep> scenes;
-  std::string version;  // of tribocheck
-  std::string digest;   // of version, files' texts and layout, 32 hexadecimal digits
+  std::string version;           // of tribocheck
+  std::string digest;            // of version, files' texts and layout, 32 hexadecimal digits
+  std::string part_digest = {};  // the same with numbers_version in place of the version
 
   std::uint64_t chunks() const;
   std::uint64_t points() const;
@@ -109,5 +116,10 @@ struct ChunkPlace {
   std::uint64_t groups = 0;
 };
 ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk);
+
+// The work was to end early.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped") {}
+};
 
 }  // namespace tribo::sweep

@@ -35,8 +35,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sweep/journal.hpp"
 #include "sweep/output_file.hpp"
+#include "sweep/part.hpp"
 #include "sweep/plan.hpp"
 #include "sweep/sensitivity.hpp"
 #include "sweep/summary.hpp"
@@ -51,14 +51,16 @@ inline constexpr std::size_t histogram_bins = 100;
 // Throws RunRefused where something that is not ours stands where write_result() would write.
 void check_place_of_result(const std::string& path);
 
-// Writes it next to `path`, to the disk, and renames it into place, where it may replace what
+// Writes it next to `path` (at PATH.part, or where it is shared with other processes at a name that
+// none of them uses), to the disk, and renames it into place, where it may replace what
 // `replaceable` says. All chunks have to be there; it takes them in order, one at a time, and calls
 // told(chunks written) after each. Returns the written file, open. Throws std::runtime_error (disk
 // full, not writable …) with a text that names the file; what it wrote so far is removed then.
 // Stopped, thrown by told(), is thrown on.
-Descriptor write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+Descriptor write_result(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
                         const std::function<void(std::uint64_t)>& told,
-                        const Replaceable& replaceable = {.any = true, .only = {}});
+                        const Replaceable& replaceable = {.any = true, .only = {}},
+                        bool is_shared = false);
 
 struct ResultIdentity {
   std::string version;
