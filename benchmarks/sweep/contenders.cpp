@@ -23,7 +23,6 @@
 #include "sweep/case_solver.hpp"
 #include "sweep/cases.hpp"
 #include "sweep/chunk_solver.hpp"
-#include "sweep/compute.hpp"
 #include "sweep/packed_values.hpp"
 #include "sweep/part.hpp"
 #include "sweep/parts_in_hand.hpp"

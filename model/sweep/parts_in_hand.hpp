@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "sweep/output_lock.hpp"
+#include "sweep/output_file.hpp"
 #include "sweep/part.hpp"
 #include "sweep/plan.hpp"
 

@@ -15,7 +15,7 @@
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "sweep/correlation.hpp"
-#include "sweep/layout.hpp"
+#include "sweep/plan.hpp"
 #include "sweep/sensitivity.hpp"
 #include "sweep/table_reader.hpp"
 #include "sweep/variable_reader.hpp"

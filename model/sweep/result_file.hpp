@@ -28,6 +28,7 @@
 // (fletcher32). The file ends in a checksum of the whole file (result_seal.hpp); HDF5 ignores it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -42,6 +43,14 @@
 #include "sweep/summary.hpp"
 
 namespace tribo::sweep {
+
+inline constexpr std::string_view result_format = "tribocheck sweep 2";
+
+// "onset.film_maximum.speed" lies at onset/film_maximum/speed.
+inline std::string path_of_column(std::string name) {
+  std::replace(name.begin(), name.end(), '.', '/');
+  return name;
+}
 
 // The levels of quantiles in results.
 inline constexpr std::array quantile_levels{0.001, 0.01, 0.025, 0.05,  0.16, 0.25, 0.5,

@@ -15,7 +15,6 @@
 #include "sweep/bytes.hpp"
 #include "sweep/hdf5_handles.hpp"
 #include "sweep/result_file.hpp"
-#include "sweep/result_names.hpp"
 #include "sweep/result_seal.hpp"
 
 namespace tribo::sweep {

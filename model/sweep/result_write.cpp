@@ -14,7 +14,6 @@
 #include "sweep/hdf5_handles.hpp"
 #include "sweep/output_file.hpp"
 #include "sweep/result_file.hpp"
-#include "sweep/result_names.hpp"
 #include "sweep/result_seal.hpp"
 
 namespace tribo::sweep {

@@ -11,10 +11,10 @@
 #include <thread>
 #include <utility>
 
-#include "sweep/compute.hpp"
+#include "sweep/chunk_solver.hpp"
 #include "sweep/needs.hpp"
 #include "sweep/on_threads.hpp"
-#include "sweep/output_lock.hpp"
+#include "sweep/output_file.hpp"
 #include "sweep/part.hpp"
 #include "sweep/parts_in_hand.hpp"
 #include "sweep/plan_reader.hpp"

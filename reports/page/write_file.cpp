@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "protocol/output_stream.hpp"
-#include "sweep/output_lock.hpp"
+#include "sweep/output_file.hpp"
 
 namespace tribo::report {
 namespace {
