@@ -78,6 +78,7 @@ UNSEEN = {
     ("init", "--force"): "there is no file yet; test_init has one",
     ("sweep", "--force"): "there is no result yet; test_sweep has one",
     ("sweep", "--resume"): "there are no parts yet; test_sweep_faults has some",
+    ("sweep", "--join"): "no other process computes it; test_sweep_join has some",
 }
 
 
