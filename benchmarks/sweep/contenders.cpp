@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,9 +23,9 @@
 #include "sweep/case_solver.hpp"
 #include "sweep/cases.hpp"
 #include "sweep/chunk_solver.hpp"
-#include "sweep/compute.hpp"
-#include "sweep/journal.hpp"
 #include "sweep/packed_values.hpp"
+#include "sweep/part.hpp"
+#include "sweep/parts_in_hand.hpp"
 #include "sweep/run.hpp"
 #include "sweep/summary.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -40,15 +41,36 @@ constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins
 constexpr std::uint64_t chunks_in_turn = 8;        // chunks of contenders of one thread
 constexpr std::uint64_t chunks_on_threads = 256;   // chunks of an iteration
 
-class NewJournal {
+// Parts of a sweep, as a run writes them: each as soon as it has all its chunks. Any thread may
+// call.
+class NewParts {
  public:
-  explicit NewJournal(const sweep::SweepPlan& plan)
-      : journal_(sweep::Journal::create(folder_.file("journal"), sweep::header_of(plan))) {}
-  void keep(const sweep::Chunk& chunk) { journal_.append(chunk.number, chunk.bytes()); }
+  explicit NewParts(const sweep::SweepPlan& plan) : header_(sweep::header_of(plan)) {
+    sweep::ChunkList all(plan.chunks());
+    std::iota(all.begin(), all.end(), std::uint64_t{0});
+    chunks_a_part_ = sweep::cut_in_parts(plan, all).front().size();
+  }
+  void keep(const sweep::Chunk& chunk) {
+    sweep::Bytes bytes = chunk.bytes();
+    sweep::ChunksInMemory whole;
+    {
+      const std::lock_guard lock(mutex_);
+      chunks_.emplace(next_++, std::move(bytes));
+      if (chunks_.size() < chunks_a_part_) return;
+      whole.swap(chunks_);
+    }
+    const std::string path = folder_.file("part");
+    sweep::PartFile file(path);
+    sweep::write_part(path, file, header_, sweep::content_of(whole), {.any = true, .only = {}});
+  }
 
  private:
   TemporaryFolder folder_;
-  sweep::Journal journal_;
+  sweep::PartHeader header_;
+  std::size_t chunks_a_part_ = 1;
+  std::mutex mutex_;
+  std::uint64_t next_ = 0;
+  sweep::ChunksInMemory chunks_;
 };
 
 // A workload with what its contenders share.
@@ -125,9 +147,9 @@ void run_alone(const Subject& subject, benchmark::State& state) {
 Contender sweep_of(const sweep::SweepPlan& (Subject::*plan)() const) {
   return [plan](const Subject& subject, benchmark::State& state) {
     sweep::ChunkSolver solver((subject.*plan)());
-    NewJournal journal((subject.*plan)());
+    NewParts parts((subject.*plan)());
     std::uint64_t turn = 0;
-    for (const auto _ : state) journal.keep(solver.solve(turn++ % chunks_in_turn));
+    for (const auto _ : state) parts.keep(solver.solve(turn++ % chunks_in_turn));
     set_points(state, subject.cases());
   };
 }
@@ -209,8 +231,8 @@ void pack(const Subject& subject, benchmark::State& state) {
 
 void keep(const Subject& subject, benchmark::State& state) {
   const sweep::Chunk chunk = sweep::ChunkSolver(subject.points()).solve(0);
-  NewJournal journal(subject.points());
-  for (const auto _ : state) journal.keep(chunk);
+  NewParts parts(subject.points());
+  for (const auto _ : state) parts.keep(chunk);
   set_points(state, subject.cases());
 }
 
@@ -258,7 +280,7 @@ class UndisturbedTime {
 
 Contender on_threads(const sweep::SweepPlan& (Subject::*plan)() const, int threads) {
   return [plan, threads](const Subject& subject, benchmark::State& state) {
-    NewJournal journal((subject.*plan)());
+    NewParts parts((subject.*plan)());
     for (const auto _ : state) {
       std::atomic<std::uint64_t> next = 0;
       UndisturbedTime time;
@@ -270,7 +292,7 @@ Contender on_threads(const sweep::SweepPlan& (Subject::*plan)() const, int threa
                        time.end();
                        return std::nullopt;
                      },
-                     [&](const sweep::Chunk& chunk) { journal.keep(chunk); });
+                     [&](const sweep::Chunk& chunk) { parts.keep(chunk); });
       state.SetIterationTime(time.seconds(threads));
     }
     set_points(state, chunks_on_threads * subject.cases());
@@ -317,7 +339,7 @@ void register_sweep(const Workload& workload) {
   add(subject, "stage: cases", solve_cases);
   add(subject, "stage: sum up", sum_up);
   add(subject, "stage: pack points", pack);
-  add(subject, "stage: journal of points", keep);
+  add(subject, "stage: parts of points", keep);
   for (const int threads : {1, 2}) {
     const auto timed = [&](std::string_view name, Contender contender) {
       return add(subject, fmt::format("{}, threads: {}", name, threads), std::move(contender))

@@ -50,14 +50,14 @@ std::string refusal_of(const std::string& path) {
 // its kind. `what` was expected.
 std::string other_kind(std::string_view text, std::string_view what) {
   constexpr std::string_view hdf5 = "\x89HDF\r\n\x1a\n";
-  constexpr std::string_view journal = "\x93TBSJ1\r\n";  // model/sweep/journal_record.hpp
+  constexpr std::string_view part = "tribocheck sweep part";  // model/sweep/part.cpp
+  if (text.starts_with(hdf5) && text.substr(0, 8192).find(part) != text.npos)
+    return "this is a shard or part of a sweep; allowed: " + std::string(what) +
+           " (shards are put together by `tribocheck sweep merge`, parts are completed by "
+           "`tribocheck sweep --resume`)";
   if (text.starts_with(hdf5))
     return "this is an HDF5 file; allowed: " + std::string(what) +
            " (the result of a sweep is read by `tribocheck sweep show`)";
-  if (text.starts_with(journal))
-    return "this is a shard or journal of a sweep; allowed: " + std::string(what) +
-           " (shards are put together by `tribocheck sweep merge`, a journal is completed by "
-           "`tribocheck sweep --resume`)";
   const auto nul_at = [&](std::size_t place) { return text[place] == '\0'; };
   if (text.size() < 4) return {};
   if (text.starts_with(std::string_view("\xFF\xFE\0\0", 4)) ||

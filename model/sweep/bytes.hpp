@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and texts as bytes, for what is written to a journal: little-endian, as they lie in
+// Numbers and texts as bytes, for what is written to a part: little-endian, as they lie in
 // memory on every machine that this is built for.
 #pragma once
 

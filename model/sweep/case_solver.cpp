@@ -10,7 +10,6 @@
 
 #include "ehl/line_conditions.hpp"
 #include "ehl/solved_film.hpp"
-#include "sweep/journal.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::sweep {

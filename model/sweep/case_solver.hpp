@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "sweep/layout.hpp"
 #include "sweep/plan.hpp"
 #include "tribo/mixed_contacts.hpp"
 #include "tribo/onset.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chunk that was computed: what a journal keeps of it.
+// A chunk that was computed: what a part keeps of it.
 #pragma once
 
 #include <cstdint>

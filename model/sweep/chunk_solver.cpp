@@ -2,11 +2,13 @@
 #include "sweep/chunk_solver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <utility>
 
 #include "sweep/case_solver.hpp"
 #include "sweep/cases.hpp"
+#include "sweep/on_threads.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -158,6 +160,26 @@ Chunk ChunkSolver::solve(std::uint64_t number) {
   for (std::size_t c = 0; c < sweep.columns.size(); ++c)
     chunk.values.push_back(packed(of.kept[variables + c], !sweep.columns[c].words.empty()));
   return chunk;
+}
+
+int compute(const SweepPlan& plan, int threads, const NextChunk& next,
+            const std::function<void(const Chunk&)>& keep, const std::function<bool()>& stopped) {
+  std::atomic<bool> failed = false;
+  // More threads than the machine has are allowed, as they are elsewhere.
+  return on_threads(thread_count(threads), [&] {
+    ChunkSolver solver(plan, [&] { return failed || (stopped && stopped()); });
+    try {
+      while (!failed) {
+        const auto chunk = next();
+        if (!chunk) return;
+        keep(solver.solve(*chunk));
+      }
+    } catch (const Stopped&) {  // in the middle of a chunk, which is computed anew
+    } catch (...) {
+      failed = true;
+      throw;
+    }
+  });
 }
 
 }  // namespace tribo::sweep

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sweep/chunk.hpp"
@@ -32,5 +33,17 @@ class ChunkSolver {
   std::function<bool()> stopped_;
   std::vector<std::unique_ptr<OfScene>> scenes_;  // made when first asked for
 };
+
+// The next chunk for a thread; nothing: no more. Any thread may ask.
+using NextChunk = std::function<std::optional<std::uint64_t>()>;
+
+// Computes the chunks that next() gives, on `threads` threads (0: as many as the machine has),
+// until it gives no more, or until stopped(), which is asked many times a second, is true: chunks
+// in hand are given up then. Any of these threads calls keep(chunk), several of them at once; an
+// exception of keep() ends the work and is thrown on. Returns how many threads there were: fewer
+// where the system does not allow so many.
+int compute(const SweepPlan& plan, int threads, const NextChunk& next,
+            const std::function<void(const Chunk&)>& keep,
+            const std::function<bool()>& stopped = {});
 
 }  // namespace tribo::sweep

@@ -71,14 +71,15 @@ inline std::size_t read_at(int file, std::uint64_t offset, std::span<std::byte> 
   return have;
 }
 
-// Takes the lock of a file for this process alone; false: another one has it. Some network file
-// systems know no locks; a sweep runs there all the same.
-inline bool lock_file(int file, const std::string& path) {
-  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return true;
-  if (errno == EWOULDBLOCK) return false;
+// Takes the lock of a file for this process alone. Some network file systems know no locks; a sweep
+// runs there all the same.
+enum class Locking : std::uint8_t { locked, taken_by_another, without_locks };
+inline Locking lock_file(int file, const std::string& path) {
+  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return Locking::locked;
+  if (errno == EWOULDBLOCK) return Locking::taken_by_another;
   if (errno != ENOSYS && errno != ENOTSUP && errno != ENOLCK)
     throw std::runtime_error("cannot lock " + path + ": " + error_text(errno));
-  return true;
+  return Locking::without_locks;
 }
 
 inline std::string folder_of(const std::string& path) {

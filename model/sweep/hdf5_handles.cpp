@@ -38,6 +38,15 @@ void write_attribute(hid_t object, const char* name, hid_t file_type, hid_t memo
   checked(H5Awrite(attribute, memory_type, value));
 }
 
+Handle access_without_locks() {
+  Handle access(H5Pcreate(H5P_FILE_ACCESS));
+  checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
+#if H5_VERSION_GE(1, 10, 7)
+  checked(H5Pset_file_locking(access, false, true));
+#endif
+  return access;
+}
+
 constexpr hssize_t most_texts = 1'000'000;
 
 // How many values an attribute has. Throws Error where its rank is another; rank 0: a scalar.
@@ -96,6 +105,29 @@ std::string last_error() {
   std::string message;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, note_message, &message);
   return message.empty() ? "HDF5 does not say why" : message;
+}
+
+Handle create_file(const std::string& path) {
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE));
+  without_times(creation);
+  checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
+  const Handle access = access_without_locks();
+  // The file is one that HDF5 1.8 can read, whatever version writes it.
+  checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
+  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
+}
+
+Handle open_file(const std::string& path) {
+  H5PLset_loading_state(0);
+  if (H5Lis_registered(H5L_TYPE_EXTERNAL) > 0) H5Lunregister(H5L_TYPE_EXTERNAL);
+  return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access_without_locks()));
+}
+
+bool is_start_of(std::span<const std::byte> start, std::string_view format) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  constexpr std::size_t head = 48;
+  const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
+  return text.starts_with(signature) && (text.size() <= head || text.find(format) != text.npos);
 }
 
 Handle string_type() {

@@ -83,6 +83,16 @@ class Handle {
   hid_t id_ = H5I_INVALID_HID;
 };
 
+// A new file at a path, in place of what is there. HDF5's own locks are left out here and in
+// open_file(): some file systems have none, and the program has its own.
+Handle create_file(const std::string& path);
+// Opens a file for reading. No other file is read, and no library is loaded, whatever it says.
+Handle open_file(const std::string& path);
+// Do the first bytes of a file begin one of ours, which has this text as its first attribute? A
+// process that is killed leaves such a file at whichever moment it is killed: only HDF5's head, as
+// it is when the file is made, or the text in the first bytes that follow.
+bool is_start_of(std::span<const std::byte> start, std::string_view format);
+
 // Texts of UTF-8 of any length.
 Handle string_type();
 

@@ -10,12 +10,15 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
 #include "sweep/chunk_solver.hpp"
 #include "sweep/disk.hpp"
 #include "sweep/on_threads.hpp"
+#include "sweep/part.hpp"
+#include "sweep/parts_in_hand.hpp"
 #include "sweep/result_file.hpp"
 
 namespace tribo::sweep {
@@ -76,7 +79,7 @@ double memory_of(const Chunk& chunk) {
 struct Sample {
   double solve_seconds = 0, merge_seconds = 0;
   double write_seconds = 0;     // of the summaries of all values a case has, at the end
-  double kept = 0, record = 0;  // bytes of a chunk: its points packed, and all of it in the journal
+  double kept = 0, record = 0;  // bytes of a chunk: its points packed, and all of it in a part
   double chunk_memory = 0;
   double merged_memory = 0;  // of the summaries of all of them
 };
@@ -222,22 +225,33 @@ double reading_memory(const SceneSweep& scene) {
   return width * value + 8 * numbers_of_summary * static_cast<double>(widest(scene));
 }
 
-// Adds the bytes of a scene to the file and the journal. kept, record: bytes of one chunk there.
+// Adds the bytes of a scene to the file and the parts. kept, record: bytes of one chunk there.
 void add_files(Needs& needs, const SceneSweep& scene, double kept, double record) {
   constexpr double in_index = 75;  // bytes of HDF5's for each chunk of a dataset, measured
   const auto chunks = static_cast<double>(scene.chunks);
   const auto datasets = static_cast<double>(scene.variables.size() + scene.columns.size());
   needs.file += (kept + (scene.keep_points ? in_index * datasets : 0)) * chunks +
                 summary_bytes(scene) + file_overhead(scene);
-  needs.journal += record * chunks;
+  needs.parts += record * chunks;
 }
 
 struct Phases {
   double computing = 0, writing = 0, reading = 0;  // bytes
 };
 
-// sample: of its chunks; merged: the memory of all summaries.
-Phases phases_of(const SceneSweep& scene, const Sample& sample, double merged, double threads) {
+// The chunks that a process holds at most: of the part that it begins, and of one before it, whose
+// last chunks are still being computed.
+double chunks_held(const SweepPlan& plan) {
+  ChunkList all(plan.chunks());
+  std::iota(all.begin(), all.end(), std::uint64_t{0});
+  std::size_t most = 0;
+  for (const ChunkList& part : cut_in_parts(plan, all)) most = std::max(most, part.size());
+  return 2 * static_cast<double>(most);
+}
+
+// sample: of its chunks; merged: the memory of all summaries; held: chunks_held().
+Phases phases_of(const SceneSweep& scene, const Sample& sample, double merged, double threads,
+                 double held) {
   const auto width = static_cast<double>(scene.width());
   const auto rows = static_cast<double>(scene.cases_per_group());
   const double kept_numbers = scene.keep_points
@@ -255,7 +269,8 @@ Phases phases_of(const SceneSweep& scene, const Sample& sample, double merged, d
   Phases phases;
   phases.computing =
       threads * (solver + 8 * kept_numbers + sample.chunk_memory + 1.5 * sample.record) +
-      (sizeof(std::uint64_t) + sizeof(JournalReader::Record)) * chunks;
+      std::min(held, chunks) * sample.record +
+      (2 * sizeof(std::uint64_t) + sizeof(Part::Record)) * chunks;
   phases.writing = merged + sums + sample.chunk_memory + sample.record +
                    1.5 * 8 * numbers_of_summary * static_cast<double>(widest(scene));
   phases.reading = reading_memory(scene);
@@ -299,7 +314,7 @@ double room_beside(const std::string& path) {
 
 Needs needs_of(const SweepPlan& plan, int threads) {
   constexpr std::uint64_t sampled_groups = 256;
-  const double count = thread_count(threads);
+  const double count = thread_count(threads), held = chunks_held(plan);
   Needs needs;
   double computing = 0, writing = 0, reading = 0;
   for (const SceneSweep& scene : plan.scenes) {
@@ -312,8 +327,8 @@ Needs needs_of(const SweepPlan& plan, int threads) {
         : scene.chunk_groups >= sampled_groups
             ? sample.merged_memory
             : at_all_speeds(scene, std::min(scene.groups, sampled_groups)).merged_memory;
-    const Phases phases = phases_of(scene, sample, merged,
-                                    std::min<double>(count, static_cast<double>(scene.chunks)));
+    const Phases phases = phases_of(
+        scene, sample, merged, std::min<double>(count, static_cast<double>(scene.chunks)), held);
     computing = std::max(computing, phases.computing);
     writing = std::max(writing, phases.writing);
     reading += phases.reading;
@@ -333,8 +348,9 @@ Needs needs_of(const SweepPlan& plan, int threads) {
 Needs most_needs(const SweepPlan& plan, int threads) {
   constexpr double packed = 9;      // bytes of a number: eight, where it is not made shorter
   constexpr double a_dataset = 64;  // of a chunk of it, whatever its size
-  constexpr double in_sketch = 5;  // of a case in the journal: four where its bin is, one how often
-  constexpr double other = 128;    // of a summary, and of a block of sums, in the journal
+  constexpr double in_sketch = 5;   // of a case in a part: four where its bin is, one how often
+  constexpr double other = 128;     // of a summary, and of a block of sums, in a part
+  const double held = chunks_held(plan);
   Needs needs{0, program_memory, 0, 0, {}};
   for (const SceneSweep& scene : plan.scenes) {
     const auto width = static_cast<double>(scene.width());
@@ -356,7 +372,7 @@ Needs most_needs(const SweepPlan& plan, int threads) {
     sample.record = kept + width * (other + in_sketch * cases + blocks * sums);
     sample.chunk_memory = kept + summaries(cases) + width * blocks * 2 * sums;
     const Phases phases = phases_of(scene, sample, summaries(static_cast<double>(scene.cases())),
-                                    thread_count(threads));
+                                    thread_count(threads), held);
     needs.memory += phases.computing + phases.writing + phases.reading;
     add_files(needs, scene, kept, sample.record);
   }
@@ -367,16 +383,16 @@ std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& 
                          double there) {
   const double memory = memory_there_is(), disk = room_beside(result) + there;
   const auto fits = [&](const Needs& needs) {
-    return needs.memory <= memory && needs.file + needs.journal <= disk;
+    return needs.memory <= memory && needs.file + needs.parts <= disk;
   };
   if (fits(most_needs(plan, threads))) return {};
   const Needs needs = needs_of(plan, threads);
   if (needs.memory > memory)
     return "needs some " + bytes_text(needs.memory) + " of memory, and this machine has " +
            bytes_text(memory) + " free; allowed: fewer speeds, fewer outputs or fewer --threads";
-  if (needs.file + needs.journal > disk)
-    return "needs some " + bytes_text(needs.file + needs.journal) +
-           " on the disk for the result and its journal, and there are " + bytes_text(disk) +
+  if (needs.file + needs.parts > disk)
+    return "needs some " + bytes_text(needs.file + needs.parts) +
+           " on the disk for the result and its parts, and there are " + bytes_text(disk) +
            " free; allowed: fewer cases, keep = \"summaries\", or another disk";
   return {};
 }

@@ -13,7 +13,7 @@ namespace tribo::sweep {
 struct Needs {
   double seconds = 0;                 // to compute, to write and to read again
   double memory = 0;                  // bytes, at most at any time
-  double file = 0, journal = 0;       // bytes; both are there at the end
+  double file = 0, parts = 0;         // bytes; both are there at the end
   std::vector<double> point_seconds;  // of each scene, on one thread
 };
 // threads: as those of a run.
@@ -24,7 +24,7 @@ Needs most_needs(const SweepPlan& plan, int threads);
 
 // Why a sweep has no room in this machine's memory, or on the disk of its result; empty if it has
 // room, or if that cannot be known. Calls needs_of() only where most_needs() does not fit. there:
-// bytes of its journals that are on the disk already.
+// bytes of its parts that are on the disk already.
 std::string lack_of_room(const SweepPlan& plan, int threads, const std::string& result,
                          double there);
 

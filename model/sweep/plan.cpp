@@ -2,7 +2,11 @@
 #include "sweep/plan.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
+
+#include "tribo/operating_point.hpp"
+#include "tribo/outputs.hpp"
 
 namespace tribo::sweep {
 
@@ -47,6 +51,71 @@ ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk) {
     chunk -= scene.chunks;
   }
   throw std::out_of_range("the plan has no such chunk");
+}
+
+namespace {
+
+std::vector<std::string> words_of(Output output) {
+  if (output == Output::regime)
+    return {std::string(name(Regime::boundary)), std::string(name(Regime::mixed)),
+            std::string(name(Regime::elastohydrodynamic)), std::string(name(Regime::collapsed))};
+  if (output == Output::inlet)
+    return {std::string(name(Inlet::flooded)), std::string(name(Inlet::starved)),
+            std::string(name(Inlet::collapsed))};
+  return {};
+}
+
+std::vector<Column> columns_of(const SceneSweep& sweep) {
+  std::vector<Column> columns;
+  for (const OutputInfo& info : output_infos)
+    if (sweep.outputs.contains(info.output))
+      columns.push_back({std::string(info.name), std::string(info.unit), words_of(info.output),
+                         sweep.scene.speeds.size(), std::string(info.meaning)});
+  for (const OnsetCriterion criterion : sweep.criteria) {
+    const std::string prefix = "onset." + std::string(name(criterion)) + '.';
+    const std::string at = " at the onset by " + std::string(name(criterion)) +
+                           "; undefined where the case has no such onset";
+    columns.push_back({prefix + "speed", "m/s", {}, 1, "u, entrainment speed" + at});
+    columns.push_back({prefix + "film", "m", {}, 1, "h*, film" + at});
+    columns.push_back({prefix + "film_parameter", "", {}, 1, "λ* = h*/σ_s" + at});
+  }
+  if (sweep.solves_film)
+    for (const SolvedColumn& column : solved_columns)
+      columns.push_back({"solved_film." + std::string(column.name), std::string(column.unit),
+                         column.is_of_words ? std::vector<std::string>(solved_outcome_words.begin(),
+                                                                       solved_outcome_words.end())
+                                            : std::vector<std::string>(),
+                         sweep.scene.speeds.size(), std::string(column.meaning)});
+  return columns;
+}
+
+// A chunk is long enough that the overhead of its record and of its place in the file is small, and
+// short enough that little is lost with it. A point whose film is solved takes as long as a million
+// others: these chunks have up to four. Else a sweep has about 256 chunks of 1024 to 65536 points;
+// a greater sweep has more chunks of 65536 points; the greatest have about 4096 chunks of more
+// points each, up to 2²⁰. A chunk of kept points has at most some 131072 numbers.
+std::uint64_t groups_a_chunk(const SceneSweep& sweep, std::uint64_t points) {
+  constexpr std::uint64_t least = 1024, usual = 65536, most = 1 << 20, most_numbers = 1 << 17;
+  std::uint64_t chunk_points = std::clamp(points / 256, least, usual);
+  chunk_points = std::clamp(points / 4096, chunk_points, most);
+  if (sweep.solves_film) chunk_points = 4;
+  std::uint64_t groups = chunk_points / std::max<std::uint64_t>(points / sweep.groups, 1);
+  if (sweep.keep_points)
+    groups = std::min(groups, most_numbers / ((sweep.width() + sweep.variables.size()) *
+                                              sweep.cases_kept_per_group()));
+  return std::min(std::bit_floor(std::max<std::uint64_t>(groups, 1)), std::bit_ceil(sweep.groups));
+}
+
+}  // namespace
+
+void lay_out(SceneSweep& sweep) {
+  sweep.columns = columns_of(sweep);
+  sweep.grid_cells = 1;
+  for (const Variable& variable : sweep.variables)
+    if (!variable.is_drawn()) sweep.grid_cells *= variable.grid.size();
+  sweep.groups = sweep.grid_cells * sweep.draws;
+  sweep.chunk_groups = groups_a_chunk(sweep, sweep.points());
+  sweep.chunks = (sweep.groups + sweep.chunk_groups - 1) / sweep.chunk_groups;
 }
 
 }  // namespace tribo::sweep

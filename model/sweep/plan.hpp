@@ -5,13 +5,16 @@
 //
 //   case    one set of values of the varied fields
 //   point   one case at one speed, or one case with its onsets where no operating point is asked
-//   chunk   so many cases in a row: what is computed, kept and handed out as a whole
+//   chunk   so many cases in a row: what a thread computes as a whole
+//   part    chunks of some seconds of work: what a process claims, writes and resumes as a whole
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sweep/distribution.hpp"
@@ -92,10 +95,15 @@ struct SceneSweep {
   std::uint64_t points() const;
 };
 
+// The version of the numbers that chunks hold: it changes only when an answer changes a bit, or the
+// bytes of a chunk mean something else, so that a newer program goes on with older parts.
+inline constexpr std::uint64_t numbers_version = 1;
+
 struct SweepPlan {
   std::vector<SceneSweep> scenes;
-  std::string version;  // of tribocheck
-  std::string digest;   // of version, files' texts and layout, 32 hexadecimal digits
+  std::string version;           // of tribocheck
+  std::string digest;            // of version, files' texts and layout, 32 hexadecimal digits
+  std::string part_digest = {};  // the same with numbers_version in place of the version
 
   std::uint64_t chunks() const;
   std::uint64_t points() const;
@@ -109,5 +117,38 @@ struct ChunkPlace {
   std::uint64_t groups = 0;
 };
 ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk);
+
+// The work was to end early.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped") {}
+};
+
+// --- The layout, from a sweep's settings: its columns, and how its cases are cut into chunks.
+
+// The outcome of a film that was to be solved: the words of the column `outcome`.
+enum class SolvedOutcome : std::uint8_t { solved, tolerance_missed, not_solved };
+inline constexpr std::array<std::string_view, 3> solved_outcome_words{"solved", "tolerance_missed",
+                                                                      "not_solved"};
+
+// The columns of a solved film, in their order; `solved_film.` stands before their names.
+struct SolvedColumn {
+  std::string_view name, unit, meaning;
+  bool is_of_words = false;  // solved_outcome_words
+};
+inline constexpr std::array<SolvedColumn, 7> solved_columns{{
+    {"load_number", "", "M = W(2U)^(-1/2)"},
+    {"material_number", "", "L = G(2U)^(1/4)"},
+    {"central", "m", "film in the middle of the contact, solved; undefined where that failed"},
+    {"central_error", "m", "what the solved central film may be off by"},
+    {"minimum", "m", "least film, solved; undefined where that failed"},
+    {"minimum_error", "m", "what the solved least film may be off by"},
+    {"outcome", "",
+     "whether the film was solved to the tolerance of 1e-4, to a larger error, or not at all; "
+     "`tribocheck film` says why of one contact",
+     true},
+}};
+
+// Fills columns, grid_cells, groups, chunk_groups and chunks.
+void lay_out(SceneSweep& sweep);
 
 }  // namespace tribo::sweep

@@ -15,7 +15,7 @@
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "sweep/correlation.hpp"
-#include "sweep/layout.hpp"
+#include "sweep/plan.hpp"
 #include "sweep/sensitivity.hpp"
 #include "sweep/table_reader.hpp"
 #include "sweep/variable_reader.hpp"
@@ -539,6 +539,29 @@ SweepReading refused(const std::string& source, const std::string& why) {
   return reading;
 }
 
+// 32 hexadecimal digits.
+std::string digest_of(const std::string& of_program, const std::vector<SceneSweep>& scenes) {
+  XXH3_state_t state{};
+  XXH3_128bits_reset(&state);
+  const auto add = [&state](std::string_view text) {
+    const std::uint64_t size = text.size();
+    XXH3_128bits_update(&state, &size, sizeof size);
+    XXH3_128bits_update(&state, text.data(), text.size());
+  };
+  add(of_program);
+  for (const SceneSweep& scene : scenes) {
+    add(scene.scene.id);
+    add(scene.text);
+    add(std::to_string(scene.chunk_groups));
+  }
+  const XXH128_hash_t hash = XXH3_128bits_digest(&state);
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint64_t word : {hash.high64, hash.low64})
+    for (int shift = 60; shift >= 0; shift -= 4) text += digits[(word >> shift) & 15];
+  return text;
+}
+
 }  // namespace
 
 std::span<const SweepField> sweep_fields() { return fields; }
@@ -574,33 +597,16 @@ SweepReading read_sweep(const std::string& path) {
 }
 
 SweepPlan make_plan(std::vector<SceneSweep> scenes) {
-  SweepPlan plan;
-  plan.version = version;
-  XXH3_state_t* const state = XXH3_createState();
-  XXH3_128bits_reset(state);
-  const auto digest = [state](std::string_view text) {
-    const std::uint64_t size = text.size();
-    XXH3_128bits_update(state, &size, sizeof size);
-    XXH3_128bits_update(state, text.data(), text.size());
-  };
-  digest(plan.version);
-  for (const SceneSweep& scene : scenes) {
-    digest(scene.scene.id);
-    digest(scene.text);
-    digest(std::to_string(scene.chunk_groups));
+  for (const SceneSweep& scene : scenes)
     for (const SceneSweep& other : scenes)
-      if (&other != &scene && other.scene.id == scene.scene.id) {
-        XXH3_freeState(state);
+      if (&other != &scene && other.scene.id == scene.scene.id)
         throw std::invalid_argument(other.file + " and " + scene.file + " both have the id \"" +
                                     printable(scene.scene.id) +
                                     "\"; allowed: each its own, as it names a group of the result");
-      }
-  }
-  const XXH128_hash_t hash = XXH3_128bits_digest(state);
-  XXH3_freeState(state);
-  constexpr std::string_view digits = "0123456789abcdef";
-  for (const std::uint64_t word : {hash.high64, hash.low64})
-    for (int shift = 60; shift >= 0; shift -= 4) plan.digest += digits[(word >> shift) & 15];
+  SweepPlan plan;
+  plan.version = version;
+  plan.digest = digest_of(plan.version, scenes);
+  plan.part_digest = digest_of(std::to_string(numbers_version), scenes);
   plan.scenes = std::move(scenes);
   return plan;
 }

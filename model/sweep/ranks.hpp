@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The processes that share a sweep: one, or as many as mpirun started. Rank 0 hands out chunks to
-// whoever asks, so that a slow rank holds nobody up; what is computed stays with the rank that did.
-// Built with ranks_mpi.cpp where MPI was found, else with ranks_alone.cpp.
+// The processes that share a sweep: one, or as many as mpirun started. They share the work by files
+// (parts_in_hand.hpp); MPI only tells them what rank 0 has found, and how they ended. Built with
+// ranks_mpi.cpp where MPI was found, else with ranks_alone.cpp.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <optional>
 #include <string>
 
-#include "sweep/chunk_queue.hpp"
-
 namespace tribo::sweep {
-
-// The next chunk for this process; nothing: no more. Any thread may ask.
-using NextChunk = std::function<std::optional<std::uint64_t>()>;
 
 class Ranks {
  public:
@@ -34,14 +26,6 @@ class Ranks {
   std::string from_first(std::string text) const;
   // Is it so on every rank? Waits for all.
   bool everywhere(bool mine) const;
-
-  // Runs compute(next) on every rank; returns when all ranks have left it. Only the `queue` of rank
-  // 0 is used. tick() is called some times a second, on rank 0 with the number of chunks that other
-  // ranks have computed so far. Once stopped() is true, no more chunks are handed out. Rank 0 gets
-  // false if compute threw on another rank; an exception of this rank's compute is thrown on.
-  bool share(ChunkQueue& queue, const std::function<void(const NextChunk&)>& compute,
-             const std::function<void(std::uint64_t)>& tick,
-             const std::function<bool()>& stopped) const;
 
  private:
   int rank_ = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // One process, without MPI.
 #include <stdexcept>
+#include <string>
 
 #include "sweep/mpirun.hpp"
 #include "sweep/ranks.hpp"
-#include "sweep/worker_thread.hpp"
 
 namespace tribo::sweep {
 
@@ -20,12 +20,5 @@ Ranks::~Ranks() = default;
 bool Ranks::has_mpi() { return false; }
 std::string Ranks::from_first(std::string text) const { return text; }
 bool Ranks::everywhere(bool mine) const { return mine; }
-
-bool Ranks::share(ChunkQueue& queue, const std::function<void(const NextChunk&)>& compute,
-                  const std::function<void(std::uint64_t)>& tick,
-                  const std::function<bool()>& stopped) const {
-  share_alone(queue, compute, tick, stopped);
-  return true;
-}
 
 }  // namespace tribo::sweep

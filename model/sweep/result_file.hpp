@@ -28,6 +28,7 @@
 // (fletcher32). The file ends in a checksum of the whole file (result_seal.hpp); HDF5 ignores it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -35,13 +36,21 @@
 #include <string_view>
 #include <vector>
 
-#include "sweep/journal.hpp"
 #include "sweep/output_file.hpp"
+#include "sweep/part.hpp"
 #include "sweep/plan.hpp"
 #include "sweep/sensitivity.hpp"
 #include "sweep/summary.hpp"
 
 namespace tribo::sweep {
+
+inline constexpr std::string_view result_format = "tribocheck sweep 2";
+
+// "onset.film_maximum.speed" lies at onset/film_maximum/speed.
+inline std::string path_of_column(std::string name) {
+  std::replace(name.begin(), name.end(), '.', '/');
+  return name;
+}
 
 // The levels of quantiles in results.
 inline constexpr std::array quantile_levels{0.001, 0.01, 0.025, 0.05,  0.16, 0.25, 0.5,
@@ -51,14 +60,16 @@ inline constexpr std::size_t histogram_bins = 100;
 // Throws RunRefused where something that is not ours stands where write_result() would write.
 void check_place_of_result(const std::string& path);
 
-// Writes it next to `path`, to the disk, and renames it into place, where it may replace what
+// Writes it next to `path` (at PATH.part, or where it is shared with other processes at a name that
+// none of them uses), to the disk, and renames it into place, where it may replace what
 // `replaceable` says. All chunks have to be there; it takes them in order, one at a time, and calls
 // told(chunks written) after each. Returns the written file, open. Throws std::runtime_error (disk
 // full, not writable …) with a text that names the file; what it wrote so far is removed then.
 // Stopped, thrown by told(), is thrown on.
-Descriptor write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+Descriptor write_result(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
                         const std::function<void(std::uint64_t)>& told,
-                        const Replaceable& replaceable = {.any = true, .only = {}});
+                        const Replaceable& replaceable = {.any = true, .only = {}},
+                        bool is_shared = false);
 
 struct ResultIdentity {
   std::string version;

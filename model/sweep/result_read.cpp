@@ -15,7 +15,6 @@
 #include "sweep/bytes.hpp"
 #include "sweep/hdf5_handles.hpp"
 #include "sweep/result_file.hpp"
-#include "sweep/result_names.hpp"
 #include "sweep/result_seal.hpp"
 
 namespace tribo::sweep {
@@ -35,14 +34,12 @@ struct NotThere : std::runtime_error {
 };
 
 Handle open_result(const std::string& path) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
-  // No other file is read, and no library is loaded, whatever a result says.
-  H5PLset_loading_state(0);
-  if (H5Lis_registered(H5L_TYPE_EXTERNAL) > 0) H5Lunregister(H5L_TYPE_EXTERNAL);
-  const hid_t opened = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-  if (opened < 0) throw NotThere("cannot be opened by HDF5: " + hdf5::last_error());
-  Handle file(opened);
+  Handle file;
+  try {
+    file = hdf5::open_file(path);
+  } catch (const hdf5::Error& why) {
+    throw NotThere(std::string("cannot be opened by HDF5: ") + why.what());
+  }
   bool is_ours = false;
   try {
     is_ours = H5Aexists(file, "format") > 0 && read_text(file, "format") == result_format;
@@ -388,7 +385,7 @@ const ColumnResult* SceneResult::column(std::string_view name) const {
 
 ResultFile::ResultFile(const std::string& path)
     : path_(path), file_(open_file(path, O_RDONLY, path + " cannot be read")), is_own_(false) {
-  if (const std::string why = broken_seal(file_, path); !why.empty())
+  if (const std::string why = broken_seal(file_, path, "result"); !why.empty())
     throw std::runtime_error(path + ' ' + why);
 }
 

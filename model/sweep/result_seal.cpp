@@ -11,6 +11,7 @@
 
 #include "sweep/bytes.hpp"
 #include "sweep/disk.hpp"
+#include "sweep/plan.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -23,12 +24,14 @@ struct Seal {
 using SealBytes = std::array<std::byte, 24>;
 static_assert(sizeof(Seal) == sizeof(SealBytes));
 
-std::uint64_t checksum_of(int file, std::uint64_t size, const std::string& what) {
+std::uint64_t checksum_of(int file, std::uint64_t size, const std::string& what,
+                          const std::function<bool()>& stopped = {}) {
   XXH3_state_t state{};
   XXH3_64bits_reset(&state);
   Bytes buffer(std::size_t{1} << 20);
   for (std::uint64_t done = 0; done < size;) {
     const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(size - done, buffer.size()));
+    if (stopped && stopped()) throw Stopped();
     if (read_at(file, done, std::span(buffer).first(most), what) < most)
       throw std::runtime_error(what + ": it became shorter while it was read");
     XXH3_64bits_update(&state, buffer.data(), most);
@@ -51,17 +54,20 @@ void seal(int file) {
     throw std::runtime_error(what + ": " + error_text(written < 0 ? errno : ENOSPC));
 }
 
-std::string broken_seal(int file, const std::string& path) {
+std::string broken_seal(int file, const std::string& path, std::string_view kind,
+                        const std::function<bool()>& stopped) {
   const std::string what = path + " cannot be read";
   const std::uint64_t size = size_of(file, what);
   Seal seal;
   SealBytes bytes{};
   if (size >= bytes.size()) read_at(file, size - bytes.size(), bytes, what);
   if (std::memcmp(bytes.data(), seal.mark.data(), seal.mark.size()) != 0)
-    return "is no whole result of tribocheck sweep: it does not end in the checksum of one; it may "
-           "be another file, have been cut off, or been changed by another program";
+    return "is no whole " + std::string(kind) +
+           " of tribocheck sweep: it does not end in the checksum of one; it may be another file, "
+           "have been cut off, or been changed by another program";
   std::memcpy(&seal, bytes.data(), bytes.size());
-  if (seal.size != size - bytes.size() || seal.checksum != checksum_of(file, seal.size, what))
+  if (seal.size != size - bytes.size() ||
+      seal.checksum != checksum_of(file, seal.size, what, stopped))
     return "is damaged, or was changed by another program: its checksum does not hold";
   return {};
 }

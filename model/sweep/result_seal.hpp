@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last bytes of a result, behind what HDF5 has written and reads: a mark, the size and the
-// checksum (XXH3) of all before them. They are looked at before HDF5 is given the file, for a
-// damaged one may crash or hang it.
+// The last bytes of a result or a part, behind what HDF5 has written and reads: a mark, the size
+// and the checksum (XXH3) of all before them. They are looked at before HDF5 is given the file, for
+// a damaged one may crash or hang it.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace tribo::sweep {
 
 // Puts them at the end of an open file that is whole. Throws std::runtime_error where that fails.
 void seal(int file);
 
-// Why an open file is not the one that was sealed; empty if it is. Throws std::runtime_error, with
-// a text that names the file by its path, where it cannot be read.
-std::string broken_seal(int file, const std::string& path);
+// Why an open file is not the one that was sealed; empty if it is. kind: "result". Throws
+// std::runtime_error, with a text that names the file by its path, where it cannot be read, and
+// Stopped once stopped() is true.
+std::string broken_seal(int file, const std::string& path, std::string_view kind,
+                        const std::function<bool()>& stopped = {});
 
 }  // namespace tribo::sweep

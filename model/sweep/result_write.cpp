@@ -14,7 +14,6 @@
 #include "sweep/hdf5_handles.hpp"
 #include "sweep/output_file.hpp"
 #include "sweep/result_file.hpp"
-#include "sweep/result_names.hpp"
 #include "sweep/result_seal.hpp"
 
 namespace tribo::sweep {
@@ -322,30 +321,13 @@ class SceneWriter {
   std::vector<std::vector<SensitivityBlocks>> sensitivities_;
 };
 
-Handle create_file(const std::string& path) {
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE));
-  hdf5::without_times(creation);
-  checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  // The file is one that HDF5 1.8 can read, whatever version writes it.
-  checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
-  checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG));
-  return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
-}
-
-// A killed process leaves this, at whichever moment it was killed: only HDF5's head, as it is when
-// the file is made, or the result's format in the first bytes that follow.
 bool is_start_of_result(std::span<const std::byte> start) {
-  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
-  constexpr std::size_t head = 48;
-  const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
-  return text.starts_with(signature) &&
-         (text.size() <= head || text.find(result_format) != text.npos);
+  return hdf5::is_start_of(start, result_format);
 }
 
-void write_file(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+void write_file(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
                 const std::function<void(std::uint64_t)>& told) {
-  Handle file = create_file(path);
+  Handle file = hdf5::create_file(path);
   std::string title = "Results of tribocheck sweep:";
   for (const SceneSweep& scene : plan.scenes) title += ' ' + scene.file;
   write_attribute(file, "format", result_format);
@@ -376,9 +358,9 @@ void check_place_of_result(const std::string& path) {
   static_cast<void>(FilePlace(path, ".part").open_ours(is_start_of_result));
 }
 
-Descriptor write_result(const std::string& path, const SweepPlan& plan, const JournalSet& chunks,
+Descriptor write_result(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
                         const std::function<void(std::uint64_t)>& told,
-                        const Replaceable& replaceable) {
+                        const Replaceable& replaceable, bool is_shared) {
   const hdf5::QuietErrors quiet;
   const auto cannot_write = [&path](const std::string& why) {
     return std::runtime_error("cannot write " + path + ": " + why);
@@ -388,7 +370,7 @@ Descriptor write_result(const std::string& path, const SweepPlan& plan, const Jo
     throw cannot_write(std::to_string(chunks.count()) + " of " + std::to_string(count) +
                        " chunks are there");
   try {
-    PartFile part(path, is_start_of_result);
+    PartFile part = is_shared ? PartFile(path) : PartFile(path, is_start_of_result);
     write_file(part.open_path(), plan, chunks, told);
     seal(part.file());
     part.keep(replaceable);

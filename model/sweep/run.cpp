@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/run.hpp"
 
-#include <fcntl.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <future>
 #include <system_error>
+#include <thread>
 #include <utility>
 
-#include "sweep/compute.hpp"
+#include "sweep/chunk_solver.hpp"
 #include "sweep/needs.hpp"
 #include "sweep/on_threads.hpp"
+#include "sweep/output_file.hpp"
+#include "sweep/part.hpp"
+#include "sweep/parts_in_hand.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "tribo/batch.hpp"
@@ -23,59 +27,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The path of a journal. Its number is the rank, plus a multiple of the number of ranks where the
-// journals before it are of another arithmetic.
-std::string journal_of(const std::string& result, int number) {
-  return result + ".journal-" + std::to_string(number);
-}
-
-// The journals that are there for a result.
-std::vector<std::string> journals_of(const std::string& result) {
-  const fs::path path(result);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const std::string start = path.filename().string() + ".journal-";
-  std::vector<std::string> found;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename().string();
-    const bool ends_in_number = name.size() > start.size() &&
-                                name.find_first_not_of("0123456789", start.size()) == name.npos;
-    if (name.starts_with(start) && ends_in_number)
-      found.push_back(result + name.substr(path.filename().string().size()));
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-// Why a journal or result of another sweep is not this one's; empty if it is.
-std::string difference(const JournalHeader& mine, const std::string& version,
-                       const std::string& digest, const std::string& arithmetic, bool any) {
-  if (version != mine.version)
-    return "was computed by tribocheck " + version + ", this is " + mine.version;
-  if (digest != mine.digest) return "is of another sweep: its files' texts are not these";
-  if (arithmetic != mine.arithmetic && !any)
-    return "was computed with " + arithmetic + ", this is " + mine.arithmetic +
+// Why a part is not of this sweep; empty if it is.
+std::string difference(const PartHeader& mine, const PartHeader& theirs, bool any) {
+  if (theirs.numbers != mine.numbers)
+    return "was computed by tribocheck " + theirs.version + ", whose numbers are not those of " +
+           mine.version;
+  if (theirs.digest != mine.digest) return "is of another sweep: its files' texts are not these";
+  if (theirs.arithmetic != mine.arithmetic && !any)
+    return "was computed with " + theirs.arithmetic + ", this is " + mine.arithmetic +
            ": other last digits; --mixed-fma goes on all the same";
   return {};
 }
-std::string difference(const JournalHeader& mine, const JournalReader& reader, bool any) {
-  const JournalHeader& theirs = reader.header();
-  return difference(mine, theirs.version, theirs.digest, theirs.arithmetic, any);
-}
 
-bool is_of_shard(const JournalReader& reader, const Shard& shard) {
-  const auto records = reader.records();
+bool is_of_shard(const Part& part, const Shard& shard) {
+  const auto records = part.records();
   return std::all_of(records.begin(), records.end(),
-                     [&](const JournalReader::Record& record) { return shard.has(record.chunk); });
+                     [&](const Part::Record& record) { return shard.has(record.chunk); });
 }
 
-// journals: what is on the disk already needs no more room.
+// there: what is on the disk already needs no more room.
 void check_room(const SweepPlan& plan, int threads, const std::string& result,
-                const std::vector<std::string>& journals) {
-  double there = 0;
-  for (const std::string& path : journals)
-    if (fs::is_regular_file(path)) there += static_cast<double>(fs::file_size(path));
-  if (const std::string lack = lack_of_room(plan, threads, result, there); !lack.empty())
+                const std::vector<std::string>& there) {
+  double bytes = 0;
+  for (const std::string& path : there)
+    if (fs::is_regular_file(path)) bytes += static_cast<double>(fs::file_size(path));
+  if (const std::string lack = lack_of_room(plan, threads, result, bytes); !lack.empty())
     throw RunRefused("the sweep " + lack);
 }
 
@@ -84,89 +60,113 @@ void remove_all(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) FilePlace(path).remove_ours(any_mark);
 }
 
-// The journals that can be read. A file without a readable head is of no use to anybody. Beside
-// journals that can be read it is removed; but alone it may be something else, and the run is
-// refused (an empty file is removed).
-std::vector<JournalReader> readable(const std::vector<std::string>& paths,
-                                    const RunSettings& settings) {
-  std::vector<JournalReader> readers;
-  std::vector<std::pair<std::string, std::string>> unreadable;  // paths, and why
+// The parts that can be read. What is damaged is of no use to anybody, and is removed. Throws
+// RunRefused where a file is not ours.
+std::vector<Part> readable(const std::vector<std::string>& paths, const RunSettings& settings,
+                           const std::function<bool()>& stopped) {
+  std::vector<Part> parts;
   for (const std::string& path : paths) {
+    static_cast<void>(FilePlace(path).open_ours(is_start_of_part));
     try {
-      readers.emplace_back(path, settings.stopped);
+      parts.emplace_back(path, stopped);
     } catch (const Stopped&) {
       throw;
     } catch (const std::runtime_error& error) {
-      const bool is_empty = fs::is_regular_file(path) && fs::file_size(path) == 0;
-      unreadable.emplace_back(path, is_empty ? path + " is empty" : error.what());
-      if (is_empty) FilePlace(path).remove_ours(no_mark);
+      FilePlace(path).remove_ours(is_start_of_part);
+      settings.tell(error.what() +
+                    std::string("; it is removed, and what it held is computed anew"));
     }
   }
-  for (const auto& [path, why] : unreadable) {
-    if (readers.empty() && fs::exists(path))
-      throw RunRefused(why + "; --force throws it away, or move it to another place");
-    FilePlace(path).remove_ours(any_mark);
-    settings.tell(why + "; it is removed, and what it held is computed anew");
-  }
-  return readers;
+  return parts;
+}
+
+ChunkList chunks_of(const SweepPlan& plan, const std::optional<Shard>& shard) {
+  ChunkList chunks;
+  for (std::uint64_t chunk = 0; chunk < plan.chunks(); ++chunk)
+    if (!shard || shard->has(chunk)) chunks.push_back(chunk);
+  return chunks;
 }
 
 // --- Files that are there before the run.
 
 struct Start {
-  bool complete = false;               // the result is there
-  std::vector<std::uint64_t> pending;  // chunks
+  bool complete = false;    // the result is there
+  std::vector<bool> there;  // of the parts of this run; one is there only with all its chunks
   // The file that may be at the output when the result takes its place.
   Replaceable replaceable = {};
 };
 
 class Starter {
  public:
-  // threads: of this rank.
-  Starter(const SweepPlan& plan, const RunSettings& settings, const JournalHeader& header,
-          int threads)
-      : plan_(plan), settings_(settings), header_(header), threads_(threads) {}
+  // parts: of this run. threads: of this rank.
+  Starter(const SweepPlan& plan, const RunSettings& settings, const PartHeader& header,
+          const std::vector<ChunkList>& parts, int threads)
+      : plan_(plan), settings_(settings), header_(header), parts_(parts), threads_(threads) {}
 
   Start start() {
     const std::string& path = settings_.result;
-    const std::vector<std::string> journals = journals_of(path);
+    std::vector<std::string> files = files_of_parts(path);
+    const std::vector<std::string> found = parts_of(path), journals = journals_of(path);
     const std::optional<FileIdentity> there = FilePlace(path).identity();
     if (settings_.force) {
-      check_room(plan_, threads_, path, journals);
-      remove_all(journals);  // the result stays until the new one takes its place
-      return {false, wanted({}), {true, there}};
+      files.insert(files.end(), journals.begin(), journals.end());
+      check_room(plan_, threads_, path, files);
+      remove_all(files);  // the result stays until the new one takes its place
+      return {false, std::vector<bool>(parts_.size()), {true, there}};
     }
     if (fs::exists(path)) {
       if (!settings_.resume)
         throw RunRefused(path + " is there already; --resume keeps it if it is this sweep's, " +
                          "--force replaces it");
-      const std::string why = settings_.shard ? of_shard(path) : of_result(path);
+      const std::string why = why_not_it();
       if (why.empty()) {
-        remove_all(journals);
+        remove_all(files);
         return {true, {}, {}};
       }
-      if (!any_goes_on(journals, "")) throw RunRefused(why + "; --force replaces it");
-      if (!there || !any_goes_on(journals, there->text()))
-        throw RunRefused(why + ", and was put there after the journals beside it were begun; " +
+      if (!any_goes_on(found, "")) throw RunRefused(why + "; --force replaces it");
+      if (!there || !any_goes_on(found, there->text()))
+        throw RunRefused(why + ", and was put there after the parts beside it were begun; " +
                          "move it away, and --resume goes on");
       // --force has begun this, and was stopped.
-      settings_.tell(why + "; the journals beside it are gone on with, and then it is replaced");
+      settings_.tell(why + "; the parts beside it are gone on with, and then it is replaced");
     }
-    if (!journals.empty() && !settings_.resume)
+    if (!journals.empty())
       throw RunRefused(journals.front() +
+                       " was left by an older tribocheck, and this one reads no journals; that one "
+                       "goes on with it, --force throws it away");
+    if (!found.empty() && !settings_.resume)
+      throw RunRefused(found.front() +
                        " is there, of a sweep that was stopped; --resume goes on "
                        "with it, --force throws it away");
-    Start start = from_journals(journals);
+    Start start = from_parts(found);
     start.replaceable.only = there;
     return start;
+  }
+
+  // Why the file at the output is not what this run makes; empty if it is.
+  std::string why_not_it() const {
+    return settings_.shard ? of_shard(settings_.result) : of_result(settings_.result);
+  }
+
+  // Why a part is not gone on with; empty if it is.
+  std::string refusal(const Part& part) const {
+    std::string why = difference(header_, part.header(), settings_.mixed_fma);
+    if (why.empty() && settings_.shard && !is_of_shard(part, *settings_.shard))
+      why = "is of another shard; --force throws it away";
+    return why;
   }
 
  private:
   std::string of_result(const std::string& path) const {
     try {
       const ResultIdentity identity = ResultFile(path).identity();
-      const std::string why = difference(header_, identity.version, identity.digest,
-                                         identity.arithmetic, settings_.mixed_fma);
+      if (identity.version != plan_.version)
+        return path + " was computed by tribocheck " + identity.version + ", this is " +
+               plan_.version;
+      PartHeader theirs = header_;
+      theirs.arithmetic = identity.arithmetic;
+      if (identity.digest != plan_.digest) theirs.digest.clear();
+      const std::string why = difference(header_, theirs, settings_.mixed_fma);
       return why.empty() ? why : path + ' ' + why;
     } catch (const std::runtime_error& error) {
       return error.what();
@@ -175,25 +175,27 @@ class Starter {
 
   std::string of_shard(const std::string& path) const {
     try {
-      const JournalReader reader(path);
-      std::string why = difference(header_, reader, settings_.mixed_fma);
+      const Part part(path);
+      std::string why = difference(header_, part.header(), settings_.mixed_fma);
       if (!why.empty()) return path + ' ' + why;
-      if (!is_of_shard(reader, *settings_.shard)) return path + " is another shard";
+      if (!is_of_shard(part, *settings_.shard)) return path + " is another shard";
       std::vector<bool> there(plan_.chunks());
-      note(reader, there);
-      return wanted(there).empty() ? "" : path + " is another shard, or not the whole of this one";
+      note(part, there);
+      const std::vector<bool> parts = parts_in(there);
+      return std::find(parts.begin(), parts.end(), false) == parts.end()
+                 ? ""
+                 : path + " is another shard, or not the whole of this one";
     } catch (const std::runtime_error& error) {
       return error.what();
     }
   }
 
-  // Is there a journal of this very run? replaces: and may it replace this file; empty: any.
-  bool any_goes_on(const std::vector<std::string>& journals, const std::string& replaces) const {
-    return std::any_of(journals.begin(), journals.end(), [&](const std::string& path) {
+  // Is there a part of this very run? replaces: and may it replace this file; empty: any.
+  bool any_goes_on(const std::vector<std::string>& paths, const std::string& replaces) const {
+    return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
       try {
-        const JournalReader reader(path, settings_.stopped);
-        return refusal(reader).empty() &&
-               (replaces.empty() || reader.header().replaces == replaces);
+        const Part part(path, settings_.stopped);
+        return refusal(part).empty() && (replaces.empty() || part.header().replaces == replaces);
       } catch (const Stopped&) {
         throw;
       } catch (const std::runtime_error&) {
@@ -202,83 +204,76 @@ class Starter {
     });
   }
 
-  // Why a journal is not gone on with; empty if it is.
-  std::string refusal(const JournalReader& reader) const {
-    std::string why = difference(header_, reader, settings_.mixed_fma);
-    if (why.empty() && settings_.shard && !is_of_shard(reader, *settings_.shard))
-      why = "is of another shard; --force throws it away";
-    return why;
-  }
-
-  Start from_journals(const std::vector<std::string>& journals) {
+  Start from_parts(const std::vector<std::string>& paths) {
     std::vector<bool> there(plan_.chunks());
-    for (const JournalReader& reader : readable(journals, settings_)) {
-      if (const std::string why = refusal(reader); !why.empty())
-        throw RunRefused(reader.path() + ' ' + why);
-      if (reader.lost_bytes() > 0)
-        settings_.tell(reader.path() + ": " + std::to_string(reader.lost_bytes()) +
-                       " bytes are no whole record, and are computed anew");
-      note(reader, there);
+    for (const Part& part : readable(paths, settings_, settings_.stopped)) {
+      if (const std::string why = refusal(part); !why.empty())
+        throw RunRefused(part.path() + ' ' + why);
+      note(part, there);
     }
-    check_room(plan_, threads_, settings_.result, journals);
+    check_room(plan_, threads_, settings_.result, paths);
     const auto found = std::count(there.begin(), there.end(), true);
-    Start start{false, wanted(there), {}};
-    if (settings_.resume)
+    std::size_t all = 0;
+    for (const ChunkList& part : parts_) all += part.size();
+    if (settings_.resume && (found > 0 || !settings_.join))
       settings_.tell(found == 0 ? "nothing to go on with; starting anew"
                                 : "going on: " + std::to_string(found) + " of " +
-                                      std::to_string(static_cast<std::uint64_t>(found) +
-                                                     start.pending.size()) +
-                                      " chunks are there");
-    return start;
+                                      std::to_string(all) + " chunks are there");
+    return {false, parts_in(there), {}};
   }
 
-  static void note(const JournalReader& reader, std::vector<bool>& there) {
-    for (const JournalReader::Record& record : reader.records())
+  static void note(const Part& part, std::vector<bool>& there) {
+    for (const Part::Record& record : part.records())
       if (record.chunk < there.size()) there[record.chunk] = true;
   }
 
-  // Without those that are there.
-  std::vector<std::uint64_t> wanted(const std::vector<bool>& there) const {
-    std::vector<std::uint64_t> pending;
-    for (std::uint64_t chunk = 0; chunk < plan_.chunks(); ++chunk) {
-      if (settings_.shard && !settings_.shard->has(chunk)) continue;
-      if (there.empty() || !there[chunk]) pending.push_back(chunk);
-    }
-    return pending;
+  // The parts of this run whose chunks are all there.
+  std::vector<bool> parts_in(const std::vector<bool>& there) const {
+    std::vector<bool> whole;
+    for (const ChunkList& part : parts_)
+      whole.push_back(
+          std::all_of(part.begin(), part.end(), [&](std::uint64_t chunk) { return there[chunk]; }));
+    return whole;
   }
 
   const SweepPlan& plan_;
   const RunSettings& settings_;
-  const JournalHeader& header_;
+  const PartHeader& header_;
+  const std::vector<ChunkList>& parts_;
   int threads_;
 };
 
-// --- The end: from journals to one file.
+// --- The end: from parts to one file.
 
-// A shard is a journal with its chunks in order.
-void write_shard(const std::string& path, const Shard& shard, const JournalSet& chunks,
-                 const std::function<void(std::uint64_t)>& told, const Replaceable& replaceable) {
+// A shard is a part with all its chunks.
+void write_shard(const std::string& path, PartHeader header, const ChunkList& chunks,
+                 const PartSet& parts, const std::function<void(std::uint64_t)>& told,
+                 const Replaceable& replaceable) {
+  PartFile file(path, is_start_of_part);
+  // A shard without chunks is of the arithmetic of the process that writes it.
+  if (parts.count() > 0) header.arithmetic = parts.arithmetics();
+  header.replaces.clear();
+  PartContent content{chunks, 0, {}};
+  for (const std::uint64_t chunk : chunks) content.bytes += parts.size_of(chunk);
+  std::uint64_t written = 0;
+  content.read = [&](std::uint64_t chunk) {
+    told(++written);
+    return parts.read(chunk);
+  };
+  write_part(path, file, header, content, replaceable);
+}
+
+// The thread that computes, beside the one that shows progress.
+std::future<void> started_thread(std::function<void()> work) {
   try {
-    PartFile part(path, is_start_of_journal);
-    JournalHeader header = chunks.header();
-    // A shard without chunks is of the arithmetic of the process that writes it.
-    if (chunks.count() > 0) header.arithmetic = chunks.arithmetics();
-    header.replaces.clear();
-    Journal journal =
-        Journal::begin(Descriptor(::fcntl(part.file(), F_DUPFD_CLOEXEC, 0)), part.path(), header);
-    std::uint64_t written = 0;
-    for (std::uint64_t chunk = 0; chunk < chunks.chunks(); ++chunk) {
-      if (!shard.has(chunk)) continue;
-      journal.append(chunk, chunks.read(chunk));
-      told(++written);
-    }
-    part.keep(replaceable);
-  } catch (const Stopped&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw std::runtime_error("cannot write " + path + ": " + error.what());
+    return std::async(std::launch::async, std::move(work));
+  } catch (const std::system_error& error) {
+    throw std::runtime_error("the system starts no thread (" + error.code().message() +
+                             "); allowed: a higher limit of processes, as by ulimit -u");
   }
 }
+
+constexpr std::chrono::milliseconds moment{50};
 
 class Run {
   using Clock = std::chrono::steady_clock;
@@ -289,16 +284,27 @@ class Run {
         settings_(std::move(settings)),
         ranks_(ranks),
         header_(header_of(plan)),
-        threads_(settings_.threads > 0 || ranks.count() == 1 ? settings_.threads : 1) {}
+        threads_(settings_.threads > 0 || ranks.count() == 1 ? settings_.threads : 1),
+        chunks_(chunks_of(plan, settings_.shard)),
+        parts_(cut_in_parts(plan, chunks_)) {
+    settings_.resume = settings_.resume || settings_.join;
+  }
 
   RunEnd run() {
     agree_on_plan();
-    Start start = start_on_first();
-    if (!start.complete) compute_all(std::move(start.pending));
-    if (ranks_.rank() > 0) return RunEnd::done;
-    if (!start.complete && finish(start.replaceable) == RunEnd::stopped) return RunEnd::stopped;
-    if (settings_.finished) settings_.finished(std::move(written_));
-    return RunEnd::done;
+    for (;;) {
+      Start start = start_on_first();
+      if (!start.complete) together([&] { compute_missing(start.there); });
+      if (ranks_.rank() > 0) return RunEnd::done;
+      if (!lock_) {
+        if (is_stopped()) return stopped_helping();
+        std::this_thread::sleep_for(moment);
+        continue;  // until the owner has put its result there, or has given up
+      }
+      if (!start.complete && finish(start) == RunEnd::stopped) return RunEnd::stopped;
+      if (settings_.finished) settings_.finished(std::move(written_));
+      return RunEnd::done;
+    }
   }
 
  private:
@@ -320,6 +326,8 @@ class Run {
     const std::string mine = header_.digest + ' ' + header_.arithmetic;
     const std::string first = ranks_.from_first(mine);
     together([&] {
+      if (settings_.join && ranks_.count() > 1)
+        throw RunRefused("--join is for processes without mpirun, whose ranks help each other");
       if (first == mine) return;
       throw RunRefused("rank " + std::to_string(ranks_.rank()) +
                        " reads other files than rank 0, or computes with another arithmetic (" +
@@ -327,128 +335,195 @@ class Run {
     });
   }
 
+  Starter starter() const { return {plan_, settings_, header_, parts_, threads_}; }
+
   Start start_on_first() {
     Start start;
     together([&] {
       if (ranks_.rank() != 0) return;
       settings_.result = output_behind_links(settings_.result);
-      lock_.emplace(settings_.result);
-      start = Starter(plan_, settings_, header_, threads_).start();
+      before_ = FilePlace(settings_.result).identity();
+      if (!settings_.join) lock_.emplace(settings_.result);
+      if (settings_.join) lock_ = OutputLock::take(settings_.result, ".lock");
+      if (!lock_) return start_helping(start);
+      start = starter().start();
       if (!start.complete) {
         if (settings_.shard)
-          static_cast<void>(FilePlace(settings_.result, ".part").open_ours(is_start_of_journal));
+          static_cast<void>(FilePlace(settings_.result, ".part").open_ours(is_start_of_part));
         else
           check_place_of_result(settings_.result);
       }
       if (start.replaceable.only) header_.replaces = start.replaceable.only->text();
     });
     settings_.result = ranks_.from_first(settings_.result);
+    header_.replaces = ranks_.from_first(header_.replaces);
     start.complete = ranks_.from_first(start.complete ? "complete" : "") == "complete";
+    std::string there;
+    for (const bool is_there : start.there) there += is_there ? '1' : '0';
+    start.there.clear();
+    for (const char mark : ranks_.from_first(there)) start.there.push_back(mark == '1');
     return start;
   }
 
-  void compute_all(std::vector<std::uint64_t> pending) {
-    std::optional<Journal> journal;
-    together([&] { journal.emplace(open_journal()); });
-    const std::uint64_t total = pending.size();
-    ChunkQueue queue(std::move(pending));
-    std::atomic<std::uint64_t> computed = 0;
+  // Where another process owns the output: its parts are of this sweep, as far as there are any.
+  void start_helping(Start& start) const {
+    for (const std::string& path : parts_of(settings_.result)) {
+      std::optional<Part> part;
+      try {
+        part.emplace(path);
+      } catch (const std::runtime_error&) {  // the owner looks after it, or has just removed it
+        continue;
+      }
+      if (const std::string why = starter().refusal(*part); !why.empty())
+        throw RunRefused(path + ' ' + why);
+      break;
+    }
+    // The only part of a short sweep is its owner's.
+    start.there.assign(parts_.size(), parts_.size() == 1);
+  }
+
+  RunEnd stopped_helping() {
+    settings_.tell("stopped: parts that are computed are kept beside " + settings_.result +
+                   ", and other processes go on");
+    return RunEnd::stopped;
+  }
+
+  // The sweep is over for a helper when the owner has put its result there.
+  bool is_over() const {
+    return settings_.join && FilePlace(settings_.result).identity() != before_;
+  }
+
+  // A sweep of one part, of which nothing is there, writes its result at once.
+  bool is_at_once(const std::vector<bool>& there) const {
+    return parts_.size() == 1 && !there.front() &&
+           !FilePlace(path_of_part(settings_.result, parts_.front())).status();
+  }
+
+  void compute_missing(std::vector<bool> there) {
+    PartsInHand::Settings hand{settings_.result, header_, 0, is_at_once(there),
+                               [this] { return is_over(); }};
+    if (hand.in_memory && ranks_.rank() > 0) return;
+    if (settings_.join) hand.begin = place_of_process(parts_.size());
+    if (ranks_.count() > 1)
+      hand.begin = parts_.size() * static_cast<std::size_t>(ranks_.rank()) /
+                   static_cast<std::size_t>(ranks_.count());
+    const FilePlace place(settings_.result);
+    PartsInHand parts(std::move(hand), parts_, there);
     std::atomic<bool> is_lost = false;
     int started = 0;
-    together([&] {
-      const bool good = ranks_.share(
-          queue,
-          [&](const NextChunk& next) {
-            started = compute(
-                plan_, threads_, next,
-                [&](const Chunk& chunk) {
-                  journal->append(chunk.number, chunk.bytes());
-                  ++computed;
-                },
-                [&] { return is_lost || is_stopped(); });
-          },
-          [&](std::uint64_t elsewhere) {
-            if (ranks_.rank() == 0 && settings_.progress)
-              settings_.progress({RunProgress::Phase::computing, total, computed + elsewhere});
-          },
-          [&] {
-            // Where the output's folder is gone, nobody waits for what cannot be written.
-            is_lost = ranks_.rank() == 0 && !(lock_->holds() && journal->is_there());
-            return is_lost || is_stopped();
-          });
-      journal->sync();
-      if (!good) throw OtherRankFailed();
+    const auto ends = [&] { return is_lost || is_stopped(); };
+    const std::uint64_t first_there = parts.chunks_there();
+    std::future<void> worker = started_thread([&] {
+      while (!ends() && !parts.is_done()) {
+        if (!parts.has_work()) {  // what is left is in the hands of others
+          std::this_thread::sleep_for(moment);
+          continue;
+        }
+        const int now = compute(
+            plan_, threads_, [&] { return parts.next(); },
+            [&](const Chunk& chunk) { parts.keep(chunk.number, chunk.bytes()); }, ends);
+        started = std::max(started, now);
+      }
     });
-    if (const int asked = thread_count(threads_); started < asked)
+    while (worker.wait_for(moment) != std::future_status::ready) {
+      // Where the output's folder is gone, nobody waits for what cannot be written.
+      is_lost = !(place.is_folder_at_its_path() && (!lock_ || lock_->holds()));
+      if (ranks_.rank() == 0 && settings_.progress)
+        settings_.progress({RunProgress::Phase::computing, chunks_.size() - first_there,
+                            parts.chunks_there() - first_there});
+    }
+    try {
+      worker.get();
+    } catch (...) {
+      if (lock_) check_lock();  // says more than a write that failed for it
+      throw;
+    }
+    if (!lock_ && is_lost)
+      throw std::runtime_error("the folder of " + settings_.result + " is gone");
+    if (const int asked = thread_count(threads_); started > 0 && started < asked)
       settings_.tell("the system allows " + std::to_string(started) + " of the " +
                      std::to_string(asked) + " threads, and these have computed it");
+    in_memory_ = parts.take_memory();
   }
 
+  bool is_all_in_memory() const {
+    return !in_memory_.empty() && in_memory_.size() == chunks_.size();
+  }
   bool is_stopped() const { return settings_.stopped && settings_.stopped(); }
-
-  // A journal that was begun with another arithmetic stays as it is: a journal has one arithmetic.
-  Journal open_journal() const {
-    for (int number = ranks_.rank();; number += ranks_.count()) {
-      const std::string path = journal_of(settings_.result, number);
-      if (!fs::exists(path)) return Journal::create(path, header_);
-      if (JournalReader(path, settings_.stopped).header().arithmetic == header_.arithmetic)
-        return Journal::resume(path);
-    }
-  }
 
   // Where the lock or the folder is gone, no result is made, and nobody is told to go on there.
   void check_lock() const { lock_->check(); }
 
-  RunEnd finish(const Replaceable& replaceable) {
-    check_lock();
-    const std::vector<std::string> paths = journals_of(settings_.result);
-    if (paths.empty())
-      throw std::runtime_error("the journals of " + settings_.result +
-                               " were removed while it was computed; start it again");
-    RunSettings patient = settings_;  // to count what is kept, for a moment
-    patient.stopped = [this, end = Clock::now() + std::chrono::milliseconds(500)] {
+  // The chunks that are computed, of which whole parts alone are kept.
+  PartSet gathered() {
+    std::vector<Part> parts;
+    if (is_all_in_memory()) parts.emplace_back(header_, std::move(in_memory_));
+    // To count what is kept, for a moment.
+    const auto patient = [this, end = Clock::now() + std::chrono::milliseconds(500)] {
       return is_stopped() && Clock::now() > end;
     };
-    std::vector<JournalReader> readers = readable(paths, patient);
-    for (const JournalReader& reader : readers)
-      if (const std::string why = difference(header_, reader, settings_.mixed_fma); !why.empty())
-        throw std::runtime_error(reader.path() + ' ' + why +
+    for (Part& part : readable(parts_of(settings_.result), settings_, patient)) {
+      if (const std::string why = difference(header_, part.header(), settings_.mixed_fma);
+          !why.empty())
+        throw std::runtime_error(part.path() + ' ' + why +
                                  "; another process has put it there, and nothing is written");
-    const JournalSet chunks(std::move(readers), plan_.chunks(), settings_.mixed_fma);
-    std::uint64_t missing = 0;
-    for (std::uint64_t chunk = 0; chunk < plan_.chunks(); ++chunk)
-      if ((!settings_.shard || settings_.shard->has(chunk)) && !chunks.has(chunk)) ++missing;
-    const std::string kept =
-        std::to_string(chunks.count()) + " chunks are kept beside " + settings_.result;
-    if (missing > 0) {
-      settings_.tell("stopped: " + kept + ", and " + std::to_string(missing) +
-                     " are still to be computed; --resume goes on");
-      return RunEnd::stopped;
+      parts.push_back(std::move(part));
     }
+    return {std::move(parts), plan_.chunks(), settings_.mixed_fma};
+  }
+
+  RunEnd finish(const Start& start) {
+    constexpr int most_rounds = 3;
+    for (int round = 1;; ++round) {
+      check_lock();
+      if (is_over() && starter().why_not_it().empty()) return RunEnd::done;
+      const bool is_at_once = is_all_in_memory();
+      const PartSet parts = gathered();
+      const auto missing = std::count_if(chunks_.begin(), chunks_.end(),
+                                         [&](std::uint64_t chunk) { return !parts.has(chunk); });
+      const std::string kept = std::to_string(is_at_once ? 0 : parts.count()) +
+                               " chunks are kept beside " + settings_.result;
+      if (missing > 0 && (is_stopped() || round == most_rounds)) {
+        settings_.tell("stopped: " + kept + ", and " + std::to_string(missing) +
+                       " are still to be computed; --resume goes on");
+        return RunEnd::stopped;
+      }
+      if (missing == 0) return write_and_clean(parts, start.replaceable, is_at_once ? "" : kept);
+      compute_missing(std::vector<bool>(parts_.size()));  // what was removed or damaged meanwhile
+    }
+  }
+
+  // kept: what can be told of parts on the disk; empty: there are none.
+  RunEnd write_and_clean(const PartSet& parts, const Replaceable& replaceable,
+                         const std::string& kept) {
     check_lock();
     try {
-      write(chunks, replaceable);
+      write(parts, replaceable);
     } catch (const Stopped&) {
-      settings_.tell("stopped: all " + kept + "; --resume writes the result");
+      settings_.tell(kept.empty() ? "stopped: nothing is kept of so short a sweep; --resume goes on"
+                                  : "stopped: all " + kept + "; --resume writes the result");
       return RunEnd::stopped;
     } catch (const std::exception& error) {
+      // On a file system without locks another owner may have been faster.
+      if (settings_.join && starter().why_not_it().empty()) return RunEnd::done;
+      if (kept.empty()) throw;
       throw std::runtime_error(std::string(error.what()) + "; all " + kept +
                                ", and --resume writes the result once this is mended");
     }
-    for (const std::string& path : paths) remove_or_tell(path);
+    for (const std::string& path : files_of_parts(settings_.result)) remove_or_tell(path);
     return RunEnd::done;
   }
 
-  void write(const JournalSet& chunks, const Replaceable& replaceable) {
+  void write(const PartSet& parts, const Replaceable& replaceable) {
     const auto told = [&](std::uint64_t written) {
       if (is_stopped()) throw Stopped();
       if (settings_.progress)
-        settings_.progress({RunProgress::Phase::writing, chunks.count(), written});
+        settings_.progress({RunProgress::Phase::writing, parts.count(), written});
     };
     if (settings_.shard)
-      write_shard(settings_.result, *settings_.shard, chunks, told, replaceable);
+      write_shard(settings_.result, header_, chunks_, parts, told, replaceable);
     else
-      written_ = write_result(settings_.result, plan_, chunks, told, replaceable);
+      written_ = write_result(settings_.result, plan_, parts, told, replaceable, settings_.join);
   }
 
   void remove_or_tell(const std::string& path) const {
@@ -462,13 +537,17 @@ class Run {
   const SweepPlan& plan_;
   RunSettings settings_;
   const Ranks& ranks_;
-  JournalHeader header_;
+  PartHeader header_;
   int threads_;
-  std::optional<OutputLock> lock_;     // of rank 0
-  std::optional<Descriptor> written_;  // the result, where this process has written it
+  ChunkList chunks_;              // of this run
+  std::vector<ChunkList> parts_;  // into which they are cut
+  ChunksInMemory in_memory_;
+  std::optional<FileIdentity> before_;  // the file at the output when this process began
+  std::optional<OutputLock> lock_;      // of rank 0, if it does not help another process
+  std::optional<Descriptor> written_;   // the result, where this process has written it
 };
 
-SweepPlan plan_of(const JournalHeader& header) {
+SweepPlan plan_of(const PartHeader& header) {
   std::vector<SceneSweep> scenes;
   for (const auto& [name, text] : header.files) {
     SweepReading reading = parse_sweep(text, name);
@@ -479,33 +558,33 @@ SweepPlan plan_of(const JournalHeader& header) {
 }
 
 void check_is_no_input(const std::string& output, const std::vector<std::string>& shards) {
-  const std::vector<std::string> journals = journals_of(output);
+  const std::vector<std::string> parts = parts_of(output);
   std::error_code none;
   for (const std::string& shard : shards) {
     if (fs::equivalent(shard, output, none))
       throw RunRefused("-o " + output + " is one of the shards; allowed: another file");
-    for (const std::string& journal : journals)
-      if (fs::equivalent(shard, journal, none))
-        throw RunRefused(shard + " is the journal of " + output +
+    for (const std::string& part : parts)
+      if (fs::equivalent(shard, part, none))
+        throw RunRefused(shard + " is a part of " + output +
                          " itself; allowed: another file for -o");
   }
 }
 
 RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSettings& settings,
-                        const std::vector<std::string>& journals, const Replaceable& replaceable) {
-  std::optional<JournalSet> chunks;
+                        const std::vector<std::string>& files, const Replaceable& replaceable) {
+  std::optional<PartSet> chunks;
   std::optional<SweepPlan> plan;
   try {
-    std::vector<JournalReader> readers;
-    for (const std::string& shard : shards) readers.emplace_back(shard, settings.stopped);
-    const JournalHeader& header = readers.front().header();
-    if (header.version != version)
+    std::vector<Part> parts;
+    for (const std::string& shard : shards) parts.emplace_back(shard, settings.stopped);
+    const PartHeader& header = parts.front().header();
+    if (header.numbers != numbers_version)
       throw RunRefused(shards.front() + " was computed by tribocheck " + header.version +
-                       ", this is " + std::string(version));
+                       ", whose numbers are not those of " + std::string(version));
     plan = plan_of(header);
-    if (plan->digest != header.digest)
+    if (plan->part_digest != header.digest)
       throw RunRefused(shards.front() + " is of a sweep that this tribocheck lays out otherwise");
-    chunks.emplace(std::move(readers), plan->chunks(), settings.mixed_fma);
+    chunks.emplace(std::move(parts), plan->chunks(), settings.mixed_fma);
   } catch (const Stopped&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -522,18 +601,12 @@ RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSetting
       settings.progress({RunProgress::Phase::writing, chunks->chunks(), written});
   };
   Descriptor written = write_result(settings.result, *plan, *chunks, told, replaceable);
-  remove_all(journals);
+  remove_all(files);
   if (settings.finished) settings.finished(std::move(written));
   return RunEnd::done;
 }
 
 }  // namespace
-
-JournalHeader header_of(const SweepPlan& plan) {
-  JournalHeader header{plan.version, plan.digest, std::string(arithmetic()), {}};
-  for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
-  return header;
-}
 
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks) {
   if (!settings.tell) settings.tell = [](std::string_view) {};
@@ -555,12 +628,15 @@ RunEnd merge(const std::vector<std::string>& shards, RunSettings settings) {
   const Replaceable replaceable{settings.force, FilePlace(settings.result).identity()};
   if (replaceable.only && !settings.force)
     throw RunRefused(settings.result + " is there already; --force replaces it");
-  const std::vector<std::string> journals = journals_of(settings.result);
-  if (!journals.empty() && !settings.force)
-    throw RunRefused(journals.front() +
+  std::vector<std::string> parts = parts_of(settings.result),
+                           files = files_of_parts(settings.result);
+  for (const std::string& journal : journals_of(settings.result))
+    for (std::vector<std::string>* const list : {&parts, &files}) list->push_back(journal);
+  if (!parts.empty() && !settings.force)
+    throw RunRefused(parts.front() +
                      " is there, of a sweep that was stopped; --force throws it away");
   try {
-    return merge_under_lock(shards, settings, journals, replaceable);
+    return merge_under_lock(shards, settings, files, replaceable);
   } catch (const Stopped&) {
     settings.tell("stopped: nothing is written, and the shards are as they were");
     return RunEnd::stopped;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep from its plan to its result: threads, ranks, journals, going on after a stop.
+// A sweep from its plan to its result: threads, ranks, helpers, going on after a stop.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sweep/journal.hpp"
-#include "sweep/output_lock.hpp"
+#include "sweep/disk.hpp"
+#include "sweep/output_file.hpp"
 #include "sweep/plan.hpp"
 #include "sweep/ranks.hpp"
 
@@ -33,8 +33,9 @@ struct RunSettings {
   std::string result;  // path of the HDF5 file, or of the shard
   int threads = 0;     // of each rank; 0: as many as the machine has, 1 under mpirun
   std::optional<Shard> shard;
-  bool resume = false;     // go on with journals that are there
-  bool force = false;      // throw away journals and the result that are there
+  bool resume = false;     // go on with parts that are there
+  bool join = false;       // likewise, and help where another process owns the output
+  bool force = false;      // throw away parts and the result that are there
   bool mixed_fma = false;  // go on with those of another arithmetic
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
@@ -52,14 +53,12 @@ struct OtherRankFailed : std::runtime_error {
 enum class RunEnd : std::uint8_t { done, stopped };
 
 // Every rank calls it with the same plan and settings; rank 0 holds the output's lock and writes
-// the result. Throws RunRefused, OtherRankFailed, and std::runtime_error where it fails; computed
-// chunks stay in journals then.
+// the result, or, with `join`, helps whoever does. Throws RunRefused, OtherRankFailed, and
+// std::runtime_error where it fails; computed parts stay then.
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks);
 
 // Puts shards together: the result is that of an undivided run, to the bit. Throws RunRefused where
 // they do not make a whole.
 RunEnd merge(const std::vector<std::string>& shards, RunSettings settings);
-
-JournalHeader header_of(const SweepPlan& plan);
 
 }  // namespace tribo::sweep

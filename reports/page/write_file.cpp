@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "protocol/text_streams.hpp"
-#include "sweep/output_lock.hpp"
+#include "sweep/output_file.hpp"
 
 namespace tribo::report {
 namespace {

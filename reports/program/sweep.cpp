@@ -21,8 +21,8 @@
 #include "page/sweep_tables.hpp"
 #include "scene/schema.hpp"
 #include "stop_signal.hpp"
-#include "sweep/journal.hpp"
 #include "sweep/on_threads.hpp"
+#include "sweep/part.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
@@ -38,7 +38,8 @@ struct SweepArguments {
   std::string out, shard, pictures;
   std::string format = "table";
   int threads = 0;
-  bool resume = false, force = false, without_fma = false, mixed_fma = false, estimate = false;
+  bool resume = false, join = false, force = false, without_fma = false, mixed_fma = false,
+       estimate = false;
   bool cases = false;
 };
 
@@ -101,9 +102,9 @@ void write_result(const sweep::SweepResult& result, const std::string& format, T
   }
 }
 
-bool is_shard_or_journal(const std::string& path) {
+bool is_shard_or_part(const std::string& path) {
   try {
-    const sweep::JournalReader reader(path);
+    const sweep::Part part(path);
     return true;
   } catch (const std::runtime_error&) {
     return false;
@@ -176,6 +177,7 @@ sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& p
   settings.threads = arguments.threads;
   if (!arguments.shard.empty()) settings.shard = shard_of(arguments.shard);
   settings.resume = arguments.resume;
+  settings.join = arguments.join;
   settings.force = arguments.force;
   settings.mixed_fma = arguments.mixed_fma;
   settings.progress = [&progress](const sweep::RunProgress& now) { progress.show(now); };
@@ -306,11 +308,11 @@ int show_results(const SweepArguments& arguments, OutputStream& output) {
     } catch (const OutputFailed&) {
       throw;
     } catch (const std::runtime_error& unreadable) {
-      if (!is_shard_or_journal(path)) throw std::invalid_argument(unreadable.what());
+      if (!is_shard_or_part(path)) throw std::invalid_argument(unreadable.what());
       throw std::invalid_argument(
           path +
-          ": this is a shard or journal of a sweep; make a result of it first: of all shards by "
-          "`tribocheck sweep merge`, of a journal by `tribocheck sweep --resume`");
+          ": this is a shard or part of a sweep; make a result of it first: of all shards by "
+          "`tribocheck sweep merge`, of parts by `tribocheck sweep --resume`");
     }
   });
 }
@@ -328,10 +330,12 @@ constexpr const char* footer_start =
 and, if anything is not as it should be, a table [sweep] with
 )";
 constexpr const char* footer_end =
-    R"(Completed chunks go to OUT.journal-0 (of other ranks -1, …) at once: after a crash or Ctrl-C --resume
+    R"(A sweep of more than some seconds goes to OUT.part-F-L, part by part: after a crash or Ctrl-C --resume
 goes on there, and ends in the same file to the bit. The same for any number of threads and ranks:
   mpirun -n 4 tribocheck sweep SWEEP.toml -o SWEEP.h5
-and, without MPI, for shards, which any machine may compute, and which are then merged.
+without MPI, for any number of processes, begun on any machines that see the file at any time:
+  tribocheck sweep SWEEP.toml -o SWEEP.h5 --join
+and for shards, which any machine may compute, and which are then merged.
 Exit code 0: done; 1: failed, or a film was not solved, and what is computed is kept; 2: bad usage or
 input; 130: stopped by Ctrl-C.
 
@@ -384,9 +388,14 @@ Command add_sweep(CLI::App& program) {
                 "only say how many points, how long, how much memory and how large a file");
   CLI::Option* const resume =
       app->add_flag("--resume", arguments->resume, "go on with what a stopped run has left");
-  app->add_flag("--force", arguments->force,
-                "throw away journals that are there, and replace a result by the new one")
-      ->excludes(resume);
+  CLI::Option* const force =
+      app->add_flag("--force", arguments->force,
+                    "throw away parts that are there, and replace a result by the new one")
+          ->excludes(resume);
+  app->add_flag("--join", arguments->join,
+                "help processes that compute the same result, or begin it")
+      ->excludes(resume)
+      ->excludes(force);
   app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
   app->add_flag("--without-fma", arguments->without_fma,
                 "compute as a processor without fused multiply-add does, to the last digit");
@@ -418,7 +427,7 @@ Command add_sweep(CLI::App& program) {
             return run_sweep(*arguments, output);
           },
           [arguments]() -> std::vector<Ignored> {
-            return {{{"--out", "--format", "--pictures", "--shard", "--resume", "--force",
+            return {{{"--out", "--format", "--pictures", "--shard", "--resume", "--join", "--force",
                       "--mixed-fma"},
                      arguments->estimate,
                      "with --estimate, which writes nothing"},

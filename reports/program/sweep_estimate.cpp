@@ -36,8 +36,8 @@ void append_estimate(Text& to, const sweep::SweepPlan& plan, int threads) {
   append(to, fmt::format("time   {} on {} {}\n", time_text(needs.seconds), count,
                          count == 1 ? "thread" : "threads"));
   append(to, fmt::format("memory {}\n", sweep::bytes_text(needs.memory)));
-  append(to, fmt::format("file   {}, and a journal of {} until it is done\n",
-                         sweep::bytes_text(needs.file), sweep::bytes_text(needs.journal)));
+  append(to, fmt::format("file   {}, and parts of {} until it is done\n",
+                         sweep::bytes_text(needs.file), sweep::bytes_text(needs.parts)));
 }
 
 }  // namespace tribo::cli

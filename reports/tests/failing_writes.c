@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Preloaded into the program by test_sweep_writes.py: has one call fail by which a file is changed, the
-   FAILING_CALL-th of those on files whose paths begin with FAILING_PATH, or all from that one on where
+   FAILING_CALL-th of those on files whose paths begin with FAILING_PATH (the name may have a dot in front), or all from that one on where
    FAILING_ON is set. Writes to FAILING_COUNT how many calls there were, and which failed
    last. */
 #define _GNU_SOURCE
@@ -19,7 +19,11 @@ static const char* failed = "none";
 
 static int has_watched_start(const char* path) {
   const char* const start = getenv("FAILING_PATH");
-  return start != NULL && strncmp(path, start, strlen(start)) == 0;
+  const char* const name = start == NULL ? NULL : strrchr(start, '/');
+  if (name == NULL || strncmp(path, start, (size_t)(name + 1 - start)) != 0) return 0;
+  path += name + 1 - start;
+  if (*path == '.') ++path;  /* a file that has not its name yet */
+  return strncmp(path, name + 1, strlen(name + 1)) == 0;
 }
 
 /* The path of an open file or folder; empty if it is not known. */

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps for the tests: their texts, their runs, and their results by h5py."""
 
+import ctypes
 import os
+import re
+import struct
+import subprocess
 import unittest
 
-from program import ENVIRONMENT, Folder, run
+from program import ENVIRONMENT, PROGRAM, Folder, run
 
 ONE_LINE = {"load": "50", "bodies.effective_modulus": "107.9e9", "bodies.reduced_radius": "9.5e-3",
             "surface.summit_density": "2e11", "surface.summit_radius": "1e-5",
@@ -30,6 +34,9 @@ def sweep(changes=None, **settings):
     return text + "[sweep]\n" + "".join(f"{k} = {v}\n" for k, v in settings.items())
 
 
+# Parts of some chunks each, so that short sweeps have several too: SHORT sweeps of ten chunks have three.
+ENVIRONMENT["TRIBOCHECK_PART_CHUNKS"] = "4"
+
 # Some tenths of a second of work, in many chunks.
 LONG = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
               "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
@@ -46,6 +53,10 @@ class SweepTest(unittest.TestCase):
 
     def names(self):
         return sorted(os.listdir(self.folder.name))
+
+    def parts(self, out="out.h5"):
+        """The names of the parts that are there."""
+        return [name for name in self.names() if re.fullmatch(re.escape(out) + r"\.part-\d+-\d+", name)]
 
     def bytes_of(self, name):
         with open(self.path(name), "rb") as file:
@@ -67,9 +78,30 @@ class SweepTest(unittest.TestCase):
             self.assertIn(word, result.err)
 
 
+XXHASH = ctypes.CDLL("libxxhash.so.0")
+XXHASH.XXH3_64bits.restype = ctypes.c_uint64
+XXHASH.XXH3_64bits.argtypes = [ctypes.c_char_p, ctypes.c_size_t]
+
+
+def sealed(content):
+    """With the checksum that a result and a part end in."""
+    return content + b"\x93TBSR1\r\n" + struct.pack("<QQ", len(content), XXHASH.XXH3_64bits(content, len(content)))
+
+
 def opened(path):
     import h5py  # not where it is not needed: a tenth of a second
     return h5py.File(path)
+
+
+def preloadable(name):
+    """The library of a C source beside this file."""
+    library = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), f"{name}.so")
+    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), f"{name}.c")
+    unfinished = f"{library}.{os.getpid()}"
+    subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Werror", "-U_FORTIFY_SOURCE", "-o", unfinished, source, "-ldl"],
+                   check=True)
+    os.rename(unfinished, library)
+    return library
 
 
 def mpirun(ranks):

@@ -259,7 +259,7 @@ class Files(BadInputTest):
         for command in [["solve"], ["curve"], ["onset"], ["sweep", "-o", self.folder.path("x.h5")]]:
             self.assert_refused(run(*command, result), f"{result}: this is an HDF5 file",
                                 "`tribocheck sweep show`")
-            self.assert_refused(run(*command, shard), f"{shard}: this is a shard or journal of a sweep",
+            self.assert_refused(run(*command, shard), f"{shard}: this is a shard or part of a sweep",
                                 "`tribocheck sweep merge`", "--resume")
         with open(result, "ab") as file:
             file.write(bytes(1 << 20))  # its kind is told before its size

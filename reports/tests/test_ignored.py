@@ -60,7 +60,7 @@ VALUES = {
     "--format": ["json"], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
     "--profile": [], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--out": ["DIR/other"],
-    "--estimate": [], "--resume": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
+    "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
     "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
     "--start-timeout": ["0.01", "--case-timeout", "0.01"], "--timeout": ["0.01"], "--require": ["operating_point"],
@@ -77,7 +77,8 @@ UNSEEN = {
     ("sweep merge", "--force"): "there is no result yet; test_sweep has one",
     ("init", "--force"): "there is no file yet; test_init has one",
     ("sweep", "--force"): "there is no result yet; test_sweep has one",
-    ("sweep", "--resume"): "there is no journal yet; test_sweep_faults has one",
+    ("sweep", "--resume"): "there are no parts yet; test_sweep_faults has some",
+    ("sweep", "--join"): "no other process computes it; test_sweep_join has some",
 }
 
 

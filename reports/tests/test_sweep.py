@@ -205,7 +205,7 @@ class Files(SweepTest):
         for part in ("1/1", "1/3", "2/3", "3/3"):
             self.swept(self.TEXT, "--shard", part, "--force", out="a.shard")
             self.assert_refused(run("sweep", "show", self.path("a.shard")),
-                                "a.shard: this is a shard or journal of a sweep; make a result of it first",
+                                "a.shard: this is a shard or part of a sweep; make a result of it first",
                                 "`tribocheck sweep merge`", "`tribocheck sweep --resume`")
 
     def test_several_scenes_share_one_file(self):
@@ -324,14 +324,14 @@ class Estimates(SweepTest):
     ]
 
     def estimate(self, text):
-        """In bytes: memory, file and journal; and the memory that it took itself."""
+        """In bytes: memory, file and parts; and the memory that it took itself."""
         path = self.folder.write("sweep.toml", text)
         process = start("sweep", path, "--estimate", stdout=subprocess.PIPE)
         said = process.stdout.read().decode()
         process.stdout.close()
         code, own = wait_for(process)
         self.assertEqual(code, 0)
-        found = re.findall(r"(memory|file +|journal of) ([0-9.e+]+) ([kMG])B", said)
+        found = re.findall(r"(memory|file +|parts of) ([0-9.e+]+) ([kMG])B", said)
         self.assertEqual(len(found), 3, said)
         units = {"k": 1e3, "M": 1e6, "G": 1e9}
         return [float(number) * units[unit] for _, number, unit in found], own * 2**20
@@ -339,7 +339,7 @@ class Estimates(SweepTest):
     def test_memory_and_files_are_what_a_sweep_takes_within_a_factor_of_one_and_a_half(self):
         for i, text in enumerate(self.SHAPES):
             with self.subTest(shape=i):
-                (memory, file, journal), _ = self.estimate(text)
+                (memory, file, parts), _ = self.estimate(text)
                 process = start("sweep", self.path("sweep.toml"), "-o", self.path("out.h5"), "--force",
                                 stdout=subprocess.DEVNULL)
                 code, taken = wait_for(process)
@@ -347,8 +347,8 @@ class Estimates(SweepTest):
                 self.swept(text, "--shard", "1/1", "--force", out="all.shard")
                 real = [taken * 2**20] + [os.path.getsize(self.path(name))
                                           for name in ("out.h5", "all.shard")]
-                ratios = [said / taken for said, taken in zip((memory, file, journal), real)]
-                print("estimated over real memory, file, journal: " +
+                ratios = [said / taken for said, taken in zip((memory, file, parts), real)]
+                print("estimated over real memory, file, parts: " +
                       ", ".join(f"{ratio:.2f}" for ratio in ratios), flush=True)
                 for ratio in ratios if not SANITIZED else ratios[1:]:
                     self.assertLess(ratio, 1.5)

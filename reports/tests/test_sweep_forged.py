@@ -3,7 +3,6 @@
 a line, or gives the numbers that h5dump shows, and no other file is read. TRIBOCHECK_FORGED asks for more of them
 than forty, TRIBOCHECK_FORGED_FIRST for another first one."""
 
-import ctypes
 import json
 import multiprocessing
 import os
@@ -15,7 +14,7 @@ import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run
-from sweeps import UNIFORM, SweepTest, sweep
+from sweeps import UNIFORM, SweepTest, sealed, sweep
 
 FORGED = int(os.environ.get("TRIBOCHECK_FORGED", 40))
 FIRST = int(os.environ.get("TRIBOCHECK_FORGED_FIRST", 0))
@@ -26,14 +25,6 @@ GOOD = {
     "summaries": sweep(SPEEDS, keep='"summaries"', draws=64),
     "sensitivity": sweep({**SPEEDS, "load": '{ printed = "50" }'}, sensitivity="true", draws=64),
 }
-MARK = b"\x93TBSR1\r\n"
-XXHASH = ctypes.CDLL("libxxhash.so.0")
-XXHASH.XXH3_64bits.restype = ctypes.c_uint64
-XXHASH.XXH3_64bits.argtypes = [ctypes.c_char_p, ctypes.c_size_t]
-
-
-def sealed(content):
-    return content + MARK + struct.pack("<QQ", len(content), XXHASH.XXH3_64bits(content, len(content)))
 
 
 # --- Forging with h5py: a function a kind, which may take any dataset or attribute.

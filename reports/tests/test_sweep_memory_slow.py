@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""sweep over a hundred million points of which summaries are kept: memory stays flat, and what the journal
-takes is printed. TRIBOCHECK_POINTS asks for another number."""
+"""sweep over a hundred million points of which summaries are kept: memory stays flat, and what the parts
+take is printed. TRIBOCHECK_POINTS asks for another number."""
 
 import os
 import subprocess
@@ -18,7 +18,7 @@ class LongSweep(SweepTest):
     def test_memory_is_flat(self):
         text = sweep({"speed": SPEED, "outputs": '["film"]'}, draws=POINTS, keep='"summaries"',
                      design='"monte_carlo"')
-        # A shard is a journal: merging it is what a run ends with.
+        # A shard is a part: merging it is what a run ends with.
         computed = self.memory_of("sweep", self.folder.write("long.toml", text), "--shard", "1/1",
                                   "-o", self.path("long.shard"))
         merged = self.memory_of("sweep", "merge", self.path("long.shard"), "-o", self.path("long.h5"))
@@ -27,7 +27,7 @@ class LongSweep(SweepTest):
         with opened(self.path("long.h5")) as file:
             self.assertEqual(file["smooth/summary/film/count"][0], POINTS)
         size = os.path.getsize(self.path("long.shard"))
-        print(f"{POINTS} points: {computed:.0f} MB, merged in {merged:.0f} MB; {size / 1e6:.1f} MB of journal, "
+        print(f"{POINTS} points: {computed:.0f} MB, merged in {merged:.0f} MB; {size / 1e6:.1f} MB of parts, "
               f"{size / POINTS:.2g} bytes a point", flush=True)
 
     def memory_of(self, *arguments):

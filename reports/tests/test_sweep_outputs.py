@@ -13,7 +13,7 @@ SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=500
 
 
 class Closed(SweepTest):
-    """A stream that is closed when the program starts is not opened again as its journal or its result."""
+    """A stream that is closed when the program starts is not opened again as its part or its result."""
 
     def run_without(self, streams, *arguments):
         def close():
@@ -27,7 +27,7 @@ class Closed(SweepTest):
         self.swept(SHORT, "--shard", "1/2", out="half.shard")
         for streams in ((0,), (1,), (2,), (1, 2), (0, 1, 2)):
             with self.subTest(closed=streams):
-                shutil.copy(self.path("half.shard"), self.path("out.h5.journal-0"))
+                shutil.copy(self.path("half.shard"), self.path("out.h5.part-0-8"))
                 done = self.run_without(streams, "sweep", self.path("sweep.toml"), "--resume", "-o",
                                         self.path("out.h5"))
                 # Results that cannot be told are a failure; the file is there all the same.
@@ -56,17 +56,17 @@ class Outputs(SweepTest):
         for out in ("all.shard", "./all.shard"):
             merged = run("sweep", "merge", self.path("all.shard"), "-o", self.path(out), "--force")
             self.assert_refused(merged, "all.shard")
-        os.rename(self.path("all.shard"), self.path("out.h5.journal-0"))
-        merged = run("sweep", "merge", self.path("out.h5.journal-0"), "-o", self.path("out.h5"),
+        os.rename(self.path("all.shard"), self.path("out.h5.part-0-9"))
+        merged = run("sweep", "merge", self.path("out.h5.part-0-9"), "-o", self.path("out.h5"),
                      "--force")
-        self.assert_refused(merged, "journal of", "another file")
-        self.assertEqual(self.bytes_of("out.h5.journal-0"), shard)
+        self.assert_refused(merged, "part of", "another file")
+        self.assertEqual(self.bytes_of("out.h5.part-0-9"), shard)
 
-    def test_a_merge_does_not_throw_away_a_stopped_sweeps_journals_unless_forced(self):
+    def test_a_merge_does_not_throw_away_a_stopped_sweeps_parts_unless_forced(self):
         self.swept(SHORT, "--shard", "1/1", out="all.shard")
-        self.swept(SHORT, "--shard", "1/2", out="out.h5.journal-0")
+        self.swept(SHORT, "--shard", "1/2", out="out.h5.part-0-8")
         merge = ["sweep", "merge", self.path("all.shard"), "-o", self.path("out.h5")]
-        self.assert_refused(run(*merge), "out.h5.journal-0", "--force")
+        self.assert_refused(run(*merge), "out.h5.part-0-8", "--force")
         self.assertEqual(run(*merge, "--force").code, 0)
         self.assertEqual(self.names(), ["all.shard", "out.h5", "sweep.toml"])
 
@@ -92,9 +92,9 @@ class Outputs(SweepTest):
         self.assert_refused(run("sweep", "show", self.path("fifo")), "fifo", "no regular file")
         merged = run("sweep", "merge", self.path("fifo"), "-o", self.path("out.h5"))
         self.assert_refused(merged, "fifo", "no regular file")
-        os.rename(self.path("fifo"), self.path("out.h5.journal-0"))
-        self.assert_refused(self.sweep(SHORT, "--resume"), "journal-0", "no regular file")
-        os.rename(self.path("out.h5.journal-0"), self.path("out.h5.lock"))
+        os.rename(self.path("fifo"), self.path("out.h5.part-0-9"))
+        self.assert_refused(self.sweep(SHORT, "--resume"), "part-0-9", "no regular file")
+        os.rename(self.path("out.h5.part-0-9"), self.path("out.h5.lock"))
         self.assert_refused(self.sweep(SHORT), "out.h5.lock", "no regular file")
         os.rename(self.path("out.h5.lock"), self.path("out.h5.part"))
         self.assert_refused(self.sweep(SHORT), "out.h5.part", "no regular file")

@@ -15,7 +15,7 @@ PAIRS = int(os.environ.get("TRIBOCHECK_PAIRS", 20))
 SWEEPS = {name: sweep({"lubricant.viscosity": UNIFORM, "load": load, "speed": "[0.1, 1.0]"}, draws=40000)
           for name, load in (("a", '{ printed = "50" }'), ("b", '{ printed = "60" }'))}
 KINDS = ("start", "--resume", "--force", "merge")
-STATES = ("nothing", "journals of a", "result of a", "result of b")
+STATES = ("nothing", "parts of a", "result of a", "result of b")
 
 
 class Pairs(SweepTest):
@@ -29,14 +29,14 @@ class Pairs(SweepTest):
             self.whole[name], self.told[name] = self.bytes_of(f"{name}.whole"), told.out.encode()
             for part in (1, 2):
                 self.swept(text, "--shard", f"{part}/2", name=f"{name}.toml", out=f"{name}.{part}")
-        self.journal = self.bytes_of("a.1")
+        self.part = self.bytes_of("a.1")
 
     def prepare(self, state):
         for name in self.names():
             if name.startswith("out.h5"):
                 os.remove(self.path(name))
-        if state == "journals of a":
-            self.put("out.h5.journal-0", self.journal)
+        if state == "parts of a":
+            self.put("out.h5.part-0-98", self.part)
         elif state != "nothing":
             self.put("out.h5", self.whole[state[-1]])
 
@@ -64,9 +64,9 @@ class Pairs(SweepTest):
         if done:
             self.assertEqual(left, ["out.h5"])
             self.assertIn(self.bytes_of("out.h5"), [self.whole[name] for name in done])
-        elif state.startswith("journals"):
-            self.assertEqual(left, ["out.h5.journal-0"])
-            self.assertEqual(self.bytes_of("out.h5.journal-0"), self.journal)
+        elif state.startswith("parts"):
+            self.assertEqual(left, ["out.h5.part-0-98"])
+            self.assertEqual(self.bytes_of("out.h5.part-0-98"), self.part)
         else:  # there was a result, which both refused to replace
             self.assertEqual(left, ["out.h5"])
             self.assertEqual(self.bytes_of("out.h5"), self.whole[state[-1]])

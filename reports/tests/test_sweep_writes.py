@@ -8,7 +8,7 @@ import subprocess
 import unittest
 
 from program import ENVIRONMENT, PROGRAM
-from sweeps import UNIFORM, SweepTest, sweep
+from sweeps import UNIFORM, SweepTest, preloadable, sweep
 
 LARGER = bool(os.environ.get("TRIBOCHECK_FAILED_WRITES"))
 SMALL = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]", "outputs": '["film", "regime"]'},
@@ -24,16 +24,13 @@ class FailingWrites(SweepTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.library = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), "failing_writes.so")
-        source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "failing_writes.c")
-        unfinished = f"{cls.library}.{os.getpid()}"
-        subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Werror", "-U_FORTIFY_SOURCE",
-                        "-o", unfinished, source, "-ldl"],
-                       check=True)
-        os.rename(unfinished, cls.library)
+        cls.library = preloadable("failing_writes")
+
+    part_chunks = 1  # each of two chunks is a part
 
     def run_with(self, arguments, call=0, on=False):
         environment = dict(ENVIRONMENT, LD_PRELOAD=self.library, FAILING_PATH=self.path("out."),
+                           TRIBOCHECK_PART_CHUNKS=str(self.part_chunks),
                            FAILING_CALL=str(call), FAILING_COUNT=self.path("count"))
         # libhdf5 1.10.8 leaks what belongs to a file whose close has failed.
         environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0:detect_leaks=0"
@@ -49,7 +46,7 @@ class FailingWrites(SweepTest):
 
     def clean(self):
         for name in self.names():
-            if name.startswith("out."):
+            if name.startswith(("out.", ".out.")):
                 os.remove(self.path(name))
 
     def check_each_call(self, command, recover, whole, step=1):
@@ -73,7 +70,7 @@ class FailingWrites(SweepTest):
                         # No harm: leftovers that cannot be removed, closes of what is on the disk, and
                         # HDF5's look whether there is a file already.
                         failed = self.calls()[1]
-                        if failed == "openat":  # a journal to be removed is looked at first
+                        if failed == "openat":  # a part to be removed is looked at first
                             self.assertIn("needs it no more", done.stderr)
                         else:
                             self.assertIn(failed, ("unlinkat", "close", "open", "open64"))
@@ -101,6 +98,10 @@ class FailingWrites(SweepTest):
         for text in (SMALL, WITH_SENSITIVITY, SUMMARIES) if LARGER else (SMALL,):
             self.clean()
             self.check_sweep(text)
+
+    def test_a_short_sweep_without_parts(self):
+        self.part_chunks = 100
+        self.check_sweep(SMALL)
 
     def test_a_shard(self):
         self.check_sweep(SMALL, "--shard", "1/2")

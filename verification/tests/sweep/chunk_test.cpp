@@ -51,7 +51,7 @@ TEST(Chunk, IsRefusedWithMoreBehindIt) {
   EXPECT_EQ(is_refused(bytes), true);
 }
 
-// The checksums of journals are there to find damage; here it must only do no harm.
+// The checksums of parts are there to find damage; here it must only do no harm.
 TEST(Chunk, OfDamagedBytesIsRefusedOrReadWithoutHarm) {
   const Bytes bytes = with_everything().bytes();
   std::mt19937_64 random(17);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // One process at a time works on an output, also where the lock's file comes and goes.
-#include "sweep/output_lock.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -9,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "sweep/output_file.hpp"
 #include "sweep/small_sweep.hpp"
 
 namespace tribo::sweep {

@@ -22,9 +22,7 @@ namespace {
 
 std::string small_result(const TemporaryFolder& folder, const std::string& name) {
   const SweepPlan plan = small_plan();
-  write_journal(folder.file(name + ".journal"), plan);
-  const JournalSet chunks = chunks_in(folder.file(name + ".journal"), plan);
-  write_result(folder.file(name), plan, chunks, nullptr);
+  write_result(folder.file(name), plan, chunks_of(plan), nullptr);
   return folder.file(name);
 }
 
@@ -63,9 +61,8 @@ TEST(ResultFile, HasTheSameBytesTwice) {
 TEST(ResultFile, TellsOfEachChunkAndLeavesNothingBeside) {
   const TemporaryFolder folder;
   const SweepPlan plan = small_plan();
-  write_journal(folder.file("journal"), plan);
   std::vector<std::uint64_t> told;
-  write_result(folder.file("result.h5"), plan, chunks_in(folder.file("journal"), plan),
+  write_result(folder.file("result.h5"), plan, chunks_of(plan),
                [&](std::uint64_t chunks) { told.push_back(chunks); });
   EXPECT_EQ(told, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_FALSE(std::filesystem::exists(folder.file("result.h5.part")));
@@ -242,17 +239,17 @@ TEST(ResultFile, IsRefusedWhereOneByteIsAnother) {
     std::string content = whole;
     content[at] = static_cast<char>(content[at] ^ 0x10);
     write_content(changed, content);
-    EXPECT_NE(broken_seal(opened(changed), changed), "") << at;
+    EXPECT_NE(broken_seal(opened(changed), changed, "result"), "") << at;
     EXPECT_THROW(ResultFile(changed).read(), std::runtime_error) << at;
   }
   for (std::size_t from_end = 1; from_end <= 24; ++from_end) {
     std::string content = whole;
     content[whole.size() - from_end] ^= 1;
     write_content(changed, content);
-    EXPECT_NE(broken_seal(opened(changed), changed), "") << from_end;
+    EXPECT_NE(broken_seal(opened(changed), changed, "result"), "") << from_end;
   }
   write_content(changed, whole);
-  EXPECT_EQ(broken_seal(opened(changed), changed), "");
+  EXPECT_EQ(broken_seal(opened(changed), changed, "result"), "");
 }
 
 TEST(ResultFile, HasChecksumsInEachDataset) {
@@ -285,9 +282,8 @@ TEST(ResultFile, HasChecksumsInEachDataset) {
 TEST(ResultFile, NeedsAllChunks) {
   const TemporaryFolder folder;
   const SweepPlan plan = small_plan();
-  { Journal::create(folder.file("journal"), header_of(plan)); }
   const std::string path = folder.file("result.h5");
-  const JournalSet none = chunks_in(folder.file("journal"), plan);
+  const PartSet none({}, plan.chunks(), false);
   EXPECT_EQ(error_of([&] { write_result(path, plan, none, nullptr); }),
             "cannot write " + path + ": 0 of 9 chunks are there");
 }
@@ -298,9 +294,8 @@ TEST(ResultFile, HoldsThePointsOfOneShortChunk) {
   plan.scenes.resize(1);
   plan.scenes[0].groups = 5;
   plan.scenes[0].chunks = 1;
-  write_journal(folder.file("journal"), plan);
   const std::string path = folder.file("result.h5");
-  write_result(path, plan, chunks_in(folder.file("journal"), plan), nullptr);
+  write_result(path, plan, chunks_of(plan), nullptr);
   EXPECT_EQ(bits_of(ResultFile(path).column("plain", "film")),
             bits_of(small_cases(plan.scenes[0]).columns[0]));
 }
@@ -310,8 +305,7 @@ TEST(ResultFile, HoldsThePointsOfOneShortChunk) {
 TEST(ResultFile, IsNotThereWhenItCouldNotBeWrittenWhole) {
   const TemporaryFolder folder;
   const SweepPlan plan = small_plan();
-  write_journal(folder.file("journal"), plan);
-  const JournalSet chunks = chunks_in(folder.file("journal"), plan);
+  const PartSet chunks = chunks_of(plan);
   const std::string path = folder.file("result.h5");
   const auto write_twice = [&](std::uint64_t room) {
     std::signal(SIGXFSZ, SIG_IGN);

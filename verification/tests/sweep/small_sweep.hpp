@@ -17,7 +17,7 @@
 
 #include "support/temporary_folder.hpp"
 #include "sweep/chunk.hpp"
-#include "sweep/journal.hpp"
+#include "sweep/part.hpp"
 #include "sweep/plan.hpp"
 
 namespace tribo::sweep {
@@ -97,10 +97,6 @@ inline SweepPlan small_plan() {
   return {{small_scene("plain"), with_sensitivity, summaries_alone}, "0.1.0", "0123456789abcdef"};
 }
 
-inline JournalHeader header_of(const SweepPlan& plan) {
-  return {plan.version, plan.digest, "AVX2", {{"plain.toml", "load = 20\n"}}};
-}
-
 // The numbers of all cases; the second column of onsets is always undefined.
 struct SmallCases {
   std::vector<std::vector<double>> inputs;   // of each variable
@@ -171,19 +167,18 @@ inline Chunk small_chunk(const SceneSweep& scene, std::uint64_t number, std::uin
   return chunk;
 }
 
-inline void write_journal(const std::string& path, const SweepPlan& plan) {
-  Journal journal = Journal::create(path, header_of(plan));
+// All chunks of a plan, as a run gathers them.
+inline PartSet chunks_of(const SweepPlan& plan) {
+  ChunksInMemory chunks;
   std::uint64_t of_plan = 0;
   for (const SceneSweep& scene : plan.scenes)
     for (std::uint64_t i = 0; i < scene.chunks; ++i, ++of_plan)
-      journal.append(of_plan, small_chunk(scene, i, of_plan).bytes());
-  journal.sync();
-}
-
-inline JournalSet chunks_in(const std::string& path, const SweepPlan& plan) {
-  std::vector<JournalReader> readers;
-  readers.emplace_back(path);
-  return {std::move(readers), plan.chunks(), false};
+      chunks[of_plan] = small_chunk(scene, i, of_plan).bytes();
+  std::vector<Part> parts;
+  parts.emplace_back(
+      PartHeader{plan.version, 1, plan.digest, "AVX2", {{"plain.toml", "load = 20\n"}}},
+      std::move(chunks));
+  return {std::move(parts), plan.chunks(), false};
 }
 
 }  // namespace tribo::sweep
