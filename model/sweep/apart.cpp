@@ -70,7 +70,7 @@ void send(int pipe, std::span<const std::byte> bytes) {
                             const std::function<Bytes()>& work) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, seconds);
   if (const rlim_t now = memory_in_use(); now > 0 && !has_sanitizer)
@@ -121,11 +121,11 @@ Bytes apart(std::uint64_t file_size, const std::function<Bytes()>& work) {
   const std::uint64_t seconds = least_seconds + file_size / bytes_a_second;
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw std::runtime_error("cannot make a pipe: " + error_text(errno));
+    throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
   const Descriptor from(ends[0]);
   Descriptor to(ends[1]);
   const pid_t parent = ::getpid(), child = ::fork();
-  if (child < 0) throw std::runtime_error("cannot start a process: " + error_text(errno));
+  if (child < 0) throw std::system_error(errno, std::generic_category(), "cannot start a process");
   if (child == 0) run_child(to, parent, seconds, work);
   to = Descriptor();
   Received received =

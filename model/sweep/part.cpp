@@ -253,6 +253,8 @@ Part::Part(const std::string& path, const std::function<bool()>& stopped) : path
     if (chunks_size > size || chunks_offset > size - chunks_size)
       throw std::runtime_error("it ends before its last chunk");
     records_ = records_of(index, chunks_offset, chunks_size);
+  } catch (const std::system_error&) {  // it says nothing about the file
+    throw;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + " is no part of a sweep: " + error.what());
   }

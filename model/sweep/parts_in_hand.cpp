@@ -36,9 +36,12 @@ double seconds_of_chunk(const SceneSweep& scene) {
   return a_case * static_cast<double>(scene.chunk_groups * scene.cases_per_group());
 }
 
+// Numbers of 8 bytes, at most some: of each column its counts too, whose bars grow with the cases.
 double numbers_of_chunk(const SceneSweep& scene) {
   const std::size_t kept = scene.keep_points ? scene.width() + scene.variables.size() : 0;
-  return static_cast<double>(scene.chunk_cases() * kept);
+  const auto cases = static_cast<double>(scene.chunk_cases());
+  const double of_column = 8 + std::min(cases, 4096.0) / 2;
+  return cases * static_cast<double>(kept) + static_cast<double>(scene.width()) * of_column;
 }
 
 std::size_t chunks_asked_for() {

@@ -71,6 +71,8 @@ std::vector<Part> readable(const std::vector<std::string>& paths, const RunSetti
       parts.emplace_back(path, stopped);
     } catch (const Stopped&) {
       throw;
+    } catch (const std::system_error&) {  // it says nothing about the file
+      throw;
     } catch (const std::runtime_error& error) {
       FilePlace(path).remove_ours(is_start_of_part);
       settings.tell(error.what() +
@@ -342,10 +344,15 @@ class Run {
     together([&] {
       if (ranks_.rank() != 0) return;
       settings_.result = output_behind_links(settings_.result);
-      before_ = FilePlace(settings_.result).identity();
+      const bool is_first = !std::exchange(has_begun_, true);
+      if (is_first) before_ = FilePlace(settings_.result).identity();
       if (!settings_.join) lock_.emplace(settings_.result);
       if (settings_.join) lock_ = OutputLock::take(settings_.result, ".lock");
-      if (!lock_) return start_helping(start);
+      if (!lock_) {
+        // The owner has put the result there already, and only shows it.
+        if (is_first && before_ && starter().why_not_it().empty()) before_.reset();
+        return start_helping(start);
+      }
       start = starter().start();
       if (!start.complete) {
         if (settings_.shard)
@@ -425,16 +432,20 @@ class Run {
         started = std::max(started, now);
       }
     });
-    while (worker.wait_for(moment) != std::future_status::ready) {
-      // Where the output's folder is gone, nobody waits for what cannot be written.
-      is_lost = !(place.is_folder_at_its_path() && (!lock_ || lock_->holds()));
-      if (ranks_.rank() == 0 && settings_.progress)
-        settings_.progress({RunProgress::Phase::computing, chunks_.size() - first_there,
-                            parts.chunks_there() - first_there});
-    }
     try {
+      while (worker.wait_for(moment) != std::future_status::ready) {
+        // Where the output's folder is gone, nobody waits for what cannot be written.
+        if (!place.is_folder_at_its_path() || (lock_ && !lock_->holds())) is_lost = true;
+        if (ranks_.rank() == 0 && settings_.progress)
+          settings_.progress({RunProgress::Phase::computing, chunks_.size() - first_there,
+                              parts.chunks_there() - first_there});
+      }
       worker.get();
     } catch (...) {
+      is_lost = true;
+      if (worker.valid()) worker.wait();
+      // Another process has ended the sweep, and has removed what this one was about to write.
+      if (is_over() && starter().why_not_it().empty()) return;
       if (lock_) check_lock();  // says more than a write that failed for it
       throw;
     }
@@ -476,7 +487,7 @@ class Run {
     constexpr int most_rounds = 3;
     for (int round = 1;; ++round) {
       check_lock();
-      if (is_over() && starter().why_not_it().empty()) return RunEnd::done;
+      if (is_over() && starter().why_not_it().empty()) return cleaned();
       const bool is_at_once = is_all_in_memory();
       const PartSet parts = gathered();
       const auto missing = std::count_if(chunks_.begin(), chunks_.end(),
@@ -510,6 +521,10 @@ class Run {
       throw std::runtime_error(std::string(error.what()) + "; all " + kept +
                                ", and --resume writes the result once this is mended");
     }
+    return cleaned();
+  }
+
+  RunEnd cleaned() {
     for (const std::string& path : files_of_parts(settings_.result)) remove_or_tell(path);
     return RunEnd::done;
   }
@@ -543,8 +558,9 @@ class Run {
   std::vector<ChunkList> parts_;  // into which they are cut
   ChunksInMemory in_memory_;
   std::optional<FileIdentity> before_;  // the file at the output when this process began
-  std::optional<OutputLock> lock_;      // of rank 0, if it does not help another process
-  std::optional<Descriptor> written_;   // the result, where this process has written it
+  bool has_begun_ = false;
+  std::optional<OutputLock> lock_;     // of rank 0, if it does not help another process
+  std::optional<Descriptor> written_;  // the result, where this process has written it
 };
 
 SweepPlan plan_of(const PartHeader& header) {

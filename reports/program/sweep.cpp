@@ -434,7 +434,7 @@ Command add_sweep(CLI::App& program) {
                     {{"--format", "--pictures"},
                      !arguments->shard.empty(),
                      "with --shard, as `sweep merge` shows the result"},
-                    {{"--mixed-fma"}, !arguments->resume, "without --resume"}};
+                    {{"--mixed-fma"}, !arguments->resume && !arguments->join, "without --resume"}};
           }};
 }
 

@@ -11,8 +11,7 @@
 namespace tribo::conformance {
 namespace {
 
-constexpr double few = 0.03;       // of the wrong answers
-constexpr double rounding = 1e-5;  // of logarithms: single precision too
+constexpr double few = 0.03;  // of the wrong answers
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {

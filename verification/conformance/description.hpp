@@ -10,6 +10,8 @@
 
 namespace tribo::conformance {
 
+inline constexpr double rounding = 1e-5;  // of logarithms: single precision too
+
 // The numbers of one result in one branch of the function.
 struct Part {
   std::size_t place;

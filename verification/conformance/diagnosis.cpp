@@ -18,7 +18,6 @@ namespace {
 
 constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
-constexpr double rounding = 1e-5;  // of logarithms: single precision too
 
 // The functions that a function's numbers rest on.
 std::vector<std::string> rests_on(const std::string& function) {
