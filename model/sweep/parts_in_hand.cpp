@@ -199,7 +199,13 @@ void PartsInHand::write(InHand done) {
     return;
   }
   PartFile file(path);
-  write_part(path, file, settings_.header, content_of(done.kept), {.any = true, .only = {}});
+  try {
+    write_part(path, file, settings_.header, content_of(done.kept), {.any = true, .only = {}});
+  } catch (const std::runtime_error&) {
+    // Where another process has put the same part there at the same time, that one serves.
+    const FilePlace place(path);
+    if (!place.status() || place.leads_to(file.file())) throw;
+  }
 }
 
 void PartsInHand::look_at_all() {
