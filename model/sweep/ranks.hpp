@@ -30,7 +30,7 @@ class Ranks {
  private:
   int rank_ = 0;
   int count_ = 1;
-  bool joined_ = false;  // MPI is to be ended
+  [[maybe_unused]] bool joined_ = false;  // MPI is to be ended
 };
 
 }  // namespace tribo::sweep

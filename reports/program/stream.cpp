@@ -5,8 +5,8 @@
 #include "command.hpp"
 #include "exit_code.hpp"
 #include "messages.hpp"
-#include "protocol/text_streams.hpp"
 #include "protocol/answers.hpp"
+#include "protocol/text_streams.hpp"
 
 namespace tribo::cli {
 namespace {

@@ -10,7 +10,7 @@
 namespace tribo::reproduction {
 namespace {
 
-constexpr std::size_t rough = 0, smooth = 2;
+constexpr std::size_t roughest = 0, smoothest = 2;  // of the paper's three surfaces
 
 struct Printed {
   double value, low, high;
@@ -38,9 +38,9 @@ Argument sharing_exponent(const PaperScenes& scenes, const std::vector<Item>& it
                     2) *
            std::sqrt(s.surface.summit_height_sd / s.surface.summit_radius);
   };
-  const double ratio = stiffness(rough) / stiffness(smooth);
-  const double shares = slow_asperity_share(scenes, corrected_reading(), rough) /
-                        slow_asperity_share(scenes, corrected_reading(), smooth);
+  const double ratio = stiffness(roughest) / stiffness(smoothest);
+  const double shares = slow_asperity_share(scenes, corrected_reading(), roughest) /
+                        slow_asperity_share(scenes, corrected_reading(), smoothest);
   return decided(
       {"the exponent q of A = (K F_5/2)^q, from the ratio of the asperity shares at low speed, "
        "rough over smooth",
@@ -64,7 +64,7 @@ Argument onset_film_parameter(const PaperScenes& scenes, const std::vector<Item>
     for (std::uint8_t gap = 0; gap < 2; ++gap) {
       const Reading reading = with(Switch::gap, gap, with(Switch::inlet, rule));
       const ReadInlet inlet(reading);
-      const double ratio = scenes.scene[smooth].supply.value;
+      const double ratio = scenes.scene[smoothest].supply.value;
       std::optional<double> value;
       if (inlet.rule() == InletRule::as_printed) value = ratio * inlet.film_ratio(1);
       if (inlet.maximum()) value = ratio * *inlet.maximum() * inlet.film_ratio(*inlet.maximum());
@@ -78,7 +78,7 @@ Argument onset_film_parameter(const PaperScenes& scenes, const std::vector<Item>
     }
   const ReadInlet inlet(corrected_reading());
   argument.candidates.push_back({"flooded_inlet, line gap, λ by σ = 1.4σ_s",
-                                 scenes.scene[smooth].supply.value * *inlet.maximum() *
+                                 scenes.scene[smoothest].supply.value * *inlet.maximum() *
                                      inlet.film_ratio(*inlet.maximum()) / 1.4,
                                  false});
   return decided(std::move(argument));
@@ -99,7 +99,7 @@ Argument film_formula(const PaperScenes& scenes, const std::vector<Item>& items)
 
 // 0.82 σ in units of σ_s, beside Table 1's number and its print precision.
 Argument plane_offset(const PaperScenes& scenes, const std::vector<Input>& inputs) {
-  const double offset = scenes.scene[smooth].surface.summit_plane_offset;
+  const double offset = scenes.scene[smoothest].surface.summit_plane_offset;
   const auto precision = std::find_if(inputs.begin(), inputs.end(), [](const Input& one) {
     return one.field == Field::summit_plane_offset;
   });
@@ -133,7 +133,7 @@ Argument summit_radius(const PaperScenes& scenes, const std::vector<Item>& items
       {"β = 10 µm, two offset planes, A_nom = a², 8√2/15",
        with(Switch::asperity_prefactor, 1, with(Switch::nominal_area, 1, two_planes))}};
   for (const auto& [name, reading] : readings)
-    argument.candidates.push_back({name, slow_asperity_share(scenes, reading, smooth), false});
+    argument.candidates.push_back({name, slow_asperity_share(scenes, reading, smoothest), false});
   return decided(std::move(argument));
 }
 

@@ -354,11 +354,11 @@ Observed onset_order(const Stages& stages) {
 }
 
 Observed onset_ratio(const Stages& stages) {
-  const auto& gt = stages.onsets[of(ContactName::smooth)];
-  const auto& gw = stages.onsets[of(ContactName::smooth_gw)];
-  if (!gt || !gw) return {{}, 0, 0, "no onset by this criterion with GT or with GW"};
-  const double ratio = gw->speed / gt->speed;
-  return {ratio, ratio, 0, {}, (gt->error + gw->error) * ratio};
+  const auto& with_gt = stages.onsets[of(ContactName::smooth)];
+  const auto& with_gw = stages.onsets[of(ContactName::smooth_gw)];
+  if (!with_gt || !with_gw) return {{}, 0, 0, "no onset by this criterion with GT or with GW"};
+  const double ratio = with_gw->speed / with_gt->speed;
+  return {ratio, ratio, 0, {}, (with_gt->error + with_gw->error) * ratio};
 }
 
 // One quantity: its name in claims.tsv, the stage that it needs, and its number.

@@ -23,12 +23,23 @@ TEST(Apart, GivesTheBytesOrTheErrorOfTheChild) {
 }
 
 TEST(Apart, SaysThatTheChildCrashed) {
-  for (const int signal : {SIGKILL, SIGTERM, SIGUSR1}) {
+  for (const int signal : {SIGKILL, SIGABRT, SIGALRM}) {
     const auto crash = [signal]() -> Bytes {
       std::raise(signal);
       return {};
     };
     EXPECT_EQ(error_of([&] { apart(0, crash); }), "HDF5 crashes when it reads it");
+  }
+}
+
+TEST(Apart, GoesOnWhenASignalStopsTheParentAlone) {
+  const Bytes few(3, std::byte{7});
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto stopped = [&] {
+      std::raise(signal);
+      return few;
+    };
+    EXPECT_EQ(apart(0, stopped), few);
   }
 }
 
