@@ -144,8 +144,8 @@ std::string with_digits(const Measured& measured) {
 
 class FilmTable : public FilmWriter {
  public:
-  FilmTable(const FilmSettings& settings, bool with_profile, OutputStream& output)
-      : settings_(settings), with_profile_(with_profile), text_(output.text()) {}
+  FilmTable(bool with_profile, OutputStream& output)
+      : with_profile_(with_profile), text_(output.text()) {}
 
   void add(const FilmCase& film) override {
     if (!std::exchange(first_, false)) text_.push_back('\n');
@@ -222,7 +222,6 @@ class FilmTable : public FilmWriter {
     }
   }
 
-  const FilmSettings& settings_;
   bool with_profile_;
   Text& text_;
   bool first_ = true;
