@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/output_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -38,6 +39,14 @@ bool carries(Mark mark, int file, const struct stat& status, const std::string& 
   if (status.st_size == 0) return true;
   std::array<std::byte, start_size> start;
   return mark(std::span(start).first(read_at(file, 0, start, what)));
+}
+
+// The mark of locks in which something is noted.
+constexpr std::string_view lock_start = "tribocheck sweep lock 1\n";
+
+bool is_lock(std::span<const std::byte> start) {
+  const auto mark = std::as_bytes(std::span(lock_start));
+  return start.size() >= mark.size() && std::equal(mark.begin(), mark.end(), start.begin());
 }
 
 // In the same folder, so that the rename stays within one file system.
@@ -140,6 +149,17 @@ void FilePlace::remove_ours(Mark mark) const {
 
 void FilePlace::remove() const noexcept { ::unlinkat(folder_, name_.c_str(), 0); }
 
+void FilePlace::check_replaceable() const {
+  struct stat folder {};
+  if (::fstat(folder_, &folder) != 0) fail(errno);
+  const auto there = status();
+  const auto is_other = [](const struct stat& status) { return status.st_uid != ::geteuid(); };
+  if (there && (folder.st_mode & S_ISVTX) != 0 && ::geteuid() != 0 && is_other(*there) &&
+      is_other(folder))
+    throw RunRefused(path_ + " is of another user, and its folder lets nobody else replace it; " +
+                     "allowed: another output");
+}
+
 void FilePlace::rename_to(const FilePlace& target, int file, const Replaceable& replaceable) const {
   const auto there = target.status();
   if (replaceable.any && there && !S_ISREG(there->st_mode) && !S_ISLNK(there->st_mode))
@@ -201,13 +221,44 @@ void PartFile::keep(const Replaceable& replaceable) {
 OutputLock::OutputLock(const std::string& output, std::string_view ending)
     : output_(output), place_(output, ending) {
   do {
-    std::optional<Descriptor> file = place_.open_ours(no_mark);
-    if (!file) file = place_.create();
+    std::optional<Descriptor> file = place_.open_ours(is_lock);
+    if (!file && (file = place_.create())) check_owner(*file);
     if (!file) continue;
     locking_ = lock_file(*file, place_.path());
     if (locking_ == Locking::taken_by_another) return;
     file_ = std::move(*file);
   } while (!leads_to_it());
+}
+
+// Some file systems give all files one owner: nothing that is kept there would be taken up again.
+void OutputLock::check_owner(int made) const {
+  struct stat status {};
+  if (::fstat(made, &status) != 0 || status.st_uid == ::geteuid()) return;
+  place_.remove();
+  throw RunRefused("files that this user makes in the folder of " + output_ +
+                   " belong to another user, so that nothing can be kept there; allowed: an output "
+                   "in another folder");
+}
+
+void OutputLock::note(std::span<const std::byte> bytes) const {
+  const auto mark = std::as_bytes(std::span(lock_start));
+  Bytes content(mark.begin(), mark.end());
+  content.insert(content.end(), bytes.begin(), bytes.end());
+  const bool is_empty = ::ftruncate(file_, 0) == 0;
+  const ssize_t written = is_empty ? ::pwrite(file_, content.data(), content.size(), 0) : -1;
+  if (written != static_cast<ssize_t>(content.size()))
+    throw std::runtime_error("cannot write " + place_.path() + ": " +
+                             error_text(written < 0 ? errno : ENOSPC));
+}
+
+Bytes OutputLock::noted(const std::string& output) {
+  const FilePlace place(output, ".lock");
+  const auto file = place.open_ours(is_lock);
+  Bytes bytes(start_size);
+  if (file) bytes.resize(read_at(*file, 0, bytes, "cannot read " + place.path()));
+  if (!file || bytes.size() < lock_start.size()) return {};
+  bytes.erase(bytes.begin(), bytes.begin() + lock_start.size());
+  return bytes;
 }
 
 OutputLock::OutputLock(const std::string& output) : OutputLock(output, ".lock") {

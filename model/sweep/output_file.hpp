@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sweep/bytes.hpp"
 #include "sweep/disk.hpp"
 
 namespace tribo::sweep {
@@ -27,7 +28,6 @@ struct RunRefused : std::invalid_argument {
 
 // Do the first bytes of a file that is not empty, up to 8 kB of them, carry our mark?
 using Mark = bool (*)(std::span<const std::byte> start);
-inline bool no_mark(std::span<const std::byte>) { return false; }
 inline bool any_mark(std::span<const std::byte>) { return true; }
 
 // Which file it is, and in which state; it stays the same when the machine starts anew.
@@ -70,6 +70,9 @@ class FilePlace {
   // Removes our file, if there is one. Throws RunRefused where something else is there.
   void remove_ours(Mark mark) const;
   void remove() const noexcept;
+  // Throws RunRefused where the file there is of another user, and the folder is one in which
+  // nobody else may replace it.
+  void check_replaceable() const;
 
   // Gives the open file, which this name leads to, the name `target` in the same folder, and sees
   // to it that this name is on the disk. Throws where the target is there and may not be replaced,
@@ -116,11 +119,13 @@ class PartFile {
 // computed is claimed by a lock of its own (parts_in_hand.hpp).
 
 // A lock (flock) on a small file of its own. The file is there only while a process holds the lock,
-// or after such a process was killed. On a file system that has no locks each process gets it.
+// or after such a process was killed. On a file system that has no locks each process gets it. Its
+// owner may note in the file what it works on.
 class OutputLock {
  public:
-  // Throws RunRefused where another process has OUTPUT.lock, or where that is a file that is not
-  // ours; std::runtime_error where it cannot be made.
+  // Throws RunRefused where another process has OUTPUT.lock, where that is a file that is not ours,
+  // or where files that are made there belong to another user; std::runtime_error where it cannot
+  // be made.
   explicit OutputLock(const std::string& output);
   // The lock OUTPUT + ENDING; nothing where another process has it. Throws likewise.
   static std::optional<OutputLock> take(const std::string& output, std::string_view ending);
@@ -130,6 +135,15 @@ class OutputLock {
   OutputLock& operator=(const OutputLock&) = delete;
   ~OutputLock();
 
+  // False on a file system without locks.
+  bool is_exclusive() const { return locking_ == Locking::locked; }
+  // Notes some bytes in the place of what is noted. Throws std::runtime_error where that fails.
+  void note(std::span<const std::byte> bytes) const;
+  // What is noted in OUTPUT.lock, by whoever holds it or was killed; empty: nothing.
+  static Bytes noted(const std::string& output);
+  // The file stays with what is noted, as if this process were killed.
+  void leave() { file_ = Descriptor(); }
+
   // False if somebody has removed the lock's file, so that another process may have taken its
   // place, or the folder.
   bool holds() const { return leads_to_it() && place_.is_folder_at_its_path(); }
@@ -138,6 +152,7 @@ class OutputLock {
 
  private:
   OutputLock(const std::string& output, std::string_view ending);
+  void check_owner(int made) const;
   // Without locks, any process that ends removes the file.
   bool leads_to_it() const;
 

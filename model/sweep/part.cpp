@@ -125,40 +125,24 @@ Bytes read_head(const std::string& path) {
   const hdf5::QuietErrors quiet;
   const Handle file = hdf5::open_file(path);
   if (hdf5::read_text(file, "format") != part_format) throw hdf5::Error("it is of another format");
-  Bytes bytes;
-  put_text(bytes, hdf5::read_text(file, "tribocheck_version"));
-  put(bytes, hdf5::read_count(file, "numbers"));
-  for (const char* const name : {"digest", "arithmetic", "replaces"})
-    put_text(bytes, hdf5::read_text(file, name));
+  PartHeader header{hdf5::read_text(file, "tribocheck_version"),
+                    hdf5::read_count(file, "numbers"),
+                    hdf5::read_text(file, "digest"),
+                    hdf5::read_text(file, "arithmetic"),
+                    {},
+                    hdf5::read_text(file, "replaces")};
   const std::vector<std::string> names = hdf5::read_texts(file, "file_names");
   const std::vector<std::string> texts = hdf5::read_texts(file, "file_texts");
   if (names.size() != texts.size()) throw hdf5::Error("its files have not each a name");
-  put(bytes, std::uint64_t{names.size()});
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    put_text(bytes, names[i]);
-    put_text(bytes, texts[i]);
-  }
+  for (std::size_t i = 0; i < names.size(); ++i) header.files.emplace_back(names[i], texts[i]);
+  Bytes bytes;
+  put_header(bytes, header);
   const Array chunks = array_in(file, "chunks", 1, 1), index = array_in(file, "index", 2, 8);
   if (index.extents[1] != index_width) throw hdf5::Error("its index has another width");
   for (const std::uint64_t number : {std::uint64_t{chunks.extents[0]}, chunks.offset,
                                      std::uint64_t{index.extents[0]}, index.offset})
     put(bytes, number);
   return bytes;
-}
-
-PartHeader take_header(ByteReader& from) {
-  PartHeader header;
-  header.version = from.take_text();
-  header.numbers = from.take<std::uint64_t>();
-  header.digest = from.take_text();
-  header.arithmetic = from.take_text();
-  header.replaces = from.take_text();
-  const auto files = from.take<std::uint64_t>();
-  for (std::uint64_t i = 0; i < files; ++i) {
-    std::string name = from.take_text();
-    header.files.emplace_back(std::move(name), from.take_text());
-  }
-  return header;
 }
 
 // Throws std::runtime_error where the index is not of chunks in `size` bytes.
@@ -201,6 +185,33 @@ std::string cannot_read(const std::string& path) { return "cannot read " + path;
 PartHeader header_of(const SweepPlan& plan) {
   PartHeader header{plan.version, numbers_version, plan.part_digest, std::string(arithmetic()), {}};
   for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
+  return header;
+}
+
+void put_header(Bytes& to, const PartHeader& header) {
+  put_text(to, header.version);
+  put(to, header.numbers);
+  for (const std::string& text : {header.digest, header.arithmetic, header.replaces})
+    put_text(to, text);
+  put(to, std::uint64_t{header.files.size()});
+  for (const auto& [name, text] : header.files) {
+    put_text(to, name);
+    put_text(to, text);
+  }
+}
+
+PartHeader take_header(ByteReader& from) {
+  PartHeader header;
+  header.version = from.take_text();
+  header.numbers = from.take<std::uint64_t>();
+  header.digest = from.take_text();
+  header.arithmetic = from.take_text();
+  header.replaces = from.take_text();
+  const auto files = from.take<std::uint64_t>();
+  for (std::uint64_t i = 0; i < files; ++i) {
+    std::string name = from.take_text();
+    header.files.emplace_back(std::move(name), from.take_text());
+  }
   return header;
 }
 

@@ -44,6 +44,9 @@ struct PartHeader {
   friend bool operator==(const PartHeader&, const PartHeader&) = default;
 };
 PartHeader header_of(const SweepPlan& plan);
+// A header as bytes. take_header() throws std::runtime_error where they end too early.
+void put_header(Bytes& to, const PartHeader& header);
+PartHeader take_header(ByteReader& from);
 
 // Chunks in memory, as bytes, by their numbers.
 using ChunksInMemory = std::map<std::uint64_t, Bytes>;

@@ -32,6 +32,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,7 +58,11 @@ inline constexpr std::array quantile_levels{0.001, 0.01, 0.025, 0.05,  0.16, 0.2
                                             0.75,  0.84, 0.95,  0.975, 0.99, 0.999};
 inline constexpr std::size_t histogram_bins = 100;
 
-// Throws RunRefused where something that is not ours stands where write_result() would write.
+// The mark of results (output_file.hpp).
+bool is_start_of_result(std::span<const std::byte> start);
+
+// Throws RunRefused where something that is not ours stands where write_result() would write, or
+// where this user may not replace the file that is there.
 void check_place_of_result(const std::string& path);
 
 // Writes it next to `path` (at PATH.part, or where it is shared with other processes at a name that

@@ -321,10 +321,6 @@ class SceneWriter {
   std::vector<std::vector<SensitivityBlocks>> sensitivities_;
 };
 
-bool is_start_of_result(std::span<const std::byte> start) {
-  return hdf5::is_start_of(start, result_format);
-}
-
 void write_file(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
                 const std::function<void(std::uint64_t)>& told) {
   Handle file = hdf5::create_file(path);
@@ -354,7 +350,12 @@ void write_file(const std::string& path, const SweepPlan& plan, const PartSet& c
 
 }  // namespace
 
+bool is_start_of_result(std::span<const std::byte> start) {
+  return hdf5::is_start_of(start, result_format);
+}
+
 void check_place_of_result(const std::string& path) {
+  FilePlace(path).check_replaceable();
   static_cast<void>(FilePlace(path, ".part").open_ours(is_start_of_result));
 }
 
