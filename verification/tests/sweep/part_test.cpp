@@ -430,6 +430,28 @@ TEST(PartsInHand, LeavesWhatIsInUseWhereBegunFilesAreRemoved) {
   EXPECT_EQ(process.compute(9), (ChunkList{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
+// As many threads as there are chunks in some parts each get one, whoever has finished none.
+TEST(PartsInHand, GivesWorkToSixteenThreadsOfASweepOfTwentySeconds) {
+  const TemporaryFolder folder;
+  SweepPlan plan = small_plan();
+  plan.scenes.resize(1);
+  SceneSweep& scene = plan.scenes[0];
+  scene.solves_film = true;
+  scene.scene.speeds.list = {0.1};
+  scene.variables = {scene.variables[1]};
+  scene.outputs = {};
+  scene.criteria = {};
+  scene.draws = 40;  // of half a second each
+  lay_out(scene);
+  const auto parts = cut_in_parts(plan, first_numbers(plan.chunks()));
+  PartsInHand in_hand({folder.file("out"), header, 0, false, {}}, parts,
+                      std::vector<bool>(parts.size()));
+  std::set<std::uint64_t> given;
+  for (int thread = 0; thread < 16; ++thread)
+    if (const auto chunk = in_hand.next()) given.insert(*chunk);
+  EXPECT_EQ(given.size(), 16U);
+}
+
 // A short sweep writes no parts.
 TEST(PartsInHand, KeepsAllInMemoryWhereItIsAsked) {
   const TemporaryFolder folder;
