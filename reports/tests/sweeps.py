@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps for the tests: their texts, their runs, and their results by h5py."""
 
+import collections
 import ctypes
 import os
 import random
@@ -92,8 +93,8 @@ class SweepTest(unittest.TestCase):
             with self.subTest(kill=kill):
                 self.assertEqual(self.bytes_of("out.h5"), whole)
                 self.assertEqual([name for name in self.names() if name.startswith((".", "out.h5."))], [])
-        print(f"{len(kept)} kills in {kills} trials of {seconds:.2f} s; parts that were there: {sorted(kept)}; results "
-              f"that were there: {done}", flush=True)
+        print(f"{len(kept)} kills in {kills} trials of {seconds:.2f} s; parts that were there: "
+              f"{dict(sorted(collections.Counter(kept).items()))}; results that were there: {done}", flush=True)
 
     def locks(self):
         return [name for name in self.names() if name.endswith(".lock")]
@@ -161,7 +162,7 @@ def preloadable(name):
     library = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), f"{name}.so")
     source = os.path.join(os.path.dirname(os.path.abspath(__file__)), f"{name}.c")
     unfinished = f"{library}.{os.getpid()}"
-    subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Werror", "-U_FORTIFY_SOURCE", "-o", unfinished, source, "-ldl"],
+    subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Werror", "-fexceptions", "-U_FORTIFY_SOURCE", "-o", unfinished, source, "-ldl"],
                    check=True)
     os.rename(unfinished, library)
     return library

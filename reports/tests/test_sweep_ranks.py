@@ -2,6 +2,7 @@
 """tribocheck sweep under mpirun: 1, 2 and 4 ranks on one machine give the bytes of one process. TRIBOCHECK_KILLS
 asks for more kills than three."""
 
+import collections
 import os
 import random
 import shutil
@@ -89,7 +90,7 @@ class Ranks(SweepTest):
             self.swept(MINI, "--resume")
         self.check_kills(KILLS, begin, end, pick)
 
-    def with_rank_one(self, text, environment, first=None):
+    def with_rank_one(self, text, environment, first=False):
         """Two ranks, of which the second, or the first, has its own environment."""
         path = self.folder.write("sweep.toml", text)
         settings = ["env", *(f"{name}={value}" for name, value in environment.items())]
@@ -117,24 +118,37 @@ class Ranks(SweepTest):
         self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
         self.assertEqual(self.names(), ["out.h5", "sweep.toml", "whole.h5"])
 
-    @unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
-    def test_wherever_one_call_of_the_first_rank_fails_nothing_is_lost(self):
+    def check_failures(self, environments, first):
+        """One rank fails, and the other goes on or ends: nothing is lost, and what is told is told by a line."""
         whole = self.whole_mini()
-        written = 0
-        for call in random.Random(3).sample(range(4, 60), KILLS):
-            process = self.with_rank_one(MINI, {"LD_PRELOAD": preloadable("failing_writes"),
-                                                "FAILING_PATH": self.path("out."), "FAILING_CALL": str(call)}, first=True)
+        ends = collections.Counter()
+        for environment in environments:
+            process = self.with_rank_one(MINI, environment, first)
             _, said = process.communicate(timeout=60)
-            with self.subTest(call=call, said=said):
+            with self.subTest(environment=environment, said=said):
                 self.assertIn(process.returncode, (0, 1))
                 if process.returncode == 1:
                     self.assertIn("tribocheck: ", said)
-                written += "out.h5" in self.names()
+                ends[process.returncode, "out.h5" in self.names()] += 1
                 self.swept(MINI, "--resume")
                 self.assertEqual(self.bytes_of("out.h5"), whole)
                 self.assertEqual(self.names(), ["out.h5", "sweep.toml", "whole.h5"])
             os.remove(self.path("out.h5"))
-        print(f"{KILLS} calls failed, {written} results were written all the same", flush=True)
+        print(f"(exit code, result there): runs {dict(ends)}", flush=True)
+
+    @unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
+    def test_wherever_one_call_of_the_first_rank_fails_nothing_is_lost(self):
+        calls = random.Random(3).sample(range(4, 60), KILLS)
+        self.check_failures(({"LD_PRELOAD": preloadable("failing_writes"), "FAILING_PATH": self.path("out."),
+                              "FAILING_CALL": str(call)} for call in calls), first=True)
+
+    @unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
+    def test_wherever_a_rank_has_no_memory_the_others_end_and_nothing_is_lost(self):
+        numbers = [1, *random.Random(4).sample(range(2, 150), KILLS)]
+        for first in (False, True):
+            self.check_failures(({"LD_PRELOAD": preloadable("failing_new"), "FAILING_NEW": str(number)}
+                                 for number in numbers), first)
+            os.remove(self.path("whole.h5"))
 
     def test_bad_input_is_told_once(self):
         done = self.with_ranks(3, "load = 3\n")
