@@ -149,17 +149,6 @@ void FilePlace::remove_ours(Mark mark) const {
 
 void FilePlace::remove() const noexcept { ::unlinkat(folder_, name_.c_str(), 0); }
 
-void FilePlace::check_replaceable() const {
-  struct stat folder {};
-  if (::fstat(folder_, &folder) != 0) fail(errno);
-  const auto there = status();
-  const auto is_other = [](const struct stat& status) { return status.st_uid != ::geteuid(); };
-  if (there && (folder.st_mode & S_ISVTX) != 0 && ::geteuid() != 0 && is_other(*there) &&
-      is_other(folder))
-    throw RunRefused(path_ + " is of another user, and its folder lets nobody else replace it; " +
-                     "allowed: another output");
-}
-
 void FilePlace::rename_to(const FilePlace& target, int file, const Replaceable& replaceable) const {
   const auto there = target.status();
   if (replaceable.any && there && !S_ISREG(there->st_mode) && !S_ISLNK(there->st_mode))
@@ -214,6 +203,19 @@ void PartFile::keep(const Replaceable& replaceable) {
   if (const int code = sync_error(file_)) throw std::runtime_error(error_text(code));
   place_.rename_to(target_, file_, replaceable);
   is_kept_ = true;
+}
+
+void check_place(const std::string& target, Mark mark) {
+  static_cast<void>(FilePlace(target, ".part").open_ours(mark));
+  const FilePlace place(target);
+  const auto there = place.status();
+  struct stat folder {};
+  if (::fstat(place.folder_, &folder) != 0) place.fail(errno);
+  const uid_t user = ::geteuid();
+  const bool is_bound = (folder.st_mode & S_ISVTX) != 0 && user != 0 && folder.st_uid != user;
+  if (there && is_bound && there->st_uid != user)
+    throw RunRefused(target + " is of another user, and its folder lets nobody else replace it; " +
+                     "allowed: another output");
 }
 
 // A process that holds the lock removes the lock's file before it releases the lock. So a process

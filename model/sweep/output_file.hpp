@@ -70,9 +70,6 @@ class FilePlace {
   // Removes our file, if there is one. Throws RunRefused where something else is there.
   void remove_ours(Mark mark) const;
   void remove() const noexcept;
-  // Throws RunRefused where the file there is of another user, and the folder is one in which
-  // nobody else may replace it.
-  void check_replaceable() const;
 
   // Gives the open file, which this name leads to, the name `target` in the same folder, and sees
   // to it that this name is on the disk. Throws where the target is there and may not be replaced,
@@ -80,6 +77,7 @@ class FilePlace {
   void rename_to(const FilePlace& target, int file, const Replaceable& replaceable) const;
 
  private:
+  friend void check_place(const std::string& target, Mark mark);
   [[noreturn]] void fail(int code) const;
 
   std::string output_, path_, name_;
@@ -113,6 +111,10 @@ class PartFile {
   FilePlace place_;
   bool is_kept_ = false;
 };
+
+// Throws RunRefused where something that is not ours stands where PartFile(target, mark) writes, or
+// where the target is of another user, and its folder one in which nobody else may replace it.
+void check_place(const std::string& target, Mark mark);
 
 // --- Locks that end with the process that holds them. One process at a time owns an output: it
 // looks at what is there, and gives the result its name under the lock OUTPUT.lock. A part that is

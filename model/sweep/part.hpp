@@ -41,12 +41,13 @@ struct PartHeader {
   // Which file (FileIdentity) at the output --force has allowed this sweep to replace; empty: none.
   std::string replaces = {};
 
+  template <class To, class Header>
+  static void fields(To& to, Header& of) {
+    to(of.version, of.numbers, of.digest, of.arithmetic, of.replaces, of.files);
+  }
   friend bool operator==(const PartHeader&, const PartHeader&) = default;
 };
 PartHeader header_of(const SweepPlan& plan);
-// A header as bytes. take_header() throws std::runtime_error where they end too early.
-void put_header(Bytes& to, const PartHeader& header);
-PartHeader take_header(ByteReader& from);
 
 // Chunks in memory, as bytes, by their numbers.
 using ChunksInMemory = std::map<std::uint64_t, Bytes>;

@@ -61,10 +61,6 @@ inline constexpr std::size_t histogram_bins = 100;
 // The mark of results (output_file.hpp).
 bool is_start_of_result(std::span<const std::byte> start);
 
-// Throws RunRefused where something that is not ours stands where write_result() would write, or
-// where this user may not replace the file that is there.
-void check_place_of_result(const std::string& path);
-
 // Writes it next to `path` (at PATH.part, or where it is shared with other processes at a name that
 // none of them uses), to the disk, and renames it into place, where it may replace what
 // `replaceable` says. All chunks have to be there; it takes them in order, one at a time, and calls

@@ -46,24 +46,19 @@ constexpr Shard no_shard{0, 0};
 struct OwnersNote {
   PartHeader header;  // without files
   Shard shard;        // or no_shard
-};
 
-Bytes bytes_of(const OwnersNote& note) {
-  Bytes bytes;
-  put_header(bytes, note.header);
-  put(bytes, note.shard.part);
-  put(bytes, note.shard.parts);
-  return bytes;
-}
+  template <class To, class Note>
+  static void fields(To& to, Note& of) {
+    to(of.header, of.shard.part, of.shard.parts);
+  }
+};
 
 // Nothing where there is no whole note: its owner is about to write it, or to end.
 std::optional<OwnersNote> noted_at(const std::string& output) {
   const Bytes bytes = OutputLock::noted(output);
-  ByteReader from(bytes);
+  OwnersNote note;
   try {
-    OwnersNote note{take_header(from), {}};
-    note.shard.part = from.take<std::uint64_t>();
-    note.shard.parts = from.take<std::uint64_t>();
+    Receiver{bytes}(note);
     return note;
   } catch (const std::runtime_error&) {
     return std::nullopt;
@@ -291,6 +286,14 @@ class Starter {
 
 // --- The end: from parts to one file.
 
+std::function<void(std::uint64_t)> told_of_writing(const RunSettings& settings,
+                                                   std::uint64_t chunks) {
+  return [&settings, chunks](std::uint64_t written) {
+    if (settings.stopped && settings.stopped()) throw Stopped();
+    if (settings.progress) settings.progress({RunProgress::Phase::writing, chunks, written});
+  };
+}
+
 // A shard is a part with all its chunks.
 void write_shard(const std::string& path, PartHeader header, const ChunkList& chunks,
                  const PartSet& parts, const std::function<void(std::uint64_t)>& told,
@@ -423,16 +426,13 @@ class Run {
         throw;
       }
       if (start.complete) return;
-      if (settings_.shard) {
-        FilePlace(settings_.result).check_replaceable();
-        static_cast<void>(FilePlace(settings_.result, ".part").open_ours(is_start_of_part));
-      } else {
-        check_place_of_result(settings_.result);
-      }
+      check_place(settings_.result, settings_.shard ? is_start_of_part : is_start_of_result);
       if (start.replaceable.only) header_.replaces = start.replaceable.only->text();
-      PartHeader noted = header_;
-      noted.files.clear();
-      lock_->note(bytes_of({std::move(noted), settings_.shard.value_or(no_shard)}));
+      OwnersNote note{header_, settings_.shard.value_or(no_shard)};
+      note.header.files.clear();
+      Sender sender;
+      sender(note);
+      lock_->note(sender.bytes);
     });
     settings_.result = ranks_.from_first(settings_.result);
     header_.replaces = ranks_.from_first(header_.replaces);
@@ -617,11 +617,7 @@ class Run {
   }
 
   void write(const PartSet& parts, const Replaceable& replaceable) {
-    const auto told = [&](std::uint64_t written) {
-      if (is_stopped()) throw Stopped();
-      if (settings_.progress)
-        settings_.progress({RunProgress::Phase::writing, parts.count(), written});
-    };
+    const auto told = told_of_writing(settings_, parts.count());
     if (settings_.shard)
       write_shard(settings_.result, header_, chunks_, parts, told, replaceable);
     else
@@ -663,14 +659,11 @@ SweepPlan plan_of(const PartHeader& header) {
 void check_is_no_input(const std::string& output, const std::vector<std::string>& shards) {
   const std::vector<std::string> parts = parts_of(output);
   std::error_code none;
-  for (const std::string& shard : shards) {
-    if (fs::equivalent(shard, output, none))
-      throw RunRefused("-o " + output + " is one of the shards; allowed: another file");
+  for (const std::string& shard : shards)
     for (const std::string& part : parts)
       if (fs::equivalent(shard, part, none))
         throw RunRefused(shard + " is a part of " + output +
                          " itself; allowed: another file for -o");
-  }
 }
 
 RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSettings& settings,
@@ -698,12 +691,8 @@ RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSetting
                      std::to_string(chunks->chunks()) +
                      " chunks are in none of these; allowed: all shards of one sweep");
   check_room(*plan, 1, settings.result, shards);
-  const auto told = [&](std::uint64_t written) {
-    if (settings.stopped && settings.stopped()) throw Stopped();
-    if (settings.progress)
-      settings.progress({RunProgress::Phase::writing, chunks->chunks(), written});
-  };
-  Descriptor written = write_result(settings.result, *plan, *chunks, told, replaceable);
+  Descriptor written = write_result(settings.result, *plan, *chunks,
+                                    told_of_writing(settings, chunks->chunks()), replaceable);
   remove_all(files);
   if (settings.finished) settings.finished(std::move(written));
   return RunEnd::done;
@@ -727,7 +716,7 @@ RunEnd merge(const std::vector<std::string>& shards, RunSettings settings) {
   settings.result = output_behind_links(settings.result);
   const OutputLock lock(settings.result);
   check_is_no_input(settings.result, shards);
-  check_place_of_result(settings.result);
+  check_place(settings.result, is_start_of_result);
   const Replaceable replaceable{settings.force, FilePlace(settings.result).identity()};
   if (replaceable.only && !settings.force)
     throw RunRefused(settings.result + " is there already; --force replaces it");
