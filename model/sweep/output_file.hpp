@@ -120,9 +120,9 @@ void check_place(const std::string& target, Mark mark);
 // looks at what is there, and gives the result its name under the lock OUTPUT.lock. A part that is
 // computed is claimed by a lock of its own (parts_in_hand.hpp).
 
-// A lock (flock) on a small file of its own. The file is there only while a process holds the lock,
-// or after such a process was killed. On a file system that has no locks each process gets it. Its
-// owner may note in the file what it works on.
+// A lock (flock) on a small file of its own. Its owner may note in the file what it works on. The
+// file is there only while a process holds the lock, after such a process was killed, or where it
+// was left for its note. On a file system that has no locks each process gets the lock.
 class OutputLock {
  public:
   // Throws RunRefused where another process has OUTPUT.lock, where that is a file that is not ours,
