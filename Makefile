@@ -46,13 +46,14 @@ help: ## print this list
 test-elsewhere: ## run the built tests as on a core without AVX-512, and on one without AVX2 and FMA; some 15 minutes
 	.ci/test-elsewhere
 
-test-slow: build ## run ten million lines, a billion points, fifty kills, 200 pairs, 200 attacks, 500 forged results, each write failing; half an hour
+test-slow: build ## run ten million lines, a billion points, 300 kills, 150 tries, 200 pairs, 200 attacks, 500 forged results, each write failing; half an hour
 	@.ci/deps test
 	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck TRIBOCHECK_ROOT=$(CURDIR) \
-	  TRIBOCHECK_LINES=10000000 TRIBOCHECK_POINTS=1000000000 TRIBOCHECK_KILLS=50 \
+	  TRIBOCHECK_LINES=10000000 TRIBOCHECK_POINTS=1000000000 TRIBOCHECK_KILLS=100 TRIBOCHECK_TRIES=150 \
 	  TRIBOCHECK_PAIRS=200 TRIBOCHECK_ATTACKS=200 TRIBOCHECK_FORGED=500 TRIBOCHECK_FAILED_WRITES=1 \
 	  /usr/bin/python3 -B -m unittest -v test_stream_slow test_sweep_memory_slow test_sweep_faults.Killed \
-	  test_sweep_pairs test_sweep_files.Shared test_sweep_forged test_sweep_writes
+	  test_sweep_pairs test_sweep_files.Shared test_sweep_forged test_sweep_writes \
+	  test_sweep_join test_sweep_ranks
 
 verify-full: ## run all verification, the slow parts too, and say what each took; some 25 minutes
 	.ci/verify-full

@@ -93,7 +93,11 @@ Handle open_file(const std::string& path);
 // it is when the file is made, or the text in the first bytes that follow.
 bool is_start_of(std::span<const std::byte> start, std::string_view format);
 
-// Texts of UTF-8 of any length.
+// The types of numbers in files and in memory. Texts are of UTF-8, of any length.
+inline hid_t file_type(double) { return H5T_IEEE_F64LE; }
+inline hid_t file_type(std::uint64_t) { return H5T_STD_U64LE; }
+inline hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
+inline hid_t memory_type(std::uint64_t) { return H5T_NATIVE_UINT64; }
 Handle string_type();
 
 // Groups, datasets and attributes are made without times, so that files of one content are equal.

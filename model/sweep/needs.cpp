@@ -177,7 +177,7 @@ Sample chunk_sample(const SceneSweep& scene) {
     if (most < static_cast<double>(groups))
       groups = std::max(probed, static_cast<std::uint64_t>(most));
   }
-  if (groups == scene.chunk_groups) return at_all_speeds(scene, groups);
+  if (groups == scene.chunk_groups && !scene.solves_film) return at_all_speeds(scene, groups);
   Sample sample = scene.solves_film ? sample_of(thinned(scene, widest(scene), 1), 0, 7)
                                     : at_all_speeds(scene, groups);
   const double more = static_cast<double>(scene.chunk_groups) / static_cast<double>(groups);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep/output_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -38,6 +39,14 @@ bool carries(Mark mark, int file, const struct stat& status, const std::string& 
   if (status.st_size == 0) return true;
   std::array<std::byte, start_size> start;
   return mark(std::span(start).first(read_at(file, 0, start, what)));
+}
+
+// The mark of locks in which something is noted.
+constexpr std::string_view lock_start = "tribocheck sweep lock 1\n";
+
+bool is_lock(std::span<const std::byte> start) {
+  const auto mark = std::as_bytes(std::span(lock_start));
+  return start.size() >= mark.size() && std::equal(mark.begin(), mark.end(), start.begin());
 }
 
 // In the same folder, so that the rename stays within one file system.
@@ -196,18 +205,62 @@ void PartFile::keep(const Replaceable& replaceable) {
   is_kept_ = true;
 }
 
+void check_place(const std::string& target, Mark mark) {
+  static_cast<void>(FilePlace(target, ".part").open_ours(mark));
+  const FilePlace place(target);
+  const auto there = place.status();
+  struct stat folder {};
+  if (::fstat(place.folder_, &folder) != 0) place.fail(errno);
+  const uid_t user = ::geteuid();
+  const bool is_bound = (folder.st_mode & S_ISVTX) != 0 && user != 0 && folder.st_uid != user;
+  if (there && is_bound && there->st_uid != user)
+    throw RunRefused(target + " is of another user, and its folder lets nobody else replace it; " +
+                     "allowed: another output");
+}
+
 // A process that holds the lock removes the lock's file before it releases the lock. So a process
 // that locks a file which has lost its name meanwhile has locked nothing, and begins again.
 OutputLock::OutputLock(const std::string& output, std::string_view ending)
     : output_(output), place_(output, ending) {
   do {
-    std::optional<Descriptor> file = place_.open_ours(no_mark);
-    if (!file) file = place_.create();
+    std::optional<Descriptor> file = place_.open_ours(is_lock);
+    if (!file && (file = place_.create())) check_owner(*file);
     if (!file) continue;
     locking_ = lock_file(*file, place_.path());
     if (locking_ == Locking::taken_by_another) return;
     file_ = std::move(*file);
   } while (!leads_to_it());
+}
+
+// Some file systems give all files one owner: nothing that is kept there would be taken up again.
+void OutputLock::check_owner(int made) const {
+  struct stat status {};
+  if (::fstat(made, &status) != 0 || status.st_uid == ::geteuid()) return;
+  place_.remove();
+  throw RunRefused("files that this user makes in the folder of " + output_ +
+                   " belong to another user, so that nothing can be kept there; allowed: an output "
+                   "in another folder");
+}
+
+void OutputLock::note(std::span<const std::byte> bytes) const {
+  const auto mark = std::as_bytes(std::span(lock_start));
+  Bytes content(mark.begin(), mark.end());
+  content.insert(content.end(), bytes.begin(), bytes.end());
+  const bool is_empty = ::ftruncate(file_, 0) == 0;
+  const ssize_t written = is_empty ? ::pwrite(file_, content.data(), content.size(), 0) : -1;
+  if (written != static_cast<ssize_t>(content.size()))
+    throw std::runtime_error("cannot write " + place_.path() + ": " +
+                             error_text(written < 0 ? errno : ENOSPC));
+}
+
+Bytes OutputLock::noted(const std::string& output) {
+  const FilePlace place(output, ".lock");
+  const auto file = place.open_ours(is_lock);
+  Bytes bytes(start_size);
+  if (file) bytes.resize(read_at(*file, 0, bytes, "cannot read " + place.path()));
+  if (!file || bytes.size() < lock_start.size()) return {};
+  bytes.erase(bytes.begin(), bytes.begin() + lock_start.size());
+  return bytes;
 }
 
 OutputLock::OutputLock(const std::string& output) : OutputLock(output, ".lock") {

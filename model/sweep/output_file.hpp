@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sweep/bytes.hpp"
 #include "sweep/disk.hpp"
 
 namespace tribo::sweep {
@@ -27,7 +28,6 @@ struct RunRefused : std::invalid_argument {
 
 // Do the first bytes of a file that is not empty, up to 8 kB of them, carry our mark?
 using Mark = bool (*)(std::span<const std::byte> start);
-inline bool no_mark(std::span<const std::byte>) { return false; }
 inline bool any_mark(std::span<const std::byte>) { return true; }
 
 // Which file it is, and in which state; it stays the same when the machine starts anew.
@@ -77,6 +77,7 @@ class FilePlace {
   void rename_to(const FilePlace& target, int file, const Replaceable& replaceable) const;
 
  private:
+  friend void check_place(const std::string& target, Mark mark);
   [[noreturn]] void fail(int code) const;
 
   std::string output_, path_, name_;
@@ -111,16 +112,22 @@ class PartFile {
   bool is_kept_ = false;
 };
 
+// Throws RunRefused where something that is not ours stands where PartFile(target, mark) writes, or
+// where the target is of another user, and its folder one in which nobody else may replace it.
+void check_place(const std::string& target, Mark mark);
+
 // --- Locks that end with the process that holds them. One process at a time owns an output: it
 // looks at what is there, and gives the result its name under the lock OUTPUT.lock. A part that is
 // computed is claimed by a lock of its own (parts_in_hand.hpp).
 
-// A lock (flock) on a small file of its own. The file is there only while a process holds the lock,
-// or after such a process was killed. On a file system that has no locks each process gets it.
+// A lock (flock) on a small file of its own. Its owner may note in the file what it works on. The
+// file is there only while a process holds the lock, after such a process was killed, or where it
+// was left for its note. On a file system that has no locks each process gets the lock.
 class OutputLock {
  public:
-  // Throws RunRefused where another process has OUTPUT.lock, or where that is a file that is not
-  // ours; std::runtime_error where it cannot be made.
+  // Throws RunRefused where another process has OUTPUT.lock, where that is a file that is not ours,
+  // or where files that are made there belong to another user; std::runtime_error where it cannot
+  // be made.
   explicit OutputLock(const std::string& output);
   // The lock OUTPUT + ENDING; nothing where another process has it. Throws likewise.
   static std::optional<OutputLock> take(const std::string& output, std::string_view ending);
@@ -130,6 +137,15 @@ class OutputLock {
   OutputLock& operator=(const OutputLock&) = delete;
   ~OutputLock();
 
+  // False on a file system without locks.
+  bool is_exclusive() const { return locking_ == Locking::locked; }
+  // Notes some bytes in the place of what is noted. Throws std::runtime_error where that fails.
+  void note(std::span<const std::byte> bytes) const;
+  // What is noted in OUTPUT.lock, by whoever holds it or was killed; empty: nothing.
+  static Bytes noted(const std::string& output);
+  // The file stays with what is noted, as if this process were killed.
+  void leave() { file_ = Descriptor(); }
+
   // False if somebody has removed the lock's file, so that another process may have taken its
   // place, or the folder.
   bool holds() const { return leads_to_it() && place_.is_folder_at_its_path(); }
@@ -138,6 +154,7 @@ class OutputLock {
 
  private:
   OutputLock(const std::string& output, std::string_view ending);
+  void check_owner(int made) const;
   // Without locks, any process that ends removes the file.
   bool leads_to_it() const;
 

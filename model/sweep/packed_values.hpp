@@ -15,6 +15,11 @@ namespace tribo::sweep {
 struct PackedValues {
   std::uint32_t element_size = 8;  // bytes: 8 for doubles, 1 for words
   Bytes bytes;                     // a zlib stream of the shuffled array
+
+  template <class To, class Values>
+  static void fields(To& to, Values& of) {
+    to(of.element_size, of.bytes);
+  }
 };
 
 PackedValues pack(std::span<const double> values);

@@ -125,40 +125,22 @@ Bytes read_head(const std::string& path) {
   const hdf5::QuietErrors quiet;
   const Handle file = hdf5::open_file(path);
   if (hdf5::read_text(file, "format") != part_format) throw hdf5::Error("it is of another format");
-  Bytes bytes;
-  put_text(bytes, hdf5::read_text(file, "tribocheck_version"));
-  put(bytes, hdf5::read_count(file, "numbers"));
-  for (const char* const name : {"digest", "arithmetic", "replaces"})
-    put_text(bytes, hdf5::read_text(file, name));
+  PartHeader header{hdf5::read_text(file, "tribocheck_version"),
+                    hdf5::read_count(file, "numbers"),
+                    hdf5::read_text(file, "digest"),
+                    hdf5::read_text(file, "arithmetic"),
+                    {},
+                    hdf5::read_text(file, "replaces")};
   const std::vector<std::string> names = hdf5::read_texts(file, "file_names");
   const std::vector<std::string> texts = hdf5::read_texts(file, "file_texts");
   if (names.size() != texts.size()) throw hdf5::Error("its files have not each a name");
-  put(bytes, std::uint64_t{names.size()});
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    put_text(bytes, names[i]);
-    put_text(bytes, texts[i]);
-  }
+  for (std::size_t i = 0; i < names.size(); ++i) header.files.emplace_back(names[i], texts[i]);
   const Array chunks = array_in(file, "chunks", 1, 1), index = array_in(file, "index", 2, 8);
   if (index.extents[1] != index_width) throw hdf5::Error("its index has another width");
-  for (const std::uint64_t number : {std::uint64_t{chunks.extents[0]}, chunks.offset,
-                                     std::uint64_t{index.extents[0]}, index.offset})
-    put(bytes, number);
-  return bytes;
-}
-
-PartHeader take_header(ByteReader& from) {
-  PartHeader header;
-  header.version = from.take_text();
-  header.numbers = from.take<std::uint64_t>();
-  header.digest = from.take_text();
-  header.arithmetic = from.take_text();
-  header.replaces = from.take_text();
-  const auto files = from.take<std::uint64_t>();
-  for (std::uint64_t i = 0; i < files; ++i) {
-    std::string name = from.take_text();
-    header.files.emplace_back(std::move(name), from.take_text());
-  }
-  return header;
+  Sender head;
+  head(header, std::uint64_t{chunks.extents[0]}, chunks.offset, std::uint64_t{index.extents[0]},
+       index.offset);
+  return std::move(head.bytes);
 }
 
 // Throws std::runtime_error where the index is not of chunks in `size` bytes.
@@ -242,10 +224,8 @@ Part::Part(const std::string& path, const std::function<bool()>& stopped) : path
   try {
     const std::uint64_t size = sweep::size_of(file, "cannot read it");
     const Bytes head = apart(size, [&] { return read_head(open_path_of(file)); });
-    ByteReader from(head);
-    header_ = take_header(from);
-    const auto chunks_size = from.take<std::uint64_t>(), chunks_offset = from.take<std::uint64_t>();
-    const auto count = from.take<std::uint64_t>(), index_offset = from.take<std::uint64_t>();
+    std::uint64_t chunks_size = 0, chunks_offset = 0, count = 0, index_offset = 0;
+    Receiver{head}(header_, chunks_size, chunks_offset, count, index_offset);
     if (count > size) throw std::runtime_error("its index is damaged");
     const Bytes bytes = bytes_at(file, index_offset, 8 * index_width * count, size);
     std::vector<std::uint64_t> index(bytes.size() / 8);

@@ -41,6 +41,10 @@ struct PartHeader {
   // Which file (FileIdentity) at the output --force has allowed this sweep to replace; empty: none.
   std::string replaces = {};
 
+  template <class To, class Header>
+  static void fields(To& to, Header& of) {
+    to(of.version, of.numbers, of.digest, of.arithmetic, of.replaces, of.files);
+  }
   friend bool operator==(const PartHeader&, const PartHeader&) = default;
 };
 PartHeader header_of(const SweepPlan& plan);

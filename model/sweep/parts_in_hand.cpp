@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <regex>
 #include <system_error>
 #include <utility>
+
+#include "sweep/result_file.hpp"
 
 namespace tribo::sweep {
 namespace {
@@ -51,22 +54,32 @@ std::size_t chunks_asked_for() {
 
 // --- Files.
 
+// What stands behind BEGINNING and the output's name in the names of the files beside it.
+std::vector<std::string> endings_beside(const std::string& output, const std::string& beginning) {
+  const std::string start = beginning + fs::path(output).filename().string();
+  std::vector<std::string> endings;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(output), none))
+    if (const std::string name = entry.path().filename().string(); name.starts_with(start))
+      endings.push_back(name.substr(start.size()));
+  std::sort(endings.begin(), endings.end());
+  return endings;
+}
+
 // The files beside an output whose names are BEGINNING, that of the output, and an ending.
 std::vector<std::string> files_like(const std::string& output, const std::string& beginning,
-                                    const char* ending) {
-  const std::string folder = folder_of(output);
-  const std::string start = beginning + fs::path(output).filename().string();
+                                    const std::string& ending) {
+  const std::size_t name = output.rfind('/') + 1;
   const std::regex ends(ending);
   std::vector<std::string> found;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(start) && std::regex_match(name.substr(start.size()), ends))
-      found.push_back(output.substr(0, output.rfind('/') + 1) + name);
-  }
-  std::sort(found.begin(), found.end());
+  for (const std::string& one : endings_beside(output, beginning))
+    if (std::regex_match(one, ends))
+      found.push_back(output.substr(0, name) + beginning + output.substr(name) + one);
   return found;
 }
+
+const std::string part_ending = R"(\.part-\d+-\d+(-\d+)?)";
+const std::string begun_ending = R"(\.\d+-\d+)";  // of files that have not their name yet
 
 }  // namespace
 
@@ -103,18 +116,39 @@ std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chun
 }
 
 std::string path_of_part(const std::string& output, const ChunkList& chunks) {
-  return output + ".part-" + std::to_string(chunks.front()) + '-' + std::to_string(chunks.back());
+  std::string path =
+      output + ".part-" + std::to_string(chunks.front()) + '-' + std::to_string(chunks.back());
+  const std::uint64_t step = chunks.size() > 1 ? chunks[1] - chunks[0] : 1;
+  return step == 1 ? path : path + '-' + std::to_string(step);
 }
 
 std::vector<std::string> parts_of(const std::string& output) {
-  return files_like(output, "", R"(\.part-\d+-\d+)");
+  return files_like(output, "", part_ending);
 }
 
 std::vector<std::string> files_of_parts(const std::string& output) {
-  std::vector<std::string> files = files_like(output, "", R"(\.part-\d+-\d+(\.lock)?)");
-  for (const std::string& begun : files_like(output, ".", R"(\.part-\d+-\d+\.\d+-\d+)"))
+  std::vector<std::string> files = files_like(output, "", part_ending + R"((\.lock)?)");
+  for (const std::string& begun : files_like(output, ".", part_ending + begun_ending))
     files.push_back(begun);
   return files;
+}
+
+void remove_begun(const std::string& output) {
+  const auto remove = [](const std::string& path) {
+    try {
+      FilePlace(path).remove_ours([](std::span<const std::byte> start) {
+        return is_start_of_part(start) || is_start_of_result(start);
+      });
+    } catch (const RunRefused&) {  // a file of somebody else, which is in nobody's way
+    }
+  };
+  for (const std::string& begun : files_like(output, ".", begun_ending)) remove(begun);
+  const std::size_t name = output.rfind('/') + 1;
+  for (const std::string& begun : files_like(output, ".", part_ending + begun_ending)) {
+    const std::string part = begun.substr(name + 1, begun.rfind('.') - name - 1);
+    const auto claim = OutputLock::take(output.substr(0, name) + part, ".lock");
+    if (claim && claim->is_exclusive()) remove(begun);
+  }
 }
 
 std::vector<std::string> journals_of(const std::string& output) {
@@ -123,48 +157,95 @@ std::vector<std::string> journals_of(const std::string& output) {
 
 PartsInHand::PartsInHand(Settings settings, std::vector<ChunkList> parts,
                          const std::vector<bool>& there)
-    : settings_(std::move(settings)), parts_(std::move(parts)), there_(there) {}
-
-bool PartsInHand::is_there(std::size_t part) {
-  if (!there_[part] && !settings_.in_memory)
-    there_[part] = FilePlace(path_of_part(settings_.output, parts_[part])).status().has_value();
-  return there_[part];
+    : settings_(std::move(settings)), parts_(std::move(parts)), there_(there) {
+  std::string longest;
+  for (std::size_t part = 0; part < parts_.size() && !settings_.in_memory; ++part)
+    if (const std::string path = path_of_part(settings_.output, parts_[part]);
+        !there_[part] && path.size() > longest.size())
+      longest = path;
+  if (!longest.empty()) static_cast<void>(PartFile(longest));  // goes again
 }
 
-bool PartsInHand::has_work_locked() {
-  if (!in_hand_.empty() && in_hand_.back().next < parts_[in_hand_.back().part].size()) return true;
-  for (std::size_t i = 0; i < parts_.size() && !is_over_; ++i) {
-    const std::size_t part = (settings_.begin + i) % parts_.size();
-    const auto is_ours = [part](const InHand& ours) { return ours.part == part; };
-    if (std::any_of(in_hand_.begin(), in_hand_.end(), is_ours) || is_there(part)) continue;
-    std::optional<OutputLock> claim;
-    if (!settings_.in_memory) {
-      claim = OutputLock::take(path_of_part(settings_.output, parts_[part]), ".lock");
-      // It may have been written, and even put into the result, before it was claimed.
-      if (!claim || is_there(part)) continue;
-      is_over_ = settings_.over && settings_.over();
-      if (is_over_) return false;
-    }
-    in_hand_.push_back({part, std::move(claim)});
-    return true;
+bool PartsInHand::has_chunks() const {
+  return !in_hand_.empty() && in_hand_.back().next < parts_[in_hand_.back().part].size();
+}
+
+// Notes the parts that are there, by one look at the folder.
+void PartsInHand::look() {
+  if (settings_.in_memory) return;
+  const std::vector<std::string> found = endings_beside(settings_.output, "");
+  const std::lock_guard lock(mutex_);
+  for (std::size_t part = 0; part < parts_.size(); ++part)
+    if (!there_[part])
+      there_[part] = std::binary_search(found.begin(), found.end(), path_of_part("", parts_[part]));
+  looked_ = Clock::now();
+}
+
+// The parts that are neither there nor in hand, in the order in which this process takes them.
+std::vector<std::size_t> PartsInHand::missing() {
+  look();
+  const std::lock_guard lock(mutex_);
+  std::vector<bool> is_known = there_;
+  for (const InHand& ours : in_hand_) is_known[ours.part] = true;
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (const std::size_t part = (settings_.begin + i) % parts_.size(); !is_known[part])
+      missing.push_back(part);
+  return missing;
+}
+
+// A part that is now this process's.
+std::optional<PartsInHand::InHand> PartsInHand::claim() {
+  for (const std::size_t part : missing()) {
+    InHand made{part};
+    if (settings_.in_memory) return made;
+    const std::string path = path_of_part(settings_.output, parts_[part]);
+    made.claim = OutputLock::take(path, ".lock");
+    // It may have been written, and even put into the result, before it was claimed.
+    if (!made.claim || FilePlace(path).status()) continue;
+    is_over_ = settings_.over && settings_.over();
+    if (is_over_) break;
+    return made;
   }
-  return false;
+  return std::nullopt;
+}
+
+// Sees to it that chunks can be handed out; false: all parts are there, claimed or not needed. One
+// thread looks for a part while the others wait for it, and while any of them may keep its chunks.
+bool PartsInHand::find_work(std::unique_lock<std::mutex>& lock) {
+  claimed_.wait(lock, [this] { return has_chunks() || !is_claiming_; });
+  if (has_chunks() || is_over_) return has_chunks();
+  is_claiming_ = true;
+  lock.unlock();
+  std::optional<InHand> found;
+  std::exception_ptr failure;
+  try {
+    found = claim();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  lock.lock();
+  is_claiming_ = false;
+  if (found) in_hand_.push_back(std::move(*found));
+  claimed_.notify_all();
+  if (failure != nullptr) std::rethrow_exception(failure);
+  return has_chunks();
 }
 
 bool PartsInHand::has_work() {
-  const std::lock_guard lock(mutex_);
-  return has_work_locked();
+  std::unique_lock lock(mutex_);
+  return find_work(lock);
 }
 
 bool PartsInHand::is_done() {
+  look();
   const std::lock_guard lock(mutex_);
-  look_at_all();
   return is_over_ || std::find(there_.begin(), there_.end(), false) == there_.end();
 }
 
 std::optional<std::uint64_t> PartsInHand::next() {
-  const std::lock_guard lock(mutex_);
-  if (!has_work_locked()) return std::nullopt;
+  std::unique_lock lock(mutex_);
+  if (!find_work(lock)) return std::nullopt;
   InHand& last = in_hand_.back();
   return parts_[last.part][last.next++];
 }
@@ -208,14 +289,13 @@ void PartsInHand::write(InHand done) {
   }
 }
 
-void PartsInHand::look_at_all() {
-  looked_ = Clock::now();
-  for (std::size_t part = 0; part < parts_.size(); ++part) is_there(part);
-}
-
 std::uint64_t PartsInHand::chunks_there() {
-  const std::lock_guard lock(mutex_);
-  if (!settings_.in_memory && Clock::now() - looked_ > std::chrono::seconds(1)) look_at_all();
+  std::unique_lock lock(mutex_);
+  if (Clock::now() - looked_ > std::chrono::seconds(1)) {
+    lock.unlock();
+    look();
+    lock.lock();
+  }
   std::uint64_t chunks = 0;
   for (std::size_t part = 0; part < parts_.size(); ++part)
     if (there_[part]) chunks += parts_[part].size();

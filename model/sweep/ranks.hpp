@@ -26,6 +26,8 @@ class Ranks {
   std::string from_first(std::string text) const;
   // Is it so on every rank? Waits for all.
   bool everywhere(bool mine) const;
+  // Ends the processes of all ranks, where this one cannot go on to what they will wait for.
+  [[noreturn]] void end_all() const;
 
  private:
   int rank_ = 0;

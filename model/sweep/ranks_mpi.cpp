@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -60,6 +61,11 @@ bool Ranks::everywhere(bool mine) const {
   MPI_Iallreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD, &request);
   wait_for(request);  // NOLINT(clang-analyzer-optin.mpi.MPI-Checker): it tests until it is done
   return all != 0;
+}
+
+void Ranks::end_all() const {
+  MPI_Abort(MPI_COMM_WORLD, 1);
+  std::_Exit(1);
 }
 
 }  // namespace tribo::sweep

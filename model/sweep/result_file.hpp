@@ -32,6 +32,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,8 +58,8 @@ inline constexpr std::array quantile_levels{0.001, 0.01, 0.025, 0.05,  0.16, 0.2
                                             0.75,  0.84, 0.95,  0.975, 0.99, 0.999};
 inline constexpr std::size_t histogram_bins = 100;
 
-// Throws RunRefused where something that is not ours stands where write_result() would write.
-void check_place_of_result(const std::string& path);
+// The mark of results (output_file.hpp).
+bool is_start_of_result(std::span<const std::byte> start);
 
 // Writes it next to `path` (at PATH.part, or where it is shared with other processes at a name that
 // none of them uses), to the disk, and renames it into place, where it may replace what

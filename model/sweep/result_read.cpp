@@ -113,11 +113,6 @@ std::size_t length_of(hid_t parent, const std::string& name) {
   return static_cast<std::size_t>(extents.front());
 }
 
-hid_t file_type(double) { return H5T_IEEE_F64LE; }
-hid_t file_type(std::uint64_t) { return H5T_STD_U64LE; }
-hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
-hid_t memory_type(std::uint64_t) { return H5T_NATIVE_UINT64; }
-
 // A dataset of known type and extents.
 template <class T>
 std::vector<T> read_array(hid_t parent, const std::string& name, hid_t type,
@@ -133,13 +128,13 @@ std::vector<T> read_array(hid_t parent, const std::string& name, hid_t type,
   for (const hsize_t extent : extents)
     if (__builtin_mul_overflow(count, extent, &count)) throw hdf5::Error(name + " is too large");
   std::vector<T> values(count);
-  checked(H5Dread(dataset, memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  checked(H5Dread(dataset, hdf5::memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   return values;
 }
 template <class T>
 std::vector<T> read_array(hid_t parent, const std::string& name,
                           const std::vector<hsize_t>& extents) {
-  return read_array<T>(parent, name, file_type(T()), extents);
+  return read_array<T>(parent, name, hdf5::file_type(T()), extents);
 }
 
 // Names of what a group holds, in the order in which it was written.
@@ -289,65 +284,9 @@ std::vector<double> read_cases(hid_t file, const std::string& scene_id, const st
   return read_array<double>(group, place, H5T_STD_U8LE, extents);
 }
 
-// --- On the way from one process to another.
+}  // namespace
 
-class Sender {
- public:
-  template <class... T>
-  void operator()(const T&... values) {
-    (one(values), ...);
-  }
-  Bytes bytes;
-
- private:
-  template <class T>
-  void one(const T& value) {
-    if constexpr (std::is_arithmetic_v<T>)
-      put(bytes, value);
-    else
-      each_field(*this, value);
-  }
-  void one(const std::string& text) { put_text(bytes, text); }
-  void one(const std::vector<double>& values) { put(bytes, std::as_bytes(std::span(values))); }
-  template <class T>
-  void one(const std::vector<T>& list) {
-    put(bytes, static_cast<std::uint64_t>(list.size()));
-    for (const T& value : list) one(value);
-  }
-};
-
-class Receiver {
- public:
-  explicit Receiver(std::span<const std::byte> bytes) : from_(bytes) {}
-  template <class... T>
-  void operator()(T&... values) {
-    (one(values), ...);
-  }
-
- private:
-  template <class T>
-  void one(T& value) {
-    if constexpr (std::is_arithmetic_v<T>)
-      value = from_.take<T>();
-    else
-      each_field(*this, value);
-  }
-  void one(std::string& text) { text = from_.take_text(); }
-  void one(std::vector<double>& values) {
-    const std::span<const std::byte> bytes = from_.take_bytes();
-    values.resize(bytes.size() / sizeof(double));
-    if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
-  }
-  template <class T>
-  void one(std::vector<T>& list) {
-    const auto count = from_.take<std::uint64_t>();
-    for (std::uint64_t i = 0; i < count; ++i) one(list.emplace_back());
-  }
-
-  ByteReader from_;
-};
-
-// A struct's fields, each once and all of them, for a Sender or a Receiver.
+// A struct's fields, each once and all of them, for a Sender or a Receiver (bytes.hpp).
 template <class To, class T>
 void each_field(To& to, T& of) {
   using Struct = std::remove_const_t<T>;
@@ -374,8 +313,6 @@ void each_field(To& to, T& of) {
     to(of.identity, of.scenes);
   }
 }
-
-}  // namespace
 
 const ColumnResult* SceneResult::column(std::string_view name) const {
   const auto found = std::find_if(columns.begin(), columns.end(),

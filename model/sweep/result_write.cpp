@@ -25,11 +25,6 @@ using hdf5::write_attribute;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-hid_t file_type(double) { return H5T_IEEE_F64LE; }
-hid_t file_type(std::uint64_t) { return H5T_STD_U64LE; }
-hid_t memory_type(double) { return H5T_NATIVE_DOUBLE; }
-hid_t memory_type(std::uint64_t) { return H5T_NATIVE_UINT64; }
-
 // Like the filter of this name in HDF5, whose bytes are big-endian words of 16 bits.
 std::uint32_t fletcher32(std::span<const std::byte> bytes) {
   constexpr std::size_t words_between = 360;  // as many as do not overflow
@@ -58,8 +53,8 @@ Handle write_array(hid_t group, const std::string& name, const std::vector<T>& v
   extents.front() = std::clamp<hsize_t>((std::size_t{1} << 20) / row, 1, extents.front());
   checked(H5Pset_chunk(creation, static_cast<int>(extents.size()), extents.data()));
   checked(H5Pset_fletcher32(creation));
-  Handle dataset = hdf5::make_dataset(group, name, file_type(T()), space, creation);
-  checked(H5Dwrite(dataset, memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  Handle dataset = hdf5::make_dataset(group, name, hdf5::file_type(T()), space, creation);
+  checked(H5Dwrite(dataset, hdf5::memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   return dataset;
 }
 
@@ -321,10 +316,6 @@ class SceneWriter {
   std::vector<std::vector<SensitivityBlocks>> sensitivities_;
 };
 
-bool is_start_of_result(std::span<const std::byte> start) {
-  return hdf5::is_start_of(start, result_format);
-}
-
 void write_file(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
                 const std::function<void(std::uint64_t)>& told) {
   Handle file = hdf5::create_file(path);
@@ -354,8 +345,8 @@ void write_file(const std::string& path, const SweepPlan& plan, const PartSet& c
 
 }  // namespace
 
-void check_place_of_result(const std::string& path) {
-  static_cast<void>(FilePlace(path, ".part").open_ours(is_start_of_result));
+bool is_start_of_result(std::span<const std::byte> start) {
+  return hdf5::is_start_of(start, result_format);
 }
 
 Descriptor write_result(const std::string& path, const SweepPlan& plan, const PartSet& chunks,

@@ -39,6 +39,32 @@ std::string difference(const PartHeader& mine, const PartHeader& theirs, bool an
   return {};
 }
 
+constexpr Shard no_shard{0, 0};
+
+// What the owner of an output computes, as its lock's file says. A process that was killed leaves
+// it.
+struct OwnersNote {
+  PartHeader header;  // without files
+  Shard shard;        // or no_shard
+
+  template <class To, class Note>
+  static void fields(To& to, Note& of) {
+    to(of.header, of.shard.part, of.shard.parts);
+  }
+};
+
+// Nothing where there is no whole note: its owner is about to write it, or to end.
+std::optional<OwnersNote> noted_at(const std::string& output) {
+  const Bytes bytes = OutputLock::noted(output);
+  OwnersNote note;
+  try {
+    Receiver{bytes}(note);
+    return note;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
 bool is_of_shard(const Part& part, const Shard& shard) {
   const auto records = part.records();
   return std::all_of(records.begin(), records.end(),
@@ -105,7 +131,8 @@ class Starter {
           const std::vector<ChunkList>& parts, int threads)
       : plan_(plan), settings_(settings), header_(header), parts_(parts), threads_(threads) {}
 
-  Start start() {
+  // left: what a process that was killed has noted.
+  Start start(const std::optional<OwnersNote>& left) {
     const std::string& path = settings_.result;
     std::vector<std::string> files = files_of_parts(path);
     const std::vector<std::string> found = parts_of(path), journals = journals_of(path);
@@ -125,12 +152,17 @@ class Starter {
         remove_all(files);
         return {true, {}, {}};
       }
-      if (!any_goes_on(found, "")) throw RunRefused(why + "; --force replaces it");
-      if (!there || !any_goes_on(found, there->text()))
+      // --force has begun this, and was stopped.
+      const bool is_begun =
+          left && there && refusal(*left).empty() && left->header.replaces == there->text();
+      if (!is_begun && !any_goes_on(found, "")) throw RunRefused(why + "; --force replaces it");
+      if (!is_begun && (!there || !any_goes_on(found, there->text())))
         throw RunRefused(why + ", and was put there after the parts beside it were begun; " +
                          "move it away, and --resume goes on");
-      // --force has begun this, and was stopped.
-      settings_.tell(why + "; the parts beside it are gone on with, and then it is replaced");
+      settings_.tell(why + (found.empty()
+                                ? "; it is replaced, as --force has asked, once this is done"
+                                : "; the parts beside it are gone on with, and then it is "
+                                  "replaced"));
     }
     if (!journals.empty())
       throw RunRefused(journals.front() +
@@ -155,6 +187,13 @@ class Starter {
     std::string why = difference(header_, part.header(), settings_.mixed_fma);
     if (why.empty() && settings_.shard && !is_of_shard(part, *settings_.shard))
       why = "is of another shard; --force throws it away";
+    return why;
+  }
+
+  // Why what another process computes, or has begun, is not what this one does; empty if it is.
+  std::string refusal(const OwnersNote& note) const {
+    std::string why = difference(header_, note.header, settings_.mixed_fma);
+    if (why.empty() && note.shard != settings_.shard.value_or(no_shard)) why = "is another shard";
     return why;
   }
 
@@ -247,6 +286,14 @@ class Starter {
 
 // --- The end: from parts to one file.
 
+std::function<void(std::uint64_t)> told_of_writing(const RunSettings& settings,
+                                                   std::uint64_t chunks) {
+  return [&settings, chunks](std::uint64_t written) {
+    if (settings.stopped && settings.stopped()) throw Stopped();
+    if (settings.progress) settings.progress({RunProgress::Phase::writing, chunks, written});
+  };
+}
+
 // A shard is a part with all its chunks.
 void write_shard(const std::string& path, PartHeader header, const ChunkList& chunks,
                  const PartSet& parts, const std::function<void(std::uint64_t)>& told,
@@ -296,29 +343,45 @@ class Run {
     agree_on_plan();
     for (;;) {
       Start start = start_on_first();
-      if (!start.complete) together([&] { compute_missing(start.there); });
-      if (ranks_.rank() > 0) return RunEnd::done;
-      if (!lock_) {
+      std::exception_ptr failure;
+      if (!start.complete) failure = failure_of([&] { compute_missing(start.there); });
+      if (ranks_.count() == 1 && failure != nullptr) std::rethrow_exception(failure);
+      ranks_.everywhere(true);  // the others have computed what a rank that failed has left
+      if (ranks_.rank() == 0 && !lock_) {
         if (is_stopped()) return stopped_helping();
         std::this_thread::sleep_for(moment);
         continue;  // until the owner has put its result there, or has given up
       }
-      if (!start.complete && finish(start) == RunEnd::stopped) return RunEnd::stopped;
-      if (settings_.finished) settings_.finished(std::move(written_));
-      return RunEnd::done;
+      RunEnd end = RunEnd::done;
+      together([&] {
+        if (ranks_.rank() == 0 && !start.complete) end = finish(start, failure == nullptr ? 3 : 1);
+      });
+      if (end == RunEnd::done && ranks_.rank() == 0 && settings_.finished)
+        settings_.finished(std::move(written_));
+      if (failure != nullptr) std::rethrow_exception(failure);
+      return end;
     }
   }
 
  private:
-  // Runs what may throw on this rank, and has all ranks know of it.
+  // What a step on this rank throws, null if nothing. Of several ranks, this one tells it at once.
   template <class Step>
-  void together(Step&& step) {
-    std::exception_ptr failure;
+  std::exception_ptr failure_of(Step&& step) const {
     try {
       step();
-    } catch (...) {
-      failure = std::current_exception();
+    } catch (const Stopped&) {
+      return std::current_exception();
+    } catch (const std::exception& error) {
+      if (ranks_.count() > 1 && settings_.failed) settings_.failed(error.what());
+      return std::current_exception();
     }
+    return nullptr;
+  }
+
+  // Runs what may throw on this rank, and has all ranks know of it.
+  template <class Step>
+  void together(Step&& step) const {
+    const std::exception_ptr failure = failure_of(step);
     const bool all_good = ranks_.everywhere(failure == nullptr);
     if (failure != nullptr) std::rethrow_exception(failure);
     if (!all_good) throw OtherRankFailed();
@@ -353,14 +416,23 @@ class Run {
         if (is_first && before_ && starter().why_not_it().empty()) before_.reset();
         return start_helping(start);
       }
-      start = starter().start();
-      if (!start.complete) {
-        if (settings_.shard)
-          static_cast<void>(FilePlace(settings_.result, ".part").open_ours(is_start_of_part));
-        else
-          check_place_of_result(settings_.result);
+      if (settings_.join && !lock_->is_exclusive()) check_owner();
+      if (lock_->is_exclusive()) remove_begun(settings_.result);
+      const std::optional<OwnersNote> left = noted_at(settings_.result);
+      try {
+        start = starter().start(left);
+      } catch (const std::exception&) {
+        if (left && !left->header.replaces.empty()) lock_->leave();
+        throw;
       }
+      if (start.complete) return;
+      check_place(settings_.result, settings_.shard ? is_start_of_part : is_start_of_result);
       if (start.replaceable.only) header_.replaces = start.replaceable.only->text();
+      OwnersNote note{header_, settings_.shard.value_or(no_shard)};
+      note.header.files.clear();
+      Sender sender;
+      sender(note);
+      lock_->note(sender.bytes);
     });
     settings_.result = ranks_.from_first(settings_.result);
     header_.replaces = ranks_.from_first(header_.replaces);
@@ -372,21 +444,28 @@ class Run {
     return start;
   }
 
-  // Where another process owns the output: its parts are of this sweep, as far as there are any.
-  void start_helping(Start& start) const {
-    for (const std::string& path : parts_of(settings_.result)) {
-      std::optional<Part> part;
-      try {
-        part.emplace(path);
-      } catch (const std::runtime_error&) {  // the owner looks after it, or has just removed it
-        continue;
-      }
-      if (const std::string why = starter().refusal(*part); !why.empty())
-        throw RunRefused(path + ' ' + why);
-      break;
+  // Why another process, which owns the output, does not compute what this one does; empty if it
+  // does, or has not said yet.
+  std::string why_not_of_owner() const {
+    const std::optional<OwnersNote> note = noted_at(settings_.result);
+    return note ? starter().refusal(*note) : "";
+  }
+
+  void check_owner() {
+    std::string why = why_not_of_owner();
+    if (why.empty()) return;
+    if (lock_) {  // there are no locks, and nobody knows whether the other process still runs
+      lock_->leave();
+      why += "; if it was killed, remove " + settings_.result + ".lock";
     }
-    // The only part of a short sweep is its owner's.
-    start.there.assign(parts_.size(), parts_.size() == 1);
+    throw RunRefused(settings_.result +
+                     " is being written by another process, and what it computes " + why);
+  }
+
+  void start_helping(Start& start) {
+    check_owner();
+    // The only part of a short sweep is its owner's; and help begins once the owner says with what.
+    start.there.assign(parts_.size(), parts_.size() == 1 || !noted_at(settings_.result));
   }
 
   RunEnd stopped_helping() {
@@ -407,8 +486,9 @@ class Run {
   }
 
   void compute_missing(std::vector<bool> there) {
-    PartsInHand::Settings hand{settings_.result, header_, 0, is_at_once(there),
-                               [this] { return is_over(); }};
+    PartsInHand::Settings hand{
+        settings_.result, header_, 0, is_at_once(there),
+        [this] { return is_over() || (settings_.join && !lock_ && !why_not_of_owner().empty()); }};
     if (hand.in_memory && ranks_.rank() > 0) return;
     if (settings_.join) hand.begin = place_of_process(parts_.size());
     if (ranks_.count() > 1)
@@ -421,9 +501,10 @@ class Run {
     const auto ends = [&] { return is_lost || is_stopped(); };
     const std::uint64_t first_there = parts.chunks_there();
     std::future<void> worker = started_thread([&] {
-      while (!ends() && !parts.is_done()) {
-        if (!parts.has_work()) {  // what is left is in the hands of others
-          std::this_thread::sleep_for(moment);
+      while (!ends()) {
+        if (!parts.has_work()) {
+          if (parts.is_done()) return;
+          std::this_thread::sleep_for(moment);  // what is left is in the hands of others
           continue;
         }
         const int now = compute(
@@ -483,8 +564,7 @@ class Run {
     return {std::move(parts), plan_.chunks(), settings_.mixed_fma};
   }
 
-  RunEnd finish(const Start& start) {
-    constexpr int most_rounds = 3;
+  RunEnd finish(const Start& start, int most_rounds) {
     for (int round = 1;; ++round) {
       check_lock();
       if (is_over() && starter().why_not_it().empty()) return cleaned();
@@ -495,6 +575,7 @@ class Run {
       const std::string kept = std::to_string(is_at_once ? 0 : parts.count()) +
                                " chunks are kept beside " + settings_.result;
       if (missing > 0 && (is_stopped() || round == most_rounds)) {
+        if (is_at_once || parts.count() == 0) leave_note();
         settings_.tell("stopped: " + kept + ", and " + std::to_string(missing) +
                        " are still to be computed; --resume goes on");
         return RunEnd::stopped;
@@ -511,6 +592,7 @@ class Run {
     try {
       write(parts, replaceable);
     } catch (const Stopped&) {
+      if (kept.empty()) leave_note();
       settings_.tell(kept.empty() ? "stopped: nothing is kept of so short a sweep; --resume goes on"
                                   : "stopped: all " + kept + "; --resume writes the result");
       return RunEnd::stopped;
@@ -524,17 +606,18 @@ class Run {
     return cleaned();
   }
 
+  // Where no part says it, the note says that --force has allowed to replace a file.
+  void leave_note() {
+    if (!header_.replaces.empty()) lock_->leave();
+  }
+
   RunEnd cleaned() {
     for (const std::string& path : files_of_parts(settings_.result)) remove_or_tell(path);
     return RunEnd::done;
   }
 
   void write(const PartSet& parts, const Replaceable& replaceable) {
-    const auto told = [&](std::uint64_t written) {
-      if (is_stopped()) throw Stopped();
-      if (settings_.progress)
-        settings_.progress({RunProgress::Phase::writing, parts.count(), written});
-    };
+    const auto told = told_of_writing(settings_, parts.count());
     if (settings_.shard)
       write_shard(settings_.result, header_, chunks_, parts, told, replaceable);
     else
@@ -576,14 +659,11 @@ SweepPlan plan_of(const PartHeader& header) {
 void check_is_no_input(const std::string& output, const std::vector<std::string>& shards) {
   const std::vector<std::string> parts = parts_of(output);
   std::error_code none;
-  for (const std::string& shard : shards) {
-    if (fs::equivalent(shard, output, none))
-      throw RunRefused("-o " + output + " is one of the shards; allowed: another file");
+  for (const std::string& shard : shards)
     for (const std::string& part : parts)
       if (fs::equivalent(shard, part, none))
         throw RunRefused(shard + " is a part of " + output +
                          " itself; allowed: another file for -o");
-  }
 }
 
 RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSettings& settings,
@@ -611,12 +691,8 @@ RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSetting
                      std::to_string(chunks->chunks()) +
                      " chunks are in none of these; allowed: all shards of one sweep");
   check_room(*plan, 1, settings.result, shards);
-  const auto told = [&](std::uint64_t written) {
-    if (settings.stopped && settings.stopped()) throw Stopped();
-    if (settings.progress)
-      settings.progress({RunProgress::Phase::writing, chunks->chunks(), written});
-  };
-  Descriptor written = write_result(settings.result, *plan, *chunks, told, replaceable);
+  Descriptor written = write_result(settings.result, *plan, *chunks,
+                                    told_of_writing(settings, chunks->chunks()), replaceable);
   remove_all(files);
   if (settings.finished) settings.finished(std::move(written));
   return RunEnd::done;
@@ -640,7 +716,7 @@ RunEnd merge(const std::vector<std::string>& shards, RunSettings settings) {
   settings.result = output_behind_links(settings.result);
   const OutputLock lock(settings.result);
   check_is_no_input(settings.result, shards);
-  check_place_of_result(settings.result);
+  check_place(settings.result, is_start_of_result);
   const Replaceable replaceable{settings.force, FilePlace(settings.result).identity()};
   if (replaceable.only && !settings.force)
     throw RunRefused(settings.result + " is there already; --force replaces it");

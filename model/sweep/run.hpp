@@ -21,6 +21,7 @@ namespace tribo::sweep {
 struct Shard {
   std::uint64_t part = 1, parts = 1;
   bool has(std::uint64_t chunk) const { return chunk % parts == part - 1; }
+  friend bool operator==(const Shard&, const Shard&) = default;
 };
 
 struct RunProgress {
@@ -39,7 +40,9 @@ struct RunSettings {
   bool mixed_fma = false;  // go on with those of another arithmetic
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
-  std::function<bool()> stopped;                     // to end early, with what is computed kept
+  // Of several ranks, on the one that fails: says why at once, for the others may go on for long.
+  std::function<void(std::string_view)> failed;
+  std::function<bool()> stopped;  // to end early, with what is computed kept
   // On rank 0 once the result has its name, and before another process can replace it; with the
   // result, open, where this process has written it.
   std::function<void(std::optional<Descriptor>)> finished;
@@ -54,7 +57,8 @@ enum class RunEnd : std::uint8_t { done, stopped };
 
 // Every rank calls it with the same plan and settings; rank 0 holds the output's lock and writes
 // the result, or, with `join`, helps whoever does. Throws RunRefused, OtherRankFailed, and
-// std::runtime_error where it fails; computed parts stay then.
+// std::runtime_error where it fails; computed parts stay then. Where a rank fails, the others
+// compute its parts too, and the result is written if all are there.
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks);
 
 // Puts shards together: the result is that of an undivided run, to the bit. Throws RunRefused where

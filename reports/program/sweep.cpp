@@ -195,7 +195,9 @@ void leave_out_fma() {
     if (use_instruction_set(one) && !is_fused()) return;
 }
 
-int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, OutputStream& output) {
+// is_over: set once this rank has nothing more to tell the others.
+int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, OutputStream& output,
+                bool& is_over) {
   const bool first = ranks.rank() == 0;
   if (arguments.without_fma) leave_out_fma();
   const auto plan = read_plan(arguments.files, first);
@@ -221,12 +223,24 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   sweep::RunSettings settings = settings_of(arguments, progress, first);
   int shown = exit_done;
   settings.finished = [&](std::optional<sweep::Descriptor> written) {
+    is_over = true;
     progress.wipe();
     stop_at_once();
     if (!settings.shard) shown = show_written(arguments, std::move(written), output);
   };
+  bool is_told = false;
+  settings.failed = [&](std::string_view why) {
+    progress.wipe();
+    if (!std::exchange(is_told, true)) complain(why);
+  };
   watch_for_stop();
-  const sweep::RunEnd end = sweep::run(*plan, settings, ranks);
+  sweep::RunEnd end = sweep::RunEnd::stopped;
+  try {
+    end = sweep::run(*plan, settings, ranks);
+  } catch (const std::exception& failure) {
+    if (!is_told) throw;
+    return dynamic_cast<const sweep::RunRefused*>(&failure) == nullptr ? exit_failed : exit_bad;
+  }
   progress.wipe();
   if (stop_signal() != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal();
   return end == sweep::RunEnd::done ? shown : exit_failed;
@@ -278,7 +292,14 @@ int run_sweep(SweepArguments& arguments, OutputStream& output) {
   }
   return told([&] {
     const sweep::Ranks ranks;
-    return told([&] { return run_on_rank(arguments, ranks, output); });
+    bool is_over = false;
+    try {
+      return told([&] { return run_on_rank(arguments, ranks, output, is_over); });
+    } catch (const std::exception& failure) {
+      if (ranks.count() == 1 || is_over) throw;
+      complain(failure.what());
+      ranks.end_all();  // who waits for this rank would wait for ever
+    }
   });
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Preloaded into the program by test_sweep_writes.py: has one call fail by which a file is changed, the
+/* Preloaded into the program by test_sweep_writes.py and test_sweep_ranks.py: has one call fail by which a file is changed, the
    FAILING_CALL-th of those on files whose paths begin with FAILING_PATH (the name may have a dot in front), or all from that one on where
    FAILING_ON is set. Writes to FAILING_COUNT how many calls there were, and which failed
    last. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Preloaded into the program by test_sweep_join.py: the host's name is HOST_NAME, and where NO_LOCKS is set, no file
-   system has locks. */
+/* Preloaded into the program by test_sweep_join.py and test_sweep_files.py: the host's name is HOST_NAME if that is
+   set; where NO_LOCKS is set, no file system has locks; where OTHER_OWNER is set, all files belong to another user. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -10,8 +10,15 @@
 #include <unistd.h>
 
 int gethostname(char* name, size_t size) {
+  if (getenv("HOST_NAME") == NULL)
+    return ((int (*)(char*, size_t))dlsym(RTLD_NEXT, "gethostname"))(name, size);
   strncpy(name, getenv("HOST_NAME"), size);
   return 0;
+}
+
+uid_t geteuid(void) {
+  const uid_t user = ((uid_t(*)(void))dlsym(RTLD_NEXT, "geteuid"))();
+  return getenv("OTHER_OWNER") == NULL ? user : user + 1;
 }
 
 int flock(int file, int operation) {

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps for the tests: their texts, their runs, and their results by h5py."""
 
+import collections
 import ctypes
 import os
+import random
 import re
+import signal
 import struct
 import subprocess
+import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, Folder, run
@@ -42,8 +46,63 @@ LONG = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
               "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
              onset='["film_maximum", "film_departure"]', draws=150000, sensitivity="true")
 
+# A chunk of it takes minutes, and all of it days.
+DAYS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
+               "speed": "{ from = 1e-3, to = 3, count = 20 }"}, onset='["friction_minimum"]',
+              keep='"summaries"', draws=2000000000)
+
+
+# Less than a tenth of a second, in eight parts: for trials that are made many times.
+MINI = sweep({"lubricant.viscosity": UNIFORM}, onset='["film_maximum"]', draws=30000)
+
 
 class SweepTest(unittest.TestCase):
+    def check_kills(self, kills, begin, end, pick):
+        """Kills at random moments: begin(*options) starts processes on MINI, pick() gives the process to be killed of
+        one, end() goes on with what is left, until out.h5 is there."""
+        whole = self.whole_mini()
+        draw = random.Random(7)
+        processes = begin()
+        self.wait_until(self.locks)
+        started = time.monotonic()
+        for process in processes:
+            process.wait()
+        seconds = time.monotonic() - started
+        kept, done = [], 0
+        for kill in range(kills):
+            for name in self.names():
+                if name not in ("sweep.toml", "whole.h5"):
+                    os.remove(self.path(name))
+            processes = begin()
+            for _ in range(1 + (draw.random() < 0.3)):  # and once more while it goes on
+                if draw.random() < 0.8:  # else before it begins to compute, too
+                    self.wait_until(lambda: self.locks() or all(process.poll() is not None for process in processes))
+                time.sleep(draw.uniform(0, seconds))
+                for process in processes:
+                    try:
+                        os.kill(pick(process, draw), signal.SIGKILL)
+                    except ProcessLookupError:  # it was done
+                        pass
+                    process.wait()
+                kept.append(len([name for name in self.names() if re.search(r"\.part-[\d-]+$", name)]))
+                done += "out.h5" in self.names()
+                processes = begin("--resume")
+            for process in processes:
+                process.wait()
+            end()
+            with self.subTest(kill=kill):
+                self.assertEqual(self.bytes_of("out.h5"), whole)
+                self.assertEqual([name for name in self.names() if name.startswith((".", "out.h5."))], [])
+        print(f"{len(kept)} kills in {kills} trials of {seconds:.2f} s; parts that were there: "
+              f"{dict(sorted(collections.Counter(kept).items()))}; results that were there: {done}", flush=True)
+
+    def locks(self):
+        return [name for name in self.names() if name.endswith(".lock")]
+
+    def whole_mini(self):
+        self.swept(MINI, "--force", out="whole.h5")
+        return self.bytes_of("whole.h5")
+
     def setUp(self):
         self.folder = Folder()
         self.addCleanup(self.folder.cleanup)
@@ -56,7 +115,12 @@ class SweepTest(unittest.TestCase):
 
     def parts(self, out="out.h5"):
         """The names of the parts that are there."""
-        return [name for name in self.names() if re.fullmatch(re.escape(out) + r"\.part-\d+-\d+", name)]
+        return [name for name in self.names() if re.fullmatch(re.escape(out) + r"\.part-\d+-\d+(-\d+)?", name)]
+
+    def wait_until(self, is_so):
+        end = time.monotonic() + 60
+        while not is_so() and time.monotonic() < end:
+            time.sleep(0.002)
 
     def bytes_of(self, name):
         with open(self.path(name), "rb") as file:
@@ -98,7 +162,7 @@ def preloadable(name):
     library = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), f"{name}.so")
     source = os.path.join(os.path.dirname(os.path.abspath(__file__)), f"{name}.c")
     unfinished = f"{library}.{os.getpid()}"
-    subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Werror", "-U_FORTIFY_SOURCE", "-o", unfinished, source, "-ldl"],
+    subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-Wall", "-Werror", "-fexceptions", "-U_FORTIFY_SOURCE", "-o", unfinished, source, "-ldl"],
                    check=True)
     os.rename(unfinished, library)
     return library

@@ -12,7 +12,7 @@ import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run, start
-from sweeps import LONG, UNIFORM, SweepTest, opened, sealed, sweep
+from sweeps import DAYS, LONG, MINI, UNIFORM, SweepTest, opened, sealed, sweep
 
 KILLS = int(os.environ.get("TRIBOCHECK_KILLS", 5))
 SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=5000)
@@ -25,9 +25,7 @@ class Killed(SweepTest):
         return start("sweep", path, "-o", self.path("out.h5"), *options, **quiet)
 
     def undisturbed(self):
-        begin = time.monotonic()
         self.swept(LONG, out="whole.h5")
-        return time.monotonic() - begin
 
     def assert_resumes_to(self, whole):
         result = self.sweep(LONG, "--resume")
@@ -36,28 +34,24 @@ class Killed(SweepTest):
         self.assertEqual(self.names(), ["out.h5", "sweep.toml", "whole.h5"])
 
     def test_killed_at_random_moments_and_resumed_it_ends_in_the_same_bytes(self):
-        seconds = self.undisturbed()
-        whole = self.bytes_of("whole.h5")
-        draw = random.Random(7)
-        kept = []
-        for kill in range(KILLS):
-            with self.subTest(kill=kill):
-                process = self.started()
-                time.sleep(draw.uniform(0, seconds))
-                process.kill()
-                process.wait()
-                if draw.random() < 0.5 and not os.path.exists(self.path("out.h5")):
-                    self.killed_once_more(draw.uniform(0, seconds / 2))
-                kept.append(len(self.parts()))
-                self.assert_resumes_to(whole)
-                os.remove(self.path("out.h5"))
-        print(f"{KILLS} kills; parts that were there: {kept}", flush=True)
+        def begin(*options):
+            return [self.quietly(MINI, self.path("out.h5"), *options, "--threads", "3")]
+        self.check_kills(KILLS, begin, lambda: None, lambda process, _: process.pid)
 
-    def killed_once_more(self, seconds):
-        process = self.started("--resume")
-        time.sleep(seconds)
-        process.kill()
-        process.wait()
+    def test_shards_that_are_killed_and_resumed_end_in_the_same_bytes(self):
+        shards = [self.path(f"{i}.shard") for i in (1, 2)]
+
+        def begin(*options):
+            return [self.quietly(MINI, shard, "--shard", f"{i + 1}/2", *options) for i, shard in enumerate(shards)]
+
+        def merge():
+            merged = run("sweep", "merge", *shards, "-o", self.path("out.h5"))
+            self.assertEqual(merged.code, 0, merged.err)
+        self.check_kills(KILLS, begin, merge, lambda process, _: process.pid)
+
+    def quietly(self, text, out, *options):
+        return start("sweep", self.folder.write("sweep.toml", text), "-o", out, *options, stdout=subprocess.DEVNULL,
+                     stderr=subprocess.DEVNULL)
 
     def test_ctrl_c_keeps_what_is_computed_and_says_how_to_go_on(self):
         self.undisturbed()
@@ -151,6 +145,29 @@ class Killed(SweepTest):
         self.swept(LONG, out="whole.h5")
         os.remove(self.path("short.toml"))
         self.assert_resumes_to(self.bytes_of("whole.h5"))
+
+
+    def test_force_that_was_stopped_before_its_first_part_is_gone_on_with(self):
+        self.swept(SHORT, name="short.toml")
+        old = self.bytes_of("out.h5")
+        for end in (signal.SIGKILL, signal.SIGINT):
+            process = start("sweep", self.folder.write("days.toml", DAYS), "-o", self.path("out.h5"), "--force",
+                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            self.wait_until(lambda: any(name.startswith("out.h5.part-") for name in self.names()))
+            process.send_signal(end)
+            process.wait()
+            self.assertEqual((self.bytes_of("out.h5"), self.parts()), (old, []))
+            self.assert_refused(self.sweep(SHORT.replace("5000", "5001"), "--resume"), "out.h5", "--force")
+            process = start("sweep", self.path("days.toml"), "-o", self.path("out.h5"), "--resume",
+                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            self.assertIn(b"is replaced", process.stderr.readline())
+            self.assertIn(b"nothing to go on with; starting anew", process.stderr.readline())
+            process.send_signal(signal.SIGINT)
+            process.communicate()
+            self.assertEqual(process.returncode, 130)
+        os.replace(self.path("out.h5"), self.path("old.h5"))
+        shutil.copy(self.path("old.h5"), self.path("out.h5"))  # another file than --force was to replace
+        self.assert_refused(self.sweep(DAYS, "--resume"), "out.h5", "--force")
 
 
 class Disks(SweepTest):

@@ -12,15 +12,11 @@ import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run, scene, start
-from sweeps import LONG, UNIFORM, SweepTest, preloadable, sweep
+from sweeps import DAYS, LONG, UNIFORM, SweepTest, preloadable, sweep
 
 ATTACKS = int(os.environ.get("TRIBOCHECK_ATTACKS", 4))
 NOBODY = 65534
 SHORT = sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 1.0]"}, draws=5000)
-# A chunk of it takes minutes, and all of it days.
-DAYS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
-               "speed": "{ from = 1e-3, to = 3, count = 20 }"}, onset='["friction_minimum"]',
-              keep='"summaries"', draws=2000000000)
 BESIDE = (".lock", ".part", ".part-0-3.lock")
 
 
@@ -68,6 +64,44 @@ class Shared(SweepTest):
                                          (before.st_ino, before.st_mode, before.st_size, before.st_uid))
                         self.assertEqual(self.bytes_of("precious"), b"of somebody")
                         (os.rmdir if kind == "folder" else os.remove)(path)
+
+    def of_days(self, out, **options):
+        """A sweep that would compute for days is told at once that it cannot be kept."""
+        path = self.folder.write("sweep.toml", DAYS)
+        names = self.names()
+        done = subprocess.run([PROGRAM, "sweep", path, "-o", out, *options.pop("arguments", [])], capture_output=True,
+                              text=True, timeout=20, **{"env": ENVIRONMENT, **options})
+        self.assertEqual((done.stdout, len(done.stderr.splitlines())), ("", 1), done.stderr)
+        self.assertEqual(self.names(), names)
+        return done
+
+    @unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
+    def test_a_file_system_that_gives_files_another_owner_is_told_before_anything_is_computed(self):
+        environment = dict(ENVIRONMENT, LD_PRELOAD=preloadable("own_host"), OTHER_OWNER="1")
+        environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0"
+        done = self.of_days(self.path("out.h5"), env=environment)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("belong to another user", done.stderr)
+
+    def test_a_name_that_has_no_room_for_that_of_a_part_is_told_before_anything_is_computed(self):
+        most = os.pathconf(self.folder.name, "PC_NAME_MAX")
+        done = self.of_days(self.path("o" * (most - len(".part-0-3.lock"))))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("cannot write", done.stderr)
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root makes files of other users")
+    def test_a_result_of_another_user_that_cannot_be_replaced_is_told_before_anything_is_computed(self):
+        os.chmod(self.folder.name, 0o1777)
+        self.put("out.h5", b"of root")
+        for arguments in (["--force"], ["--force", "--shard", "1/2"]):
+            try:
+                done = self.of_days(self.path("out.h5"), arguments=arguments, user=NOBODY, group=NOBODY,
+                                    extra_groups=[])
+            except PermissionError:
+                self.skipTest("another user cannot run the program")
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("is of another user", done.stderr)
+            self.assertEqual(self.bytes_of("out.h5"), b"of root")
 
     def test_what_our_own_killed_process_left_is_taken_up(self):
         commands = self.commands()
@@ -167,11 +201,6 @@ class Meanwhile(SweepTest):
         self.wait_until(self.parts)
         process.send_signal(signal.SIGSTOP)
         return process
-
-    def wait_until(self, is_so):
-        end = time.monotonic() + 60
-        while not is_so() and time.monotonic() < end:
-            time.sleep(0.002)
 
     def ended(self, process):
         process.send_signal(signal.SIGCONT)

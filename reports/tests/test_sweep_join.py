@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """tribocheck sweep --join: processes that help each other on one output, with locks and on a file system that has
-none, give the bytes of one process. TRIBOCHECK_HELPERS asks for another number than eight."""
+none, give the bytes of one process. TRIBOCHECK_HELPERS asks for another number than eight, TRIBOCHECK_TRIES for more
+tries than five."""
 
+import collections
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -11,9 +14,10 @@ import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM
-from sweeps import LONG, SweepTest, preloadable
+from sweeps import DAYS, LONG, MINI, SweepTest, preloadable
 
 HELPERS = int(os.environ.get("TRIBOCHECK_HELPERS", 8))
+TRIES = int(os.environ.get("TRIBOCHECK_TRIES", 5))
 OTHER = LONG.replace("draws = 150000", "draws = 150001")
 
 
@@ -23,10 +27,10 @@ class Join(SweepTest):
         self.told = self.swept(LONG, "--format", "csv", out="whole.h5").out
         self.whole = self.bytes_of("whole.h5")
 
-    def started(self, *options, **environment):
+    def started(self, *options, name="sweep.toml", **environment):
         process = subprocess.Popen(
-            [PROGRAM, "sweep", self.path("sweep.toml"), "-o", self.path("out.h5"), "--format", "csv", "--threads", "1",
-             *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=dict(ENVIRONMENT, **environment))
+            [PROGRAM, "sweep", self.path(name), "-o", self.path("out.h5"), "--threads", "1",
+             *(options if "--shard" in options else ("--format", "csv", *options))], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=dict(ENVIRONMENT, **environment))
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.wait)
@@ -34,9 +38,7 @@ class Join(SweepTest):
         return process
 
     def wait_for_parts(self):
-        end = time.monotonic() + 60
-        while len(self.parts()) < 3 and time.monotonic() < end:
-            time.sleep(0.002)
+        self.wait_until(lambda: len(self.parts()) >= 3)
 
     def assert_whole(self, process):
         out, said = process.communicate(timeout=100)
@@ -62,6 +64,27 @@ class Join(SweepTest):
                     self.assert_whole(process)
                 self.assert_nothing_beside()
                 os.remove(self.path("out.h5"))
+
+    def test_several_processes_on_one_output_are_refused_or_end_in_the_same_bytes(self):
+        whole = self.whole_mini()
+        self.folder.write("sweep.toml", MINI)
+        draw = random.Random(29)
+        ends = collections.Counter()
+        for attempt in range(TRIES):
+            processes = []
+            for _ in range(draw.randrange(2, 5)):
+                option = draw.choice(["--threads", "--resume", "--join", "--join", "--force"])
+                processes.append((option, self.started(*([option] if option != "--threads" else []))))
+                time.sleep(draw.choice([0, 0.01, 0.05]))
+            with self.subTest(attempt=attempt):
+                for option, process in processes:
+                    _, said = process.communicate(timeout=60)
+                    ends[option, process.returncode] += 1
+                    self.assertIn(process.returncode, (0,) if option == "--join" else (0, 2), said)
+                self.assertEqual(self.bytes_of("out.h5"), whole)
+                self.assert_nothing_beside()
+            os.remove(self.path("out.h5"))
+        print(f"{TRIES} tries; option, exit code: processes {dict(ends)}", flush=True)
 
     def test_a_helper_ends_what_its_owner_has_begun(self):
         owner = self.started()
@@ -102,11 +125,52 @@ class Join(SweepTest):
         owner = self.started()
         self.wait_for_parts()
         owner.send_signal(signal.SIGSTOP)
-        self.assert_refused(self.sweep(OTHER, "--join", name="other.toml"), "out.h5.part-", "another sweep")
+        self.assert_refused(self.sweep(OTHER, "--join", name="other.toml"), "out.h5", "another sweep")
         os.remove(self.path("other.toml"))
         owner.send_signal(signal.SIGCONT)
         self.assert_whole(owner)
         self.assert_refused(self.sweep(OTHER, "--join", name="other.toml"), "out.h5", "another sweep")
+
+    def test_who_computes_another_sweep_is_refused_before_there_is_a_part(self):
+        self.folder.write("days.toml", DAYS)
+        for more in ({}, {"LD_PRELOAD": preloadable("own_host"), "NO_LOCKS": "1"} if shutil.which("cc") else {}):
+            owner = self.started(*(["--join"] if more else []), name="days.toml", **more)
+            self.wait_until(lambda: "out.h5.lock" in self.names() and os.path.getsize(self.path("out.h5.lock")) > 0)
+            for text, options in ((OTHER, []), (DAYS, ["--shard", "1/2"])):
+                helper = self.started("--join", *options, name=os.path.basename(self.folder.write("other.toml", text)),
+                                      **more)
+                out, said = helper.communicate(timeout=20)
+                self.assertEqual((helper.returncode, out, len(said.splitlines())), (2, "", 1), said)
+                self.assertIn("another s", said)  # sweep or shard
+            owner.kill()
+            owner.wait()
+            self.assertEqual(self.parts(), [])
+            for name in self.names():
+                if "out.h5" in name:
+                    os.remove(self.path(name))
+
+    def test_what_a_killed_owner_has_not_given_its_name_is_removed_by_the_next(self):
+        for kill in range(20):
+            owner = self.started("--join")
+            self.wait_until(lambda: owner.poll() is not None or self.results_begun())
+            owner.send_signal(signal.SIGSTOP)
+            begun = self.results_begun()
+            if begun:  # what the owner itself writes is left to it
+                helper = self.started("--join")
+                time.sleep(0.3)
+                self.assertEqual(self.results_begun(), begun)
+                owner.kill()
+                self.assert_whole(helper)
+            owner.kill()
+            owner.wait()
+            self.assert_nothing_beside()
+            os.remove(self.path("out.h5"))
+            if begun:
+                return
+        self.fail("no owner was met while it wrote its result")
+
+    def results_begun(self):
+        return [name for name in self.names() if re.fullmatch(r"\.out\.h5\.\d+-\d+", name)]
 
     def test_alone_it_begins_and_goes_on(self):
         first = self.started("--join")

@@ -90,9 +90,10 @@ class FailingWrites(SweepTest):
 
     def check_sweep(self, text, *options):
         path = self.folder.write("sweep.toml", text)
-        self.swept(text, "--force", *options, out="whole.h5")
+        self.swept(text, "--force", *(option for option in options if option != "--join"), out="whole.h5")
         command = ["sweep", path, "-o", self.path("out.h5"), "--threads", "1", *options]
-        self.check_each_call(command, [*command, "--resume"], self.bytes_of("whole.h5"))
+        recover = command if "--join" in options else [*command, "--resume"]
+        self.check_each_call(command, recover, self.bytes_of("whole.h5"))
 
     def test_a_sweep(self):
         for text in (SMALL, WITH_SENSITIVITY, SUMMARIES) if LARGER else (SMALL,):
@@ -102,6 +103,9 @@ class FailingWrites(SweepTest):
     def test_a_short_sweep_without_parts(self):
         self.part_chunks = 100
         self.check_sweep(SMALL)
+
+    def test_a_process_that_others_may_join(self):
+        self.check_sweep(SMALL, "--join")
 
     def test_a_shard(self):
         self.check_sweep(SMALL, "--shard", "1/2")

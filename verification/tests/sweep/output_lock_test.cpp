@@ -48,6 +48,28 @@ TEST(OutputLock, KnowsThatItsFileWasRemoved) {
   EXPECT_NO_THROW(second.check());
 }
 
+TEST(OutputLock, TellsWhatItsOwnerHasNoted) {
+  const TemporaryFolder folder;
+  const std::string output = folder.file("out.h5");
+  Bytes first, second;
+  put_text(first, "a longer note of the first");
+  put_text(second, "short");
+  {
+    OutputLock lock(output);
+    EXPECT_EQ(OutputLock::noted(output), Bytes());
+    for (const Bytes& note : {first, second}) {
+      lock.note(note);
+      EXPECT_EQ(OutputLock::noted(output), note);
+    }
+    lock.leave();
+  }
+  EXPECT_EQ(OutputLock::noted(output), second);
+  { const OutputLock next(output); }  // takes up what was left
+  EXPECT_EQ(OutputLock::noted(output), Bytes());
+  write_content(output + ".lock", "of somebody");
+  EXPECT_THROW(OutputLock::noted(output), RunRefused);
+}
+
 // Each flock() of an open file is one of its own, also within a process. Many threads on few
 // processors: some are interrupted between opening the file and locking it.
 TEST(OutputLock, IsNeverHeldByTwoHoweverOftenItIsTaken) {

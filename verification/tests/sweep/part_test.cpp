@@ -7,8 +7,11 @@
 #include <hdf5.h>
 #include <sys/resource.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <future>
+#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -291,6 +294,24 @@ TEST(Parts, HaveEachChunkOnceAndTakeSomeSeconds) {
   EXPECT_EQ(cut_in_parts(quick, {}).size(), 0U);
 }
 
+// Another cut of the same sweep, into other parts or other shards, never finds its own part there.
+TEST(Parts, OfDifferentChunksHaveDifferentNames) {
+  std::map<std::string, ChunkList> by_name;
+  constexpr std::uint64_t chunks = 24;
+  for (std::uint64_t step = 1; step <= chunks; ++step)
+    for (std::uint64_t first = 0; first < chunks; ++first) {
+      ChunkList list;
+      for (std::uint64_t chunk = first; chunk < chunks; chunk += step) {
+        list.push_back(chunk);
+        const auto place = by_name.emplace(path_of_part("out.h5", list), list).first;
+        EXPECT_EQ(place->second, list) << place->first;
+      }
+    }
+  const TemporaryFolder folder;
+  for (const auto& [name, list] : by_name) write_content(folder.file(name), "");
+  EXPECT_EQ(parts_of(folder.file("out.h5")).size(), by_name.size());
+}
+
 const std::vector<ChunkList> four_parts{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9}};
 
 // A process that shares four parts of an output.
@@ -365,6 +386,70 @@ TEST(PartsInHand, OfSeveralThreadsGivesEachChunkOnceAndWaitsForNoPart) {
   EXPECT_EQ(parts_of(folder.file("out")).size(), 1U);
   EXPECT_EQ(process.compute(9), (ChunkList{5, 6, 7, 8, 9}));
   EXPECT_EQ(set_of(parts_of(folder.file("out")), 10).count(), 10U);
+}
+
+// While one thread looks for a part in a folder that answers late, the others keep their chunks.
+TEST(PartsInHand, KeepsChunksWhileAThreadLooksForParts) {
+  const TemporaryFolder folder;
+  std::promise<void> looks, kept;
+  std::future<void> is_looking = looks.get_future(), is_kept = kept.get_future();
+  int asked = 0;
+  bool waited_in_vain = false;
+  Process process(folder, 0, [&] {
+    if (++asked == 2) {
+      looks.set_value();
+      waited_in_vain = is_kept.wait_for(std::chrono::seconds(20)) == std::future_status::timeout;
+    }
+    return false;
+  });
+  for (int i = 0; i < 3; ++i) process.parts.next();
+  std::jthread looking([&] { EXPECT_EQ(process.parts.next(), 3U); });
+  is_looking.wait();
+  for (const std::uint64_t chunk : {0, 1, 2}) process.parts.keep(chunk, content(chunk));
+  kept.set_value();
+  looking.join();
+  EXPECT_FALSE(waited_in_vain);
+  EXPECT_EQ(parts_of(folder.file("out")).size(), 1U);
+}
+
+// What a killed process has not given its name is removed; what belongs to a part that somebody
+// computes, and what is no file of ours, is not.
+TEST(PartsInHand, LeavesWhatIsInUseWhereBegunFilesAreRemoved) {
+  const TemporaryFolder folder;
+  Process process(folder);
+  EXPECT_EQ(process.compute(1), ChunkList{0});
+  write_content(folder.file(".out.part-0-2.77-0"), "");  // as while the part is written
+  write_content(folder.file(".out.part-3-5.77-0"), "");
+  write_content(folder.file(".out.77-0"), "");
+  write_content(folder.file(".out.77-1"), "of somebody");
+  remove_begun(folder.file("out"));
+  EXPECT_TRUE(std::filesystem::exists(folder.file(".out.part-0-2.77-0")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file(".out.part-3-5.77-0")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file(".out.77-0")));
+  EXPECT_EQ(content_of(folder.file(".out.77-1")), "of somebody");
+  EXPECT_EQ(process.compute(9), (ChunkList{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+// As many threads as there are chunks in some parts each get one, whoever has finished none.
+TEST(PartsInHand, GivesWorkToSixteenThreadsOfASweepOfTwentySeconds) {
+  const TemporaryFolder folder;
+  SweepPlan plan = small_plan();
+  plan.scenes.resize(1);
+  SceneSweep& scene = plan.scenes[0];
+  scene.solves_film = true;
+  scene.scene.speeds.list = {0.1};
+  scene.variables = {scene.variables[1]};
+  scene.outputs = {};
+  scene.criteria = {};
+  scene.draws = 40;  // of half a second each
+  lay_out(scene);
+  const auto parts = cut_in_parts(plan, first_numbers(plan.chunks()));
+  PartsInHand in_hand({folder.file("out"), header, 0, false, {}}, parts,
+                      std::vector<bool>(parts.size()));
+  std::set<std::uint64_t> given;
+  for (int thread = 0; thread < 16; ++thread)
+    if (const auto chunk = in_hand.next()) given.insert(*chunk);
+  EXPECT_EQ(given.size(), 16U);
 }
 
 // A short sweep writes no parts.
