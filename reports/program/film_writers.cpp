@@ -280,7 +280,7 @@ std::unique_ptr<FilmWriter> make_film_writer(std::string_view format, const Film
                                              bool with_profile, OutputStream& output) {
   if (format == "csv") return std::make_unique<FilmCsv>(settings, with_profile, output);
   if (format == "json") return std::make_unique<FilmJson>(settings, with_profile, output);
-  return std::make_unique<FilmTable>(settings, with_profile, output);
+  return std::make_unique<FilmTable>(with_profile, output);
 }
 
 }  // namespace tribo::cli
