@@ -364,8 +364,6 @@ constexpr std::array<std::size_t, field_count> by_path = [] {
 constexpr std::array<Words, section_count> sections{"bodies", "closures", "friction", "lubricant",
                                                     "speed",  "supply",   "surface"};
 
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
 // Keeps the nearest name seen so far. A name whose last part fits is near even where it was written
 // into the wrong section ("load" under [bodies]); the same section wins between equals.
 class Nearest {

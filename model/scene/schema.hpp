@@ -46,6 +46,10 @@ bool is_section(std::string_view name);
 
 // "surface" of "surface.summit_radius", empty for "load".
 std::string_view section_of(std::string_view path);
+// "summit_radius" of it.
+inline std::string_view last_part(std::string_view path) {
+  return path.substr(path.rfind('.') + 1);
+}
 
 // The known name nearest to a misspelt one; empty if none is near. `sections` also considers
 // the names of sections (for tables), `fields` those of fields.

@@ -443,7 +443,7 @@ class BadSweeps(SweepTest):
         ({"load": '{ printed = "50" }'}, {"seed": -1}, ["sweep.seed"]),
         ({"load": '{ printed = "50" }'}, {"onset": '["film_maximun"]'},
          ["sweep.onset[0]", "did you mean film_maximum?"]),
-        ({"load": '{ printed = "50" }'}, {"onset": "[]"}, ["sweep.onset", "empty"]),
+        ({"load": '{ printed = "50" }'}, {"onset": "[]"}, ["sweep.onset: the list is empty; allowed: a list of film_maximum"]),
         ({"load": '{ printed = "50" }'}, {"departure": 1}, ["sweep.departure"]),
         ({"load": '{ printed = "50" }'}, {"keep": '"all"'}, ["sweep.keep"]),
         ({"load": '{ printed = "50" }'}, {"sede": 1}, ["sweep.sede", "did you mean seed?"]),
