@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "scene/text.hpp"
@@ -18,37 +19,100 @@ namespace {
 
 using Words = std::string_view;
 
-template <typename Enum>
-Enum enum_at(double place) {
-  return static_cast<Enum>(static_cast<int>(place));
+template <class T>
+void put(T& to, double value) {
+  if constexpr (std::is_enum_v<T>)
+    to = static_cast<T>(static_cast<int>(value));
+  else
+    to = static_cast<T>(value);
 }
+void put(std::optional<double>& to, double value) { to = value; }
+
+template <class T>
+std::optional<double> number_in(T from) {
+  return static_cast<double>(from);
+}
+std::optional<double> number_in(std::optional<double> from) { return from; }
+
+// The member of a member … of the scene.
+template <auto... members>
+constexpr Access at{[](Scene& scene, double value) { put((scene.*....*members), value); },
+                    [](const Scene& scene) { return number_in((scene.*....*members)); }};
+
+// The same of a member that is a number of the contact, too.
+template <double Numbers::*number, auto... members>
+constexpr Access at_number{at<members...>.store, at<members...>.load, number};
+
+template <std::size_t body, double Body::*member>
+constexpr Access at_body{
+    [](Scene& scene, double value) { scene.bodies.bodies[body].*member = value; },
+    [](const Scene& scene) {
+      const Body& one = scene.bodies.bodies[body];
+      const bool is_given = member != &Body::poisson_ratio || one.modulus > 0;
+      return is_given ? std::optional(one.*member) : std::nullopt;
+    }};
+
+template <SupplyKind kind>
+constexpr Access at_supply{[](Scene& scene, double value) {
+                             scene.supply = {kind, value};
+                           },
+                           [](const Scene& scene) {
+                             const bool is_given = scene.supply.kind == kind;
+                             return is_given ? std::optional(scene.supply.value) : std::nullopt;
+                           },
+                           &Numbers::supply};
+
+// k, which the scene of another shape than a circle does not have.
+constexpr Access at_ellipticity{
+    at<&Scene::bodies, &Bodies::ellipticity>.store,
+    [](const Scene& scene) {
+      const bool is_circle = scene.bodies.shape() == ContactShape::circle;
+      return is_circle ? std::optional(scene.bodies.ellipticity) : std::nullopt;
+    },
+    &Numbers::ellipticity};
+
+// γ, which no other rule than Damiens' has.
+constexpr Access at_damiens_exponent{
+    at<&Scene::closures, &Closures::damiens_exponent>.store,
+    [](const Scene& scene) {
+      const bool is_used = scene.closures.starvation == StarvationClosure::damiens;
+      return is_used ? std::optional(scene.closures.damiens_exponent) : std::nullopt;
+    },
+    &Numbers::damiens_exponent};
+
+// One speed in place of all others.
+constexpr Access at_speed{[](Scene& scene, double value) { scene.speeds.list.assign(1, value); },
+                          [](const Scene& scene) {
+                            const std::vector<double>& list = scene.speeds.list;
+                            return list.size() == 1 ? std::optional(list.front()) : std::nullopt;
+                          }};
 
 struct Row {
   FieldInfo info;
-  Store store = nullptr;
+  Access access = {};
 };
 
-constexpr Row modulus_row(std::string_view path, std::string_view meaning, Store store) {
+constexpr Row modulus_row(std::string_view path, std::string_view meaning, Access access) {
   return {{.path = path,
            .unit = "Pa",
            .plausible_minimum = 1e3,
            .plausible_maximum = 2e12,
            .meaning = meaning},
-          store};
+          access};
 }
-constexpr Row ratio_row(std::string_view path, std::string_view meaning, Store store) {
+constexpr Row ratio_row(std::string_view path, std::string_view meaning, Access access) {
   return {
       {.path = path, .minimum = -1, .maximum = 0.5, .plausible_maximum = 0.5, .meaning = meaning},
-      store};
+      access};
 }
-constexpr Row face_row(std::string_view path, std::string_view meaning, Store store) {
+constexpr Row face_row(std::string_view path, std::string_view meaning, Access access) {
   return {{.path = path,
            .unit = "m",
            .minimum = -std::numeric_limits<double>::max(),
            .is_radius_of_face = true,
            .plausible_minimum = -1e4,
            .meaning = meaning},
-          store};
+          access};
 }
 
 constexpr std::array<Row, field_count> rows{{
@@ -63,33 +127,33 @@ constexpr std::array<Row, field_count> rows{{
       .plausible_maximum = 1e16,
       .meaning = "n, summits per area; Greenwood–Tripp: of each face, Greenwood–Williamson: of the "
                  "one rough face"},
-     [](Scene& scene, double value) { scene.surface.summit_density = value; }},
+     at_number<&Numbers::summit_density, &Scene::surface, &Surface::summit_density>},
     {{.path = "surface.summit_radius",
       .unit = "m",
       .plausible_minimum = 1e-9,
       .plausible_maximum = 1e-2,
       .meaning = "β, radius of curvature of the summits"},
-     [](Scene& scene, double value) { scene.surface.summit_radius = value; }},
+     at_number<&Numbers::summit_radius, &Scene::surface, &Surface::summit_radius>},
     {{.path = "surface.summit_height_sd",
       .unit = "m",
       .plausible_minimum = 1e-11,
       .plausible_maximum = 1e-4,
       .meaning = "σ_s, standard deviation of summit heights; Greenwood–Tripp: of the sum of both "
                  "faces', Greenwood–Williamson: of the one rough face"},
-     [](Scene& scene, double value) { scene.surface.summit_height_sd = value; }},
+     at_number<&Numbers::summit_height_sd, &Scene::surface, &Surface::summit_height_sd>},
     {{.path = "surface.summit_plane_offset",
       .exclusive_minimum = false,
       .default_text = "0",
       .plausible_maximum = 10,
       .meaning = "D_d/σ_s, from the mean plane to the plane of summits"},
-     [](Scene& scene, double value) { scene.surface.summit_plane_offset = value; }},
+     at_number<&Numbers::summit_plane_offset, &Scene::surface, &Surface::summit_plane_offset>},
     {{.path = "surface.offset_planes",
       .type = FieldType::integer,
       .exclusive_minimum = false,
       .maximum = 2,
       .default_text = "1",
       .meaning = "m, how many faces bring that offset"},
-     [](Scene& scene, double value) { scene.surface.offset_planes = static_cast<int>(value); }},
+     at_number<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes>},
     {{.path = "surface.m0",
       .unit = "m²",
       .plausible_minimum = 1e-20,
@@ -97,74 +161,72 @@ constexpr std::array<Row, field_count> rows{{
       .meaning =
           "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
           "alike, Greenwood–Williamson: of the one rough face"},
-     [](Scene& scene, double value) { scene.surface.moments.m0 = value; }},
+     at<&Scene::surface, &Surface::moments, &SpectralMoments::m0>},
     {{.path = "surface.m2",
       .plausible_minimum = 1e-10,
       .plausible_maximum = 10,
       .meaning = "m₂, mean square of the profile's slopes"},
-     [](Scene& scene, double value) { scene.surface.moments.m2 = value; }},
+     at<&Scene::surface, &Surface::moments, &SpectralMoments::m2>},
     {{.path = "surface.m4",
       .unit = "1/m²",
       .plausible_minimum = 1,
       .plausible_maximum = 1e18,
       .meaning = "m₄, mean square of the profile's curvatures"},
-     [](Scene& scene, double value) { scene.surface.moments.m4 = value; }},
+     at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>},
 
     {{.path = "bodies.effective_modulus",
       .unit = "Pa",
       .plausible_minimum = 1e3,
       .plausible_maximum = 2e12,
       .meaning = "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*"},
-     [](Scene& scene, double value) { scene.bodies.effective_modulus = value; }},
+     at_number<&Numbers::effective_modulus, &Scene::bodies, &Bodies::effective_modulus>},
     {{.path = "bodies.reduced_radius",
       .unit = "m",
       .plausible_minimum = 1e-6,
       .plausible_maximum = 1,
       .meaning = "R of the circular contact; a ball on a flat: the radius of the ball"},
-     [](Scene& scene, double value) { scene.bodies.reduced_radius = value; }},
+     at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::reduced_radius>},
     {{.path = "bodies.ellipticity",
       .default_text = "1",
       .plausible_minimum = 1,
       .plausible_maximum = 1,
       .meaning = "k; enters the constant of the film formula alone, Hertz stays circular"},
-     [](Scene& scene, double value) { scene.bodies.ellipticity = value; }},
+     at_ellipticity},
     {{.path = "bodies.radius_x",
       .unit = "m",
       .plausible_minimum = 1e-6,
       .plausible_maximum = 10,
       .meaning = "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
                  "1/R₂x"},
-     [](Scene& scene, double value) { scene.bodies.radius_x = value; }},
+     at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::radius_x>},
     {{.path = "bodies.radius_y",
       .unit = "m",
       .plausible_minimum = 1e-6,
       .plausible_maximum = 1e4,
       .meaning = "R_y of an ellipse, across the direction of entrainment, 1/R_y = 1/R₁y + 1/R₂y"},
-     [](Scene& scene, double value) { scene.bodies.radius_y = value; }},
+     at<&Scene::bodies, &Bodies::radius_y>},
     {{.path = "bodies.length",
       .unit = "m",
       .plausible_minimum = 1e-6,
       .plausible_maximum = 10,
       .meaning = "L of a line; load stays the whole load"},
-     [](Scene& scene, double value) { scene.bodies.length = value; }},
+     at_number<&Numbers::across, &Scene::bodies, &Bodies::length>},
     modulus_row("bodies.first_modulus", "E₁, Young's modulus of the first body",
-                [](Scene& scene, double value) { scene.bodies.bodies[0].modulus = value; }),
-    ratio_row("bodies.first_poisson_ratio", "ν₁",
-              [](Scene& scene, double value) { scene.bodies.bodies[0].poisson_ratio = value; }),
+                at_body<0, &Body::modulus>),
+    ratio_row("bodies.first_poisson_ratio", "ν₁", at_body<0, &Body::poisson_ratio>),
     modulus_row("bodies.second_modulus", "E₂, Young's modulus of the second body",
-                [](Scene& scene, double value) { scene.bodies.bodies[1].modulus = value; }),
-    ratio_row("bodies.second_poisson_ratio", "ν₂",
-              [](Scene& scene, double value) { scene.bodies.bodies[1].poisson_ratio = value; }),
+                at_body<1, &Body::modulus>),
+    ratio_row("bodies.second_poisson_ratio", "ν₂", at_body<1, &Body::poisson_ratio>),
     face_row("bodies.first_radius_x",
              "R₁x of the first body's face, along the direction of entrainment: above 0 convex, "
              "below 0 concave, 1e30 (in TOML also inf) flat",
-             [](Scene& scene, double value) { scene.bodies.bodies[0].radius_x = value; }),
+             at_body<0, &Body::radius_x>),
     face_row("bodies.second_radius_x", "R₂x of the second body's face, likewise",
-             [](Scene& scene, double value) { scene.bodies.bodies[1].radius_x = value; }),
+             at_body<1, &Body::radius_x>),
     face_row("bodies.first_radius_y", "R₁y of the first body's face, across that direction",
-             [](Scene& scene, double value) { scene.bodies.bodies[0].radius_y = value; }),
+             at_body<0, &Body::radius_y>),
     face_row("bodies.second_radius_y", "R₂y of the second body's face, likewise",
-             [](Scene& scene, double value) { scene.bodies.bodies[1].radius_y = value; }),
+             at_body<1, &Body::radius_y>),
 
     {{.path = "lubricant.viscosity",
       .unit = "Pa·s",
@@ -172,21 +234,21 @@ constexpr std::array<Row, field_count> rows{{
       .plausible_minimum = 1e-5,
       .plausible_maximum = 1e4,
       .meaning = "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\""},
-     [](Scene& scene, double value) { scene.lubricant.viscosity = value; }},
+     at_number<&Numbers::viscosity, &Scene::lubricant, &Lubricant::viscosity>},
     {{.path = "lubricant.pressure_viscosity",
       .unit = "1/Pa",
       .required = true,
       .plausible_minimum = 1e-11,
       .plausible_maximum = 1e-6,
       .meaning = "α, pressure–viscosity coefficient"},
-     [](Scene& scene, double value) { scene.lubricant.pressure_viscosity = value; }},
+     at_number<&Numbers::pressure_viscosity, &Scene::lubricant, &Lubricant::pressure_viscosity>},
     {{.path = "lubricant.eyring_stress",
       .unit = "Pa",
       .needed_by = Output::friction,
       .plausible_minimum = 1e3,
       .plausible_maximum = 1e10,
       .meaning = "τ₀, Eyring's stress"},
-     [](Scene& scene, double value) { scene.lubricant.eyring_stress = value; }},
+     at_number<&Numbers::eyring_stress, &Scene::lubricant, &Lubricant::eyring_stress>},
 
     {{.path = "load",
       .unit = "N",
@@ -194,28 +256,29 @@ constexpr std::array<Row, field_count> rows{{
       .plausible_minimum = 1e-9,
       .plausible_maximum = 1e6,
       .meaning = "F, normal load"},
-     [](Scene& scene, double value) { scene.load = value; }},
+     at_number<&Numbers::load, &Scene::load>},
 
     {{.path = "speed",
       .type = FieldType::speeds,
       .unit = "m/s",
       .plausible_minimum = 1e-9,
       .plausible_maximum = 1e3,
-      .meaning = "u, mean (entrainment) speed; onset does without"}},
+      .meaning = "u, mean (entrainment) speed; onset does without"},
+     at_speed},
     {{.path = "speed.from",
       .unit = "m/s",
       .required = true,
       .plausible_minimum = 1e-9,
       .plausible_maximum = 1e3,
       .meaning = "the first speed of a range"},
-     [](Scene& scene, double value) { scene.speeds.from = value; }},
+     at<&Scene::speeds, &Speeds::from>},
     {{.path = "speed.to",
       .unit = "m/s",
       .required = true,
       .plausible_minimum = 1e-9,
       .plausible_maximum = 1e3,
       .meaning = "the last speed of a range, above speed.from"},
-     [](Scene& scene, double value) { scene.speeds.to = value; }},
+     at<&Scene::speeds, &Speeds::to>},
     {{.path = "speed.count",
       .type = FieldType::integer,
       .minimum = 2,
@@ -223,89 +286,81 @@ constexpr std::array<Row, field_count> rows{{
       .maximum = 10'000'000,
       .default_text = "200",
       .meaning = "how many speeds, with both ends"},
-     [](Scene& scene, double value) { scene.speeds.count = static_cast<std::size_t>(value); }},
+     at<&Scene::speeds, &Speeds::count>},
     {{.path = "speed.spacing",
       .type = FieldType::choice,
       .choices = spacing_words,
       .default_text = "log",
       .meaning = "speeds at even ratios (log) or even differences (lin)"},
-     [](Scene& scene, double place) { scene.speeds.spacing = enum_at<Spacing>(place); }},
+     at<&Scene::speeds, &Speeds::spacing>},
 
     {{.path = "supply.inlet_film",
       .unit = "m",
       .plausible_minimum = 1e-11,
       .plausible_maximum = 1e-2,
       .meaning = "h_oil, thickness of the oil before the contact"},
-     [](Scene& scene, double value) {
-       scene.supply = {SupplyKind::inlet_film, value};
-     }},
+     at_supply<SupplyKind::inlet_film>},
     {{.path = "supply.inlet_film_ratio",
       .plausible_minimum = 1e-3,
       .plausible_maximum = 1e6,
       .meaning = "h_oil/σ_s"},
-     [](Scene& scene, double value) {
-       scene.supply = {SupplyKind::inlet_film_ratio, value};
-     }},
+     at_supply<SupplyKind::inlet_film_ratio>},
     {{.path = "supply.inlet_flow",
       .unit = "m²/s",
       .plausible_minimum = 1e-16,
       .plausible_maximum = 1e-2,
       .meaning = "q, flow of oil per width; h_oil = q/u"},
-     [](Scene& scene, double value) {
-       scene.supply = {SupplyKind::inlet_flow, value};
-     }},
+     at_supply<SupplyKind::inlet_flow>},
 
     {{.path = "friction.boundary_coefficient",
       .exclusive_minimum = false,
       .needed_by = Output::friction,
       .plausible_maximum = 1,
       .meaning = "μ_b, friction coefficient where summits touch"},
-     [](Scene& scene, double value) { scene.friction.boundary_coefficient = value; }},
+     at_number<&Numbers::boundary_coefficient, &Scene::friction, &Friction::boundary_coefficient>},
     {{.path = "friction.slide_roll_ratio",
       .exclusive_minimum = false,
       .default_text = "1",
       .plausible_maximum = 100,
       .meaning = "S, sliding speed over entrainment speed"},
-     [](Scene& scene, double value) { scene.friction.slide_roll_ratio = value; }},
+     at_number<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio>},
     {{.path = "friction.fluid",
       .type = FieldType::choice,
       .choices = fluid_shear_words,
       .default_text = "eyring",
       .meaning = "shear law of the fluid"},
-     [](Scene& scene, double place) { scene.friction.fluid = enum_at<FluidShear>(place); }},
+     at<&Scene::friction, &Friction::fluid>},
     {{.path = "friction.viscosity",
       .type = FieldType::choice,
       .choices = viscosity_law_words,
       .default_text = "barus",
       .meaning = "law of viscosity against pressure"},
-     [](Scene& scene, double place) { scene.friction.viscosity = enum_at<ViscosityLaw>(place); }},
+     at<&Scene::friction, &Friction::viscosity>},
 
     {{.path = "closures.asperity",
       .type = FieldType::choice,
       .choices = asperity_model_words,
       .default_text = "greenwood_tripp",
       .meaning = "model of the rough contact"},
-     [](Scene& scene, double place) { scene.closures.asperity = enum_at<AsperityModel>(place); }},
+     at<&Scene::closures, &Closures::asperity>},
     {{.path = "closures.starvation",
       .type = FieldType::choice,
       .choices = starvation_closure_words,
       .default_text = "flooded_inlet",
       .meaning = "rule for the film behind a starved inlet"},
-     [](Scene& scene, double place) {
-       scene.closures.starvation = enum_at<StarvationClosure>(place);
-     }},
+     at<&Scene::closures, &Closures::starvation>},
     {{.path = "closures.film",
       .type = FieldType::choice,
       .choices = film_formula_words,
       .default_text = "hamrock_dowson_central",
       .meaning = "law of the flooded film"},
-     [](Scene& scene, double place) { scene.closures.film = enum_at<FilmFormula>(place); }},
+     at<&Scene::closures, &Closures::film>},
     {{.path = "closures.damiens_exponent",
       .default_text = "3",
       .plausible_minimum = 1,
       .plausible_maximum = 20,
       .meaning = "γ of Damiens' rule"},
-     [](Scene& scene, double value) { scene.closures.damiens_exponent = value; }},
+     at_damiens_exponent},
 
     {{.path = "outputs",
       .type = FieldType::outputs,
@@ -451,7 +506,22 @@ std::string sets_text(FieldGroup group, std::size_t first) {
   return text;
 }
 
-Store store_of(std::size_t field) { return rows[field].store; }
+Store store_of(std::size_t field) { return rows[field].access.store; }
+
+std::optional<double> value_in(const Scene& scene, std::size_t field) {
+  const auto& [info, access] = rows[field];
+  if (access.load == nullptr) return std::nullopt;
+  const std::optional<double> value = access.load(scene);
+  // Scenes have 0 in place of what is not given and could not be 0.
+  const bool may_be_zero =
+      info.type == FieldType::choice || info.minimum < 0 || !info.exclusive_minimum;
+  return value == 0.0 && (!may_be_zero || info.is_radius_of_face) ? std::nullopt : value;
+}
+
+double Numbers::*contact_number(std::size_t field, ContactShape shape) {
+  double Numbers::*const number = rows[field].access.number;
+  return shape == ContactShape::ellipse && number == &Numbers::radius_x ? nullptr : number;
+}
 
 std::optional<std::size_t> find_field(std::string_view path) {
   const auto place = std::lower_bound(

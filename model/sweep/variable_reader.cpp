@@ -61,9 +61,7 @@ class VariableReader {
     variable_.path = field.path;
     variable_.unit = field.unit;
     variable_.meaning = field.meaning;
-    variable_.store = field.path == "speed"
-                          ? [](Scene& scene, double speed) { scene.speeds.list.assign(1, speed); }
-                          : scene_detail::store_of(scene_detail::field_at(field.path));
+    variable_.store = scene_detail::store_of(scene_detail::field_at(field.path));
   }
 
   std::optional<Variable> read() {
