@@ -298,9 +298,7 @@ class SceneBinder {
   void refuse_output(const FieldInfo& info, const Value& value, const std::string& name) {
     if (value.kind != ValueKind::text) return refuse(info, name, value);
     if (output_by_name(value.text)) return problems_.error(name, repeated(value));
-    std::array<std::string_view, output_infos.size()> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = output_infos[i].name;
-    problems_.error(name, unknown_word(value, names, allowed_text(info)));
+    problems_.error(name, unknown_word(value, output_names, allowed_text(info)));
   }
 
   // Outputs that were asked for need their inputs; without a list, those with inputs are computed.

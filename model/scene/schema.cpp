@@ -92,11 +92,32 @@ struct Row {
   Access access = {};
 };
 
-constexpr Row modulus_row(std::string_view path, std::string_view meaning, Access access) {
+// Numbers beyond are legal, but get a warning.
+struct Usual {
+  double least, greatest;
+};
+constexpr Row number_row(std::string_view path, std::string_view unit, Usual usual,
+                         std::string_view meaning, Access access) {
   return {{.path = path,
-           .unit = "Pa",
-           .plausible_minimum = 1e3,
-           .plausible_maximum = 2e12,
+           .unit = unit,
+           .plausible_minimum = usual.least,
+           .plausible_maximum = usual.greatest,
+           .meaning = meaning},
+          access};
+}
+constexpr Row required_row(std::string_view path, std::string_view unit, Usual usual,
+                           std::string_view meaning, Access access) {
+  Row row = number_row(path, unit, usual, meaning, access);
+  row.info.required = true;
+  return row;
+}
+// The first word is the default.
+constexpr Row choice_row(std::string_view path, std::span<const std::string_view> words,
+                         std::string_view meaning, Access access) {
+  return {{.path = path,
+           .type = FieldType::choice,
+           .choices = words,
+           .default_text = words.front(),
            .meaning = meaning},
           access};
 }
@@ -121,26 +142,16 @@ constexpr std::array<Row, field_count> rows{{
       .default_text = "the file's name without its ending",
       .meaning = "name of the scene in results and messages"}},
 
-    {{.path = "surface.summit_density",
-      .unit = "1/m²",
-      .plausible_minimum = 1e6,
-      .plausible_maximum = 1e16,
-      .meaning = "n, summits per area; Greenwood–Tripp: of each face, Greenwood–Williamson: of the "
-                 "one rough face"},
-     at_number<&Numbers::summit_density, &Scene::surface, &Surface::summit_density>},
-    {{.path = "surface.summit_radius",
-      .unit = "m",
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e-2,
-      .meaning = "β, radius of curvature of the summits"},
-     at_number<&Numbers::summit_radius, &Scene::surface, &Surface::summit_radius>},
-    {{.path = "surface.summit_height_sd",
-      .unit = "m",
-      .plausible_minimum = 1e-11,
-      .plausible_maximum = 1e-4,
-      .meaning = "σ_s, standard deviation of summit heights; Greenwood–Tripp: of the sum of both "
-                 "faces', Greenwood–Williamson: of the one rough face"},
-     at_number<&Numbers::summit_height_sd, &Scene::surface, &Surface::summit_height_sd>},
+    number_row("surface.summit_density", "1/m²", {1e6, 1e16},
+               "n, summits per area; Greenwood–Tripp: of each face, Greenwood–Williamson: of the "
+               "one rough face",
+               at_number<&Numbers::summit_density, &Scene::surface, &Surface::summit_density>),
+    number_row("surface.summit_radius", "m", {1e-9, 1e-2}, "β, radius of curvature of the summits",
+               at_number<&Numbers::summit_radius, &Scene::surface, &Surface::summit_radius>),
+    number_row("surface.summit_height_sd", "m", {1e-11, 1e-4},
+               "σ_s, standard deviation of summit heights; Greenwood–Tripp: of the sum of both "
+               "faces', Greenwood–Williamson: of the one rough face",
+               at_number<&Numbers::summit_height_sd, &Scene::surface, &Surface::summit_height_sd>),
     {{.path = "surface.summit_plane_offset",
       .exclusive_minimum = false,
       .default_text = "0",
@@ -154,68 +165,42 @@ constexpr std::array<Row, field_count> rows{{
       .default_text = "1",
       .meaning = "m, how many faces bring that offset"},
      at_number<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes>},
-    {{.path = "surface.m0",
-      .unit = "m²",
-      .plausible_minimum = 1e-20,
-      .plausible_maximum = 1e-9,
-      .meaning =
-          "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
-          "alike, Greenwood–Williamson: of the one rough face"},
-     at<&Scene::surface, &Surface::moments, &SpectralMoments::m0>},
-    {{.path = "surface.m2",
-      .plausible_minimum = 1e-10,
-      .plausible_maximum = 10,
-      .meaning = "m₂, mean square of the profile's slopes"},
-     at<&Scene::surface, &Surface::moments, &SpectralMoments::m2>},
-    {{.path = "surface.m4",
-      .unit = "1/m²",
-      .plausible_minimum = 1,
-      .plausible_maximum = 1e18,
-      .meaning = "m₄, mean square of the profile's curvatures"},
-     at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>},
+    number_row(
+        "surface.m0", "m²", {1e-20, 1e-9},
+        "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
+        "alike, Greenwood–Williamson: of the one rough face",
+        at<&Scene::surface, &Surface::moments, &SpectralMoments::m0>),
+    number_row("surface.m2", "", {1e-10, 10}, "m₂, mean square of the profile's slopes",
+               at<&Scene::surface, &Surface::moments, &SpectralMoments::m2>),
+    number_row("surface.m4", "1/m²", {1, 1e18}, "m₄, mean square of the profile's curvatures",
+               at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>),
 
-    {{.path = "bodies.effective_modulus",
-      .unit = "Pa",
-      .plausible_minimum = 1e3,
-      .plausible_maximum = 2e12,
-      .meaning = "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*"},
-     at_number<&Numbers::effective_modulus, &Scene::bodies, &Bodies::effective_modulus>},
-    {{.path = "bodies.reduced_radius",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 1,
-      .meaning = "R of the circular contact; a ball on a flat: the radius of the ball"},
-     at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::reduced_radius>},
+    number_row("bodies.effective_modulus", "Pa", {1e3, 2e12},
+               "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*",
+               at_number<&Numbers::effective_modulus, &Scene::bodies, &Bodies::effective_modulus>),
+    number_row("bodies.reduced_radius", "m", {1e-6, 1},
+               "R of the circular contact; a ball on a flat: the radius of the ball",
+               at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::reduced_radius>),
     {{.path = "bodies.ellipticity",
       .default_text = "1",
       .plausible_minimum = 1,
       .plausible_maximum = 1,
       .meaning = "k; enters the constant of the film formula alone, Hertz stays circular"},
      at_ellipticity},
-    {{.path = "bodies.radius_x",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 10,
-      .meaning = "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
-                 "1/R₂x"},
-     at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::radius_x>},
-    {{.path = "bodies.radius_y",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 1e4,
-      .meaning = "R_y of an ellipse, across the direction of entrainment, 1/R_y = 1/R₁y + 1/R₂y"},
-     at<&Scene::bodies, &Bodies::radius_y>},
-    {{.path = "bodies.length",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 10,
-      .meaning = "L of a line; load stays the whole load"},
-     at_number<&Numbers::across, &Scene::bodies, &Bodies::length>},
-    modulus_row("bodies.first_modulus", "E₁, Young's modulus of the first body",
-                at_body<0, &Body::modulus>),
+    number_row("bodies.radius_x", "m", {1e-6, 10},
+               "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
+               "1/R₂x",
+               at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::radius_x>),
+    number_row("bodies.radius_y", "m", {1e-6, 1e4},
+               "R_y of an ellipse, across the direction of entrainment, 1/R_y = 1/R₁y + 1/R₂y",
+               at<&Scene::bodies, &Bodies::radius_y>),
+    number_row("bodies.length", "m", {1e-6, 10}, "L of a line; load stays the whole load",
+               at_number<&Numbers::across, &Scene::bodies, &Bodies::length>),
+    number_row("bodies.first_modulus", "Pa", {1e3, 2e12}, "E₁, Young's modulus of the first body",
+               at_body<0, &Body::modulus>),
     ratio_row("bodies.first_poisson_ratio", "ν₁", at_body<0, &Body::poisson_ratio>),
-    modulus_row("bodies.second_modulus", "E₂, Young's modulus of the second body",
-                at_body<1, &Body::modulus>),
+    number_row("bodies.second_modulus", "Pa", {1e3, 2e12}, "E₂, Young's modulus of the second body",
+               at_body<1, &Body::modulus>),
     ratio_row("bodies.second_poisson_ratio", "ν₂", at_body<1, &Body::poisson_ratio>),
     face_row("bodies.first_radius_x",
              "R₁x of the first body's face, along the direction of entrainment: above 0 convex, "
@@ -228,20 +213,12 @@ constexpr std::array<Row, field_count> rows{{
     face_row("bodies.second_radius_y", "R₂y of the second body's face, likewise",
              at_body<1, &Body::radius_y>),
 
-    {{.path = "lubricant.viscosity",
-      .unit = "Pa·s",
-      .required = true,
-      .plausible_minimum = 1e-5,
-      .plausible_maximum = 1e4,
-      .meaning = "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\""},
-     at_number<&Numbers::viscosity, &Scene::lubricant, &Lubricant::viscosity>},
-    {{.path = "lubricant.pressure_viscosity",
-      .unit = "1/Pa",
-      .required = true,
-      .plausible_minimum = 1e-11,
-      .plausible_maximum = 1e-6,
-      .meaning = "α, pressure–viscosity coefficient"},
-     at_number<&Numbers::pressure_viscosity, &Scene::lubricant, &Lubricant::pressure_viscosity>},
+    required_row("lubricant.viscosity", "Pa·s", {1e-5, 1e4},
+                 "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\"",
+                 at_number<&Numbers::viscosity, &Scene::lubricant, &Lubricant::viscosity>),
+    required_row(
+        "lubricant.pressure_viscosity", "1/Pa", {1e-11, 1e-6}, "α, pressure–viscosity coefficient",
+        at_number<&Numbers::pressure_viscosity, &Scene::lubricant, &Lubricant::pressure_viscosity>),
     {{.path = "lubricant.eyring_stress",
       .unit = "Pa",
       .needed_by = Output::friction,
@@ -250,13 +227,8 @@ constexpr std::array<Row, field_count> rows{{
       .meaning = "τ₀, Eyring's stress"},
      at_number<&Numbers::eyring_stress, &Scene::lubricant, &Lubricant::eyring_stress>},
 
-    {{.path = "load",
-      .unit = "N",
-      .required = true,
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e6,
-      .meaning = "F, normal load"},
-     at_number<&Numbers::load, &Scene::load>},
+    required_row("load", "N", {1e-9, 1e6}, "F, normal load",
+                 at_number<&Numbers::load, &Scene::load>),
 
     {{.path = "speed",
       .type = FieldType::speeds,
@@ -265,20 +237,10 @@ constexpr std::array<Row, field_count> rows{{
       .plausible_maximum = 1e3,
       .meaning = "u, mean (entrainment) speed; onset does without"},
      at_speed},
-    {{.path = "speed.from",
-      .unit = "m/s",
-      .required = true,
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e3,
-      .meaning = "the first speed of a range"},
-     at<&Scene::speeds, &Speeds::from>},
-    {{.path = "speed.to",
-      .unit = "m/s",
-      .required = true,
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e3,
-      .meaning = "the last speed of a range, above speed.from"},
-     at<&Scene::speeds, &Speeds::to>},
+    required_row("speed.from", "m/s", {1e-9, 1e3}, "the first speed of a range",
+                 at<&Scene::speeds, &Speeds::from>),
+    required_row("speed.to", "m/s", {1e-9, 1e3}, "the last speed of a range, above speed.from",
+                 at<&Scene::speeds, &Speeds::to>),
     {{.path = "speed.count",
       .type = FieldType::integer,
       .minimum = 2,
@@ -287,30 +249,16 @@ constexpr std::array<Row, field_count> rows{{
       .default_text = "200",
       .meaning = "how many speeds, with both ends"},
      at<&Scene::speeds, &Speeds::count>},
-    {{.path = "speed.spacing",
-      .type = FieldType::choice,
-      .choices = spacing_words,
-      .default_text = "log",
-      .meaning = "speeds at even ratios (log) or even differences (lin)"},
-     at<&Scene::speeds, &Speeds::spacing>},
+    choice_row("speed.spacing", spacing_words,
+               "speeds at even ratios (log) or even differences (lin)",
+               at<&Scene::speeds, &Speeds::spacing>),
 
-    {{.path = "supply.inlet_film",
-      .unit = "m",
-      .plausible_minimum = 1e-11,
-      .plausible_maximum = 1e-2,
-      .meaning = "h_oil, thickness of the oil before the contact"},
-     at_supply<SupplyKind::inlet_film>},
-    {{.path = "supply.inlet_film_ratio",
-      .plausible_minimum = 1e-3,
-      .plausible_maximum = 1e6,
-      .meaning = "h_oil/σ_s"},
-     at_supply<SupplyKind::inlet_film_ratio>},
-    {{.path = "supply.inlet_flow",
-      .unit = "m²/s",
-      .plausible_minimum = 1e-16,
-      .plausible_maximum = 1e-2,
-      .meaning = "q, flow of oil per width; h_oil = q/u"},
-     at_supply<SupplyKind::inlet_flow>},
+    number_row("supply.inlet_film", "m", {1e-11, 1e-2},
+               "h_oil, thickness of the oil before the contact", at_supply<SupplyKind::inlet_film>),
+    number_row("supply.inlet_film_ratio", "", {1e-3, 1e6}, "h_oil/σ_s",
+               at_supply<SupplyKind::inlet_film_ratio>),
+    number_row("supply.inlet_flow", "m²/s", {1e-16, 1e-2}, "q, flow of oil per width; h_oil = q/u",
+               at_supply<SupplyKind::inlet_flow>),
 
     {{.path = "friction.boundary_coefficient",
       .exclusive_minimum = false,
@@ -324,37 +272,18 @@ constexpr std::array<Row, field_count> rows{{
       .plausible_maximum = 100,
       .meaning = "S, sliding speed over entrainment speed"},
      at_number<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio>},
-    {{.path = "friction.fluid",
-      .type = FieldType::choice,
-      .choices = fluid_shear_words,
-      .default_text = "eyring",
-      .meaning = "shear law of the fluid"},
-     at<&Scene::friction, &Friction::fluid>},
-    {{.path = "friction.viscosity",
-      .type = FieldType::choice,
-      .choices = viscosity_law_words,
-      .default_text = "barus",
-      .meaning = "law of viscosity against pressure"},
-     at<&Scene::friction, &Friction::viscosity>},
+    choice_row("friction.fluid", fluid_shear_words, "shear law of the fluid",
+               at<&Scene::friction, &Friction::fluid>),
+    choice_row("friction.viscosity", viscosity_law_words, "law of viscosity against pressure",
+               at<&Scene::friction, &Friction::viscosity>),
 
-    {{.path = "closures.asperity",
-      .type = FieldType::choice,
-      .choices = asperity_model_words,
-      .default_text = "greenwood_tripp",
-      .meaning = "model of the rough contact"},
-     at<&Scene::closures, &Closures::asperity>},
-    {{.path = "closures.starvation",
-      .type = FieldType::choice,
-      .choices = starvation_closure_words,
-      .default_text = "flooded_inlet",
-      .meaning = "rule for the film behind a starved inlet"},
-     at<&Scene::closures, &Closures::starvation>},
-    {{.path = "closures.film",
-      .type = FieldType::choice,
-      .choices = film_formula_words,
-      .default_text = "hamrock_dowson_central",
-      .meaning = "law of the flooded film"},
-     at<&Scene::closures, &Closures::film>},
+    choice_row("closures.asperity", asperity_model_words, "model of the rough contact",
+               at<&Scene::closures, &Closures::asperity>),
+    choice_row("closures.starvation", starvation_closure_words,
+               "rule for the film behind a starved inlet",
+               at<&Scene::closures, &Closures::starvation>),
+    choice_row("closures.film", film_formula_words, "law of the flooded film",
+               at<&Scene::closures, &Closures::film>),
     {{.path = "closures.damiens_exponent",
       .default_text = "3",
       .plausible_minimum = 1,
@@ -475,15 +404,6 @@ FieldPlaces places_of(std::span<const std::string_view> paths) {
   return places;
 }
 
-std::string output_names() {
-  std::string text;
-  for (const OutputInfo& output : output_infos) {
-    if (!text.empty()) text += ", ";
-    text += output.name;
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string joined(std::span<const std::string_view> words, std::string_view last_link) {
@@ -588,7 +508,7 @@ std::string allowed_text(const FieldInfo& field) {
              ", a list of such numbers, or a table of from, to, count and "
              "spacing";
     case FieldType::outputs:
-      return "a list of " + output_names();
+      return "a list of " + joined(output_names, ", ");
   }
   return {};
 }

@@ -3,6 +3,7 @@
 // place of a value in the scene.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <optional>
@@ -17,6 +18,12 @@ namespace tribo::scene_detail {
 
 inline constexpr std::size_t field_count = 44;
 inline constexpr std::size_t section_count = 7;
+
+inline constexpr auto output_names = [] {
+  std::array<std::string_view, output_infos.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = output_infos[i].name;
+  return names;
+}();
 
 using Numbers = detail::SceneNumbers<double>;
 

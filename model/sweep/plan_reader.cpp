@@ -145,10 +145,8 @@ class SweepBinder {
       const auto place = scene_detail::find_field(entries_[i].path);
       if (!place || !varies(entries_[i])) continue;
       const FieldInfo& field = scene_fields()[*place];
-      const bool can = field.type == FieldType::number || field.type == FieldType::integer ||
-                       field.type == FieldType::choice ||
-                       (field.type == FieldType::speeds && speed_is_drawn_);
-      if (!can) continue;
+      if (scene_detail::store_of(*place) == nullptr) continue;
+      if (field.type == FieldType::speeds && !speed_is_drawn_) continue;
       if (auto variable = read_variable(entries_[i], field, problems_)) {
         entries_[i] = {entries_[i].path, value_for(*variable, variable->nominal), {}, {}};
         varied_.push_back({i, std::move(*variable)});
