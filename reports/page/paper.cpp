@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What groups/paper.py is told of the published scenes before they are solved.
-#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "page/facts.hpp"
 #include "page/report_error.hpp"
