@@ -24,11 +24,12 @@ void check_pair(const std::string& direction, double first, double second, Probl
   const double radius = relative_radius(first, second);
   if (radius > 0 && radius < 1e20) return;  // two flat faces have 1e30 or ∞
   const std::string one = "first_radius_" + direction, other = "second_radius_" + direction;
-  std::string text = number_text(first) + " is not allowed beside " + other + ", which is " +
-                     number_text(second) + ": the faces do not meet at a point; allowed: 1/" + one +
-                     " + 1/" + other + " above 0";
-  if (direction == "y") text += ", or length in place of both radii, for a line";
-  problems.error("bodies." + one, text);
+  std::string allowed = "1/" + one + " + 1/" + other + " above 0";
+  if (direction == "y") allowed += ", or length in place of both radii, for a line";
+  problems.error("bodies." + one, {Fault::together, number_text(first),
+                                   " beside " + other + ", which is " + number_text(second) +
+                                       ": the faces do not meet at a point",
+                                   allowed});
 }
 
 // Two faces that meet at a point, or along a line.
@@ -46,9 +47,10 @@ void check_line(const Bodies& bodies, Problems& problems) {
                                   : bodies.bodies[0].radius_y != 0 ? "first_radius_y"
                                                                    : "radius_y";
   problems.error("bodies." + std::string(radius),
-                 std::string("this is the contact of ") + (is_circle ? "a circle" : "an ellipse") +
-                     ", and the film is solved of line contacts alone; allowed: radius_x and "
-                     "length, or first_radius_x, second_radius_x and length");
+                 {Fault::other, "",
+                  std::string("this is the contact of ") + (is_circle ? "a circle" : "an ellipse") +
+                      ", and the film is solved of line contacts alone",
+                  "radius_x and length, or first_radius_x, second_radius_x and length"});
 }
 
 // Laws of points are for points, and those of lines for lines.
@@ -61,10 +63,9 @@ void check_film(const Scene& scene, bool is_given, Problems& problems) {
       fitting.push_back(film_formula_words[i]);
   const std::string contact =
       is_line ? "the contact is a line (bodies.length)" : "the contact is no line";
-  problems.error("closures.film",
-                 (is_given ? '"' + std::string(film_word(scene)) + "\" is not allowed"
-                           : std::string("missing")) +
-                     ": " + contact + "; allowed: " + joined(fitting, " or "));
+  problems.error("closures.film", {is_given ? Fault::together : Fault::presence,
+                                   '"' + std::string(film_word(scene)) + '"', ": " + contact,
+                                   joined(fitting, " or ")});
 }
 
 void check_profile(const Scene& scene, Problems& problems) {
@@ -74,10 +75,10 @@ void check_profile(const Scene& scene, Problems& problems) {
   if (!(summits.bandwidth > 0))
     problems.error(
         "surface.m4",
-        number_text(m4) + " is not allowed: m0 · m4/m2² = " + rounded_text(m0 / m2 * (m4 / m2)) +
-            "; allowed: a number that makes it above " +
-            number_text(ratio<double>(bandwidth_without_summits)) + ", and " +
-            number_text(least_isotropic_bandwidth) + " or more of an isotropic Gaussian face");
+        {Fault::together, number_text(m4), ": m0 · m4/m2² = " + rounded_text(m0 / m2 * (m4 / m2)),
+         "a number that makes it above " + number_text(ratio<double>(bandwidth_without_summits)) +
+             ", and " + number_text(least_isotropic_bandwidth) +
+             " or more of an isotropic Gaussian face"});
 }
 
 // Radii so far apart that the axes are beyond double.
@@ -85,10 +86,11 @@ void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problem
   if (scene.bodies.shape() != ContactShape::ellipse) return;
   const double cube = numbers.ellipse.axis_cube, ratio = numbers.ellipse.axes_ratio;
   if (cube > 0 && std::isfinite(cube) && ratio > 0 && std::isfinite(ratio)) return;
-  problems.error("bodies.radius_y", rounded_text(numbers.across) + " is not allowed beside R_x = " +
-                                        rounded_text(numbers.radius_x) +
-                                        " m; allowed: a ratio of the two that double can hold, "
-                                        "or length in place of R_y, for a line");
+  problems.error(
+      "bodies.radius_y",
+      {Fault::together, rounded_text(numbers.across),
+       " beside R_x = " + rounded_text(numbers.radius_x) + " m",
+       "a ratio of the two that double can hold, or length in place of R_y, for a line"});
 }
 
 // The numbers that follow from two bodies and from moments, each of which is legal, may lose their
@@ -97,9 +99,10 @@ void check_derived(const Scene& scene, const Numbers& numbers, Problems& problem
   const auto check = [&](bool is_derived, std::string_view field, std::string_view what,
                          double number) {
     if (is_derived && !std::isnormal(number))
-      problems.error(field, std::string(what) + " that follows is " + rounded_text(number) +
-                                ", which double precision cannot hold; allowed: a number that "
-                                "makes it 2.3e-308 to 1.7e+308");
+      problems.error(field, {Fault::result, "",
+                             std::string(what) + " that follows is " + rounded_text(number) +
+                                 ", which double precision cannot hold",
+                             "a number that makes it 2.3e-308 to 1.7e+308"});
   };
   const bool has_moments = scene.surface.has_moments();
   check(has_moments, "surface.m4", "the summit density", numbers.summit_density);
@@ -117,36 +120,38 @@ void warn_of_summits(const Surface& surface, Problems& problems) {
   const double roughness =
       surface.summit_density * surface.summit_radius * surface.summit_height_sd;
   if (!(roughness >= 1e-3 && roughness <= 1))
-    problems.warning("surface", "summit_density · summit_radius · summit_height_sd = " +
-                                    rounded_text(roughness) +
-                                    " is legal but implausible: usual are 0.03 to 0.05");
+    problems.warning("surface", {Fault::plausibility,
+                                 "summit_density · summit_radius · summit_height_sd = " +
+                                     rounded_text(roughness),
+                                 " but implausible: usual are 0.03 to 0.05"});
   if (surface.has_moments()) {
     const auto& [m0, m2, m4] = surface.moments;
     if (const double bandwidth = m0 / m2 * (m4 / m2);
         bandwidth < least_isotropic_bandwidth * (1 - 1e-9))
-      problems.warning("surface",
-                       "m0 · m4/m2² = " + rounded_text(bandwidth) +
-                           " is legal but implausible: " + number_text(least_isotropic_bandwidth) +
-                           " or more of every isotropic Gaussian face");
+      problems.warning("surface", {Fault::plausibility, "m0 · m4/m2² = " + rounded_text(bandwidth),
+                                   " but implausible: " + number_text(least_isotropic_bandwidth) +
+                                       " or more of every isotropic Gaussian face"});
     return;
   }
   const double product = surface.summit_plane_offset * surface.summit_density *
                          surface.summit_radius * surface.summit_height_sd;
   if (product > 0 && !(std::abs(product / offset_times_roughness - 1) < 0.1))
     problems.warning("surface",
-                     "summit_plane_offset · summit_density · summit_radius · summit_height_sd = " +
-                         rounded_text(product) + " is legal, but " +
-                         rounded_text(offset_times_roughness) +
-                         " of every isotropic Gaussian face: give m0, m2 and m4 of a profile, and "
-                         "all four follow");
+                     {Fault::plausibility,
+                      "summit_plane_offset · summit_density · summit_radius · summit_height_sd = " +
+                          rounded_text(product),
+                      ", but " + rounded_text(offset_times_roughness) +
+                          " of every isotropic Gaussian face: give m0, m2 and m4 of a profile, and "
+                          "all four follow"});
 }
 
 void warn_if_large(std::string_view field, double radius, std::string_view axis, double size,
                    Problems& problems) {
   if (size > 0.5 * radius)
-    problems.warning(field, rounded_text(radius) + " m is legal but implausible: Hertz's " +
-                                std::string(axis) + " is " + rounded_text(size) +
-                                " m, and his formulas hold where it is far smaller");
+    problems.warning(
+        field, {Fault::plausibility, rounded_text(radius) + " m",
+                " but implausible: Hertz's " + std::string(axis) + " is " + rounded_text(size) +
+                    " m, and his formulas hold where it is far smaller"});
 }
 
 void warn_of_ellipticity(const Scene& scene, const Numbers& numbers, Problems& problems) {
@@ -154,11 +159,11 @@ void warn_of_ellipticity(const Scene& scene, const Numbers& numbers, Problems& p
   if (!(numbers.ellipticity >= law.least_ellipticity * (1 - 1e-9) &&
         numbers.ellipticity <= law.greatest_ellipticity))
     problems.warning("bodies.radius_y",
-                     number_text(numbers.across) +
-                         " m makes an ellipse of k = " + rounded_text(numbers.ellipticity) +
-                         ", and " + std::string(film_word(scene)) + " was fitted to k from " +
-                         rounded_text(law.least_ellipticity) + " to " +
-                         rounded_text(law.greatest_ellipticity));
+                     {.what = number_text(numbers.across) +
+                              " m makes an ellipse of k = " + rounded_text(numbers.ellipticity) +
+                              ", and " + std::string(film_word(scene)) + " was fitted to k from " +
+                              rounded_text(law.least_ellipticity) + " to " +
+                              rounded_text(law.greatest_ellipticity)});
 }
 
 }  // namespace
@@ -194,9 +199,9 @@ void warn_of_contact(const Scene& scene, SceneUse use, const Numbers& numbers, P
                   problems);
     warn_of_ellipticity(scene, numbers, problems);
   } else if (hertz.semi_axis_x > hertz.semi_axis_y) {
-    problems.warning("bodies.length", number_text(numbers.across) +
-                                          " m is legal but implausible: the contact is wider, " +
-                                          rounded_text(2 * hertz.semi_axis_x) + " m");
+    problems.warning("bodies.length", {Fault::plausibility, number_text(numbers.across) + " m",
+                                       " but implausible: the contact is wider, " +
+                                           rounded_text(2 * hertz.semi_axis_x) + " m"});
   }
 }
 

@@ -2,24 +2,13 @@
 #include "scene/entries.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "scene/text.hpp"
-
-namespace tribo {
-
-std::string InputProblem::line() const {
-  std::string text = source;
-  if (row > 0) text += ':' + std::to_string(row) + ':' + std::to_string(column);
-  if (!field.empty()) text += ": " + field;
-  return text + ": " + message;
-}
-
-namespace scene_detail {
+namespace tribo::scene_detail {
 namespace {
 
 constexpr std::size_t longest_source = 4096;
 constexpr std::size_t longest_path = 160;
-constexpr std::size_t longest_message = 600;
 
 bool is_bare(std::string_view key) {
   return !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
@@ -30,29 +19,27 @@ bool is_bare(std::string_view key) {
 
 }  // namespace
 
-InputProblem Problems::problem(std::string_view field, std::string_view message) const {
-  return {printable(source_, longest_source), printable(field, longest_path),
-          printable(message, longest_message)};
+InputProblem Problems::problem(std::string_view field, Fault fault) const {
+  return {printable(source_, longest_source), printable(field, longest_path), std::move(fault)};
 }
 
-void Problems::error(std::string_view field, std::string_view message) {
+void Problems::error(std::string_view field, Fault fault) {
   if (reading_.errors.size() > max_problems) return;
   if (reading_.errors.size() == max_problems) {
     field = "";
-    message = "and more, which are not listed";
+    fault = {.what = "and more, which are not listed"};
   }
-  reading_.errors.push_back(problem(field, message));
+  reading_.errors.push_back(problem(field, std::move(fault)));
 }
 
-void Problems::error_at(std::size_t row, std::size_t column, std::string_view field,
-                        std::string_view message) {
-  error(field, message);
+void Problems::error_at(std::size_t row, std::size_t column, std::string_view field, Fault fault) {
+  error(field, std::move(fault));
   reading_.errors.back().row = row;
   reading_.errors.back().column = column;
 }
 
-void Problems::warning(std::string_view field, std::string_view message) {
-  reading_.warnings.push_back(problem(field, message));
+void Problems::warning(std::string_view field, Fault fault) {
+  reading_.warnings.push_back(problem(field, std::move(fault)));
 }
 
 std::string path_part(std::string_view key) {
@@ -84,5 +71,4 @@ bool nests_too_deep(std::string_view json) {
   return false;
 }
 
-}  // namespace scene_detail
-}  // namespace tribo
+}  // namespace tribo::scene_detail

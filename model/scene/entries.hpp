@@ -46,14 +46,13 @@ inline constexpr std::size_t max_problems = 50;   // reported of one scene
 class Problems {
  public:
   Problems(SceneReading& reading, std::string_view source) : reading_(reading), source_(source) {}
-  void error(std::string_view field, std::string_view message);
-  void error_at(std::size_t row, std::size_t column, std::string_view field,
-                std::string_view message);
-  void warning(std::string_view field, std::string_view message);
+  void error(std::string_view field, Fault fault);
+  void error_at(std::size_t row, std::size_t column, std::string_view field, Fault fault);
+  void warning(std::string_view field, Fault fault);
   bool any() const { return !reading_.errors.empty(); }
 
  private:
-  InputProblem problem(std::string_view field, std::string_view message) const;
+  InputProblem problem(std::string_view field, Fault fault) const;
 
   SceneReading& reading_;
   std::string_view source_;

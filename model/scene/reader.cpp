@@ -22,7 +22,7 @@ SceneReading read_scene(const std::string& path, SceneUse use) {
   std::string text;
   if (const std::string refusal = read_input_text(path, "a scene", text); !refusal.empty()) {
     SceneReading reading;
-    Problems(reading, path.empty() ? "\"\"" : path).error("", refusal);
+    Problems(reading, path.empty() ? "\"\"" : path).error("", {.what = refusal});
     return reading;
   }
   SceneReading reading =

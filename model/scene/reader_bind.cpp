@@ -11,9 +11,9 @@
 
 #include "scene/contact_rules.hpp"
 #include "scene/entries.hpp"
+#include "scene/fault_text.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
-#include "scene/value_text.hpp"
 #include "tribo/friction.hpp"
 
 namespace tribo::scene_detail {
@@ -79,20 +79,19 @@ class SceneBinder {
 
   void place_section(const Entry& entry) {
     // A table may be written in pieces in TOML, never in JSON; both parsers give it one entry.
-    if (has_section(entry.path)) return problems_.error(entry.path, "given twice");
+    if (has_section(entry.path)) return problems_.error(entry.path, {Fault::once});
     sections_[section_count_++] = entry.path;
     if (entry.path == "speed") place_field(entry, named().speed);
   }
 
   void place_field(const Entry& entry, std::size_t field) {
-    if (given_[field] != nullptr) return problems_.error(entry.path, "given twice");
+    if (given_[field] != nullptr) return problems_.error(entry.path, {Fault::once});
     given_[field] = &entry;
     is_given_.set(field);
   }
 
   void refuse_section(const Entry& entry) {
-    problems_.error(entry.path,
-                    what_came(entry.value) + "; allowed: a table of " + names_in(entry.path));
+    problems_.error(entry.path, wrong_kind(entry.value, "a table of " + names_in(entry.path)));
     for (std::size_t field = 0; field < field_count; ++field)
       if (section_of(scene_fields()[field].path) == entry.path) explained_.set(field);
     if (entry.path == "supply") supply_explained_ = true;
@@ -102,14 +101,9 @@ class SceneBinder {
     const bool table = entry.value.kind == ValueKind::table;
     const bool on_top = section_of(entry.path).empty();
     const std::string_view nearest = nearest_name(entry.path, on_top, !table);
-    std::string message = table ? "unknown table" : "unknown field";
-    const std::string value = value_text(entry.value);
-    if (!value.empty()) message += " (" + value + ")";
-    if (nearest.empty())
-      message += "; known here: " + names_in(section_of(entry.path));
-    else
-      message += "; did you mean " + std::string(nearest) + "?";
-    problems_.error(entry.path, message);
+    problems_.error(entry.path, {Fault::name, value_text(entry.value), table ? "table" : "field",
+                                 nearest.empty() ? names_in(section_of(entry.path)) : "",
+                                 std::string(nearest)});
     explain(nearest);
     if (section_of(entry.path) == "supply") supply_explained_ = true;
   }
@@ -163,69 +157,67 @@ class SceneBinder {
     const std::string allowed = use_ == SceneUse::one_speed && info.type == FieldType::speeds
                                     ? "one number above 0, in m/s"
                                     : allowed_text(info);
-    problems_.error(info.path, "missing" + why + "; allowed: " + allowed);
+    problems_.error(info.path, {Fault::presence, "", why, allowed});
   }
 
-  void refuse(const FieldInfo& info, std::string_view name, const std::string& what) {
-    problems_.error(name, what + "; allowed: " + allowed_text(info));
+  void refuse(const FieldInfo& info, std::string_view name, const Value& value) {
+    problems_.error(name, wrong_kind(value, allowed_text(info)));
+  }
+  void refuse_empty(const FieldInfo& info) {
+    problems_.error(info.path, {Fault::emptiness, "", "", allowed_text(info)});
   }
 
   // The number if it is one and in range; else nothing, and an error under `name`.
   std::optional<double> number_of(const FieldInfo& info, const Value& value,
                                   std::string_view name) {
-    const std::string_view fault = number_fault(info, value);
-    if (fault.empty()) return value.number + 0.0;  // −0 becomes 0
-    refuse(info, name,
-           value.kind == ValueKind::number ? value_text(value) + std::string(fault)
-                                           : what_came(value));
+    const std::optional<Fault::Rule> rule = broken_rule(info, value);
+    if (!rule) return value.number + 0.0;  // −0 becomes 0
+    if (rule == Fault::kind)
+      refuse(info, name, value);
+    else
+      problems_.error(name, {*rule, value_text(value), "", allowed_text(info)});
     return std::nullopt;
   }
 
-  static std::string_view number_fault(const FieldInfo& info, const Value& value) {
+  // The rule that is broken as a number of this field, if one is.
+  static std::optional<Fault::Rule> broken_rule(const FieldInfo& info, const Value& value) {
     const double number = value.number;
-    if (value.kind != ValueKind::number) return " is no number";
-    if (value.fault == NumberFault::overflow) return " is beyond 1.8e308; it must be finite";
-    if (value.fault == NumberFault::underflow)
-      return " underflows: it is nearer to 0 than 4.9e-324";
-    if (info.is_radius_of_face && !std::isnan(number)) return number == 0 ? " is not allowed" : "";
-    if (!std::isfinite(number)) return " is not allowed: it must be finite";
-    if (info.type == FieldType::integer && !is_whole(number)) return " is not whole";
+    if (value.kind != ValueKind::number) return Fault::kind;
+    if (value.fault == NumberFault::overflow) return Fault::overflow;
+    if (value.fault == NumberFault::underflow) return Fault::underflow;
+    if (info.is_radius_of_face && !std::isnan(number))
+      return number == 0 ? std::optional(Fault::range) : std::nullopt;
+    if (!std::isfinite(number)) return Fault::finiteness;
+    if (info.type == FieldType::integer && !is_whole(number)) return Fault::wholeness;
     const bool low = info.exclusive_minimum ? number <= info.minimum : number < info.minimum;
-    if (low || (info.maximum && number > *info.maximum)) return " is not allowed";
-    return "";
+    if (low || (info.maximum && number > *info.maximum)) return Fault::range;
+    return std::nullopt;
   }
 
   void warn_if_implausible(const FieldInfo& info, double number, std::string_view name) {
     if (number >= info.plausible_minimum && number <= info.plausible_maximum) return;
-    std::string text = number_text(number);
+    std::string text = number_text(number), what;
     if (!info.unit.empty()) text += ' ' + std::string(info.unit);
     if (info.plausible_minimum == info.plausible_maximum) {
-      text += " is legal, but Hertz's contact stays circular here: only the film formula takes it";
+      what = ", but Hertz's contact stays circular here: only the film formula takes it";
     } else {
-      text += " is legal but implausible: usual are " + number_text(info.plausible_minimum) +
-              " to " + number_text(info.plausible_maximum);
+      what = " but implausible: usual are " + number_text(info.plausible_minimum) + " to " +
+             number_text(info.plausible_maximum);
     }
-    problems_.warning(name, text);
+    problems_.warning(name, {Fault::plausibility, text, what});
   }
 
   void take_choice(std::size_t field, const Value& value) {
     const FieldInfo& info = scene_fields()[field];
-    if (value.kind != ValueKind::text) return refuse(info, info.path, what_came(value));
+    if (value.kind != ValueKind::text) return refuse(info, info.path, value);
     for (std::size_t place = 0; place < info.choices.size(); ++place)
       if (info.choices[place] == value.text)
         return store_of(field)(scene_, static_cast<double>(place));
-    const std::string_view nearest = nearest_choice(value.text, info.choices);
-    problems_.error(info.path, value_text(value) + " is not known; allowed: " + allowed_text(info) +
-                                   did_you_mean(nearest));
-  }
-
-  static std::string did_you_mean(std::string_view nearest) {
-    return nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?";
+    problems_.error(info.path, unknown_word(value, info.choices, allowed_text(info)));
   }
 
   void take_id(const Value& value) {
-    if (value.kind != ValueKind::text)
-      return problems_.error("id", what_came(value) + "; allowed: a text");
+    if (value.kind != ValueKind::text) return problems_.error("id", wrong_kind(value, "a text"));
     reading_.id = value.text;
     scene_.id = value.text;
   }
@@ -240,7 +232,7 @@ class SceneBinder {
   void take_speeds(const FieldInfo& info, const Entry& entry) {
     const ValueKind kind = entry.value.kind;
     if (use_ == SceneUse::one_speed && kind != ValueKind::number) {
-      problems_.error("speed", what_came(entry.value) + "; allowed: one number above 0, in m/s");
+      problems_.error("speed", wrong_kind(entry.value, "one number above 0, in m/s"));
       explained_.set(named().speed_from);
       explained_.set(named().speed_to);
       return;
@@ -256,7 +248,7 @@ class SceneBinder {
   }
 
   void take_speed_list(const FieldInfo& info, const std::vector<Value>& elements) {
-    if (elements.empty()) return refuse(info, "speed", "the list is empty");
+    if (elements.empty()) return refuse_empty(info);
     bool warned = false;
     scene_.speeds.list.reserve(elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -270,7 +262,7 @@ class SceneBinder {
   }
 
   std::optional<double> speed_of(const FieldInfo& info, const Value& value, std::size_t i) {
-    if (number_fault(info, value).empty()) return value.number;  // no name is made for good ones
+    if (!broken_rule(info, value)) return value.number;  // no name is made for good ones
     const FieldInfo& element = scene_fields()[named().speed_from];
     return number_of(element, value, element_name("speed", i));
   }
@@ -283,17 +275,16 @@ class SceneBinder {
     const Speeds& speeds = scene_.speeds;
     if (!speed_is_table() || speeds.from <= 0 || speeds.to <= 0) return;
     if (speeds.from < speeds.to) return;
-    problems_.error("speed.to", number_text(speeds.to) +
-                                    " is not allowed; allowed: a number above "
-                                    "speed.from, which is " +
-                                    number_text(speeds.from));
+    problems_.error("speed.to",
+                    {Fault::range, number_text(speeds.to), "",
+                     "a number above speed.from, which is " + number_text(speeds.from)});
   }
 
   // --- Outputs.
 
   void take_outputs(const FieldInfo& info, const Entry& entry) {
-    if (entry.value.kind != ValueKind::list) return refuse(info, "outputs", what_came(entry.value));
-    if (entry.elements.empty()) return refuse(info, "outputs", "the list is empty");
+    if (entry.value.kind != ValueKind::list) return refuse(info, info.path, entry.value);
+    if (entry.elements.empty()) return refuse_empty(info);
     for (std::size_t i = 0; i < entry.elements.size(); ++i) take_output(info, entry.elements[i], i);
   }
 
@@ -305,13 +296,9 @@ class SceneBinder {
   }
 
   void refuse_output(const FieldInfo& info, const Value& value, const std::string& name) {
-    if (value.kind != ValueKind::text) return refuse(info, name, what_came(value));
-    if (output_by_name(value.text))
-      return problems_.error(name, value_text(value) + " is given twice; allowed: each once");
-    std::array<std::string_view, output_infos.size()> names;
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = output_infos[i].name;
-    problems_.error(name, value_text(value) + " is not known; allowed: " + allowed_text(info) +
-                              did_you_mean(nearest_choice(value.text, names)));
+    if (value.kind != ValueKind::text) return refuse(info, name, value);
+    if (output_by_name(value.text)) return problems_.error(name, repeated(value));
+    problems_.error(name, unknown_word(value, output_names, allowed_text(info)));
   }
 
   // Outputs that were asked for need their inputs; without a list, those with inputs are computed.
@@ -387,7 +374,7 @@ class SceneBinder {
   }
 
   void refuse_beside(std::string_view path, std::string_view first, const std::string& allowed) {
-    problems_.error(path, "given beside " + std::string(first) + "; allowed: " + allowed);
+    problems_.error(path, {Fault::absence, "", std::string(first), allowed});
   }
 
   // `first`: the first given field of the group, empty if there is none.
@@ -395,10 +382,10 @@ class SceneBinder {
     const std::size_t field = field_at(path);
     if (first.empty() && group.front().fields.size() > 1) return report_missing(field, "");
     if (first.empty())
-      return problems_.error(path, "missing; allowed: " + allowed_text(scene_fields()[field]) +
-                                       "; or, in its place, " + sets_text(group, 1));
-    problems_.error(path,
-                    "missing beside " + std::string(first) + "; allowed: " + sets_text(group));
+      return problems_.error(path, {Fault::presence, "", "",
+                                    allowed_text(scene_fields()[field]) + "; or, in its place, " +
+                                        sets_text(group, 1)});
+    problems_.error(path, {Fault::presence, "", " beside " + std::string(first), sets_text(group)});
   }
 
   // Puts the numbers that follow from two bodies, or from spectral moments, into the scene, as if
@@ -427,10 +414,11 @@ class SceneBinder {
         refuse_beside(path, first, "exactly one of " + names_in("supply"));
     }
     if (is_of_line_film() && !first.empty())
-      problems_.warning(first, "not used: the solved film is that of a flooded inlet");
+      problems_.warning(first, {.what = "not used: the solved film is that of a flooded inlet"});
     if (first.empty() && has_section("supply") && !supply_explained_)
-      problems_.error("supply", "empty; allowed: exactly one of " + names_in("supply") +
-                                    " (no supply at all: fully flooded)");
+      problems_.error("supply", {Fault::other, "", "empty",
+                                 "exactly one of " + names_in("supply") +
+                                     " (no supply at all: fully flooded)"});
   }
 
   bool has_section(std::string_view name) const {
@@ -442,11 +430,10 @@ class SceneBinder {
     const double viscosity = scene_.lubricant.viscosity;
     if (scene_.friction.viscosity != ViscosityLaw::roelands || viscosity <= 0) return;
     if (viscosity > least_roelands_viscosity) return;
-    problems_.error("lubricant.viscosity",
-                    number_text(viscosity) +
-                        " is not allowed with friction.viscosity = \"roelands\"; allowed: a number "
-                        "above " +
-                        number_text(least_roelands_viscosity) + ", in Pa·s");
+    problems_.error(
+        "lubricant.viscosity",
+        {Fault::range, number_text(viscosity), " with friction.viscosity = \"roelands\"",
+         "a number above " + number_text(least_roelands_viscosity) + ", in Pa·s"});
   }
 
   SceneUse use_;

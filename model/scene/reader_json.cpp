@@ -212,12 +212,12 @@ bool starts_like_infinity_or_nan(std::string_view text, std::size_t bytes) {
 
 void report(const EntryCollector& collector, std::string_view text, Problems& problems) {
   const std::size_t bytes = collector.complaint_position();
-  if (bytes == 0) return problems.error("", collector.complaint());
+  if (bytes == 0) return problems.error("", {.what = collector.complaint()});
   const Place place = place_of(text, bytes);
   if (starts_like_infinity_or_nan(text, bytes))
     return problems.error_at(place.row, place.column, collector.path(),
-                             "NaN and infinity are not JSON; a number must be finite");
-  problems.error_at(place.row, place.column, "", collector.complaint());
+                             {.what = "NaN and infinity are not JSON; a number must be finite"});
+  problems.error_at(place.row, place.column, "", {.what = collector.complaint()});
 }
 
 // Replaces the number that the collector stopped at by a 0 of equal length; false if it cannot.
@@ -239,7 +239,7 @@ bool mend_overflow(const EntryCollector& collector, std::string& text,
 std::optional<std::vector<Entry>> json_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields) {
   if (const std::string refusal = too_large_text(text.size()); !refusal.empty()) {
-    problems.error("", refusal);
+    problems.error("", {.what = refusal});
     return std::nullopt;
   }
   std::vector<Overflow> overflows;

@@ -149,9 +149,10 @@ void report(const toml::parse_error& error, const TomlScreen& screen, Problems& 
   const toml::source_position where = error.source().begin;
   std::string description(error.description());
   const std::string field = redefined_field(description, where.line, screen.headers);
-  if (!field.empty()) return problems.error_at(where.line, where.column, field, "given twice");
+  if (!field.empty())
+    return problems.error_at(where.line, where.column, field, {.rule = Fault::once});
   if (description.starts_with("Error while")) description.erase(0, 6);
-  problems.error_at(where.line, where.column, "", "not TOML: " + description);
+  problems.error_at(where.line, where.column, "", {.what = "not TOML: " + description});
 }
 
 }  // namespace
@@ -159,7 +160,7 @@ void report(const toml::parse_error& error, const TomlScreen& screen, Problems& 
 std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields) {
   if (const std::string refusal = too_large_text(text.size()); !refusal.empty()) {
-    problems.error("", refusal);
+    problems.error("", {.what = refusal});
     return std::nullopt;
   }
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -167,7 +168,7 @@ std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& 
   std::string screened(text);
   const TomlScreen screen = screen_toml(screened, most_fields);
   if (!screen.complaint.empty()) {
-    problems.error_at(screen.row, screen.column, "", screen.complaint);
+    problems.error_at(screen.row, screen.column, "", {.what = screen.complaint});
     return std::nullopt;
   }
   const toml::parse_result result = toml::parse(std::string_view(screened));
@@ -186,7 +187,7 @@ SceneReading parse_scene_toml(std::string_view text, std::string_view source, Sc
   const auto entries = scene_detail::toml_entries(text, problems);
   if (!entries) return reading;
   if (std::any_of(entries->begin(), entries->end(), scene_detail::is_of_sweep))
-    problems.error("", "this is a sweep: use `tribocheck sweep`");
+    problems.error("", {.what = "this is a sweep: use `tribocheck sweep`"});
   else
     scene_detail::bind_scene(*entries, use, problems, reading);
   return reading;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "scene/text.hpp"
@@ -18,37 +19,121 @@ namespace {
 
 using Words = std::string_view;
 
-template <typename Enum>
-Enum enum_at(double place) {
-  return static_cast<Enum>(static_cast<int>(place));
+template <class T>
+void put(T& to, double value) {
+  if constexpr (std::is_enum_v<T>)
+    to = static_cast<T>(static_cast<int>(value));
+  else
+    to = static_cast<T>(value);
 }
+void put(std::optional<double>& to, double value) { to = value; }
+
+template <class T>
+std::optional<double> number_in(T from) {
+  return static_cast<double>(from);
+}
+std::optional<double> number_in(std::optional<double> from) { return from; }
+
+// The member of a member … of the scene.
+template <auto... members>
+constexpr Access at{[](Scene& scene, double value) { put((scene.*....*members), value); },
+                    [](const Scene& scene) { return number_in((scene.*....*members)); }};
+
+// The same of a member that is a number of the contact, too.
+template <double Numbers::*number, auto... members>
+constexpr Access at_number{at<members...>.store, at<members...>.load, number};
+
+template <std::size_t body, double Body::*member>
+constexpr Access at_body{
+    [](Scene& scene, double value) { scene.bodies.bodies[body].*member = value; },
+    [](const Scene& scene) {
+      const Body& one = scene.bodies.bodies[body];
+      const bool is_given = member != &Body::poisson_ratio || one.modulus > 0;
+      return is_given ? std::optional(one.*member) : std::nullopt;
+    }};
+
+template <SupplyKind kind>
+constexpr Access at_supply{[](Scene& scene, double value) {
+                             scene.supply = {kind, value};
+                           },
+                           [](const Scene& scene) {
+                             const bool is_given = scene.supply.kind == kind;
+                             return is_given ? std::optional(scene.supply.value) : std::nullopt;
+                           },
+                           &Numbers::supply};
+
+// k, which the scene of another shape than a circle does not have.
+constexpr Access at_ellipticity{
+    at<&Scene::bodies, &Bodies::ellipticity>.store,
+    [](const Scene& scene) {
+      const bool is_circle = scene.bodies.shape() == ContactShape::circle;
+      return is_circle ? std::optional(scene.bodies.ellipticity) : std::nullopt;
+    },
+    &Numbers::ellipticity};
+
+// γ, which no other rule than Damiens' has.
+constexpr Access at_damiens_exponent{
+    at<&Scene::closures, &Closures::damiens_exponent>.store,
+    [](const Scene& scene) {
+      const bool is_used = scene.closures.starvation == StarvationClosure::damiens;
+      return is_used ? std::optional(scene.closures.damiens_exponent) : std::nullopt;
+    },
+    &Numbers::damiens_exponent};
+
+// One speed in place of all others.
+constexpr Access at_speed{[](Scene& scene, double value) { scene.speeds.list.assign(1, value); },
+                          [](const Scene& scene) {
+                            const std::vector<double>& list = scene.speeds.list;
+                            return list.size() == 1 ? std::optional(list.front()) : std::nullopt;
+                          }};
 
 struct Row {
   FieldInfo info;
-  Store store = nullptr;
+  Access access = {};
 };
 
-constexpr Row modulus_row(std::string_view path, std::string_view meaning, Store store) {
+// Numbers beyond are legal, but get a warning.
+struct Usual {
+  double least, greatest;
+};
+constexpr Row number_row(std::string_view path, std::string_view unit, Usual usual,
+                         std::string_view meaning, Access access) {
   return {{.path = path,
-           .unit = "Pa",
-           .plausible_minimum = 1e3,
-           .plausible_maximum = 2e12,
+           .unit = unit,
+           .plausible_minimum = usual.least,
+           .plausible_maximum = usual.greatest,
            .meaning = meaning},
-          store};
+          access};
 }
-constexpr Row ratio_row(std::string_view path, std::string_view meaning, Store store) {
+constexpr Row required_row(std::string_view path, std::string_view unit, Usual usual,
+                           std::string_view meaning, Access access) {
+  Row row = number_row(path, unit, usual, meaning, access);
+  row.info.required = true;
+  return row;
+}
+// The first word is the default.
+constexpr Row choice_row(std::string_view path, std::span<const std::string_view> words,
+                         std::string_view meaning, Access access) {
+  return {{.path = path,
+           .type = FieldType::choice,
+           .choices = words,
+           .default_text = words.front(),
+           .meaning = meaning},
+          access};
+}
+constexpr Row ratio_row(std::string_view path, std::string_view meaning, Access access) {
   return {
       {.path = path, .minimum = -1, .maximum = 0.5, .plausible_maximum = 0.5, .meaning = meaning},
-      store};
+      access};
 }
-constexpr Row face_row(std::string_view path, std::string_view meaning, Store store) {
+constexpr Row face_row(std::string_view path, std::string_view meaning, Access access) {
   return {{.path = path,
            .unit = "m",
            .minimum = -std::numeric_limits<double>::max(),
            .is_radius_of_face = true,
            .plausible_minimum = -1e4,
            .meaning = meaning},
-          store};
+          access};
 }
 
 constexpr std::array<Row, field_count> rows{{
@@ -57,165 +142,105 @@ constexpr std::array<Row, field_count> rows{{
       .default_text = "the file's name without its ending",
       .meaning = "name of the scene in results and messages"}},
 
-    {{.path = "surface.summit_density",
-      .unit = "1/m²",
-      .plausible_minimum = 1e6,
-      .plausible_maximum = 1e16,
-      .meaning = "n, summits per area; Greenwood–Tripp: of each face, Greenwood–Williamson: of the "
-                 "one rough face"},
-     [](Scene& scene, double value) { scene.surface.summit_density = value; }},
-    {{.path = "surface.summit_radius",
-      .unit = "m",
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e-2,
-      .meaning = "β, radius of curvature of the summits"},
-     [](Scene& scene, double value) { scene.surface.summit_radius = value; }},
-    {{.path = "surface.summit_height_sd",
-      .unit = "m",
-      .plausible_minimum = 1e-11,
-      .plausible_maximum = 1e-4,
-      .meaning = "σ_s, standard deviation of summit heights; Greenwood–Tripp: of the sum of both "
-                 "faces', Greenwood–Williamson: of the one rough face"},
-     [](Scene& scene, double value) { scene.surface.summit_height_sd = value; }},
+    number_row("surface.summit_density", "1/m²", {1e6, 1e16},
+               "n, summits per area; Greenwood–Tripp: of each face, Greenwood–Williamson: of the "
+               "one rough face",
+               at_number<&Numbers::summit_density, &Scene::surface, &Surface::summit_density>),
+    number_row("surface.summit_radius", "m", {1e-9, 1e-2}, "β, radius of curvature of the summits",
+               at_number<&Numbers::summit_radius, &Scene::surface, &Surface::summit_radius>),
+    number_row("surface.summit_height_sd", "m", {1e-11, 1e-4},
+               "σ_s, standard deviation of summit heights; Greenwood–Tripp: of the sum of both "
+               "faces', Greenwood–Williamson: of the one rough face",
+               at_number<&Numbers::summit_height_sd, &Scene::surface, &Surface::summit_height_sd>),
     {{.path = "surface.summit_plane_offset",
       .exclusive_minimum = false,
       .default_text = "0",
       .plausible_maximum = 10,
       .meaning = "D_d/σ_s, from the mean plane to the plane of summits"},
-     [](Scene& scene, double value) { scene.surface.summit_plane_offset = value; }},
+     at_number<&Numbers::summit_plane_offset, &Scene::surface, &Surface::summit_plane_offset>},
     {{.path = "surface.offset_planes",
       .type = FieldType::integer,
       .exclusive_minimum = false,
       .maximum = 2,
       .default_text = "1",
       .meaning = "m, how many faces bring that offset"},
-     [](Scene& scene, double value) { scene.surface.offset_planes = static_cast<int>(value); }},
-    {{.path = "surface.m0",
-      .unit = "m²",
-      .plausible_minimum = 1e-20,
-      .plausible_maximum = 1e-9,
-      .meaning =
-          "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
-          "alike, Greenwood–Williamson: of the one rough face"},
-     [](Scene& scene, double value) { scene.surface.moments.m0 = value; }},
-    {{.path = "surface.m2",
-      .plausible_minimum = 1e-10,
-      .plausible_maximum = 10,
-      .meaning = "m₂, mean square of the profile's slopes"},
-     [](Scene& scene, double value) { scene.surface.moments.m2 = value; }},
-    {{.path = "surface.m4",
-      .unit = "1/m²",
-      .plausible_minimum = 1,
-      .plausible_maximum = 1e18,
-      .meaning = "m₄, mean square of the profile's curvatures"},
-     [](Scene& scene, double value) { scene.surface.moments.m4 = value; }},
+     at_number<&Numbers::offset_planes, &Scene::surface, &Surface::offset_planes>},
+    number_row(
+        "surface.m0", "m²", {1e-20, 1e-9},
+        "m₀, variance of a profile's heights; Greenwood–Tripp: of each of two faces that are "
+        "alike, Greenwood–Williamson: of the one rough face",
+        at<&Scene::surface, &Surface::moments, &SpectralMoments::m0>),
+    number_row("surface.m2", "", {1e-10, 10}, "m₂, mean square of the profile's slopes",
+               at<&Scene::surface, &Surface::moments, &SpectralMoments::m2>),
+    number_row("surface.m4", "1/m²", {1, 1e18}, "m₄, mean square of the profile's curvatures",
+               at<&Scene::surface, &Surface::moments, &SpectralMoments::m4>),
 
-    {{.path = "bodies.effective_modulus",
-      .unit = "Pa",
-      .plausible_minimum = 1e3,
-      .plausible_maximum = 2e12,
-      .meaning = "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*"},
-     [](Scene& scene, double value) { scene.bodies.effective_modulus = value; }},
-    {{.path = "bodies.reduced_radius",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 1,
-      .meaning = "R of the circular contact; a ball on a flat: the radius of the ball"},
-     [](Scene& scene, double value) { scene.bodies.reduced_radius = value; }},
+    number_row("bodies.effective_modulus", "Pa", {1e3, 2e12},
+               "E*, with 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂; never 2E*",
+               at_number<&Numbers::effective_modulus, &Scene::bodies, &Bodies::effective_modulus>),
+    number_row("bodies.reduced_radius", "m", {1e-6, 1},
+               "R of the circular contact; a ball on a flat: the radius of the ball",
+               at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::reduced_radius>),
     {{.path = "bodies.ellipticity",
       .default_text = "1",
       .plausible_minimum = 1,
       .plausible_maximum = 1,
       .meaning = "k; enters the constant of the film formula alone, Hertz stays circular"},
-     [](Scene& scene, double value) { scene.bodies.ellipticity = value; }},
-    {{.path = "bodies.radius_x",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 10,
-      .meaning = "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
-                 "1/R₂x"},
-     [](Scene& scene, double value) { scene.bodies.radius_x = value; }},
-    {{.path = "bodies.radius_y",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 1e4,
-      .meaning = "R_y of an ellipse, across the direction of entrainment, 1/R_y = 1/R₁y + 1/R₂y"},
-     [](Scene& scene, double value) { scene.bodies.radius_y = value; }},
-    {{.path = "bodies.length",
-      .unit = "m",
-      .plausible_minimum = 1e-6,
-      .plausible_maximum = 10,
-      .meaning = "L of a line; load stays the whole load"},
-     [](Scene& scene, double value) { scene.bodies.length = value; }},
-    modulus_row("bodies.first_modulus", "E₁, Young's modulus of the first body",
-                [](Scene& scene, double value) { scene.bodies.bodies[0].modulus = value; }),
-    ratio_row("bodies.first_poisson_ratio", "ν₁",
-              [](Scene& scene, double value) { scene.bodies.bodies[0].poisson_ratio = value; }),
-    modulus_row("bodies.second_modulus", "E₂, Young's modulus of the second body",
-                [](Scene& scene, double value) { scene.bodies.bodies[1].modulus = value; }),
-    ratio_row("bodies.second_poisson_ratio", "ν₂",
-              [](Scene& scene, double value) { scene.bodies.bodies[1].poisson_ratio = value; }),
+     at_ellipticity},
+    number_row("bodies.radius_x", "m", {1e-6, 10},
+               "R_x of an ellipse or a line, along the direction of entrainment, 1/R_x = 1/R₁x + "
+               "1/R₂x",
+               at_number<&Numbers::radius_x, &Scene::bodies, &Bodies::radius_x>),
+    number_row("bodies.radius_y", "m", {1e-6, 1e4},
+               "R_y of an ellipse, across the direction of entrainment, 1/R_y = 1/R₁y + 1/R₂y",
+               at<&Scene::bodies, &Bodies::radius_y>),
+    number_row("bodies.length", "m", {1e-6, 10}, "L of a line; load stays the whole load",
+               at_number<&Numbers::across, &Scene::bodies, &Bodies::length>),
+    number_row("bodies.first_modulus", "Pa", {1e3, 2e12}, "E₁, Young's modulus of the first body",
+               at_body<0, &Body::modulus>),
+    ratio_row("bodies.first_poisson_ratio", "ν₁", at_body<0, &Body::poisson_ratio>),
+    number_row("bodies.second_modulus", "Pa", {1e3, 2e12}, "E₂, Young's modulus of the second body",
+               at_body<1, &Body::modulus>),
+    ratio_row("bodies.second_poisson_ratio", "ν₂", at_body<1, &Body::poisson_ratio>),
     face_row("bodies.first_radius_x",
              "R₁x of the first body's face, along the direction of entrainment: above 0 convex, "
              "below 0 concave, 1e30 (in TOML also inf) flat",
-             [](Scene& scene, double value) { scene.bodies.bodies[0].radius_x = value; }),
+             at_body<0, &Body::radius_x>),
     face_row("bodies.second_radius_x", "R₂x of the second body's face, likewise",
-             [](Scene& scene, double value) { scene.bodies.bodies[1].radius_x = value; }),
+             at_body<1, &Body::radius_x>),
     face_row("bodies.first_radius_y", "R₁y of the first body's face, across that direction",
-             [](Scene& scene, double value) { scene.bodies.bodies[0].radius_y = value; }),
+             at_body<0, &Body::radius_y>),
     face_row("bodies.second_radius_y", "R₂y of the second body's face, likewise",
-             [](Scene& scene, double value) { scene.bodies.bodies[1].radius_y = value; }),
+             at_body<1, &Body::radius_y>),
 
-    {{.path = "lubricant.viscosity",
-      .unit = "Pa·s",
-      .required = true,
-      .plausible_minimum = 1e-5,
-      .plausible_maximum = 1e4,
-      .meaning = "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\""},
-     [](Scene& scene, double value) { scene.lubricant.viscosity = value; }},
-    {{.path = "lubricant.pressure_viscosity",
-      .unit = "1/Pa",
-      .required = true,
-      .plausible_minimum = 1e-11,
-      .plausible_maximum = 1e-6,
-      .meaning = "α, pressure–viscosity coefficient"},
-     [](Scene& scene, double value) { scene.lubricant.pressure_viscosity = value; }},
+    required_row("lubricant.viscosity", "Pa·s", {1e-5, 1e4},
+                 "η₀, at ambient pressure; above 6.315e-5 with friction.viscosity = \"roelands\"",
+                 at_number<&Numbers::viscosity, &Scene::lubricant, &Lubricant::viscosity>),
+    required_row(
+        "lubricant.pressure_viscosity", "1/Pa", {1e-11, 1e-6}, "α, pressure–viscosity coefficient",
+        at_number<&Numbers::pressure_viscosity, &Scene::lubricant, &Lubricant::pressure_viscosity>),
     {{.path = "lubricant.eyring_stress",
       .unit = "Pa",
       .needed_by = Output::friction,
       .plausible_minimum = 1e3,
       .plausible_maximum = 1e10,
       .meaning = "τ₀, Eyring's stress"},
-     [](Scene& scene, double value) { scene.lubricant.eyring_stress = value; }},
+     at_number<&Numbers::eyring_stress, &Scene::lubricant, &Lubricant::eyring_stress>},
 
-    {{.path = "load",
-      .unit = "N",
-      .required = true,
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e6,
-      .meaning = "F, normal load"},
-     [](Scene& scene, double value) { scene.load = value; }},
+    required_row("load", "N", {1e-9, 1e6}, "F, normal load",
+                 at_number<&Numbers::load, &Scene::load>),
 
     {{.path = "speed",
       .type = FieldType::speeds,
       .unit = "m/s",
       .plausible_minimum = 1e-9,
       .plausible_maximum = 1e3,
-      .meaning = "u, mean (entrainment) speed; onset does without"}},
-    {{.path = "speed.from",
-      .unit = "m/s",
-      .required = true,
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e3,
-      .meaning = "the first speed of a range"},
-     [](Scene& scene, double value) { scene.speeds.from = value; }},
-    {{.path = "speed.to",
-      .unit = "m/s",
-      .required = true,
-      .plausible_minimum = 1e-9,
-      .plausible_maximum = 1e3,
-      .meaning = "the last speed of a range, above speed.from"},
-     [](Scene& scene, double value) { scene.speeds.to = value; }},
+      .meaning = "u, mean (entrainment) speed; onset does without"},
+     at_speed},
+    required_row("speed.from", "m/s", {1e-9, 1e3}, "the first speed of a range",
+                 at<&Scene::speeds, &Speeds::from>),
+    required_row("speed.to", "m/s", {1e-9, 1e3}, "the last speed of a range, above speed.from",
+                 at<&Scene::speeds, &Speeds::to>),
     {{.path = "speed.count",
       .type = FieldType::integer,
       .minimum = 2,
@@ -223,89 +248,48 @@ constexpr std::array<Row, field_count> rows{{
       .maximum = 10'000'000,
       .default_text = "200",
       .meaning = "how many speeds, with both ends"},
-     [](Scene& scene, double value) { scene.speeds.count = static_cast<std::size_t>(value); }},
-    {{.path = "speed.spacing",
-      .type = FieldType::choice,
-      .choices = spacing_words,
-      .default_text = "log",
-      .meaning = "speeds at even ratios (log) or even differences (lin)"},
-     [](Scene& scene, double place) { scene.speeds.spacing = enum_at<Spacing>(place); }},
+     at<&Scene::speeds, &Speeds::count>},
+    choice_row("speed.spacing", spacing_words,
+               "speeds at even ratios (log) or even differences (lin)",
+               at<&Scene::speeds, &Speeds::spacing>),
 
-    {{.path = "supply.inlet_film",
-      .unit = "m",
-      .plausible_minimum = 1e-11,
-      .plausible_maximum = 1e-2,
-      .meaning = "h_oil, thickness of the oil before the contact"},
-     [](Scene& scene, double value) {
-       scene.supply = {SupplyKind::inlet_film, value};
-     }},
-    {{.path = "supply.inlet_film_ratio",
-      .plausible_minimum = 1e-3,
-      .plausible_maximum = 1e6,
-      .meaning = "h_oil/σ_s"},
-     [](Scene& scene, double value) {
-       scene.supply = {SupplyKind::inlet_film_ratio, value};
-     }},
-    {{.path = "supply.inlet_flow",
-      .unit = "m²/s",
-      .plausible_minimum = 1e-16,
-      .plausible_maximum = 1e-2,
-      .meaning = "q, flow of oil per width; h_oil = q/u"},
-     [](Scene& scene, double value) {
-       scene.supply = {SupplyKind::inlet_flow, value};
-     }},
+    number_row("supply.inlet_film", "m", {1e-11, 1e-2},
+               "h_oil, thickness of the oil before the contact", at_supply<SupplyKind::inlet_film>),
+    number_row("supply.inlet_film_ratio", "", {1e-3, 1e6}, "h_oil/σ_s",
+               at_supply<SupplyKind::inlet_film_ratio>),
+    number_row("supply.inlet_flow", "m²/s", {1e-16, 1e-2}, "q, flow of oil per width; h_oil = q/u",
+               at_supply<SupplyKind::inlet_flow>),
 
     {{.path = "friction.boundary_coefficient",
       .exclusive_minimum = false,
       .needed_by = Output::friction,
       .plausible_maximum = 1,
       .meaning = "μ_b, friction coefficient where summits touch"},
-     [](Scene& scene, double value) { scene.friction.boundary_coefficient = value; }},
+     at_number<&Numbers::boundary_coefficient, &Scene::friction, &Friction::boundary_coefficient>},
     {{.path = "friction.slide_roll_ratio",
       .exclusive_minimum = false,
       .default_text = "1",
       .plausible_maximum = 100,
       .meaning = "S, sliding speed over entrainment speed"},
-     [](Scene& scene, double value) { scene.friction.slide_roll_ratio = value; }},
-    {{.path = "friction.fluid",
-      .type = FieldType::choice,
-      .choices = fluid_shear_words,
-      .default_text = "eyring",
-      .meaning = "shear law of the fluid"},
-     [](Scene& scene, double place) { scene.friction.fluid = enum_at<FluidShear>(place); }},
-    {{.path = "friction.viscosity",
-      .type = FieldType::choice,
-      .choices = viscosity_law_words,
-      .default_text = "barus",
-      .meaning = "law of viscosity against pressure"},
-     [](Scene& scene, double place) { scene.friction.viscosity = enum_at<ViscosityLaw>(place); }},
+     at_number<&Numbers::slide_roll_ratio, &Scene::friction, &Friction::slide_roll_ratio>},
+    choice_row("friction.fluid", fluid_shear_words, "shear law of the fluid",
+               at<&Scene::friction, &Friction::fluid>),
+    choice_row("friction.viscosity", viscosity_law_words, "law of viscosity against pressure",
+               at<&Scene::friction, &Friction::viscosity>),
 
-    {{.path = "closures.asperity",
-      .type = FieldType::choice,
-      .choices = asperity_model_words,
-      .default_text = "greenwood_tripp",
-      .meaning = "model of the rough contact"},
-     [](Scene& scene, double place) { scene.closures.asperity = enum_at<AsperityModel>(place); }},
-    {{.path = "closures.starvation",
-      .type = FieldType::choice,
-      .choices = starvation_closure_words,
-      .default_text = "flooded_inlet",
-      .meaning = "rule for the film behind a starved inlet"},
-     [](Scene& scene, double place) {
-       scene.closures.starvation = enum_at<StarvationClosure>(place);
-     }},
-    {{.path = "closures.film",
-      .type = FieldType::choice,
-      .choices = film_formula_words,
-      .default_text = "hamrock_dowson_central",
-      .meaning = "law of the flooded film"},
-     [](Scene& scene, double place) { scene.closures.film = enum_at<FilmFormula>(place); }},
+    choice_row("closures.asperity", asperity_model_words, "model of the rough contact",
+               at<&Scene::closures, &Closures::asperity>),
+    choice_row("closures.starvation", starvation_closure_words,
+               "rule for the film behind a starved inlet",
+               at<&Scene::closures, &Closures::starvation>),
+    choice_row("closures.film", film_formula_words, "law of the flooded film",
+               at<&Scene::closures, &Closures::film>),
     {{.path = "closures.damiens_exponent",
       .default_text = "3",
       .plausible_minimum = 1,
       .plausible_maximum = 20,
       .meaning = "γ of Damiens' rule"},
-     [](Scene& scene, double value) { scene.closures.damiens_exponent = value; }},
+     at_damiens_exponent},
 
     {{.path = "outputs",
       .type = FieldType::outputs,
@@ -364,8 +348,6 @@ constexpr std::array<std::size_t, field_count> by_path = [] {
 constexpr std::array<Words, section_count> sections{"bodies", "closures", "friction", "lubricant",
                                                     "speed",  "supply",   "surface"};
 
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
-
 // Keeps the nearest name seen so far. A name whose last part fits is near even where it was written
 // into the wrong section ("load" under [bodies]); the same section wins between equals.
 class Nearest {
@@ -422,15 +404,6 @@ FieldPlaces places_of(std::span<const std::string_view> paths) {
   return places;
 }
 
-std::string output_names() {
-  std::string text;
-  for (const OutputInfo& output : output_infos) {
-    if (!text.empty()) text += ", ";
-    text += output.name;
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string joined(std::span<const std::string_view> words, std::string_view last_link) {
@@ -453,7 +426,22 @@ std::string sets_text(FieldGroup group, std::size_t first) {
   return text;
 }
 
-Store store_of(std::size_t field) { return rows[field].store; }
+Store store_of(std::size_t field) { return rows[field].access.store; }
+
+std::optional<double> value_in(const Scene& scene, std::size_t field) {
+  const auto& [info, access] = rows[field];
+  if (access.load == nullptr) return std::nullopt;
+  const std::optional<double> value = access.load(scene);
+  // Scenes have 0 in place of what is not given and could not be 0.
+  const bool may_be_zero =
+      info.type == FieldType::choice || info.minimum < 0 || !info.exclusive_minimum;
+  return value == 0.0 && (!may_be_zero || info.is_radius_of_face) ? std::nullopt : value;
+}
+
+double Numbers::*contact_number(std::size_t field, ContactShape shape) {
+  double Numbers::*const number = rows[field].access.number;
+  return shape == ContactShape::ellipse && number == &Numbers::radius_x ? nullptr : number;
+}
 
 std::optional<std::size_t> find_field(std::string_view path) {
   const auto place = std::lower_bound(
@@ -520,7 +508,7 @@ std::string allowed_text(const FieldInfo& field) {
              ", a list of such numbers, or a table of from, to, count and "
              "spacing";
     case FieldType::outputs:
-      return "a list of " + output_names();
+      return "a list of " + joined(output_names, ", ");
   }
   return {};
 }

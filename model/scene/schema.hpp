@@ -3,6 +3,7 @@
 // place of a value in the scene.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tribo/contact_numbers.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::scene_detail {
@@ -17,10 +19,30 @@ namespace tribo::scene_detail {
 inline constexpr std::size_t field_count = 44;
 inline constexpr std::size_t section_count = 7;
 
-// Puts a number, a whole number, or the place of a chosen word into the scene. Null for the fields
-// that are more than one number: id, speed, outputs.
+inline constexpr auto output_names = [] {
+  std::array<std::string_view, output_infos.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = output_infos[i].name;
+  return names;
+}();
+
+using Numbers = detail::SceneNumbers<double>;
+
+// The place of a field in a scene, as a number, a whole number, or the place of a chosen word. All
+// are null of the fields that have none: id and outputs.
 using Store = void (*)(Scene&, double);
+struct Access {
+  Store store = nullptr;
+  std::optional<double> (*load)(const Scene&) = nullptr;
+  double Numbers::*number = nullptr;  // null: not one of a contact's numbers as it is given
+};
+
+// Puts the value into the scene; of `speed`, in place of all its speeds.
 Store store_of(std::size_t field);
+// The value that the scene has of the field, or that follows from others for it; nothing where the
+// scene has none.
+std::optional<double> value_in(const Scene& scene, std::size_t field);
+// The contact's number that is the field's value, and that alone follows from it; else null.
+double Numbers::*contact_number(std::size_t field, ContactShape shape);
 
 // The place in scene_fields() of a dotted path.
 std::optional<std::size_t> find_field(std::string_view path);
@@ -46,6 +68,10 @@ bool is_section(std::string_view name);
 
 // "surface" of "surface.summit_radius", empty for "load".
 std::string_view section_of(std::string_view path);
+// "summit_radius" of it.
+inline std::string_view last_part(std::string_view path) {
+  return path.substr(path.rfind('.') + 1);
+}
 
 // The known name nearest to a misspelt one; empty if none is near. `sections` also considers
 // the names of sections (for tables), `fields` those of fields.

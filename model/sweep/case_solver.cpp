@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "ehl/line_conditions.hpp"
 #include "ehl/solved_film.hpp"
+#include "scene/schema.hpp"
 #include "tribo/onset.hpp"
 
 namespace tribo::sweep {
@@ -21,30 +21,6 @@ constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 // of many cases share a batch.
 constexpr std::size_t speeds_of_a_curve = 16;
 constexpr std::size_t cases_in_hand = 256;
-
-using Numbers = std::array<double, sizeof(detail::SceneNumbers<double>) / sizeof(double)>;
-
-Numbers numbers_of(const Scene& scene) {
-  return std::bit_cast<Numbers>(detail::numbers_of<double>(scene));
-}
-
-// The place, among a contact's numbers, of the number that a variable sets, found by trying two
-// values of the variable. Nothing where the variable changes anything else.
-std::optional<std::size_t> place_of(const Variable& variable, Scene scene) {
-  const double least = variable.is_drawn() ? variable.distribution.least() : variable.grid.front();
-  const double greatest =
-      variable.is_drawn() ? variable.distribution.greatest() : variable.grid.back();
-  variable.store(scene, least);
-  const detail::ContactWords words = detail::words_of(scene);
-  Numbers numbers = numbers_of(scene);
-  variable.store(scene, greatest);
-  const Numbers others = numbers_of(scene);
-  const auto place = std::mismatch(numbers.begin(), numbers.end(), others.begin()).first;
-  if (place == numbers.end() || *place != least || !(words == detail::words_of(scene))) return {};
-  *place = greatest;
-  if (numbers != others) return {};
-  return static_cast<std::size_t>(place - numbers.begin());
-}
 
 }  // namespace
 
@@ -130,10 +106,9 @@ void CaseSolver::solve_films(std::span<const double> values, std::span<double> r
 
 void CaseSolver::find_places() {
   for (std::size_t v = 0; v < sweep_.variables.size(); ++v) {
-    const std::optional<std::size_t> place =
-        v == speed_variable_ ? 0 : place_of(sweep_.variables[v], scene_);
-    if (!place) return places_.clear();
-    places_.push_back(*place);
+    const std::size_t field = scene_detail::field_at(sweep_.variables[v].path);
+    places_.push_back(scene_detail::contact_number(field, words_.shape));
+    if (places_[v] == nullptr && v != speed_variable_) return places_.clear();
   }
 }
 
@@ -151,9 +126,9 @@ void CaseSolver::add(std::span<const double> values) {
       for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
       contacts_.add(scene_);
     } else {
-      auto* const numbers = reinterpret_cast<double*>(&contacts_.add(words_, numbers_));
+      detail::SceneNumbers<double>& numbers = contacts_.add(words_, numbers_);
       for (std::size_t v = 0; v < values.size(); ++v)
-        if (v != speed_variable_) numbers[places_[v]] = values[v];
+        if (v != speed_variable_) numbers.*places_[v] = values[v];
     }
   }
   contact_of_.push_back(contacts_.size() - 1);

@@ -46,12 +46,12 @@ class CaseSolver {
   const SceneSweep& sweep_;
   std::function<bool()> stopped_;
   Scene scene_;
-  // The words and numbers of the scene that a contact needs, and the place of each variable among
-  // the numbers (not used for the speed). places_ is empty where some variable is more than one of
-  // these numbers (a closure, say); then all variables go through the scene.
+  // The words and numbers of the scene that a contact needs, and which number each variable is
+  // (not used for the speed). places_ is empty where some variable is more than one of these
+  // numbers (a closure, say); then all variables go through the scene.
   detail::ContactWords words_;
   detail::SceneNumbers<double> numbers_;
-  std::vector<std::size_t> places_;
+  std::vector<double detail::SceneNumbers<double>::*> places_;
   std::size_t speed_variable_ = 0;  // number of the variable `speed`; past the last: none
   // Where the speed alone varies and no onset is asked.
   std::optional<MixedContact<double>> only_contact_;

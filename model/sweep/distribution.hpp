@@ -3,6 +3,7 @@
 // to values.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,11 +15,10 @@ namespace tribo::sweep {
 
 enum class DistributionKind : std::uint8_t { uniform, log_uniform, normal, log_normal };
 
+inline constexpr std::array<std::string_view, 4> distribution_names{"uniform", "log_uniform",
+                                                                    "normal", "log_normal"};
 constexpr std::string_view name(DistributionKind kind) {
-  return kind == DistributionKind::uniform       ? "uniform"
-         : kind == DistributionKind::log_uniform ? "log_uniform"
-         : kind == DistributionKind::normal      ? "normal"
-                                                 : "log_normal";
+  return distribution_names[static_cast<std::size_t>(kind)];
 }
 
 // A column of a table: its first number, and how far on the next one is.

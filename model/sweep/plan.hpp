@@ -25,10 +25,10 @@ namespace tribo::sweep {
 
 enum class Design : std::uint8_t { factorial, sobol, latin_hypercube, monte_carlo };
 
+inline constexpr std::array<std::string_view, 4> design_names{"factorial", "sobol",
+                                                              "latin_hypercube", "monte_carlo"};
 constexpr std::string_view name(Design design) {
-  constexpr std::array<std::string_view, 4> names{"factorial", "sobol", "latin_hypercube",
-                                                  "monte_carlo"};
-  return names[static_cast<std::size_t>(design)];
+  return design_names[static_cast<std::size_t>(design)];
 }
 
 // A field that varies: over a grid, or drawn from a distribution.

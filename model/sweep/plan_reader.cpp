@@ -30,21 +30,23 @@ using scene_detail::Problems;
 using scene_detail::Value;
 using scene_detail::ValueKind;
 
-constexpr std::array<std::string_view, 4> design_names{name(Design::factorial), name(Design::sobol),
-                                                       name(Design::latin_hypercube),
-                                                       name(Design::monte_carlo)};
-constexpr std::array<std::string_view, 4> criterion_names{
-    name(OnsetCriterion::film_maximum), name(OnsetCriterion::film_departure),
-    name(OnsetCriterion::friction_minimum), name(OnsetCriterion::asperity_minimum)};
+constexpr auto criterion_names = [] {
+  std::array<std::string_view, onset_criteria.size()> names;
+  std::transform(onset_criteria.begin(), onset_criteria.end(), names.begin(),
+                 [](OnsetCriterion criterion) { return name(criterion); });
+  return names;
+}();
 constexpr std::array<std::string_view, 2> keep_names{"points", "summaries"};
 
-constexpr std::array<SweepField, 10> fields{{
+const std::string list_of_criteria = "a list of " + scene_detail::joined(criterion_names, ", ");
+
+const std::array<SweepField, 10> fields{{
     {"design", "sobol, latin_hypercube, monte_carlo; factorial where all that varies is a grid",
      "sobol", "how the distributions are drawn from; grids are always crossed in full"},
     {"draws", "a whole number from 1 to 1e12", "16384",
      "for each set of grid values; with sensitivity, of each of its two matrices"},
     {"seed", "a whole number from 0 to 9007199254740992", "1", "of the draws"},
-    {"onset", "a list of film_maximum, film_departure, friction_minimum, asperity_minimum", "none",
+    {"onset", list_of_criteria, "none",
      "the onset's speed, film and film parameter by these criteria; with it, operating "
      "points are computed only where the scene lists `outputs`"},
     {"departure", "a number above 0 and below 1", "0.05", "the ε of film_departure"},
@@ -82,9 +84,6 @@ constexpr std::array<std::string_view, 2> roelands{"lubricant.viscosity", "frict
 constexpr std::array<std::span<const std::string_view>, 4> fields_of_rules{faces, radii, moments,
                                                                            roelands};
 
-// The text before the reason, in the scene reader's messages about a rule on several fields.
-constexpr std::string_view because = " is not allowed: ";
-
 // A variable, and the place of its field in the list of entries.
 struct VariedEntry {
   std::size_t entry;
@@ -115,9 +114,12 @@ class SweepBinder {
 
  private:
   bool ok() const { return problems_reading_.errors.empty() && reading_.errors.empty(); }
-  void error(std::string_view field, std::string_view message) {
-    problems_.error(field, message);
+  void error(std::string_view field, Fault fault) {
+    problems_.error(field, std::move(fault));
     hand_over();
+  }
+  void error(std::string_view field, std::string what, std::string allowed) {
+    error(field, {Fault::other, "", std::move(what), std::move(allowed)});
   }
   void hand_over() {
     for (InputProblem& problem : problems_reading_.errors)
@@ -132,7 +134,7 @@ class SweepBinder {
                                     [](const Entry& entry) { return entry.path == "sweep"; });
     if (found == entries_.end()) return;
     if (found->value.kind != ValueKind::table)
-      error("sweep", "not a table; allowed: a table with the fields of [sweep]");
+      error("sweep", "not a table", "a table with the fields of [sweep]");
     settings_ = std::move(*found);
     entries_.erase(found);
   }
@@ -143,10 +145,8 @@ class SweepBinder {
       const auto place = scene_detail::find_field(entries_[i].path);
       if (!place || !varies(entries_[i])) continue;
       const FieldInfo& field = scene_fields()[*place];
-      const bool can = field.type == FieldType::number || field.type == FieldType::integer ||
-                       field.type == FieldType::choice ||
-                       (field.type == FieldType::speeds && speed_is_drawn_);
-      if (!can) continue;
+      if (scene_detail::store_of(*place) == nullptr) continue;
+      if (field.type == FieldType::speeds && !speed_is_drawn_) continue;
       if (auto variable = read_variable(entries_[i], field, problems_)) {
         entries_[i] = {entries_[i].path, value_for(*variable, variable->nominal), {}, {}};
         varied_.push_back({i, std::move(*variable)});
@@ -163,11 +163,11 @@ class SweepBinder {
                 return key(left) < key(right);
               });
     if (ok() && varied_.empty())
-      error("",
-            "nothing varies; allowed: a grid or a distribution in place of a number, as in "
+      error("", "nothing varies",
+            "a grid or a distribution in place of a number, as in "
             "viscosity = { distribution = \"uniform\", from = 0.01, to = 0.03 }");
     if (varied_.size() > most_variables)
-      error("", "more than " + std::to_string(most_variables) + " fields vary");
+      error("", {.what = "more than " + std::to_string(most_variables) + " fields vary"});
   }
 
   // `speed` is a section of the schema, whose fields have entries of their own.
@@ -210,8 +210,8 @@ class SweepBinder {
       if (*departure > 0 && *departure < 1)
         sweep_.departure = *departure;
       else
-        table.refuse("departure", scene_detail::number_text(*departure) + " is not allowed",
-                     allowed("departure"));
+        table.refuse("departure", {Fault::range, scene_detail::number_text(*departure), "",
+                                   std::string(allowed("departure"))});
     }
     sweep_.solves_film = table.boolean("solved_film").value_or(false);
     sweep_.sensitivity = table.boolean("sensitivity").value_or(false);
@@ -249,9 +249,8 @@ class SweepBinder {
     if (!id.empty() && id != "." && id.find('/') == std::string::npos &&
         id.find('\0') == std::string::npos && id.size() <= 200)
       return;
-    error("id", '"' + printable(id) +
-                    "\" cannot name a group of the result; allowed: up to 200 bytes without \"/\", "
-                    "not empty and not \".\"");
+    error("id", '"' + printable(id) + "\" cannot name a group of the result",
+          "up to 200 bytes without \"/\", not empty and not \".\"");
   }
 
   // --- The values that the variables take, each alone and with those of others that share a rule.
@@ -330,18 +329,19 @@ class SweepBinder {
     const SceneReading scene = bound(entries_);
     for (const Setting& one : settings) set(*one.varied, one.varied->variable.nominal);
     if (scene.errors.empty()) return true;
-    const InputProblem& fault = scene.errors.front();
+    const auto& [source, field, found, row, column] = scene.errors.front();
     const Setting& first = settings.front();
     const Variable& variable = first.varied->variable;
-    const bool is_own = settings.size() == 1 && fault.field == variable.path;
-    const bool is_of_others = fault.message.find(because) != std::string::npos ||
-                              fault.message.find("; allowed: a number") == std::string::npos;
-    if (is_own && variable.is_drawn() && !is_of_others)
-      error(fault.field, reach_text(variable, first.value, fault.message));
-    else if (is_own && !variable.is_drawn())
-      error(fault.field, "a value of its grid: " + fault.message);
-    else
-      error(fault.field, where_text(settings) + fault.message);
+    const bool is_own = settings.size() == 1 && field == variable.path;
+    const bool is_of_limits = found.rule == Fault::range || found.rule == Fault::result;
+    if (is_own && variable.is_drawn() && is_of_limits) {
+      error(field, reach(variable, first.value, found.allowed));
+    } else {
+      Fault fault = found;
+      const bool is_of_grid = is_own && !variable.is_drawn();
+      fault.where = is_of_grid ? "a value of its grid: " : where_text(settings);
+      error(field, std::move(fault));
+    }
     return false;
   }
 
@@ -359,26 +359,17 @@ class SweepBinder {
     return text + ": ";
   }
 
-  // "this normal distribution reaches −0.062; viscosity must be a number above 0, in Pa·s: truncate
-  // it with `from`". The legal values are behind the last "; allowed: " of the scene reader's
-  // message.
-  static std::string reach_text(const Variable& variable, double value, const std::string& fault) {
-    constexpr std::string_view link = "; allowed: ";
-    const std::size_t allowed = fault.rfind(link);
-    const std::string field = variable.path.substr(variable.path.rfind('.') + 1);
+  // A distribution that reaches beyond what its field may be.
+  static Fault reach(const Variable& variable, double value, const std::string& allowed) {
     const bool is_printed = variable.text.starts_with("printed");
-    std::string text =
-        is_printed ? "this printed number"
-                   : "this " + std::string(name(variable.distribution.kind())) + " distribution";
-    text += " reaches " + std::string(value < 0 ? "−" : "") +
-            scene_detail::rounded_text(std::abs(value)) + "; ";
-    if (allowed == std::string::npos) return text + fault;
-    text += field + " must be " + fault.substr(allowed + link.size());
-    const bool is_low = value < variable.nominal;
     const DistributionKind kind = variable.distribution.kind();
     const bool has_tails = kind == DistributionKind::normal || kind == DistributionKind::log_normal;
-    if (has_tails) text += std::string(": truncate it with `") + (is_low ? "from`" : "to`");
-    return text;
+    const std::string_view end = value < variable.nominal ? "from" : "to";
+    return {
+        Fault::reach,
+        (is_printed ? "this printed number" : "this " + std::string(name(kind)) + " distribution") +
+            (value < 0 ? " reaches −" : " reaches ") + scene_detail::rounded_text(std::abs(value)),
+        has_tails ? ": truncate it with `" + std::string(end) + "`" : "", allowed};
   }
 
   // --- Correlation.
@@ -394,7 +385,7 @@ class SweepBinder {
     if (names == nullptr && rows == nullptr) return;
     if (names == nullptr || rows == nullptr)
       return error(names == nullptr ? "sweep.correlated" : "sweep.correlation",
-                   "missing; allowed: correlated and correlation, or neither");
+                   {Fault::presence, "", "", "correlated and correlation, or neither"});
     const auto places = correlated_places(*names);
     if (!ok()) return;
     const auto matrix = matrix_of(*rows, places.size());
@@ -404,8 +395,7 @@ class SweepBinder {
     for (std::size_t i = 0; i < places.size(); ++i)
       for (std::size_t j = 0; j < places.size(); ++j) whole[places[i]][places[j]] = matrix[i][j];
     CorrelationRoot root = correlation_root(whole);
-    if (!root.fault.empty())
-      return error("sweep.correlation", root.fault + "; allowed: a correlation matrix");
+    if (!root.fault.empty()) return error("sweep.correlation", root.fault, "a correlation matrix");
     sweep_.correlation_root = std::move(root.rows);
   }
 
@@ -414,7 +404,7 @@ class SweepBinder {
     for (const Variable& variable : sweep_.variables)
       if (variable.is_drawn()) drawn.push_back(variable.path);
     if (drawn.size() < 2) {
-      error("sweep.correlated", "fewer than two fields are drawn; allowed: drawn fields");
+      error("sweep.correlated", "fewer than two fields are drawn", "drawn fields");
       return {};
     }
     TableReader table("sweep", std::span(&entry, 1), field_names(), problems_);
@@ -427,7 +417,7 @@ class SweepBinder {
     const std::string shape = std::to_string(size) + " rows of " + std::to_string(size) +
                               " numbers from -1 to 1, symmetric, with 1 on the diagonal";
     const auto refuse = [&](const std::string& what) {
-      error("sweep.correlation", what + "; allowed: " + shape);
+      error("sweep.correlation", what, shape);
       return std::vector<std::vector<double>>();
     };
     if (entry.value.kind != ValueKind::list || entry.elements.size() != size ||
@@ -455,32 +445,34 @@ class SweepBinder {
   void check_combinations() {
     const bool drawn = sweep_.drawn() > 0;
     if (drawn && sweep_.design == Design::factorial)
-      error("sweep.design", "factorial takes grids alone, but " + sweep_.variables.back().path +
-                                " is drawn; allowed: sobol, latin_hypercube or monte_carlo");
+      error("sweep.design",
+            "factorial takes grids alone, but " + sweep_.variables.back().path + " is drawn",
+            "sobol, latin_hypercube or monte_carlo");
     if (!drawn && has_design_ && sweep_.design != Design::factorial)
-      error("sweep.design", "nothing is drawn; allowed: factorial, or no design");
+      error("sweep.design", "nothing is drawn", "factorial, or no design");
     if (!drawn && has_draws_)
-      error("sweep.draws", "nothing is drawn; allowed: no draws where all that varies is a grid");
+      error("sweep.draws", "nothing is drawn", "no draws where all that varies is a grid");
     if (!drawn) sweep_.design = Design::factorial, sweep_.draws = 1;
     if (sweep_.sensitivity) check_sensitivity();
     check_onsets();
     if (sweep_.solves_film && sweep_.scene.bodies.shape() != ContactShape::line)
-      error("sweep.solved_film",
-            "the film is solved of lines alone; allowed: true where bodies.length makes a line");
+      error("sweep.solved_film", "the film is solved of lines alone",
+            "true where bodies.length makes a line");
     if (sweep_.solves_film && sweep_.scene.speeds.empty())
-      error("speed", "missing, and the solved film needs it; allowed: a number, a list or a range");
+      error("speed",
+            {Fault::presence, "", ", and the solved film needs it", "a number, a list or a range"});
   }
 
   void check_sensitivity() {
     if (sweep_.drawn() != sweep_.variables.size() || sweep_.drawn() == 0)
-      error("sweep.sensitivity",
-            "Sobol indices are of drawn fields alone; allowed: true where no field has a grid");
+      error("sweep.sensitivity", "Sobol indices are of drawn fields alone",
+            "true where no field has a grid");
     if (!sweep_.correlation_root.empty())
-      error("sweep.sensitivity",
-            "Sobol indices are of independent fields; allowed: true without a correlation");
+      error("sweep.sensitivity", "Sobol indices are of independent fields",
+            "true without a correlation");
     if (sweep_.drawn() > 0 && sweep_.draws < 2 * jackknife_blocks)
-      error("sweep.draws", std::to_string(sweep_.draws) + " is too few for sensitivity; allowed: " +
-                               std::to_string(2 * jackknife_blocks) + " and more");
+      error("sweep.draws", std::to_string(sweep_.draws) + " is too few for sensitivity",
+            std::to_string(2 * jackknife_blocks) + " and more");
   }
 
   // A criterion that has no onset even at the nominal values will hardly have any.
@@ -490,9 +482,9 @@ class SweepBinder {
     for (const OnsetCriterion criterion : sweep_.criteria) {
       const Onset<double> found = onset(contact, sweep_.scene, criterion, sweep_.departure);
       if (found.exists) continue;
-      problems_.warning("sweep.onset",
-                        std::string(name(criterion)) +
-                            " has no onset at the nominal values: " + std::string(found.reason));
+      problems_.warning("sweep.onset", {.what = std::string(name(criterion)) +
+                                                " has no onset at the nominal values: " +
+                                                std::string(found.reason)});
     }
     for (InputProblem& problem : problems_reading_.warnings)
       reading_.warnings.push_back(std::move(problem));
@@ -505,8 +497,7 @@ class SweepBinder {
       if (!variable.is_drawn()) points *= static_cast<double>(variable.grid.size());
     if (sweep_.asks_at_speeds()) points *= static_cast<double>(sweep_.scene.speeds.size());
     if (points <= static_cast<double>(most_cases)) return;
-    error("sweep",
-          "comes to " + scene_detail::number_text(points) + " points; allowed: up to 1e12");
+    error("sweep", "comes to " + scene_detail::number_text(points) + " points", "up to 1e12");
   }
 
   std::vector<Entry> entries_;
@@ -533,7 +524,7 @@ bool is_utf8(std::string_view text) {
 
 SweepReading refused(const std::string& source, const std::string& why) {
   SceneReading scene;
-  Problems(scene, source).error("", why);
+  Problems(scene, source).error("", {.what = why});
   SweepReading reading;
   reading.errors = std::move(scene.errors);
   return reading;

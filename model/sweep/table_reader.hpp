@@ -36,12 +36,12 @@ class TableReader {
   // number(), reported where it is missing.
   std::optional<double> needed_number(std::string_view name, std::string_view allowed);
 
-  void refuse(std::string_view name, const std::string& what, std::string_view allowed);
+  void refuse(std::string_view name, Fault fault);
   bool good() const { return good_; }  // nothing has been reported yet
 
  private:
   std::string path_of(std::string_view name) const { return path_ + '.' + std::string(name); }
-  std::optional<std::size_t> place(const scene_detail::Value& value, const std::string& path,
+  std::optional<std::size_t> place(const scene_detail::Value& value, const std::string& name,
                                    std::span<const std::string_view> words);
 
   std::string path_;

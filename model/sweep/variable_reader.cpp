@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/fault_text.hpp"
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
-#include "scene/value_text.hpp"
 #include "sweep/table_reader.hpp"
 
 namespace tribo::sweep {
@@ -20,14 +20,12 @@ using scene_detail::number_text;
 using scene_detail::Problems;
 using scene_detail::Value;
 using scene_detail::ValueKind;
-using scene_detail::what_came;
+using scene_detail::wrong_kind;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_grid_values = 1'000'000;
 
-constexpr std::array<std::string_view, 4> distribution_names{"uniform", "log_uniform", "normal",
-                                                             "log_normal"};
-constexpr std::string_view varying =
+constexpr const char* varying =
     "a list of values, {from, to, count, spacing}, {distribution, …} or {printed}";
 
 struct Printed {
@@ -63,9 +61,7 @@ class VariableReader {
     variable_.path = field.path;
     variable_.unit = field.unit;
     variable_.meaning = field.meaning;
-    variable_.store = field.path == "speed"
-                          ? [](Scene& scene, double speed) { scene.speeds.list.assign(1, speed); }
-                          : scene_detail::store_of(scene_detail::field_at(field.path));
+    variable_.store = scene_detail::store_of(scene_detail::field_at(field.path));
   }
 
   std::optional<Variable> read() {
@@ -78,8 +74,8 @@ class VariableReader {
   }
 
  private:
-  void refuse(const std::string& what, std::string_view allowed) {
-    problems_.error(field_.path, what + "; allowed: " + std::string(allowed));
+  void refuse(Fault fault) {
+    problems_.error(field_.path, std::move(fault));
     problem_ = true;
   }
 
@@ -90,14 +86,14 @@ class VariableReader {
 
   void read_list() {
     if (entry_.elements.empty())
-      return refuse("the list is empty", "values that the field may have");
+      return refuse({Fault::emptiness, "", "", "values that the field may have"});
     if (field_.type == FieldType::choice)
       variable_.words.assign(field_.choices.begin(), field_.choices.end());
     for (std::size_t i = 0; i < entry_.elements.size(); ++i) read_element(i);
     std::vector<double> sorted = variable_.grid;
     std::sort(sorted.begin(), sorted.end());
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-      refuse("a value is given twice", "each once");
+      refuse({Fault::repetition, "a value", "", "each once"});
     variable_.text = field_.type == FieldType::choice ? "each of" : "the values";
     for (std::size_t i = 0; i < std::min<std::size_t>(variable_.grid.size(), 10); ++i)
       variable_.text += (i > 0 ? ", " : " ") + text_of(variable_.grid[i]);
@@ -125,13 +121,13 @@ class VariableReader {
       if (value.kind == ValueKind::text && word != variable_.words.end())
         return variable_.grid.push_back(static_cast<double>(word - variable_.words.begin()));
     }
-    problems_.error(name, what_came(value) + "; allowed: " + scene_detail::allowed_text(field_));
+    problems_.error(name, wrong_kind(value, scene_detail::allowed_text(field_)));
     problem_ = true;
   }
 
   void read_table() {
     if (!takes_numbers())
-      return refuse(what_came(entry_.value), "one of its words, or a list of them");
+      return refuse(wrong_kind(entry_.value, "one of its words, or a list of them"));
     constexpr std::array<std::string_view, 10> names{"distribution", "printed", "from", "to",
                                                      "count",        "spacing", "mean", "median",
                                                      "sd",           "log_sd"};
@@ -145,7 +141,7 @@ class VariableReader {
     else if (table.has("from") || table.has("to") || table.has("count"))
       read_range(table);
     else
-      refuse("this table does not say how the field varies", varying);
+      refuse({Fault::other, "", "this table does not say how the field varies", varying});
     problem_ = problem_ || !table.good();
   }
 
@@ -153,49 +149,49 @@ class VariableReader {
   bool only(TableReader& table, std::initializer_list<std::string_view> names) {
     for (const Entry& entry : entry_.inner) {
       if (std::find(names.begin(), names.end(), entry.path) != names.end()) continue;
-      std::string known;
-      for (const std::string_view name : names) {
-        if (!known.empty()) known += ", ";
-        known += name;
-      }
-      table.refuse(entry.path, "not a field of this kind", known);
+      table.refuse(entry.path, {Fault::other, "", "not a field of this kind",
+                                scene_detail::joined({names.begin(), names.size()}, ", ")});
     }
     return table.good();
   }
 
   void read_range(TableReader& table) {
     if (!only(table, {"from", "to", "count", "spacing"})) return;
-    constexpr std::array<std::string_view, 2> spacings{"log", "lin"};
     const auto spacing =
-        table.has("spacing") ? table.word("spacing", spacings) : std::optional<std::size_t>(0);
+        table.has("spacing") ? table.word("spacing", spacing_words) : std::optional<std::size_t>(0);
     const auto from = table.needed_number("from", "a number");
     const auto to = table.needed_number("to", "a number above from");
     const std::string count_text = "a whole number from 2 to " + std::to_string(most_grid_values);
-    if (!table.has("count")) table.refuse("count", "missing", count_text);
+    if (!table.has("count")) table.refuse("count", {Fault::presence, "", "", count_text});
     const auto count = table.whole("count", 2, most_grid_values, count_text);
     if (!from || !to || !count || !spacing) return;
-    if (*to <= *from)
-      return table.refuse("to", number_text(*to) + " is not above from, " + number_text(*from),
-                          "a number above from");
+    if (*to <= *from) return refuse_to(table, *from, *to);
     const Spacing steps = *spacing == 0 ? Spacing::log : Spacing::lin;
     if (steps == Spacing::log && *from <= 0)
-      return table.refuse("from", number_text(*from) + " has no logarithm",
-                          "a number above 0, or spacing = \"lin\"");
+      return table.refuse("from", {Fault::other, "", number_text(*from) + " has no logarithm",
+                                   "a number above 0, or spacing = \"lin\""});
     const Speeds range{{}, *from, *to, static_cast<std::size_t>(*count), steps};
     for (std::size_t i = 0; i < range.size(); ++i) variable_.grid.push_back(range[i]);
     variable_.text = std::to_string(*count) + " values from " + number_text(*from) + " to " +
-                     number_text(*to) + ", " + std::string(spacings[*spacing]);
+                     number_text(*to) + ", " + std::string(spacing_words[*spacing]);
     set_nominal();
+  }
+
+  static void refuse_to(TableReader& table, double from, double to) {
+    table.refuse("to",
+                 {Fault::other, "", number_text(to) + " is not above from, " + number_text(from),
+                  "a number above from"});
   }
 
   void read_printed_number(TableReader& table) {
     if (!only(table, {"printed"})) return;
-    constexpr std::string_view allowed = "a number as it is printed, as a text: \"0.0202\"";
+    constexpr const char* allowed = "a number as it is printed, as a text: \"0.0202\"";
     const auto text = table.text("printed", allowed);
     if (!text) return;
     const auto printed = read_printed(*text);
     if (!printed)
-      return table.refuse("printed", '"' + printable(*text) + "\" is no number", allowed);
+      return table.refuse("printed",
+                          {Fault::other, "", '"' + printable(*text) + "\" is no number", allowed});
     variable_.distribution = Distribution::uniform(printed->value - printed->half_digit,
                                                    printed->value + printed->half_digit);
     variable_.nominal = printed->value;
@@ -204,7 +200,8 @@ class VariableReader {
 
   void read_distribution(TableReader& table) {
     if (field_.type == FieldType::integer)
-      return refuse("a whole number is not drawn", "a whole number, or a list of them");
+      return refuse(
+          {Fault::other, "", "a whole number is not drawn", "a whole number, or a list of them"});
     const auto kind = table.word("distribution", distribution_names);
     if (!kind) return;
     switch (static_cast<DistributionKind>(*kind)) {
@@ -235,8 +232,7 @@ class VariableReader {
     if (!table.good()) return std::nullopt;
     const Range range{from.value_or(-infinity), to.value_or(infinity)};
     if (range.from < range.to) return range;
-    table.refuse("to", number_text(range.to) + " is not above from, " + number_text(range.from),
-                 above);
+    refuse_to(table, range.from, range.to);
     return std::nullopt;
   }
 
@@ -245,13 +241,13 @@ class VariableReader {
     const auto range = read_ends(table, true);
     if (!range) return;
     if (logarithmic && range->from <= 0)
-      return table.refuse("from", number_text(range->from) + " has no logarithm",
-                          "a number above 0");
+      return table.refuse("from", {Fault::other, "", number_text(range->from) + " has no logarithm",
+                                   "a number above 0"});
     if (!logarithmic && !std::isfinite(range->to - range->from))
-      return table.refuse("to",
-                          "the distance from " + number_text(range->from) + " to " +
-                              number_text(range->to) + " is no finite number",
-                          "a range of at most 1.7e308");
+      return table.refuse("to", {Fault::other, "",
+                                 "the distance from " + number_text(range->from) + " to " +
+                                     number_text(range->to) + " is no finite number",
+                                 "a range of at most 1.7e308"});
     variable_.distribution = logarithmic ? Distribution::log_uniform(range->from, range->to)
                                          : Distribution::uniform(range->from, range->to);
   }
@@ -281,7 +277,7 @@ class VariableReader {
   std::optional<double> positive(TableReader& table, std::string_view name) {
     const auto value = table.needed_number(name, "a number above 0");
     if (!value || *value > 0) return value;
-    table.refuse(name, number_text(*value) + " is not allowed", "a number above 0");
+    table.refuse(name, {Fault::range, number_text(*value), "", "a number above 0"});
     return std::nullopt;
   }
 
@@ -291,8 +287,9 @@ class VariableReader {
   }
   bool holds_some(TableReader& table, const Range& range, double middle, double sd) {
     if (holds_some_within(range, middle, sd)) return true;
-    table.refuse("from", "all between from and to is more than 30 sd from the middle",
-                 "a range that holds some of the distribution");
+    table.refuse("from",
+                 {Fault::other, "", "all between from and to is more than 30 sd from the middle",
+                  "a range that holds some of the distribution"});
     return false;
   }
 

@@ -61,7 +61,7 @@ class CaseReader {
  private:
   void note(const InputProblem& warning) {
     for (auto& [first, more] : warnings_)
-      if (first.field == warning.field && first.message == warning.message) {
+      if (first.field == warning.field && first.message() == warning.message()) {
         ++more;
         return;
       }

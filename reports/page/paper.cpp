@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What groups/paper.py is told of the published scenes before they are solved.
-#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "page/facts.hpp"
 #include "page/report_error.hpp"
 #include "reproduction/claims.hpp"
+#include "scene/schema.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/scene_reader.hpp"
@@ -32,120 +35,55 @@ Json scene_json(const Case& source) {
       {"speed_power", contact.film().speed_power.value}};
 }
 
-// An input of a scene: how it is read from there, and the misprint that changes it.
-struct InputRow {
-  std::string_view field;  // one of scene_fields()
-  Json (*value)(const Scene&);
-  std::string_view erratum = {};
+// The misprints that change an input of a scene.
+constexpr std::pair<std::string_view, std::string_view> errata_of_inputs[] = {
+    {"surface.summit_radius", "E17"},
+    {"surface.offset_planes", "E9"},
+    {"bodies.effective_modulus", "E2"},
+    {"bodies.reduced_radius", "E18"},
+    {"friction.boundary_coefficient", "E20"},
+    {"friction.fluid", "E19"},
+    {"friction.viscosity", "E20"},
+    {"closures.starvation", "E11"},
 };
 
-// 0: not given. Values that follow from two bodies or from moments stand in the scene as well.
-Json if_given(double value) {
-  if (value == 0) return nullptr;
-  return std::isinf(value) ? Json(value > 0 ? "inf" : "-inf") : Json(value);
-}
-// 0 is legal.
-Json poisson_ratio(const Scene& scene, std::size_t body) {
-  const Body& one = scene.bodies.bodies[body];
-  return one.modulus > 0 ? Json(one.poisson_ratio) : Json();
-}
-Json ellipticity(const Scene& scene) {
-  const bool is_circle = scene.bodies.shape() == ContactShape::circle;
-  return is_circle ? Json(scene.bodies.ellipticity) : Json();
+// An input of a scene, null where it has none. Of all its speeds there are the least and the
+// greatest.
+Json input_json(const Scene& scene, std::size_t place) {
+  const FieldInfo& field = scene_fields()[place];
+  if (field.type == FieldType::speeds || field.path == "speed.count" ||
+      field.path == "speed.spacing")
+    return nullptr;
+  if (field.path == "speed.from") return detail::speed_span(scene.speeds).low;
+  if (field.path == "speed.to") return detail::speed_span(scene.speeds).high;
+  const std::optional<double> value = scene_detail::value_in(scene, place);
+  if (!value) return nullptr;
+  if (field.type == FieldType::choice) return field.choices[static_cast<std::size_t>(*value)];
+  if (field.type == FieldType::integer) return static_cast<int>(*value);
+  return std::isinf(*value) ? Json(*value > 0 ? "inf" : "-inf") : Json(*value);
 }
 
-const InputRow input_rows[] = {
-    {"surface.summit_density", [](const Scene& s) { return Json(s.surface.summit_density); }},
-    {"surface.summit_radius", [](const Scene& s) { return Json(s.surface.summit_radius); }, "E17"},
-    {"surface.summit_height_sd", [](const Scene& s) { return Json(s.surface.summit_height_sd); }},
-    {"surface.summit_plane_offset",
-     [](const Scene& s) { return Json(s.surface.summit_plane_offset); }},
-    {"surface.m0", [](const Scene& s) { return if_given(s.surface.moments.m0); }},
-    {"surface.m2", [](const Scene& s) { return if_given(s.surface.moments.m2); }},
-    {"surface.m4", [](const Scene& s) { return if_given(s.surface.moments.m4); }},
-    {"surface.offset_planes", [](const Scene& s) { return Json(s.surface.offset_planes); }, "E9"},
-    {"bodies.effective_modulus", [](const Scene& s) { return Json(s.bodies.effective_modulus); },
-     "E2"},
-    {"bodies.reduced_radius", [](const Scene& s) { return if_given(s.bodies.reduced_radius); },
-     "E18"},
-    {"bodies.ellipticity", ellipticity},
-    {"bodies.radius_x", [](const Scene& s) { return if_given(s.bodies.radius_x); }},
-    {"bodies.radius_y", [](const Scene& s) { return if_given(s.bodies.radius_y); }},
-    {"bodies.length", [](const Scene& s) { return if_given(s.bodies.length); }},
-    {"bodies.first_modulus", [](const Scene& s) { return if_given(s.bodies.bodies[0].modulus); }},
-    {"bodies.first_poisson_ratio", [](const Scene& s) { return poisson_ratio(s, 0); }},
-    {"bodies.second_modulus", [](const Scene& s) { return if_given(s.bodies.bodies[1].modulus); }},
-    {"bodies.second_poisson_ratio", [](const Scene& s) { return poisson_ratio(s, 1); }},
-    {"bodies.first_radius_x", [](const Scene& s) { return if_given(s.bodies.bodies[0].radius_x); }},
-    {"bodies.second_radius_x",
-     [](const Scene& s) { return if_given(s.bodies.bodies[1].radius_x); }},
-    {"bodies.first_radius_y", [](const Scene& s) { return if_given(s.bodies.bodies[0].radius_y); }},
-    {"bodies.second_radius_y",
-     [](const Scene& s) { return if_given(s.bodies.bodies[1].radius_y); }},
-    {"lubricant.viscosity", [](const Scene& s) { return Json(s.lubricant.viscosity); }},
-    {"lubricant.pressure_viscosity",
-     [](const Scene& s) { return Json(s.lubricant.pressure_viscosity); }},
-    {"lubricant.eyring_stress", [](const Scene& s) { return number(s.lubricant.eyring_stress); }},
-    {"load", [](const Scene& s) { return Json(s.load); }},
-    {"speed.from", [](const Scene& s) { return Json(detail::speed_span(s.speeds).low); }},
-    {"speed.to", [](const Scene& s) { return Json(detail::speed_span(s.speeds).high); }},
-    {"supply.inlet_film",
-     [](const Scene& s) {
-       return s.supply.kind == SupplyKind::inlet_film ? Json(s.supply.value) : Json();
-     }},
-    {"supply.inlet_film_ratio",
-     [](const Scene& s) {
-       return s.supply.kind == SupplyKind::inlet_film_ratio ? Json(s.supply.value) : Json();
-     }},
-    {"supply.inlet_flow",
-     [](const Scene& s) {
-       return s.supply.kind == SupplyKind::inlet_flow ? Json(s.supply.value) : Json();
-     }},
-    {"friction.boundary_coefficient",
-     [](const Scene& s) { return number(s.friction.boundary_coefficient); }, "E20"},
-    {"friction.slide_roll_ratio", [](const Scene& s) { return Json(s.friction.slide_roll_ratio); }},
-    {"friction.fluid",
-     [](const Scene& s) {
-       return Json(fluid_shear_words[static_cast<std::size_t>(s.friction.fluid)]);
-     },
-     "E19"},
-    {"friction.viscosity",
-     [](const Scene& s) {
-       return Json(viscosity_law_words[static_cast<std::size_t>(s.friction.viscosity)]);
-     },
-     "E20"},
-    {"closures.asperity",
-     [](const Scene& s) {
-       return Json(asperity_model_words[static_cast<std::size_t>(s.closures.asperity)]);
-     }},
-    {"closures.starvation",
-     [](const Scene& s) {
-       return Json(starvation_closure_words[static_cast<std::size_t>(s.closures.starvation)]);
-     },
-     "E11"},
-    {"closures.film",
-     [](const Scene& s) {
-       return Json(film_formula_words[static_cast<std::size_t>(s.closures.film)]);
-     }},
-};
+Json erratum_of(std::string_view path) {
+  for (const auto& [field, erratum] : errata_of_inputs)
+    if (field == path) return erratum;
+  return nullptr;
+}
 
 // Those that a scene has a value of.
 Json inputs_json(const std::vector<Case>& cases) {
   Json inputs = Json::array();
-  for (const InputRow& row : input_rows) {
-    const auto fields = scene_fields();
-    const auto field = std::find_if(fields.begin(), fields.end(),
-                                    [&](const FieldInfo& one) { return one.path == row.field; });
+  for (std::size_t place = 0; place < scene_fields().size(); ++place) {
+    const FieldInfo& field = scene_fields()[place];
     Json values = Json::object();
     for (const Case& one : cases) {
-      Json value = row.value(one.scene);
+      Json value = input_json(one.scene, place);
       if (!value.is_null()) values[one.stem()] = std::move(value);
     }
     if (values.empty()) continue;
-    inputs.push_back({{"field", row.field},
-                      {"unit", field->unit},
-                      {"meaning", field->meaning},
-                      {"erratum", row.erratum.empty() ? Json(nullptr) : Json(row.erratum)},
+    inputs.push_back({{"field", field.path},
+                      {"unit", field.unit},
+                      {"meaning", field.meaning},
+                      {"erratum", erratum_of(field.path)},
                       {"values", std::move(values)}});
   }
   return inputs;

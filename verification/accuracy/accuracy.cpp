@@ -7,28 +7,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "accuracy/reference_table.hpp"
+#include "accuracy/reference_scene.hpp"
 #include "catalogue/catalogue.hpp"
+#include "scene/schema.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::verification {
 namespace {
-
-double place_of(std::string_view word, std::span<const std::string_view> words) {
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (found == words.end()) throw std::runtime_error(fmt::format("unknown word {}", word));
-  return static_cast<double>(found - words.begin());
-}
-template <class Enum>
-Enum parse(const std::string& word, std::span<const std::string_view> words) {
-  return static_cast<Enum>(static_cast<int>(place_of(word, words)));
-}
-AsperityModel asperity_of(const ReferenceRow& row) {
-  return parse<AsperityModel>(row.text("asperity"), asperity_model_words);
-}
-StarvationClosure closure_of(const std::string& word) {
-  return parse<StarvationClosure>(word, starvation_closure_words);
-}
 
 class Judge {
  public:
@@ -91,33 +76,19 @@ double onset_constant(const std::string& constant, StarvationClosure closure) {
 
 QuantityResult onset_constants(const std::string& folder) {
   Judge judge("onset_constant", starvation_ratio_contract);
-  for (const ReferenceRow& row : read_reference_table(folder + "/onset_constant.csv"))
-    judge.add(row, onset_constant(row.text("constant"), closure_of(row.text("closure"))));
+  for (const ReferenceRow& row : read_reference_table(folder + "/onset_constant.csv")) {
+    const double place = place_of(row.text("closure"), starvation_closure_words);
+    const auto closure = static_cast<StarvationClosure>(static_cast<int>(place));
+    judge.add(row, onset_constant(row.text("constant"), closure));
+  }
   return judge.result();
 }
 
 Scene scene_of(const ReferenceRow& row) {
   Scene scene;
-  scene.load = row.number("load");
-  scene.surface = {row.number("summit_density"), row.number("summit_radius"),
-                   row.number("summit_height_sd"), row.number("summit_plane_offset"),
-                   static_cast<int>(row.number("offset_planes"))};
-  scene.bodies.effective_modulus = row.number("effective_modulus");
-  const double radius = row.number("radius_x"), across = row.number("across");
-  const std::string& shape = row.text("shape");
-  (shape == "circle" ? scene.bodies.reduced_radius : scene.bodies.radius_x) = radius;
-  (shape == "circle"    ? scene.bodies.ellipticity
-   : shape == "ellipse" ? scene.bodies.radius_y
-                        : scene.bodies.length) = across;
-  scene.lubricant = {row.number("viscosity"), row.number("pressure_viscosity"),
-                     row.number("eyring_stress")};
-  scene.supply = {parse<SupplyKind>(row.text("supply_kind"), supply_words), row.number("supply")};
-  scene.friction = {row.number("boundary_coefficient"), row.number("slide_roll_ratio"),
-                    parse<FluidShear>(row.text("fluid"), fluid_shear_words),
-                    parse<ViscosityLaw>(row.text("viscosity_law"), viscosity_law_words)};
-  scene.closures = {asperity_of(row), closure_of(row.text("starvation")),
-                    row.number("damiens_exponent"),
-                    parse<FilmFormula>(row.text("film"), film_formula_words)};
+  for_each_field(row, [&scene](std::size_t field, double value) {
+    scene_detail::store_of(field)(scene, value);
+  });
   return scene;
 }
 

@@ -32,6 +32,10 @@ ReferenceRow::ReferenceRow(Columns columns, std::string_view line, char separato
                                          columns_->size(), line));
 }
 
+bool ReferenceRow::has(std::string_view column) const {
+  return std::find(columns_->begin(), columns_->end(), column) != columns_->end();
+}
+
 const std::string& ReferenceRow::text(std::string_view column) const {
   const auto found = std::find(columns_->begin(), columns_->end(), column);
   if (found == columns_->end()) throw std::runtime_error(fmt::format("no column {}", column));

@@ -17,6 +17,7 @@ class ReferenceRow {
  public:
   ReferenceRow(Columns columns, std::string_view line, char separator);
 
+  bool has(std::string_view column) const;
   const std::string& text(std::string_view column) const;  // throws where there is no such column
   double number(std::string_view column) const;            // hexfloat or decimal
   bool is_defined() const { return !text("value").empty(); }

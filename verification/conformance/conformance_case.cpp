@@ -3,14 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "accuracy/reference_table.hpp"
+#include "accuracy/reference_scene.hpp"
 #include "catalogue/catalogue.hpp"
 #include "conformance/question.hpp"
+#include "scene/schema.hpp"
+#include "scene/text.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -86,32 +89,25 @@ std::vector<TestCase> cases_of(const std::string& folder, const catalogue::Funct
   return cases;
 }
 
+// Puts the number or word of a field into a scene's JSON.
+void put(json& scene, std::size_t place, double value) {
+  const FieldInfo& field = scene_fields()[place];
+  std::string pointer = '/' + std::string(field.path);
+  std::replace(pointer.begin(), pointer.end(), '.', '/');
+  json& to = scene[json::json_pointer(pointer)];
+  if (field.type == FieldType::choice)
+    to = field.choices[static_cast<std::size_t>(value)];
+  else if (field.type == FieldType::integer)
+    to = static_cast<int>(value);
+  else
+    to = value;
+}
+
 json scene_json(const ReferenceRow& row) {
   json scene;
-  const auto put = [&](const std::string& path, const json& value) {
-    scene[json::json_pointer('/' + path)] = value;
-  };
-  // The column of a field has its name.
-  for (const std::string path :
-       {"load", "speed", "surface/summit_density", "surface/summit_radius",
-        "surface/summit_height_sd", "surface/summit_plane_offset", "bodies/effective_modulus",
-        "lubricant/viscosity", "lubricant/pressure_viscosity", "lubricant/eyring_stress",
-        "friction/boundary_coefficient", "friction/slide_roll_ratio", "closures/damiens_exponent"})
-    put(path, row.number(path.substr(path.find('/') + 1)));
-  put("surface/offset_planes", static_cast<int>(row.number("offset_planes")));
-  const std::string& shape = row.text("shape");
-  put(shape == "circle" ? "bodies/reduced_radius" : "bodies/radius_x", row.number("radius_x"));
-  put(shape == "circle"    ? "bodies/ellipticity"
-      : shape == "ellipse" ? "bodies/radius_y"
-                           : "bodies/length",
-      row.number("across"));
-  if (row.text("supply_kind") != "flooded")
-    put("supply/" + row.text("supply_kind"), row.number("supply"));
-  put("friction/fluid", row.text("fluid"));
-  put("friction/viscosity", row.text("viscosity_law"));
-  put("closures/asperity", row.text("asperity"));
-  put("closures/starvation", row.text("starvation"));
-  if (row.text("film") != film_formula_words[0]) put("closures/film", row.text("film"));
+  verification::for_each_field(
+      row, [&scene](std::size_t place, double value) { put(scene, place, value); });
+  if (row.text("film") == film_formula_words[0]) scene["closures"].erase("film");
   return scene;
 }
 
@@ -156,21 +152,19 @@ std::vector<TestCase> operating_points(const std::string& folder) {
   return cases;
 }
 
+// The fields that are not as usual, and the model of the contact.
 json scene_json(const Scene& scene, double speed) {
-  json made{{"load", scene.load}, {"speed", speed}};
-  made["surface"] = {{"summit_density", scene.surface.summit_density},
-                     {"summit_radius", scene.surface.summit_radius},
-                     {"summit_height_sd", scene.surface.summit_height_sd},
-                     {"summit_plane_offset", scene.surface.summit_plane_offset}};
-  made["bodies"] = {{"effective_modulus", scene.bodies.effective_modulus},
-                    {"reduced_radius", scene.bodies.reduced_radius}};
-  made["lubricant"] = {{"viscosity", scene.lubricant.viscosity},
-                       {"pressure_viscosity", scene.lubricant.pressure_viscosity},
-                       {"eyring_stress", *scene.lubricant.eyring_stress}};
-  made["supply"] = {{"inlet_film_ratio", scene.supply.value}};
-  made["friction"] = {{"boundary_coefficient", *scene.friction.boundary_coefficient}};
-  made["closures"] = {
-      {"asperity", asperity_model_words[static_cast<std::size_t>(scene.closures.asperity)]}};
+  json made;
+  for (std::size_t place = 0; place < scene_fields().size(); ++place) {
+    const FieldInfo& field = scene_fields()[place];
+    const std::optional<double> value = scene_detail::value_in(scene, place);
+    if (!value || scene_detail::section_of(field.path) == "speed") continue;
+    const std::string text = field.type == FieldType::choice
+                                 ? std::string(field.choices[static_cast<std::size_t>(*value)])
+                                 : scene_detail::number_text(*value);
+    if (text != field.default_text || field.path == "closures.asperity") put(made, place, *value);
+  }
+  made["speed"] = speed;
   return made;
 }
 

@@ -77,7 +77,8 @@ struct Field {
 };
 Field field_at(const std::string& path) {
   const std::optional<std::size_t> place = scene_detail::find_field(path);
-  if (!place || scene_detail::store_of(*place) == nullptr)
+  if (!place || scene_detail::store_of(*place) == nullptr ||
+      scene_fields()[*place].type == FieldType::speeds)
     throw std::runtime_error(fmt::format("a scene has no number or word {}", path));
   return {&scene_fields()[*place], scene_detail::store_of(*place)};
 }

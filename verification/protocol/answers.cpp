@@ -149,7 +149,7 @@ void append_error(Text& to, std::optional<std::string_view> id, std::string_view
 
 void append_first_error(Text& to, const SceneReading& reading) {
   const InputProblem& problem = reading.errors.front();
-  std::string message = problem.message;
+  std::string message = problem.message();
   if (problem.column > 0)
     fmt::format_to(std::back_inserter(message), " (column {})", problem.column);
   append_error(to, reading.id, problem.field, message);

@@ -49,14 +49,45 @@ struct FieldSet {
 using FieldGroup = std::span<const FieldSet>;
 std::span<const FieldGroup> scene_field_groups();
 
+// How an input breaks a rule, or keeps it oddly.
+struct Fault {
+  enum Rule : std::uint8_t {
+    other,        // what: the fault in words
+    name,         // a field or table that is not known; what: "field" or "table"
+    once,         // a field that is given twice
+    presence,     // a field that is missing; what: why it is needed
+    absence,      // a field beside another one; what: that one
+    kind,         // what: what came, "a text"
+    word,         // a word that is not known
+    repetition,   // a value that a list has twice
+    emptiness,    // a list without elements
+    overflow,     // a number too large for double
+    underflow,    // or too small
+    finiteness,   // ∞ or NaN
+    wholeness,    // a fraction where a whole number is wanted
+    range,        // a number beyond the limits of its field; what: the word that sets them
+    result,       // a number from which none that double can hold follows; what: which one
+    together,     // a value that others do not allow; what: why
+    reach,        // a value of a distribution beyond the limits; what: how to bound it
+    plausibility  // legal, but what: not as usual
+  };
+  Rule rule = other;
+  std::string value = {};    // as messages show it; empty: a list or a table, or nothing
+  std::string what = {};     // what the rule says more
+  std::string allowed = {};  // of a name: the known ones
+  std::string nearest = {};  // the known name or word that is probably meant
+  std::string where = {};    // under which circumstances, before all the rest
+};
+
 // One thing wrong (or odd) with an input. `line()` is what a person reads. All texts are valid
 // UTF-8 on one line: what came from the input is shortened, and its control signs are escaped.
 struct InputProblem {
-  std::string source;      // file name, "-" or "line 12"
-  std::string field;       // dotted path; empty when it is the whole input
-  std::string message;     // with the value, what is allowed, and the nearest known name
-  std::size_t row = 0;     // broken TOML or JSON: where, from 1; else 0
-  std::size_t column = 0;  // in characters
+  std::string source;  // file name, "-" or "line 12"
+  std::string field;   // dotted path; empty when it is the whole input
+  Fault fault;
+  std::size_t row = 0;          // broken TOML or JSON: where, from 1; else 0
+  std::size_t column = 0;       // in characters
+  std::string message() const;  // with the value, what is allowed, and the nearest known name
   // "rough.toml: surface.summit_radius: -1 is not allowed: …", "rough.toml:3:7: not TOML: …"
   std::string line() const;
 };

@@ -66,7 +66,7 @@ TEST(SceneFields, MissingOneIsAnErrorOnlyIfRequired) {
     for (const Format format : formats) {
       const SceneText text = SceneText::good_with(field).remove(field.path);
       if (is_of_a_set(field.path))
-        EXPECT_NE(read(format, text).errors.at(0).message.find("missing"), std::string::npos)
+        EXPECT_NE(read(format, text).errors.at(0).message().find("missing"), std::string::npos)
             << field.path;
       else if (field.required || field.type == FieldType::speeds)
         EXPECT_TRUE(refused(format, text, field.path, "missing"));

@@ -153,6 +153,24 @@ TEST(Scene, ProblemReadsAsOneLineWithFileFieldValueAndWhatIsAllowed) {
             "test: surface.summit_radius: -1 is not allowed; allowed: a number above 0, in m");
 }
 
+TEST(Scene, FaultTellsItsRuleTheValueAndWhatIsAllowed) {
+  const auto fault = [](std::string_view path, std::string_view value) {
+    return read(Format::json, good().set(path, value)).errors.at(0).fault;
+  };
+  EXPECT_EQ(fault("load", "true").rule, Fault::kind);
+  EXPECT_EQ(fault("load", "1e400").rule, Fault::overflow);
+  EXPECT_EQ(fault("load", "1e-400").rule, Fault::underflow);
+  EXPECT_EQ(fault("surface.offset_planes", "1.5").rule, Fault::wholeness);
+  EXPECT_EQ(fault("lod", "1").nearest, "load");
+  EXPECT_EQ(fault("bodies.length", "1").rule, Fault::absence);
+  EXPECT_EQ(fault("supply.inlet_flow", "1").what, "supply.inlet_film_ratio");
+  EXPECT_EQ(fault("friction.fluid", "\"eyrng\"").nearest, "eyring");
+  const Fault range = fault("load", "-1");
+  EXPECT_EQ(range.rule, Fault::range);
+  EXPECT_EQ(range.value, "-1");
+  EXPECT_EQ(range.allowed, "a number above 0, in N");
+}
+
 TEST(Scene, ValuesInMessagesAreShortAndWithoutControlSigns) {
   SceneText text = good();
   text.set("load", R"("\u001b[31mred\n\u202E)" + std::string(5000, 'x') + '"');
@@ -172,7 +190,7 @@ TEST(Scene, ProblemsWithoutEndAreCutOff) {
   for (const Format format : formats) {
     const SceneReading reading = read(format, text);
     EXPECT_EQ(reading.errors.size(), 51u);
-    EXPECT_NE(reading.errors.back().message.find("and more"), std::string::npos);
+    EXPECT_NE(reading.errors.back().message().find("and more"), std::string::npos);
   }
 }
 

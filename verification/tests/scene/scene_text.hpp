@@ -164,7 +164,7 @@ inline std::string lines_of(const std::vector<InputProblem>& problems) {
 inline bool has_problem(const std::vector<InputProblem>& problems, std::string_view field,
                         std::string_view part) {
   return std::any_of(problems.begin(), problems.end(), [&](const InputProblem& problem) {
-    return problem.field == field && problem.message.find(part) != std::string::npos;
+    return problem.field == field && problem.message().find(part) != std::string::npos;
   });
 }
 

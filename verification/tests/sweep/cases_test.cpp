@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "scene/schema.hpp"
 #include "support/judge.hpp"
 #include "sweep/case_solver.hpp"
 #include "sweep/chunk_solver.hpp"
@@ -177,6 +178,49 @@ TEST(CaseSolver, GivesWhatTheSceneOfTheCaseGivesByItself) {
               << sweep.columns[c].name << " of case " << i << std::hexfloat << ", sd "
               << values[2 * i] << ", viscosity " << values[2 * i + 1];
       }
+    }
+  }
+}
+
+TEST(Fields, AreReadWhereTheyArePut) {
+  for (std::size_t field = 0; field < scene_fields().size(); ++field) {
+    const scene_detail::Store store = scene_detail::store_of(field);
+    if (store == nullptr) continue;
+    SCOPED_TRACE(scene_fields()[field].path);
+    Scene scene;
+    scene.bodies.bodies[0].modulus = scene.bodies.bodies[1].modulus = 2e11;
+    scene.closures.starvation = StarvationClosure::damiens;
+    const double value = scene_fields()[field].type == FieldType::number ? 0.25 : 1;
+    store(scene, value);
+    EXPECT_EQ(scene_detail::value_in(scene, field), value);
+  }
+}
+
+// A case sets these numbers of its contact alone, and leaves the scene as it is.
+TEST(Fields, ThatAreNumbersOfTheContactChangeNothingElseOfIt) {
+  constexpr std::array shapes{"ball_on_flat", "bearing_outer_ring", "gear_flank", "roller"};
+  for (const std::string shape : shapes) {
+    const SceneReading reading =
+        read_scene(TRIBOCHECK_SOURCE_DIR "/reference/scenes/" + shape + ".toml", SceneUse::speeds);
+    ASSERT_TRUE(reading.scene);
+    Scene given = *reading.scene;  // what follows from profiles and bodies is given here
+    given.surface.moments = {};
+    given.bodies.bodies = {};
+    given.supply = {SupplyKind::inlet_flow, 1e-8};
+    given.closures.starvation = StarvationClosure::damiens;
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
+      const auto number = scene_detail::contact_number(field, given.bodies.shape());
+      const std::optional<double> value = scene_detail::value_in(given, field);
+      if (number == nullptr || !value) continue;
+      SCOPED_TRACE(shape + ": " + std::string(scene_fields()[field].path));
+      using Bytes = std::array<std::byte, sizeof(scene_detail::Numbers)>;
+      Scene scene = given;
+      scene_detail::store_of(field)(scene, *value + 1);
+      auto numbers = detail::numbers_of<double>(given);
+      numbers.*number = *value + 1;
+      EXPECT_EQ(std::bit_cast<Bytes>(numbers),
+                std::bit_cast<Bytes>(detail::numbers_of<double>(scene)));
+      EXPECT_TRUE(detail::words_of(given) == detail::words_of(scene));
     }
   }
 }

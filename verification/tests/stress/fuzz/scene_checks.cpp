@@ -41,7 +41,7 @@ bool is_utf8(const std::string& text) {
 void check_problem(const InputProblem& problem, std::string_view text) {
   const std::string line = problem.line();
   require(problem.source == source, "a problem names its source", line);
-  require(!problem.message.empty(), "a problem has a message", line);
+  require(!problem.message().empty(), "a problem has a message", line);
   require(is_one_line(line), "a problem is one line", line);
   require(is_utf8(line), "a problem is UTF-8", line);
   require(line.size() < 4000, "a problem is short", line);

@@ -56,7 +56,8 @@ void check_sweep(std::string_view text) {
   for (const auto* const problems : {&reading.errors, &reading.warnings})
     for (const InputProblem& problem : *problems) {
       const std::string line = problem.line();
-      require(!problem.message.empty() && line.size() < 4000, "a problem is said, and short", line);
+      require(!problem.message().empty() && line.size() < 4000, "a problem is said, and short",
+              line);
       require(line.find('\n') == std::string::npos, "a problem is one line", line);
     }
   if (!reading.sweep) return;
