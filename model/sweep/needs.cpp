@@ -10,7 +10,6 @@
 #include <ctime>
 #include <fstream>
 #include <limits>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -241,13 +240,7 @@ struct Phases {
 
 // The chunks that a process holds at most: of the part that it begins, and of one before it, whose
 // last chunks are still being computed.
-double chunks_held(const SweepPlan& plan) {
-  ChunkList all(plan.chunks());
-  std::iota(all.begin(), all.end(), std::uint64_t{0});
-  std::size_t most = 0;
-  for (const ChunkList& part : cut_in_parts(plan, all)) most = std::max(most, part.size());
-  return 2 * static_cast<double>(most);
-}
+double chunks_held(const SweepPlan& plan) { return 2 * most_chunks_of_part(plan); }
 
 // sample: of its chunks; merged: the memory of all summaries; held: chunks_held().
 Phases phases_of(const SceneSweep& scene, const Sample& sample, double merged, double threads,

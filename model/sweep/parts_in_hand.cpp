@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -47,6 +48,21 @@ double numbers_of_chunk(const SceneSweep& scene) {
   return cases * static_cast<double>(kept) + static_cast<double>(scene.width()) * of_column;
 }
 
+// What a chunk of a scene, or several chunks, or at most a part costs.
+struct Cost {
+  double seconds, numbers;
+};
+
+Cost cost_of_chunk(const SceneSweep& scene) {
+  return {seconds_of_chunk(scene), numbers_of_chunk(scene)};
+}
+
+// A part is full where it has reached one of these two.
+Cost most_of_part(const Cost& all) {
+  return {std::max(part_seconds, all.seconds / (most_parts / 2)),
+          std::max(most_numbers, all.numbers / (most_parts / 2))};
+}
+
 std::size_t chunks_asked_for() {
   const char* const text = std::getenv("TRIBOCHECK_PART_CHUNKS");
   return text == nullptr ? 0 : static_cast<std::size_t>(std::atoi(text));
@@ -84,20 +100,15 @@ const std::string begun_ending = R"(\.\d+-\d+)";  // of files that have not thei
 }  // namespace
 
 std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chunks) {
-  struct Cost {
-    double seconds, numbers;
-  };
   std::vector<Cost> of_scene;
-  for (const SceneSweep& scene : plan.scenes)
-    of_scene.push_back({seconds_of_chunk(scene), numbers_of_chunk(scene)});
+  for (const SceneSweep& scene : plan.scenes) of_scene.push_back(cost_of_chunk(scene));
   const auto cost_of = [&](std::uint64_t chunk) { return of_scene[place_of(plan, chunk).scene]; };
   Cost all{0, 0};
   for (const std::uint64_t chunk : chunks) {
     all.seconds += cost_of(chunk).seconds;
     all.numbers += cost_of(chunk).numbers;
   }
-  const Cost most{std::max(part_seconds, all.seconds / (most_parts / 2)),
-                  std::max(most_numbers, all.numbers / (most_parts / 2))};
+  const Cost most = most_of_part(all);
   const std::size_t asked = chunks_asked_for();
   std::vector<ChunkList> parts;
   Cost part{0, 0};
@@ -113,6 +124,24 @@ std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chun
     part.numbers += cost_of(chunk).numbers;
   }
   return parts;
+}
+
+double most_chunks_of_part(const SweepPlan& plan) {
+  if (const std::size_t asked = chunks_asked_for(); asked > 0) return static_cast<double>(asked);
+  Cost all{0, 0};
+  for (const SceneSweep& scene : plan.scenes) {
+    const auto chunks = static_cast<double>(scene.chunks);
+    all.seconds += chunks * cost_of_chunk(scene).seconds;
+    all.numbers += chunks * cost_of_chunk(scene).numbers;
+  }
+  const Cost most = most_of_part(all);
+  double chunks = 0;
+  for (const SceneSweep& scene : plan.scenes) {
+    const Cost chunk = cost_of_chunk(scene);
+    chunks = std::max(
+        chunks, std::ceil(std::min(most.seconds / chunk.seconds, most.numbers / chunk.numbers)));
+  }
+  return std::min(chunks + 1, static_cast<double>(plan.chunks()));
 }
 
 std::string path_of_part(const std::string& output, const ChunkList& chunks) {

@@ -32,6 +32,10 @@ using ChunkList = std::vector<std::uint64_t>;  // numbers, ascending
 // for so many chunks a part.
 std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chunks);
 
+// No part of cut_in_parts() has more chunks, when all chunks of the plan are cut. It does not cut
+// them: a sweep that has no room may have 10⁸ chunks.
+double most_chunks_of_part(const SweepPlan& plan);
+
 // Two lists of chunks that a run or a shard is cut into have the same path only if they are the
 // same.
 std::string path_of_part(const std::string& output, const ChunkList& chunks);

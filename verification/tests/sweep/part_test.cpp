@@ -286,6 +286,9 @@ TEST(Parts, HaveEachChunkOnceAndTakeSomeSeconds) {
       EXPECT_GE(parts[i].size(), 3U);
       EXPECT_LE(parts[i].size(), chunks / 20 + 5);
     }
+    EXPECT_LE(static_cast<double>(parts.front().size()), most_chunks_of_part(slow_plan(chunks)));
+    EXPECT_LE(most_chunks_of_part(slow_plan(chunks)),
+              static_cast<double>(parts.front().size()) + 1);
     EXPECT_LE(parts.size(), 4096U);
   }
   SweepPlan quick = slow_plan(1000);
