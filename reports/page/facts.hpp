@@ -29,8 +29,6 @@ Json contacts_facts(const ReportPlaces& places);
 // Whole groups: their `data`, and the texts of their `files` by the paths below the report's
 // folder.
 
-// Film formulas of a line contact beside its solved film: reference/ehl, reference/scenes.
-Json line_films_facts(const ReportPlaces& places);
 // Published fits to Hertz' ellipse beside the ellipse.
 Json ellipse_fits_facts(const ReportPlaces& places);
 // Evaluations that scenes with fewer outputs save.

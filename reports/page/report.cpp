@@ -31,10 +31,6 @@ std::vector<FactsMaker> makers(const ReportPlaces& places, const std::vector<Cas
   return {
       {"paper", {"figures", "comparison", "model"}, "", [&] { return paper_facts(places, cases); }},
       {"contacts", {"contacts"}, "", [&] { return contacts_facts(places); }},
-      {"line_films",
-       {"film-solved"},
-       "solving films of line contacts",
-       [&] { return line_films_facts(places); }},
       {"ellipse_fits", {"work-precision"}, "", [&] { return ellipse_fits_facts(places); }},
       {"skipped_work",
        {"skipped-work"},
