@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <utility>
 
-#include "page/environment.hpp"
 #include "page/facts.hpp"
+#include "page/project_files.hpp"
 #include "page/rendering.hpp"
-#include "page/report_error.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/outputs.hpp"
 #include "tribo/version.hpp"
@@ -76,6 +76,21 @@ Json outputs_json() {
 }
 
 }  // namespace
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string compiler_name() {
+#ifdef __clang__
+  return __VERSION__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
 
 Report write_report(const ReportOptions& options, const Progress& progress) {
   const ReportPlaces places = find_places(options);
