@@ -3,6 +3,7 @@
 contact of reference/scenes, solved."""
 import bisect
 import csv
+import itertools
 import json
 import math
 import typing
@@ -58,9 +59,13 @@ def rows_of(path):
 
 def numbers_of(rows, role=None):
     """The rows that have all three films, and this word in the column `role` if one is given."""
-    return [Numbers(float(row["load_number"]), float(row["material_number"]), tuple(float(row[name]) for name in QUANTITIES),
-                    tuple(float(row[f"{name}_error"]) for name in QUANTITIES))
-            for row in rows if role in (None, row.get("role")) and all(row[name] and row[f"{name}_error"] for name in QUANTITIES)]
+    errors = [f"{name}_error" for name in QUANTITIES]
+    try:
+        return [Numbers(float(row["load_number"]), float(row["material_number"]), tuple(float(row[name]) for name in QUANTITIES),
+                        tuple(float(row[name]) for name in errors))
+                for row in rows if role in (None, row.get("role")) and all(row[name] for name in (*QUANTITIES, *errors))]
+    except (KeyError, TypeError, ValueError) as error:
+        raise Missing(f"reference/ehl has a row that is no film: {error}") from error
 
 
 class Axis:
@@ -77,8 +82,8 @@ class Axis:
         self.inverse = inverse_of([self.basis(place) for place in places])
 
     def place(self, number):
-        """From 0 at the first number to 1 at the last."""
-        return min(max(math.log(number / self.numbers[0]) / math.log(self.numbers[-1] / self.numbers[0]), 0.0), 1.0)
+        """From 0 at the first number to 1 at the last; a liquid of constant viscosity has L = 0."""
+        return math.log(number / self.numbers[0]) / math.log(self.numbers[-1] / self.numbers[0]) if number > 0 else -math.inf
 
     def at(self, place):
         return self.numbers[0] * math.exp(math.log(self.numbers[-1] / self.numbers[0]) * place)
@@ -96,7 +101,8 @@ class Axis:
 
     def weights(self, number):
         """What each of the values counts in the spline's value at a number."""
-        parts = [(value, row) for value, row in zip(self.basis(self.place(number)), self.inverse) if value]
+        values = self.basis(min(max(self.place(number), 0.0), 1.0))
+        parts = [(value, row) for value, row in zip(values, self.inverse) if value]
         return [sum(value * row[i] for value, row in parts) for i in range(len(self.numbers))]
 
 
@@ -124,12 +130,15 @@ class Films:
         self.program, self.table, self.checks, self.speed_number, self.power = program, table, checks, speed_number, power
         known = {(one.load, one.material): one.film for one in reversed(nodes + table)}
         self.loads, self.materials = Axis({load for load, _ in known}), Axis({material for _, material in known if material > 0})
-        moes = iter(self.formula("moes_line", [(load, material) for load in self.loads.numbers for material in self.materials.numbers]))
-        try:  # the map is smooth in the film over Moes'
-            ratios = [[(next(moes), known[load, material]) for material in self.materials.numbers] for load in self.loads.numbers]
-        except KeyError as error:
-            raise Missing("neither line_films.csv nor line_films_between.csv has the film of M = {:g}, L = {:g}".format(*error.args[0]))
-        self.logs = [[[math.log(film[i] / by_moes) for by_moes, film in row] for row in zip(*ratios)] for i in range(3)]
+        loads, materials = self.loads.numbers, self.materials.numbers
+        for load, material in itertools.product(loads, materials):
+            if (load, material) not in known:
+                raise Missing(f"neither line_films.csv nor line_films_between.csv has the film of M = {load:g}, L = {material:g}")
+        moes = self.formula("moes_line", list(itertools.product(loads, materials)))
+        moes = {at: film for at, film in zip(itertools.product(loads, materials), moes)}
+        # The maps are smooth in the film over Moes'.
+        self.logs = [[[math.log(known[load, material][i] / moes[load, material]) for load in loads] for material in materials]
+                     for i in range(len(QUANTITIES))]
 
     def formula(self, name, places):
         """The film numbers of a formula at places M, L, by a contact whose E*, R and viscosity are 1."""
@@ -142,7 +151,7 @@ class Films:
 
     def map(self, loads, materials):
         """The films at each of these loads with each of these materials, in the order of QUANTITIES."""
-        moes = iter(self.formula("moes_line", [(load, material) for load in loads for material in materials]))
+        moes = iter(self.formula("moes_line", list(itertools.product(loads, materials))))
         columns = [self.materials.weights(material) for material in materials]
         made = []
         for load in loads:
@@ -150,10 +159,6 @@ class Films:
             over_load = [[dot(row, logs) for logs in one] for one in self.logs]
             made.append([[by_moes * math.exp(dot(column, one)) for one in over_load] for column, by_moes in zip(columns, moes)])
         return made
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
 
 
 def films_of(program, folder):
@@ -230,9 +235,11 @@ def map_files(barus, compressible, taken):
     errors = []  # of each formula: rows of M
     for formula in FORMULAS:
         films = compressible if formula.is_compressible else barus
-        numbers, which = iter(films.formula(formula.name, [(m, l) for m in loads for l in materials])), QUANTITIES.index(formula.quantity)
+        numbers = iter(films.formula(formula.name, list(itertools.product(loads, materials))))
+        which = QUANTITIES.index(formula.quantity)
         errors.append([[100 * (next(numbers) / film[which] - 1) for film in row] for row in maps[films]])
-    text = ("# errors of formulas for the film of a line contact against the solved film, of the liquid that each was fitted to [%]\n"
+    text = ("# errors of formulas for the film of a line contact against the solved film, of the liquid that each was fitted "
+            "to [%]\n"
             "# load number M\tmaterial number L" + "".join(f"\t{formula.name}" for formula in FORMULAS) + "\n")
     for i, load in enumerate(loads):
         text += "".join("\t".join([cell(load), cell(material), *(f"{one[i][j]:.4g}" for one in errors)]) + "\n"
@@ -255,11 +262,11 @@ class Track:
 
     def __init__(self, program, path, scene, file, is_of_report):
         self.path, self.name, self.file, self.is_of_report, self.is_on_map = path, path.stem, file, is_of_report, False
+        one = program.answer("film", path, "--speed", 1, "--tolerance", 1e-2)[0]
+        self.load, self.material = one["load_number"], one["material_number"]
         speed = scene["speed"]
         speeds = list(speed) if isinstance(speed, list) else [speed["from"], speed["to"]] if isinstance(speed, dict) else [speed]
         self.slowest, self.fastest = map(float, (min(speeds), max(speeds)))
-        one = program.answer("film", path, "--speed", 1, "--tolerance", 1e-2)[0]
-        self.load, self.material = one["load_number"], one["material_number"]
 
     def at(self, speed):
         """M and L, which at 1 m/s are known."""
@@ -277,7 +284,7 @@ def tracks_of(asked):
         for path in sorted(folder.glob("*.toml")):
             try:
                 scene = scenes.read(path)
-                if "length" in scene.get("bodies", {}) and "speed" in scene:
+                if isinstance(scene.get("bodies"), dict) and "length" in scene["bodies"] and "speed" in scene:
                     tracks.append(Track(asked.program, path, scene, asked.places.shown(path), folder == asked.places.scenes))
             except Missing:
                 continue
@@ -288,8 +295,7 @@ def tracks_file(barus, tracks, taken):
     """Blocks: each track, its name first; whole powers of ten of the speed have it in a fourth column, with a label to their
     right where there is room."""
     def place_at(load, material):
-        return (math.log(load / barus.loads.numbers[0]) / math.log(barus.loads.numbers[-1] / barus.loads.numbers[0]),
-                math.log(material / barus.materials.numbers[0]) / math.log(barus.materials.numbers[-1] / barus.materials.numbers[0]))
+        return barus.loads.place(load), barus.materials.place(material)
 
     def is_on_map(place):
         return 0 <= place[0] <= 1 and 0 <= place[1] <= 1
@@ -309,7 +315,8 @@ def tracks_file(barus, tracks, taken):
                 label = place[0] + 0.09, place[1]
                 has_room = label[0] < 0.94 and contour_labels.is_clear(label, taken)
                 taken += [place, label] if has_room else [place]
-                block += "\t".join((*map(cell, numbers), "NaN", cell(speed), f'"{exact(speed)} m/s"' if has_room else '""')) + "\n"
+                text = f"{exact(speed)} m/s" if has_room else ""
+                block += "\t".join((*map(cell, numbers), "NaN", cell(speed), f'"{text}"')) + "\n"
         if track.is_on_map:
             blocks.append(block)
     return ("data/line_film_tracks.blocks.tsv", "# line contacts over the numbers of load and of material, each a block\n"
