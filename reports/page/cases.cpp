@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "page/cases.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "page/report_error.hpp"
+#include "page/facts.hpp"
 #include "tribo/onset.hpp"
 #include "tribo/scene_reader.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "conformance/mistake.hpp"
 #include "page/facts.hpp"
-#include "page/number_text.hpp"
+#include "page/texts.hpp"
 #include "tribo/hertz_ellipse.hpp"
 
 namespace tribo::report {

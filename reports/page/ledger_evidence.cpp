@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "page/ledger_cells.hpp"
 #include "page/ledger_tables.hpp"
-#include "page/number_text.hpp"
+#include "page/texts.hpp"
 
 namespace tribo::report {
 

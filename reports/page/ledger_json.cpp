@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "page/ledger_json.hpp"
-
 #include <algorithm>
 
 #include "page/facts.hpp"

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What groups/paper.py is told of the published scenes before they are solved.
+// The groups of scenes: what groups/paper.py and groups/contacts.py are told of them before they
+// are solved.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "page/facts.hpp"
-#include "page/report_error.hpp"
+#include "page/project_files.hpp"
 #include "reproduction/claims.hpp"
 #include "scene/schema.hpp"
 #include "tribo/mixed_contact.hpp"
@@ -98,6 +104,49 @@ void check_claims(const ReportPlaces& places) {
   }
 }
 
+// The scenes of reference/scenes, for groups/contacts.py: a circle, an ellipse and a line.
+constexpr std::array<std::string_view, 3> contact_stems{"ball_on_flat", "bearing_outer_ring",
+                                                        "gear_flank"};
+// In the order of ContactShape.
+constexpr std::array<std::string_view, 3> shape_words{"circle", "ellipse", "line"};
+constexpr double told_speed = 1;  // m/s, at which the page tells films
+
+Json contact_json(const ReportPlaces& places, std::string_view stem) {
+  const std::filesystem::path path = places.reference / "scenes" / fmt::format("{}.toml", stem);
+  const SceneReading reading = read_scene(path.string(), SceneUse::speeds);
+  if (!reading.scene) throw std::runtime_error(reading.errors.front().line());
+  const std::string shown = places.shown(path);
+  const Scene& scene = *reading.scene;
+  const auto span = detail::speed_span(scene.speeds);
+  if (!has_friction_inputs(scene))
+    throw std::runtime_error(shown + " has not all inputs of friction");
+  if (!(span.low <= told_speed && told_speed <= span.high))
+    throw std::runtime_error(fmt::format("the speeds of {} leave {} m/s out", shown, told_speed));
+  const MixedContact<double> contact(scene);
+  const HertzContact<double> hertz = contact.hertz();
+  const auto numbers = detail::numbers_of<double>(scene);
+  const ContactShape shape = scene.bodies.shape();
+  const bool is_line = shape == ContactShape::line;
+  const auto of_point = [&](double value) { return is_line ? Json(nullptr) : Json(value); };
+  return {{"file", shown},
+          {"shape", shape_words[static_cast<std::size_t>(shape)]},
+          {"load", scene.load},
+          {"effective_modulus", numbers.effective_modulus},
+          {"radius_x", numbers.radius_x},
+          {"radius_y", of_point(shape == ContactShape::circle ? numbers.radius_x : numbers.across)},
+          {"length", is_line ? Json(scene.bodies.length) : Json(nullptr)},
+          {"semi_axis_x", hertz.semi_axis_x},
+          {"semi_axis_y", of_point(hertz.semi_axis_y)},
+          {"ellipticity", of_point(hertz.semi_axis_y / hertz.semi_axis_x)},
+          {"mean_pressure", hertz.mean_pressure},
+          {"peak_pressure", hertz.peak_pressure},
+          {"approach", of_point(hertz.approach)},
+          {"summit_height_sd", contact.summit_height_sd()},
+          {"slide_roll_ratio", scene.friction.slide_roll_ratio},
+          {"film_law", film_formula_words[static_cast<std::size_t>(scene.closures.film)]},
+          {"speeds", {span.low, span.high}}};
+}
+
 }  // namespace
 
 Json paper_facts(const ReportPlaces& places, const std::vector<Case>& cases) {
@@ -105,6 +154,13 @@ Json paper_facts(const ReportPlaces& places, const std::vector<Case>& cases) {
   Json facts;
   for (const Case& one : cases) facts["scenes"][one.stem()] = scene_json(one);
   facts["inputs"] = inputs_json(cases);
+  return facts;
+}
+
+Json contacts_facts(const ReportPlaces& places) {
+  Json facts;
+  for (const std::string_view stem : contact_stems)
+    facts[std::string(stem)] = contact_json(places, stem);
   return facts;
 }
 

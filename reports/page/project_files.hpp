@@ -1,12 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the scenes and the scripts of the page are, and where the report goes.
+// Where the scenes and the scripts of the page are, where the report goes, and files that appear
+// whole or not at all: written beside their place, then renamed into it.
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "sweep/output_file.hpp"
+
 namespace tribo::report {
+
+// The error that stops a report: bad scenes, missing files. Exit code 2.
+class ReportError : public std::runtime_error {
+ public:
+  explicit ReportError(const std::string& line) : std::runtime_error(line), lines_{line} {}
+  explicit ReportError(std::vector<std::string> lines)
+      : std::runtime_error(lines.empty() ? "unknown error" : lines.front()),
+        lines_(std::move(lines)) {}
+
+  // One problem a line.
+  const std::vector<std::string>& lines() const { return lines_; }
+
+ private:
+  std::vector<std::string> lines_;
+};
 
 struct ReportOptions {
   std::filesystem::path out;               // empty: reports/out of the project
@@ -40,5 +61,11 @@ ReportPlaces find_places(const ReportOptions& options);
 // The folder of the certified tables: the one given, or reference/exact of the project where that
 // is empty. Throws ReportError where it is not there.
 std::filesystem::path reference_tables(const std::filesystem::path& given);
+
+// Replaces the file that is there, unless told otherwise, or the one that a symbolic link there
+// leads to (output_behind_links()). Both throw protocol::OutputFailed.
+void write_file(const std::filesystem::path& target, std::string_view content,
+                const sweep::Replaceable& replaceable = {.any = true, .only = {}});
+void make_folder(const std::filesystem::path& folder);
 
 }  // namespace tribo::report

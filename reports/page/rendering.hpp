@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "page/project_files.hpp"
+#include "sweep/result_file.hpp"
 
 namespace tribo::report {
 
@@ -28,5 +29,10 @@ nlohmann::json make_data(const ReportPlaces& places, const std::string& request)
 
 // The page of places.out/report.json.
 Rendering render(const ReportPlaces& places);
+
+// Draws them as SVG and PNG into a folder, with their data beside them; makes the folder if it is
+// missing. `source`: the result, from which kept points are read where a picture needs them.
+Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
+                              const std::string& folder);
 
 }  // namespace tribo::report

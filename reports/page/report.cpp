@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <utility>
 
-#include "page/environment.hpp"
 #include "page/facts.hpp"
+#include "page/project_files.hpp"
 #include "page/rendering.hpp"
-#include "page/report_error.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/outputs.hpp"
 #include "tribo/version.hpp"
@@ -31,10 +31,6 @@ std::vector<FactsMaker> makers(const ReportPlaces& places, const std::vector<Cas
   return {
       {"paper", {"figures", "comparison", "model"}, "", [&] { return paper_facts(places, cases); }},
       {"contacts", {"contacts"}, "", [&] { return contacts_facts(places); }},
-      {"line_films",
-       {"film-solved"},
-       "solving films of line contacts",
-       [&] { return line_films_facts(places); }},
       {"ellipse_fits", {"work-precision"}, "", [&] { return ellipse_fits_facts(places); }},
       {"skipped_work",
        {"skipped-work"},
@@ -80,6 +76,21 @@ Json outputs_json() {
 }
 
 }  // namespace
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string compiler_name() {
+#ifdef __clang__
+  return __VERSION__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
 
 Report write_report(const ReportOptions& options, const Progress& progress) {
   const ReportPlaces places = find_places(options);

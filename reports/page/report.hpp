@@ -26,4 +26,9 @@ struct Report {
 Report write_report(const ReportOptions& options,
                     const std::function<void(std::string_view)>& progress);
 
+// The machine and the compiler, as the page and the baselines of `tribocheck bench` name them.
+// "AMD EPYC", and "g++ 12.2.0"; "unknown" where the machine does not tell.
+std::string processor_name();
+std::string compiler_name();
+
 }  // namespace tribo::report

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "page/sweep_cases.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +7,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "page/number_text.hpp"
+#include "page/sweep_tables.hpp"
 #include "page/text_table.hpp"
+#include "page/texts.hpp"
 
 namespace tribo::report {
 namespace {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "page/number_text.hpp"
+#include "page/texts.hpp"
 
 namespace tribo::report {
 namespace {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "page/text_table.hpp"
@@ -25,5 +27,15 @@ nlohmann::ordered_json sweep_json(const sweep::SweepResult& result);
 const sweep::Quantile& quantile(const sweep::ColumnResult::Value& value, double level);
 // In how many cases a column of words had each of its words.
 std::vector<std::uint64_t> word_counts(const sweep::ColumnResult::Value& value, std::size_t words);
+
+// The kept points of a sweep's result, a row each: what varies, the speed, and each output.
+enum class CaseFormat : std::uint8_t { table, csv, json };
+
+// Calls told(text) with the next lines: a table for each scene, one CSV for all scenes, or an
+// object of JSON a line. Numbers are unrounded, but in a table, which has the first hundred points.
+// `file`: the result. Throws std::invalid_argument where a scene has no points, or more numbers
+// than fit into memory comfortably.
+void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,
+                       CaseFormat format, const std::function<void(std::string_view)>& told);
 
 }  // namespace tribo::report

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "page/number_text.hpp"
 #include "page/sweep_tables.hpp"
+#include "page/texts.hpp"
 
 namespace tribo::report {
 namespace {

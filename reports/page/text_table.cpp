@@ -6,21 +6,14 @@
 #include <algorithm>
 #include <numeric>
 
-#include "page/markup.hpp"
+#include "page/texts.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::report {
 namespace {
 
-// Signs of UTF-8 text; the report's own texts have none that are wide or combining.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-  }));
-}
-
 std::string padded(const std::string& text, std::size_t to, bool right) {
-  const std::string blanks(to - std::min(to, width(text)), ' ');
+  const std::string blanks(to - std::min(to, width_of(text)), ' ');
   return right ? blanks + text : text + blanks;
 }
 
@@ -43,7 +36,7 @@ std::vector<std::string> words_of(const std::string& text) {
 
 std::size_t longest_word(const std::string& text) {
   std::size_t longest = 0;
-  for (const std::string& word : words_of(text)) longest = std::max(longest, width(word));
+  for (const std::string& word : words_of(text)) longest = std::max(longest, width_of(word));
   return longest;
 }
 
@@ -62,7 +55,7 @@ std::vector<std::size_t> column_widths(const TextTable& table,
   std::vector<std::size_t> widths(columns), with_whole_cells(columns), least(columns);
   for (std::size_t r = 0; r < cells.size(); ++r)
     for (std::size_t i = 0; i < columns; ++i) {
-      const std::size_t whole = width(cells[r][i]), word = longest_word(cells[r][i]);
+      const std::size_t whole = width_of(cells[r][i]), word = longest_word(cells[r][i]);
       widths[i] = std::max(widths[i], whole);
       with_whole_cells[i] = std::max(with_whole_cells[i], r == 0 ? word : whole);
       least[i] = std::max(least[i], r == 0 || !table.is_number[i] ? word : whole);
@@ -102,7 +95,7 @@ std::string stacked_row(const std::vector<std::string>& headings,
                         const std::vector<std::string>& cells, std::size_t most) {
   const TextTable line{{}, {}, {false, false}, {}, {}};
   std::size_t widest = 0;
-  for (const std::string& heading : headings) widest = std::max(widest, width(heading));
+  for (const std::string& heading : headings) widest = std::max(widest, width_of(heading));
   std::string text = cells[0] + '\n';
   for (std::size_t i = 1; i < cells.size(); ++i)
     text += plain_row({"  " + headings[i], cells[i]}, line,
@@ -127,11 +120,17 @@ std::string markdown_row(const std::vector<std::string>& cells) {
 
 }  // namespace
 
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
+}
+
 std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
-  if (width(text) <= most) return {text};
+  if (width_of(text) <= most) return {text};
   std::vector<std::string> lines;
   for (const std::string& word : words_of(text))
-    if (lines.empty() || width(lines.back()) + 1 + width(word) > most)
+    if (lines.empty() || width_of(lines.back()) + 1 + width_of(word) > most)
       lines.push_back(word);
     else
       lines.back() += ' ' + word;

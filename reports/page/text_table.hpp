@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tribo::report {
@@ -15,6 +16,10 @@ struct TextTable {
   std::vector<std::vector<std::string>> rows;
   std::string note;
 };
+
+// How many signs a text of UTF-8 takes on the screen; the program's own texts have none that are
+// wide or combining.
+std::size_t width_of(std::string_view text);
 
 inline constexpr std::size_t any_width = 1'000'000;
 // The table in lines of at most `most` signs, if its words are short enough: texts and headings are

@@ -18,15 +18,12 @@
 #include <variant>
 #include <vector>
 
-#include "bench_baseline.hpp"
 #include "bench_rows.hpp"
 #include "command.hpp"
 #include "conformance/child_process.hpp"
 #include "conformance/conformance_baseline.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/report_error.hpp"
-#include "page/write_file.hpp"
+#include "page/project_files.hpp"
 #include "shell.hpp"
 
 namespace tribo::cli {
@@ -100,11 +97,6 @@ void append_results(Text& to, const BenchResults& results, const std::string& fo
     append_bench_tsv(to, results);
   else
     append_bench_table(to, results);
-}
-
-int fail(int code, const std::string& line) {
-  complain(line);
-  return code;
 }
 
 // Why there are no results.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench_baseline.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 
-#include "page/environment.hpp"
+#include "bench_rows.hpp"
+#include "page/report.hpp"
 
 namespace tribo::cli {
 namespace {

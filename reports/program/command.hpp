@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "ignored_options.hpp"
-#include "output.hpp"
+#include "messages.hpp"
+#include "options.hpp"
 
 namespace tribo::cli {
 

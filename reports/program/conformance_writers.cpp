@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance_writers.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,9 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "junit.hpp"
-#include "page/markup.hpp"
 #include "page/text_table.hpp"
+#include "page/texts.hpp"
 #include "table.hpp"
+#include "verify_subject.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -20,14 +19,16 @@ namespace {
 using namespace conformance;
 using nlohmann::json;
 
-std::string margin(double part_of_bound) {
-  return std::isfinite(part_of_bound) ? fmt::format("{:.3g}", part_of_bound) : "no number";
+// The worst error and the part of its bound; empty where no answer was judged.
+std::string worst_error(const QuantityVerdict& one) {
+  if (one.held + one.failed == 0) return {};
+  return std::isfinite(one.worst_relative) ? fmt::format("{:.2g}", one.worst_relative) : "-";
 }
-std::string error(double relative) {
-  return std::isfinite(relative) ? fmt::format("{:.2g}", relative) : "-";
+std::string worst_margin(const QuantityVerdict& one) {
+  if (one.held + one.failed == 0) return {};
+  return std::isfinite(one.worst_part_of_bound) ? fmt::format("{:.3g}", one.worst_part_of_bound)
+                                                : "no number";
 }
-
-bool has_numbers(const QuantityVerdict& one) { return one.held + one.failed > 0; }
 
 std::size_t count(const ConformanceResult& result, Verdict status) {
   return static_cast<std::size_t>(
@@ -205,16 +206,10 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   append_heads(to, heads);
   for (const QuantityVerdict& one : verdict.result.quantities) {
     if (one.status == Verdict::not_offered) continue;
-    const std::string cells[] = {one.quantity,
-                                 std::to_string(one.asked),
-                                 std::to_string(one.held),
-                                 std::to_string(one.failed),
-                                 std::to_string(one.skipped),
-                                 has_numbers(one) ? error(one.worst_relative) : "",
-                                 has_numbers(one) ? margin(one.worst_part_of_bound) : "",
-                                 status_text(verdict, one)};
-    for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
-    append(to, "\n");
+    append_row(to, heads,
+               {one.quantity, std::to_string(one.asked), std::to_string(one.held),
+                std::to_string(one.failed), std::to_string(one.skipped), worst_error(one),
+                worst_margin(one), status_text(verdict, one)});
   }
   if (const std::string rest = not_offered(verdict.result); !rest.empty()) {
     append(to, "\n");
@@ -310,9 +305,7 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
                            one.status == Verdict::failed && !failed_already(verdict, one)
                                ? "**FAILED**"
                                : status_text(verdict, one),
-                           one.held, one.failed, one.skipped,
-                           has_numbers(one) ? error(one.worst_relative) : "",
-                           has_numbers(one) ? margin(one.worst_part_of_bound) : ""));
+                           one.held, one.failed, one.skipped, worst_error(one), worst_margin(one)));
   }
   append(to, "\n");
   if (const std::string rest = not_offered(verdict.result); !rest.empty())

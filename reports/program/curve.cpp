@@ -6,8 +6,6 @@
 #include <memory>
 
 #include "command.hpp"
-#include "example_scenes.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"

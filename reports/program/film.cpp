@@ -10,16 +10,13 @@
 #include <vector>
 
 #include "command.hpp"
-#include "example_scenes.hpp"
-#include "exit_code.hpp"
 #include "film_case.hpp"
-#include "film_writers.hpp"
 #include "messages.hpp"
-#include "number_option.hpp"
+#include "options.hpp"
+#include "page/project_files.hpp"
 #include "page/rendering.hpp"
-#include "page/write_file.hpp"
+#include "progress.hpp"
 #include "scene_arguments.hpp"
-#include "step_line.hpp"
 #include "stop_signal.hpp"
 #include "table.hpp"
 #include "tribo/friction.hpp"
@@ -109,8 +106,8 @@ class FilmRun {
       : arguments_(arguments),
         total_(total),
         output_(output),
-        writer_(make_film_writer(arguments.scenes.format, arguments.settings,
-                                 arguments.with_profile, output)) {}
+        writer_(arguments.scenes.format, arguments.settings, arguments.with_profile,
+                output.text()) {}
 
   // Returns false where it was stopped.
   bool solve(const Scene& scene, double speed) {
@@ -139,7 +136,7 @@ class FilmRun {
   }
 
   int finish(bool all_good) {
-    writer_->finish();
+    writer_.finish();
     output_.flush();
     if (stop_signal() != 0) return 128 + stop_signal();
     if (!all_good) return exit_bad;
@@ -149,7 +146,7 @@ class FilmRun {
  private:
   // A film is shown as soon as it is solved: the next one may take a second.
   void add(const FilmCase& film) {
-    writer_->add(film);
+    writer_.add(film);
     output_.flush();
     if (!arguments_.picture.empty() && film.is_solved) all_solved_ = draw(film, arguments_);
   }
@@ -158,7 +155,7 @@ class FilmRun {
   std::size_t total_, done_ = 0;
   bool all_solved_ = true;
   OutputStream& output_;
-  std::unique_ptr<FilmWriter> writer_;
+  FilmWriter writer_;
   StepLine line_{std::chrono::milliseconds(500), std::chrono::milliseconds(100)};
 };
 
@@ -167,13 +164,10 @@ int solve_films(const FilmArguments& arguments, OutputStream& output) {
   if (loaded.scenes.empty()) return exit_bad;
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
-  if (!arguments.picture.empty() && total > 1) {
-    complain(
-        fmt::format("--picture draws one contact, and this would be {}; allowed: one scene, and "
-                    "one speed, as by --speed",
-                    total));
-    return exit_bad;
-  }
+  if (!arguments.picture.empty() && total > 1)
+    return fail(exit_bad, fmt::format("--picture draws one contact, and this would be {}; allowed: "
+                                      "one scene, and one speed, as by --speed",
+                                      total));
   watch_for_stop();
   FilmRun run(arguments, total, output);
   bool goes_on = true;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// One line contact of a scene at one speed, solved, in SI units, and beside each formula's film.
+// One line contact of a scene at one speed, solved, in SI units, beside each formula's film; and
+// such films as a table, CSV or JSON.
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "messages.hpp"
 #include "tribo/scene.hpp"
 
 namespace tribo::cli {
@@ -65,5 +68,35 @@ using FilmWatch = std::function<bool(int cells, int step)>;
 // Solves a scene that was read as a line (SceneUse::line_film).
 FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
                     const FilmWatch& watch);
+
+// format: "table", "csv" or "json". In CSV the rows of a profile are in place of those of films.
+class FilmWriter {
+ public:
+  FilmWriter(std::string_view format, const FilmSettings& settings, bool with_profile, Text& text);
+
+  void add(const FilmCase& film);
+  void finish();
+
+ private:
+  void add_csv(const FilmCase& film);
+  void add_csv_profile(const FilmCase& film);
+  void add_csv_number(double value);
+  void add_table(const FilmCase& film);
+  void add_table_line(std::string_view words, std::string_view value, const std::string& error,
+                      std::string_view unit);
+  void add_table_formulas(const FilmCase& film);
+  void add_table_notes(const FilmCase& film);
+  void add_table_profile(const FilmCase& film);
+
+  std::string_view format_;
+  const FilmSettings& settings_;
+  bool with_profile_;
+  Text& text_;
+  const char* before_;  // the next film
+};
+
+// One film as the JSON has it.
+nlohmann::ordered_json film_json(const FilmCase& film, const FilmSettings& settings,
+                                 bool with_profile);
 
 }  // namespace tribo::cli

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "film_writers.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,9 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "page/number_text.hpp"
+#include "film_case.hpp"
 #include "page/text_table.hpp"
+#include "page/texts.hpp"
 #include "protocol/answers.hpp"
 #include "table.hpp"
 
@@ -53,179 +53,12 @@ ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-class FilmCsv : public FilmWriter {
- public:
-  FilmCsv(const FilmSettings& settings, bool with_profile, OutputStream& output)
-      : settings_(settings), with_profile_(with_profile), text_(output.text()) {
-    if (with_profile_)
-      append(text_, "id,speed,x,x_over_half_width,pressure,film\n");
-    else
-      add_heads();
-  }
-
-  void add(const FilmCase& film) override {
-    if (with_profile_) return add_profile(film);
-    append(text_, report::csv_text(film.id));
-    add_number(film.speed);
-    for (const Given& one : given) add_number(film.*one.value);
-    for (const Quantity& one : quantities) {
-      add_number((film.*one.value).value);
-      add_number((film.*one.value).error);
-    }
-    for (const FormulaFilm& formula : film.formulas) {
-      add_number(formula.film);
-      add_number(100 * formula.deviation);
-      add_number(100 * formula.this_liquid_deviation);
-    }
-    append(text_, fmt::format(",{},{}", film.viscosity, film.density));
-    add_number(settings_.tolerance);
-    append(text_, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
-                              report::csv_text(film.no_spike), report::csv_text(film.reason)));
-  }
-
- private:
-  void add_heads() {
-    append(text_, "id,speed");
-    for (const Given& one : given) append(text_, fmt::format(",{}", one.name));
-    for (const Quantity& one : quantities) append(text_, fmt::format(",{0},{0}_error", one.name));
-    for (const std::string_view name : film_formula_names())
-      append(text_,
-             fmt::format(",{0},{0}_deviation_percent,{0}_this_liquid_deviation_percent", name));
-    append(text_, ",viscosity,density,tolerance,grids,cells,newton_steps,no_spike,reason\n");
-  }
-
-  void add_profile(const FilmCase& film) {
-    const std::string id = report::csv_text(film.id);
-    for (const ProfilePoint& point : film.profile) {
-      append(text_, id);
-      for (const double value :
-           {film.speed, point.x, point.x / film.half_width, point.pressure, point.film})
-        add_number(value);
-      text_.push_back('\n');
-    }
-  }
-
-  void add_number(double value) {
-    text_.push_back(',');
-    if (std::isfinite(value)) protocol::append_number(text_, value);
-  }
-
-  const FilmSettings& settings_;
-  bool with_profile_;
-  Text& text_;
-};
-
-class FilmJson : public FilmWriter {
- public:
-  FilmJson(const FilmSettings& settings, bool with_profile, OutputStream& output)
-      : settings_(settings), with_profile_(with_profile), text_(output.text()) {}
-
-  void add(const FilmCase& film) override {
-    append(text_, std::exchange(before_, ",\n"));
-    append(text_, film_json(film, settings_, with_profile_)
-                      .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
-  }
-
-  void finish() override { append(text_, before_[0] == '[' ? "[\n]\n" : "\n]\n"); }
-
- private:
-  const FilmSettings& settings_;
-  bool with_profile_;
-  Text& text_;
-  const char* before_ = "[\n";
-};
-
 // As many digits as the error leaves, and one more.
 std::string with_digits(const Measured& measured) {
   const double digits = std::ceil(std::log10(std::fabs(measured.value) / measured.error)) + 1;
   return fmt::format("{:#.{}g}", measured.value,
                      std::isfinite(digits) ? std::clamp(static_cast<int>(digits), 3, 12) : 12);
 }
-
-class FilmTable : public FilmWriter {
- public:
-  FilmTable(bool with_profile, OutputStream& output)
-      : with_profile_(with_profile), text_(output.text()) {}
-
-  void add(const FilmCase& film) override {
-    if (!std::exchange(first_, false)) text_.push_back('\n');
-    append_title(text_, fmt::format("{}: line contact at {} m/s", film.id, readable(film.speed)));
-    for (const Given& one : given) add_line(one.words, readable(film.*one.value), "", one.unit);
-    for (const Quantity& one : quantities) {
-      const Measured& measured = film.*one.value;
-      if (std::isfinite(measured.value))
-        add_line(one.words, with_digits(measured), fmt::format("{:.1e}", measured.error), one.unit);
-    }
-    add_formulas(film);
-    add_notes(film);
-    if (with_profile_ && film.is_solved) add_profile(film);
-  }
-
- private:
-  void add_line(std::string_view words, const std::string& value, const std::string& error,
-                std::string_view unit) {
-    append(text_, fmt::format("  {:<30} {:>14} {:>9}  [{}]\n", words, value,
-                              error.empty() ? "" : "± " + error, unit));
-  }
-
-  void add_formulas(const FilmCase& film) {
-    text_.push_back('\n');
-    append_heads(text_, {{"formula", "", 24},
-                         {"film", "[m]", number_width},
-                         {"deviation", "[%]", deviation_width},
-                         {"this liquid", "[%]", deviation_width},
-                         {"stands_for", "", 25},
-                         {"liquid of the fit", "", 22}});
-    for (const FormulaFilm& formula : film.formulas) {
-      append_cell(text_, formula.name, 24);
-      append_cell(text_, readable(formula.film), number_width);
-      for (const double off : {formula.deviation, formula.this_liquid_deviation})
-        append_cell(text_, std::isfinite(off) ? fmt::format("{:+.2f}", 100 * off) : "-",
-                    deviation_width);
-      append_cell(text_, formula.stands_for, 25);
-      append_cell(text_, formula.fitted_to, 22);
-      text_.push_back('\n');
-    }
-  }
-
-  void add_notes(const FilmCase& film) {
-    const auto note = [&](const std::string& words) {
-      const char* before = "  - ";
-      for (const std::string& line : report::wrapped(words, 92))
-        append(text_, std::exchange(before, "    ") + line + "\n");
-    };
-    if (!film.is_solved) return note("not solved: " + film.reason);
-    if (!film.no_spike.empty()) note("pressure of the spike: " + film.no_spike);
-    if (!film.reason.empty()) note(film.reason);
-    note(fmt::format(
-        "solved for smooth bodies, a flooded inlet and a steady, isothermal, Newtonian, "
-        "{} liquid whose viscosity follows {}",
-        film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
-        film.viscosity == "barus" ? "Barus" : "Roelands"));
-    note(
-        "deviation: from the solved film of the liquid that the formula was fitted to, where that "
-        "is known; this liquid: from the film above, of this contact's liquid");
-    note(fmt::format("± is what a number may be off by; {} grids, the finest of {} cells",
-                     film.grids, film.cells));
-  }
-
-  void add_profile(const FilmCase& film) {
-    text_.push_back('\n');
-    append_heads(text_, {{"x", "[m]", signed_width},
-                         {"x/b", "[-]", signed_width},
-                         {"pressure", "[Pa]", signed_width},
-                         {"film", "[m]", signed_width}});
-    for (const ProfilePoint& point : film.profile) {
-      for (const double value : {point.x, point.x / film.half_width, point.pressure, point.film})
-        append_cell(text_, readable(value), signed_width);
-      text_.push_back('\n');
-    }
-  }
-
-  bool with_profile_;
-  Text& text_;
-  bool first_ = true;
-};
 
 ordered_json profile_json(const FilmCase& film) {
   ordered_json x = ordered_json::array(), pressure = x, thickness = x;
@@ -235,6 +68,15 @@ ordered_json profile_json(const FilmCase& film) {
     thickness.push_back(point.film);
   }
   return {{"x", std::move(x)}, {"pressure", std::move(pressure)}, {"film", std::move(thickness)}};
+}
+
+void append_csv_heads(Text& to) {
+  append(to, "id,speed");
+  for (const Given& one : given) append(to, fmt::format(",{}", one.name));
+  for (const Quantity& one : quantities) append(to, fmt::format(",{0},{0}_error", one.name));
+  for (const std::string_view name : film_formula_names())
+    append(to, fmt::format(",{0},{0}_deviation_percent,{0}_this_liquid_deviation_percent", name));
+  append(to, ",viscosity,density,tolerance,grids,cells,newton_steps,no_spike,reason\n");
 }
 
 }  // namespace
@@ -276,11 +118,138 @@ ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool 
   return json;
 }
 
-std::unique_ptr<FilmWriter> make_film_writer(std::string_view format, const FilmSettings& settings,
-                                             bool with_profile, OutputStream& output) {
-  if (format == "csv") return std::make_unique<FilmCsv>(settings, with_profile, output);
-  if (format == "json") return std::make_unique<FilmJson>(settings, with_profile, output);
-  return std::make_unique<FilmTable>(with_profile, output);
+FilmWriter::FilmWriter(std::string_view format, const FilmSettings& settings, bool with_profile,
+                       Text& text)
+    : format_(format),
+      settings_(settings),
+      with_profile_(with_profile),
+      text_(text),
+      before_(format == "json" ? "[\n" : "") {
+  if (format == "csv" && with_profile)
+    append(text_, "id,speed,x,x_over_half_width,pressure,film\n");
+  else if (format == "csv")
+    append_csv_heads(text_);
+}
+
+void FilmWriter::add(const FilmCase& film) {
+  if (format_ == "table") return add_table(film);
+  if (format_ == "csv") return with_profile_ ? add_csv_profile(film) : add_csv(film);
+  append(text_, std::exchange(before_, ",\n"));
+  append(text_, film_json(film, settings_, with_profile_)
+                    .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+void FilmWriter::finish() {
+  if (format_ == "json") append(text_, before_[0] == '[' ? "[\n]\n" : "\n]\n");
+}
+
+void FilmWriter::add_csv(const FilmCase& film) {
+  append(text_, report::csv_text(film.id));
+  add_csv_number(film.speed);
+  for (const Given& one : given) add_csv_number(film.*one.value);
+  for (const Quantity& one : quantities) {
+    add_csv_number((film.*one.value).value);
+    add_csv_number((film.*one.value).error);
+  }
+  for (const FormulaFilm& formula : film.formulas) {
+    add_csv_number(formula.film);
+    add_csv_number(100 * formula.deviation);
+    add_csv_number(100 * formula.this_liquid_deviation);
+  }
+  append(text_, fmt::format(",{},{}", film.viscosity, film.density));
+  add_csv_number(settings_.tolerance);
+  append(text_, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
+                            report::csv_text(film.no_spike), report::csv_text(film.reason)));
+}
+
+void FilmWriter::add_csv_profile(const FilmCase& film) {
+  const std::string id = report::csv_text(film.id);
+  for (const ProfilePoint& point : film.profile) {
+    append(text_, id);
+    for (const double value :
+         {film.speed, point.x, point.x / film.half_width, point.pressure, point.film})
+      add_csv_number(value);
+    text_.push_back('\n');
+  }
+}
+
+void FilmWriter::add_csv_number(double value) {
+  text_.push_back(',');
+  if (std::isfinite(value)) protocol::append_number(text_, value);
+}
+
+void FilmWriter::add_table(const FilmCase& film) {
+  append(text_, std::exchange(before_, "\n"));
+  append_title(text_, fmt::format("{}: line contact at {} m/s", film.id, readable(film.speed)));
+  for (const Given& one : given) add_table_line(one.words, readable(film.*one.value), "", one.unit);
+  for (const Quantity& one : quantities) {
+    const Measured& measured = film.*one.value;
+    if (std::isfinite(measured.value))
+      add_table_line(one.words, with_digits(measured), fmt::format("{:.1e}", measured.error),
+                     one.unit);
+  }
+  add_table_formulas(film);
+  add_table_notes(film);
+  if (with_profile_ && film.is_solved) add_table_profile(film);
+}
+
+void FilmWriter::add_table_line(std::string_view words, std::string_view value,
+                                const std::string& error, std::string_view unit) {
+  append(text_, fmt::format("  {:<30} {:>14} {:>9}  [{}]\n", words, value,
+                            error.empty() ? "" : "± " + error, unit));
+}
+
+void FilmWriter::add_table_formulas(const FilmCase& film) {
+  const std::vector<ColumnHead> heads{{"formula", "", 24},
+                                      {"film", "[m]", number_width},
+                                      {"deviation", "[%]", deviation_width},
+                                      {"this liquid", "[%]", deviation_width},
+                                      {"stands_for", "", 25},
+                                      {"liquid of the fit", "", 22}};
+  const auto per_cent = [](double off) {
+    return std::isfinite(off) ? fmt::format("{:+.2f}", 100 * off) : "-";
+  };
+  text_.push_back('\n');
+  append_heads(text_, heads);
+  for (const FormulaFilm& formula : film.formulas)
+    append_row(text_, heads,
+               {std::string(formula.name), readable(formula.film), per_cent(formula.deviation),
+                per_cent(formula.this_liquid_deviation), std::string(formula.stands_for),
+                std::string(formula.fitted_to)});
+}
+
+void FilmWriter::add_table_notes(const FilmCase& film) {
+  const auto note = [&](const std::string& words) {
+    const char* before = "  - ";
+    for (const std::string& line : report::wrapped(words, 92))
+      append(text_, std::exchange(before, "    ") + line + "\n");
+  };
+  if (!film.is_solved) return note("not solved: " + film.reason);
+  if (!film.no_spike.empty()) note("pressure of the spike: " + film.no_spike);
+  if (!film.reason.empty()) note(film.reason);
+  note(fmt::format(
+      "solved for smooth bodies, a flooded inlet and a steady, isothermal, Newtonian, "
+      "{} liquid whose viscosity follows {}",
+      film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
+      film.viscosity == "barus" ? "Barus" : "Roelands"));
+  note(
+      "deviation: from the solved film of the liquid that the formula was fitted to, where that "
+      "is known; this liquid: from the film above, of this contact's liquid");
+  note(fmt::format("± is what a number may be off by; {} grids, the finest of {} cells", film.grids,
+                   film.cells));
+}
+
+void FilmWriter::add_table_profile(const FilmCase& film) {
+  const std::vector<ColumnHead> heads{{"x", "[m]", signed_width},
+                                      {"x/b", "[-]", signed_width},
+                                      {"pressure", "[Pa]", signed_width},
+                                      {"film", "[m]", signed_width}};
+  text_.push_back('\n');
+  append_heads(text_, heads);
+  for (const ProfilePoint& point : film.profile)
+    append_row(text_, heads,
+               {readable(point.x), readable(point.x / film.half_width), readable(point.pressure),
+                readable(point.film)});
 }
 
 }  // namespace tribo::cli

@@ -10,7 +10,6 @@
 
 #include "catalogue/catalogue.hpp"
 #include "command.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
 #include "protocol/answers.hpp"
 #include "scene/schema.hpp"
@@ -123,10 +122,10 @@ int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const Function& function : catalogue::functions()) names.push_back(function.name);
   const std::string_view nearest = scene_detail::nearest_choice(name, names);
-  complain(fmt::format("there is no function \"{}\"; {}", printable(name),
-                       nearest.empty() ? std::string("`tribocheck functions` lists all")
-                                       : fmt::format("did you mean {}?", nearest)));
-  return exit_bad;
+  return fail(exit_bad,
+              fmt::format("there is no function \"{}\"; {}", printable(name),
+                          nearest.empty() ? std::string("`tribocheck functions` lists all")
+                                          : fmt::format("did you mean {}?", nearest)));
 }
 
 int show(const FunctionsArguments& arguments, OutputStream& output) {

@@ -19,12 +19,9 @@
 
 #include "catalogue/catalogue.hpp"
 #include "command.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
 #include "page/project_files.hpp"
-#include "page/report_error.hpp"
 #include "page/text_table.hpp"
-#include "page/write_file.hpp"
 #include "shell.hpp"
 #include "table.hpp"
 #include "tribo/scene_reader.hpp"
@@ -210,29 +207,21 @@ int init(const InitArguments& arguments, OutputStream& output) {
   const report::ReportPlaces places = report::usual_places();
   const fs::path& templates = places.templates;
   const std::vector<Language> languages = read_languages(templates);
-  if (languages.empty()) {
-    complain("templates not found; run in the project, or install tribocheck: make install");
-    return exit_bad;
-  }
+  if (languages.empty())
+    return fail(exit_bad,
+                "templates not found; run in the project, or install tribocheck: make install");
   const Language* language = find_language(languages, arguments.language);
-  if (language == nullptr) {
-    complain(fmt::format("--language: no template for {}; allowed: {}", arguments.language,
-                         names_of(languages)));
-    return exit_bad;
-  }
+  if (language == nullptr)
+    return fail(exit_bad, fmt::format("--language: no template for {}; allowed: {}",
+                                      arguments.language, names_of(languages)));
   const fs::path path = template_of(templates, *language);
   const std::optional<std::string> text = read_text(path);
-  if (!text) {
-    complain(path.string() + ": cannot be read");
-    return exit_failed;
-  }
+  if (!text) return fail(exit_failed, path.string() + ": cannot be read");
   const std::string out = arguments.out.empty() ? language->file : arguments.out;
   const std::string next = printable(next_line(*language, places.include, out), std::string::npos);
   std::error_code ignored;
-  if (!arguments.force && fs::exists(fs::symlink_status(out, ignored))) {
-    complain(out + ": is there already; --force overwrites it");
-    return exit_bad;
-  }
+  if (!arguments.force && fs::exists(fs::symlink_status(out, ignored)))
+    return fail(exit_bad, out + ": is there already; --force overwrites it");
   report::write_file(out, filled_template(*text, path.string(), next),
                      {.any = arguments.force, .only = {}});
   append_line(output.text(), out + ": written");
@@ -244,15 +233,6 @@ int init(const InitArguments& arguments, OutputStream& output) {
         "no program {} is on PATH, and the line above needs it; on Debian: apt-get install {}",
         language->program, language->package));
   return exit_done;
-}
-
-int init_or_complain(const InitArguments& arguments, OutputStream& output) {
-  try {
-    return init(arguments, output);
-  } catch (const report::ReportError& error) {
-    for (const std::string& line : error.lines()) complain(line);
-  }
-  return exit_bad;
 }
 
 constexpr const char* init_footer =
@@ -277,7 +257,7 @@ Command add_init(CLI::App& program) {
   app->add_option("--language", arguments->language, "language of the solver")->required();
   app->add_option("--out", arguments->out, "file to write (default: solver.py, solver.m, …)");
   app->add_flag("--force", arguments->force, "overwrite the file if it is there");
-  return {app, [arguments](OutputStream& output) { return init_or_complain(*arguments, output); }};
+  return {app, [arguments](OutputStream& output) { return init(*arguments, output); }};
 }
 
 }  // namespace tribo::cli

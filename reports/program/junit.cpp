@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "page/markup.hpp"
+#include "page/texts.hpp"
 
 namespace tribo::cli {
 

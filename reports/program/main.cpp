@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "command.hpp"
-#include "example_scenes.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
+#include "page/text_table.hpp"
 #include "protocol/text_streams.hpp"
 #include "scene/schema.hpp"
+#include "scene_arguments.hpp"
+#include "table.hpp"
 #include "tribo/version.hpp"
-#include "wrapped.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -40,6 +40,62 @@ Example:
   tribocheck solve reference/published/rough.toml
 The paper's scenes are in reference/published, its sweeps in reference/published/sweeps.
 See also: tribocheck solve --help)";
+
+// Where a line goes on: below the description of an option, else below its own start.
+std::size_t indent_of(const std::string& line) {
+  const std::size_t start = line.find_first_not_of(' ');
+  if (start == 0 || start == std::string::npos) return 0;
+  const std::size_t gap = line.find("  ", start);
+  const std::size_t description =
+      gap == std::string::npos ? std::string::npos : line.find_first_not_of(' ', gap);
+  return description == std::string::npos ? start : report::width_of(line.substr(0, description));
+}
+
+void append_wrapped(std::string& to, const std::string& line, std::size_t width) {
+  const std::size_t indent = indent_of(line);
+  if (report::width_of(line) <= width || indent >= width) {
+    to += line + '\n';
+    return;
+  }
+  // The text in front of the indent, an option with its type, is ASCII and stays as it is.
+  const std::vector<std::string> parts = report::wrapped(line.substr(indent), width - indent);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    to += (i == 0 ? line.substr(0, indent) : std::string(indent, ' ')) + parts[i] + '\n';
+}
+
+bool is_prose(const std::string& line) {
+  return !line.empty() && line.front() != ' ' && !line.starts_with("Usage:");
+}
+
+// Help on 80 columns, as CLI11 2.1 does not wrap: lines broken at words. Descriptions of options go
+// on in their column, paragraphs are filled anew; what follows "Example:" stays, as people copy it.
+std::string wrapped_help(const std::string& help) {
+  constexpr std::size_t width = 80;
+  std::vector<std::string> lines;
+  std::istringstream stream(help);
+  bool is_example = false;
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t previous = lines.size() - 1;
+    const bool goes_on = !is_example && !lines.empty() && is_prose(line) &&
+                         is_prose(lines[previous]) && report::width_of(lines[previous]) > 60 &&
+                         !lines[previous].ends_with(':');
+    is_example = is_example || line == "Example:";
+    if (goes_on)
+      lines[previous] += ' ' + line;
+    else
+      lines.push_back(line);
+  }
+  std::string text;
+  is_example = false;
+  for (const std::string& line : lines) {
+    if (line == "Example:") is_example = true;
+    if (is_example && line.starts_with(' '))
+      text += line + '\n';
+    else
+      append_wrapped(text, line, width);
+  }
+  return text;
+}
 
 // The fault of the first argument, which names the command; empty if there is no fault.
 std::string command_fault(const CLI::App& program, int count, char** arguments) {
@@ -68,8 +124,7 @@ int answer_parse_error(const CLI::App& program, const CLI::ParseError& error,
     output.flush();
     return exit_done;
   }
-  complain(std::string(error.what()) + " (see --help)");
-  return exit_bad;
+  return fail(exit_bad, std::string(error.what()) + " (see --help)");
 }
 
 // CLI11 2.1 takes the brackets off "[name]" and splits what is in them, a file's name or not.
@@ -97,10 +152,8 @@ int run(int count, char** arguments, OutputStream& output) {
     added[i] = commands[i](program);
     added[i].app->set_version_flag("--version", version_line);
   }
-  if (const std::string fault = command_fault(program, count, arguments); !fault.empty()) {
-    complain(fault);
-    return exit_bad;
-  }
+  if (const std::string fault = command_fault(program, count, arguments); !fault.empty())
+    return fail(exit_bad, fault);
   try {
     program.parse(guarded(count, arguments));
   } catch (const CLI::ParseError& error) {
@@ -139,12 +192,13 @@ int run_and_report(int count, char** arguments) {
     return run(count, arguments, output);
   } catch (const OutputClosed&) {
     return exit_done;
-  } catch (const protocol::InputFailed& failure) {
-    complain(failure.what());
+  } catch (const report::ReportError& error) {
+    for (const std::string& line : error.lines()) complain(line);
     return exit_bad;
+  } catch (const protocol::InputFailed& failure) {
+    return fail(exit_bad, failure.what());
   } catch (const std::exception& failure) {
-    complain(failure.what());
-    return exit_failed;
+    return fail(exit_failed, failure.what());
   }
 }
 

@@ -7,7 +7,6 @@
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::cli {
-
 namespace {
 
 // Not fmt::print, which throws where the write fails.
@@ -22,5 +21,10 @@ void write_line(std::string_view before, std::string_view text) {
 
 void complain(std::string_view text) { write_line("tribocheck: ", text); }
 void complain_more(std::string_view text) { write_line("  ", text); }
+
+int fail(int code, std::string_view text) {
+  complain(text);
+  return code;
+}
 
 }  // namespace tribo::cli

@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines on stderr: everything that is not a result.
+// What a command tells: the stream of its results, which is that of the protocol's answers, lines
+// on stderr, and its exit code. Bad input is one line for each thing that is wrong, and an exit
+// code of its own.
 #pragma once
 
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
+#include "page/project_files.hpp"
+#include "protocol/text_streams.hpp"
+
 namespace tribo::cli {
+
+using protocol::append;
+using protocol::OutputClosed;
+using protocol::OutputFailed;
+using protocol::OutputStream;
+using protocol::Text;
+
+inline constexpr int exit_done = 0;    // done, all held
+inline constexpr int exit_failed = 1;  // a check or gate failed, or results could not be written
+inline constexpr int exit_bad = 2;     // bad usage or input
 
 // Writes "tribocheck: <text>" as one line. Signs that could steer a terminal are escaped, and a
 // stderr that is closed or full is no reason to fail.
@@ -12,5 +29,26 @@ void complain(std::string_view text);
 
 // Writes "  <text>" in the same way: a line that belongs to the last.
 void complain_more(std::string_view text);
+
+// Complains, and returns the exit code.
+int fail(int code, std::string_view text);
+
+// Returns what `run` returns. If the input cannot be used, prints what `run` threw and returns
+// exit_bad. An OutputFailed passes through: a result that cannot be written is not bad input.
+template <class Run>
+int answered_or_complained(Run&& run) {
+  try {
+    return run();
+  } catch (const report::ReportError& error) {
+    for (const std::string& line : error.lines()) complain(line);
+  } catch (const OutputFailed&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    complain(error.what());
+  } catch (const std::runtime_error& error) {
+    complain(error.what());
+  }
+  return exit_bad;
+}
 
 }  // namespace tribo::cli

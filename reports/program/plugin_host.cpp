@@ -6,7 +6,6 @@
 
 #include "command.hpp"
 #include "conformance/plugin.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
 
 namespace tribo::cli {
@@ -16,8 +15,7 @@ int host(const std::string& path) {
   try {
     return conformance::host_plugin(path);
   } catch (const conformance::PluginRefused& refusal) {
-    complain(refusal.what());
-    return exit_bad;
+    return fail(exit_bad, refusal.what());
   }
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "page/number_text.hpp"
+#include "page/texts.hpp"
 #include "protocol/answers.hpp"
 #include "table.hpp"
 

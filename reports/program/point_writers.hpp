@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output.hpp"
+#include "messages.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene.hpp"
 

@@ -1,12 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a long computation is, on stderr: only where a person watches it and nothing else is
-// written to the same terminal, and only once it has taken a second.
+// How far a long computation is, on stderr.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "sweep/run.hpp"
 
 namespace tribo::cli {
+
+// One line on stderr that each step overwrites, where a person watches.
+class StepLine {
+ public:
+  // The first line is shown after `first`, and then one at most every `between`.
+  explicit StepLine(std::chrono::milliseconds first = {}, std::chrono::milliseconds between = {});
+  StepLine(const StepLine&) = delete;
+  StepLine& operator=(const StepLine&) = delete;
+  ~StepLine() { wipe(); }
+
+  bool is_watched() const { return watched_; }
+  // Would a line be shown now?
+  bool is_due() const { return watched_ && Clock::now() >= next_; }
+  void show(std::string_view step);
+  void wipe();  // before another line is written
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool watched_, shown_ = false;
+  std::chrono::milliseconds between_;
+  Clock::time_point next_;
+};
 
 struct ProgressStyle {
   const char* what = "points";
@@ -14,29 +40,45 @@ struct ProgressStyle {
   bool results_come_at_end = false;        // else a terminal that gets the results is left alone
 };
 
+// Steps counted: shown only where nothing else is written to the same terminal, and only once they
+// have taken a second. Its line is wiped at the end.
 class Progress {
  public:
   explicit Progress(std::size_t total, const ProgressStyle& style = {});
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress();  // wipes its line
 
   void step() {
-    if (++done_ % style_.steps_between_looks == 0 && watched_) show();
+    if (++done_ % style_.steps_between_looks == 0 && watched_ && line_.is_due()) show();
   }
+
+ private:
+  void show();
+
+  ProgressStyle style_;
+  std::size_t total_, done_ = 0;
+  bool watched_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  StepLine line_{std::chrono::seconds(1), std::chrono::milliseconds(200)};
+};
+
+// How far a sweep is: a line that is rewritten on a terminal, nothing in a pipe, and a line a
+// minute where stderr is a file or anything else that is read later.
+class SweepProgress {
+ public:
+  explicit SweepProgress(double points_a_chunk) : points_a_chunk_(points_a_chunk) {}
+
+  void show(const sweep::RunProgress& progress);
+  void wipe() { line_.wipe(); }  // before another line is written
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void show();
+  bool is_due();
 
-  ProgressStyle style_;
-  std::size_t total_;
-  std::size_t done_ = 0;
-  bool watched_;
-  bool shown_ = false;
+  double points_a_chunk_;
+  sweep::RunProgress::Phase phase_ = sweep::RunProgress::Phase::computing;
   Clock::time_point start_ = Clock::now();
-  Clock::time_point next_ = start_ + std::chrono::seconds(1);
+  Clock::time_point next_logged_ = start_ + std::chrono::minutes(1);
+  StepLine line_{std::chrono::seconds(1), std::chrono::milliseconds(200)};
 };
 
 }  // namespace tribo::cli

@@ -8,10 +8,9 @@
 #include <string>
 
 #include "command.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/report_error.hpp"
-#include "step_line.hpp"
+#include "page/project_files.hpp"
+#include "progress.hpp"
 #include "table.hpp"
 
 namespace tribo::cli {
@@ -32,15 +31,6 @@ int tell(const report::Report& done, OutputStream& output) {
                           done.has_page ? "index.html" : "report.json", done.written.size()));
   output.flush();
   return done.undrawn.empty() ? exit_done : exit_failed;
-}
-
-int write_report(const report::ReportOptions& options, OutputStream& output) {
-  try {
-    return tell(written_report(options), output);
-  } catch (const report::ReportError& error) {
-    for (const std::string& line : error.lines()) complain(line);
-    return exit_bad;
-  }
 }
 
 constexpr const char* report_footer =
@@ -71,7 +61,7 @@ Command add_report(CLI::App& program) {
   app->add_option("--commit", options->commit,
                   "what was built, for the page to tell; empty: not known")
       ->expected(0, 1);
-  return {app, [options](OutputStream& output) { return write_report(*options, output); }};
+  return {app, [options](OutputStream& output) { return tell(written_report(*options), output); }};
 }
 
 }  // namespace tribo::cli

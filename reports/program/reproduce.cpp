@@ -13,11 +13,8 @@
 #include <vector>
 
 #include "accuracy/reference_table.hpp"
-#include "bad_input.hpp"
 #include "command.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/ledger_json.hpp"
 #include "page/ledger_tables.hpp"
 #include "page/project_files.hpp"
 #include "reproduction/ledger.hpp"

@@ -2,9 +2,12 @@
 #include "scene_arguments.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "messages.hpp"
+#include "page/project_files.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -19,6 +22,24 @@ void load_scene(const std::string& path, SceneUse use, LoadedScenes& loaded) {
   }
   if (path == "-" && !reading.id) reading.scene->id = "stdin";
   loaded.scenes.push_back(std::move(*reading.scene));
+}
+
+// A folder that examples name, where it is.
+std::string found(std::string_view usual,
+                  std::filesystem::path (*place)(const report::ReportPlaces&)) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(usual, ignored)) return std::string(usual);
+  try {
+    return place(report::find_places({})).string();
+  } catch (const report::ReportError&) {
+    return std::string(usual);  // there are no scenes to name
+  }
+}
+
+void replace_all(std::string& text, std::string_view usual, const std::string& folder) {
+  for (std::size_t at = text.find(usual); at != std::string::npos;
+       at = text.find(usual, at + folder.size()))
+    text.replace(at, usual.size(), folder);
 }
 
 }  // namespace
@@ -42,6 +63,20 @@ LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use) {
   }
   for (const std::string& path : paths) load_scene(path, use, loaded);
   return loaded;
+}
+
+std::function<std::string()> footer_with_scenes(std::string text) {
+  return [text = std::move(text)] {
+    std::string footer = text;
+    replace_all(footer, "reference/published",
+                found("reference/published",
+                      [](const report::ReportPlaces& places) { return places.scenes; }));
+    replace_all(footer, "reference/scenes",
+                found("reference/scenes", [](const report::ReportPlaces& places) {
+                  return places.reference / "scenes";
+                }));
+    return footer;
+  };
 }
 
 }  // namespace tribo::cli

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arguments `SCENE… --format F` that solve, curve and onset share, and reading those scenes.
+// The arguments `SCENE… --format F` that solve, curve and onset share, reading those scenes, and
+// the scenes that the examples of the help name.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,5 +26,9 @@ struct LoadedScenes {
 
 // Reads every scene and reports every error and warning on stderr.
 LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use);
+
+// The footer of a help text. Where the current folder has no reference/published, or no
+// reference/scenes, that is replaced by the full path of the project's or the installed program's.
+std::function<std::string()> footer_with_scenes(std::string text);
 
 }  // namespace tribo::cli

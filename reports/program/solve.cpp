@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "example_scenes.hpp"
-#include "exit_code.hpp"
+#include "messages.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
 #include "protocol/answers.hpp"

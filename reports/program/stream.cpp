@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include "command.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
 #include "protocol/answers.hpp"
 #include "protocol/text_streams.hpp"

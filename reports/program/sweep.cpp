@@ -13,13 +13,12 @@
 #include <vector>
 
 #include "command.hpp"
-#include "example_scenes.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
-#include "page/sweep_cases.hpp"
-#include "page/sweep_pictures.hpp"
+#include "page/rendering.hpp"
 #include "page/sweep_tables.hpp"
+#include "progress.hpp"
 #include "scene/schema.hpp"
+#include "scene_arguments.hpp"
 #include "stop_signal.hpp"
 #include "sweep/on_threads.hpp"
 #include "sweep/part.hpp"
@@ -27,7 +26,6 @@
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
 #include "sweep_estimate.hpp"
-#include "sweep_progress.hpp"
 #include "tribo/batch.hpp"
 
 namespace tribo::cli {

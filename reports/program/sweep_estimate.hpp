@@ -2,7 +2,7 @@
 // Estimates time, memory and files of a sweep, from its plan and a few chunks computed for that.
 #pragma once
 
-#include "output.hpp"
+#include "messages.hpp"
 #include "sweep/plan.hpp"
 
 namespace tribo::cli {

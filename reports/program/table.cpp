@@ -5,9 +5,13 @@
 
 #include <algorithm>
 
+#include "page/text_table.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::cli {
+
+using report::width_of;
+
 namespace {
 
 // "real_area_ratio" → "real_area_", "ratio": broken after "_" where more would be too wide.
@@ -26,12 +30,6 @@ std::vector<std::string> broken(std::string_view name, std::size_t width) {
 }
 
 }  // namespace
-
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
 
 void append_line(Text& to, std::string_view text) {
   append(to, printable(text, std::string::npos));
@@ -67,6 +65,12 @@ void append_heads(Text& to, const std::vector<ColumnHead>& heads) {
     while (to[to.size() - 1] == ' ') to.resize(to.size() - 1);
     to.push_back('\n');
   }
+}
+
+void append_row(Text& to, const std::vector<ColumnHead>& heads,
+                const std::vector<std::string>& cells) {
+  for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
+  to.push_back('\n');
 }
 
 void append_title(Text& to, std::string_view title) {

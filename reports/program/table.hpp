@@ -8,12 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "output.hpp"
+#include "messages.hpp"
 
 namespace tribo::cli {
-
-// How many characters a text takes on the screen: of UTF-8, as the units need it.
-std::size_t width_of(std::string_view text);
 
 // Whatever the text holds, it becomes one line, with its line end. Cells and titles are made so,
 // too.
@@ -43,6 +40,9 @@ class ColumnHead {
 };
 
 void append_heads(Text& to, const std::vector<ColumnHead>& heads);
+// A cell under each head.
+void append_row(Text& to, const std::vector<ColumnHead>& heads,
+                const std::vector<std::string>& cells);
 
 // A title, underlined.
 void append_title(Text& to, std::string_view title);

@@ -10,13 +10,10 @@
 #include <vector>
 
 #include "accuracy/accuracy.hpp"
-#include "bad_input.hpp"
 #include "command.hpp"
-#include "exit_code.hpp"
 #include "junit.hpp"
 #include "messages.hpp"
 #include "page/project_files.hpp"
-#include "page/write_file.hpp"
 #include "protocol/answers.hpp"
 #include "table.hpp"
 #include "verify_subject.hpp"
@@ -64,18 +61,11 @@ void append_table(Text& to, const std::vector<QuantityResult>& results) {
       {"allowed", "ulp", 20},     {"of_bound", "%", 8},
       {"worst_row", "", 9},       {"verdict", "", 7}};
   append_heads(to, heads);
-  for (const QuantityResult& r : results) {
-    const std::string cells[] = {r.quantity,
-                                 std::to_string(r.cases),
-                                 fmt::format("{:.3g}", r.worst_ulp),
-                                 fmt::format("{:.3g}", r.worst_ulp_per_condition),
-                                 allowed(r),
-                                 fmt::format("{:.3g}", 100 * r.worst_part_of_bound),
-                                 r.worst_row,
-                                 verdict(r)};
-    for (std::size_t i = 0; i < heads.size(); ++i) append_cell(to, cells[i], heads[i].width());
-    append(to, "\n");
-  }
+  for (const QuantityResult& r : results)
+    append_row(to, heads,
+               {r.quantity, std::to_string(r.cases), fmt::format("{:.3g}", r.worst_ulp),
+                fmt::format("{:.3g}", r.worst_ulp_per_condition), allowed(r),
+                fmt::format("{:.3g}", 100 * r.worst_part_of_bound), r.worst_row, verdict(r)});
   append(to, "\n");
   append_line(to, summary(results));
 }

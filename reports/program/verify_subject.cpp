@@ -10,12 +10,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "bad_input.hpp"
-#include "conformance_writers.hpp"
-#include "exit_code.hpp"
 #include "messages.hpp"
 #include "page/project_files.hpp"
-#include "page/write_file.hpp"
 #include "progress.hpp"
 #include "shell.hpp"
 

@@ -196,8 +196,7 @@ def of_films(report):
            f"L = {sig(profile['material_number'], 3)}, half-width b = {sig(1e6 * profile['half_width'], 3)} µm, p0 = {sig(1e-9 * profile['peak_pressure'], 3)} GPa. "
            f"The film in the middle is {sig(1e9 * profile['central']['value'], 5)} nm, the least {sig(1e9 * profile['minimum']['value'], 5)} nm, "
            f"each to {sig(off, 1)} of itself.")
-    spike, error = profile["spike_pressure"]["value"], profile["spike_pressure"]["error"]
-    unsure = (f"; how high it is, grids of double numbers do not resolve: {sig(spike, 2)} p0, give or take {sig(error, 1)}." if error > 0.02 * spike else ".")
+    unsure = "; how high it is, grids of double numbers do not resolve." if profile["spike_pressure"]["value"] is None else "."
     yield f"a spike at x/b = {sig(profile['spike_place']['value'], 4)}, just before the film's constriction{unsure}"
     titles = ("ball on a flat", "bearing's outer ring", "gear's flank")
     yield "friction is least (●) at λ = " + ", ".join(f"{sig(one['least_friction']['film_parameter'], 3)} ({title})" for one, title in

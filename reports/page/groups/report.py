@@ -24,6 +24,7 @@ import contacts  # noqa: E402
 import curves  # noqa: E402
 import environment  # noqa: E402
 import ledger  # noqa: E402
+import line_films  # noqa: E402
 import onset_uncertainty  # noqa: E402
 import paper  # noqa: E402
 import speed  # noqa: E402
@@ -56,8 +57,8 @@ GROUPS = {
     "onset_uncertainty": Maker(onset_uncertainty.onset_uncertainty, "`tribocheck sweep` of `reference/published/sweeps`",
                                "drawing onsets within the precision of Table 1"),
     "contacts": Maker(contacts.contacts, "The checkout's folder `reference/scenes`", "solving the contacts of machines"),
-    "line_films": Maker(solved_by_program("line_films", "film-solved"),
-                        "The checkout's folders `reference/ehl` and `reference/scenes`"),
+    "line_films": Maker(line_films.line_films, "The checkout's folders `reference/ehl` and `reference/scenes`",
+                        "solving films of line contacts"),
     "certified": Maker(verification.certified, "The checkout's folder `reference/exact`, or `make references`,",
                        "holding the model to the certified tables"),
     "stress": Maker(verification.stress, "`make stress`"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "page/number_text.hpp"
+#include "page/texts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::report {
 namespace {
@@ -22,6 +24,21 @@ std::string superscript(int number) {
       text += digits[static_cast<std::size_t>(sign - '0')];
   }
   return text;
+}
+
+std::string html_sign(char sign) {
+  switch (sign) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return {sign};
+  }
 }
 
 }  // namespace
@@ -68,6 +85,22 @@ std::string csv_text(std::string_view text) {
     quoted += sign;
   }
   return quoted + '"';
+}
+
+std::string escape_markdown(std::string_view text) {
+  constexpr std::string_view special = "\\*_[]|#`~^";
+  std::string escaped;
+  for (const char sign : printable(text, std::string::npos)) {
+    if (special.find(sign) != std::string_view::npos) escaped += '\\';
+    escaped += sign == '"' ? "\"" : html_sign(sign);
+  }
+  return escaped;
+}
+
+std::string escape_html(std::string_view text) {
+  std::string escaped;
+  for (const char sign : without_controls(text)) escaped += html_sign(sign);
+  return escaped;
 }
 
 }  // namespace tribo::report

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ignored_options.hpp"
+#include "options.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <utility>
 
 namespace tribo::cli {
 namespace {
@@ -40,6 +43,20 @@ std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& 
     for (const std::string_view option : one.options)
       if (one.is_so && command.count(std::string(option)) > 0) return refusal(option, one.why);
   return {};
+}
+
+CLI::Option* add_number_option(CLI::App& app, const std::string& name,
+                               std::function<void(double)> store, bool (*is_allowed)(double),
+                               const std::string& allowed, const std::string& description) {
+  const auto read = [=, store = std::move(store)](const std::string& text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || stop != end || !is_allowed(number))
+      throw CLI::ValidationError(name, text + " is not allowed; allowed: " + allowed);
+    store(number);
+  };
+  return app.add_option_function<std::string>(name, read, description);
 }
 
 }  // namespace tribo::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as text: exactly for machines, rounded for people.
+// Texts of numbers, and texts as CSV, HTML and Markdown have them.
 #pragma once
 
 #include <cstdint>
@@ -23,5 +23,10 @@ std::string grouped(std::uint64_t count);
 // A cell of comma-separated values (RFC 4180, with "\n" as line end): quoted where it has to be,
 // and where a spreadsheet would take it for a formula, which it may do all the same.
 std::string csv_text(std::string_view text);
+
+// Plain text where signs of Markdown, or of HTML and XML, would have a meaning. Control signs are
+// escaped as by printable(); HTML and XML keep line ends and tabs.
+std::string escape_markdown(std::string_view text);
+std::string escape_html(std::string_view text);
 
 }  // namespace tribo::report
