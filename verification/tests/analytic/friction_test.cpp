@@ -57,7 +57,7 @@ TEST(Friction, StressOverItsScaleIsThatOfXWhateverItsFactors) {
                                                  std::ldexp(1, speed), std::ldexp(1, separation));
         EXPECT_TRUE(is_close(std::ldexp(stress, -scale),
                              fluid_shear_stress(law, 1.0, x, 0.0, 1.0, 1.0), 1e-12,
-                             {{"scale", scale}, {"x", x}}));
+                             {{"power of the scale", 1.0 * scale}, {"x", x}}));
       }
 }
 
