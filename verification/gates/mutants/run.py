@@ -398,14 +398,15 @@ def readers_of(row, built, names):
 
 
 def meet_alone(row, built, seconds, folder, minutes):
-    """A verdict on one mutant of the ledger from the tests above the built tree: the quickest first, with what each has to compile,
-    and none that it has outlived. None where the time ends before the tests do."""
-    readers = {name: targets for name, targets in readers_of(row, built, seconds).items()
-               if not any(one.split(":")[0] == name for one in row.get("outlived", ()))}
+    """A verdict on one mutant of the ledger from the tests above the built tree: first those that share a word with the name of its
+    file, and of these and the others the quickest, with what each has to compile; none that it has outlived. None where the time
+    ends before the tests do."""
+    readers = {name: targets for name, targets in readers_of(row, built, seconds).items() if name not in row.get("outlived", ())}
+    words = set(pathlib.Path(row["file"]).stem.replace("-", "_").split("_")) - {"test"}
     takes = {name: seconds[name] + (built.seconds(plant.ROOT / row["file"], targets) if targets else 0) for name, targets in readers.items()}
     above, started, outlived = plant.Above(folder), time.monotonic(), []
     with above.planted(row):
-        for name in sorted(readers, key=takes.get):
+        for name in sorted(readers, key=lambda name: (not words & set(re.split(r"[._]", name)), takes[name])):
             left = 60 * minutes - (time.monotonic() - started)
             if takes[name] > left:
                 row["outlived"] = row.get("outlived", []) + outlived

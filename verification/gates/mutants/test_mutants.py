@@ -248,6 +248,8 @@ class Alone(Folder):
                          ({"verdict": "caught", "by": "program.test_film"}, ["film.quick_test", "program.test_film"], None))
         self.assertEqual(self.meet({"film.quick_test": "hung"})[0], {"verdict": "hung", "by": "film.A.First"})
         self.assertEqual(self.meet({}, file="benchmarks/gates/gate.py")[1], ["gates.test_rules"])
+        self.assertEqual(self.meet({}, file="model/ehl/slow_film.cpp")[1][0], "film.quick_test")
+        self.assertEqual(self.meet({}, file="model/ehl/slow_start.cpp")[1][0], "film.slow_test")
 
     def test_it_meets_none_that_it_outlived_and_waits_where_the_time_ends(self):
         self.assertEqual(self.meet({}, outlived=["film.quick_test"])[1], ["program.test_film", "film.slow_test"])
