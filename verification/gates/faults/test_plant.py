@@ -114,11 +114,17 @@ class OfMutants(Tree):
                 self.assertEqual((self.folder / "formula.hpp").read_text(), "y = 1;\n")
 
     def test_a_red_test_has_caught_it_and_a_green_one_has_not(self):
-        self.assertEqual(self.above((0, ""), (8, "")), ("failed", ["ninja", "ctest"]))
+        red, green = (f"100% tests passed, {failed} tests failed out of 1" for failed in (1, 0))
+        self.assertEqual(self.above((0, ""), (8, red)), ("failed", ["ninja", "ctest"]))
+        self.assertEqual(self.above((0, ""), (8, "***Timeout\n" + red)), ("timed out", ["ninja", "ctest"]))
         with self.assertRaisesRegex(plant.Red, "survived"):
-            self.above((0, ""), (0, ""))
+            self.above((0, ""), (0, green))
         with self.assertRaisesRegex(plant.Red, "does not build"):
             self.above((1, ""))
+
+    def test_a_command_that_cannot_be_started_in_the_layer_has_caught_nothing(self):
+        with self.assertRaisesRegex(SystemExit, "unshare: operation not permitted"):
+            self.above((0, ""), (1, "unshare: operation not permitted"))
 
     def planted(self, compiled, tested):
         """How many of ten are planted, where each takes so long."""
