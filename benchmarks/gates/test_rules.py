@@ -157,21 +157,46 @@ class Comparable(unittest.TestCase):
 
     def test_another_speed_of_the_control_kernel_is_not_comparable(self):
         class Found:
-            control, fewest = 2e-6, 9
+            fewest = 9
 
             def intervals(self):
                 return [{}]
         real, gate.measure.times = gate.measure.times, lambda programs: Found()
         try:
-            self.assertEqual(gate.times_of(["p"], 1.9e-6), [{}])
-            for control in (1e-6, 4e-6):
+            for end, beyond in ((rules.QUIET, 2), (1 / rules.QUIET, 0)):
+                Found.control = end
+                self.assertEqual(gate.times_of(["p"], 1.0), [{}])
+                Found.control = math.nextafter(end, beyond)
                 with self.assertRaises(gate.NotComparable):
-                    gate.times_of(["p"], control)
-            Found.fewest = 8
+                    gate.times_of(["p"], 1.0)
+            Found.control, Found.fewest = 1.0, 8
             with self.assertRaises(gate.NotComparable):
                 gate.times_of(["p"])
         finally:
             gate.measure.times = real
+
+
+class Sides(unittest.TestCase):
+    """Each gate holds the program against the other one where there is one, and else against the baseline."""
+
+    def held(self, name, base_program, has_set=True):
+        def counts(program):
+            return {"root AVX2": {"now": 100, "base": 90}[program]}
+
+        baseline = {"environment": {}, "instructions": {"root AVX2": 50}, "counters": {"root AVX2": {"steps": 50}}}
+        measured = {"valgrind_version": lambda: "valgrind-3", "has_instruction_set": lambda program, _: program == "now" and has_set,
+                    "environment": lambda program: {}, "instructions": counts,
+                    "counters": lambda program: {key: {"steps": count} for key, count in counts(program).items()}}
+        with mock.patch.multiple(gate.measure, **measured), mock.patch.object(rules, "environment_differences", lambda *_: []):
+            return gate.hold_gate(name, "now", base_program, baseline, **QUIETLY)
+
+    def test_of_counts_are_the_other_program_or_the_baseline(self):
+        for name in ("counters", "instructions"):
+            self.assertEqual(self.held(name, "base").worst, 100 / 90)
+            self.assertEqual(self.held(name, None).worst, 2)
+
+    def test_without_the_instruction_set_its_name_is_told(self):
+        self.assertEqual(self.held("instructions", "base", has_set=False).why_not, "this machine has no " + gate.measure.VALGRIND_SET)
 
 
 class Main(unittest.TestCase):

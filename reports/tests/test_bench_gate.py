@@ -143,6 +143,9 @@ class Gate(unittest.TestCase):
             self.gate(self.with_row(max_ulp=before), "--update-baseline")
             self.assert_passes(self.gate(self.with_row(max_ulp=limit)))
             self.assert_fails(self.gate(self.with_row(max_ulp=limit * (1 + 1e-15))), f"{MINE}: the greatest error")
+            for error, is_better in ((before / 4, False), (before / 4 * (1 - 1e-15), True)):
+                done = self.gate(self.with_row(max_ulp=error), "--update-baseline")
+                self.assertEqual(f"baseline improved: {MINE}: the greatest error" in done.err, is_better, done.err)
         self.path.unlink()
         self.gate(self.rows, "--update-baseline")
         for field, worse, better in (("evaluations", 7.500001, 7.4), ("failures", 3, 1), ("judged", 99, 101)):

@@ -289,6 +289,25 @@ class Scenes(FilmTest):
                               f"gives Roelands' z = {z}, which is implausible", result.err)
             self.assertEqual(run("film", self.write(tree), "--tolerance", "1e-2").err, "")  # Barus has none
 
+    def test_a_z_is_implausible_beyond_its_limits_and_not_at_them(self):
+        def at(limit):
+            """A viscosity and the α at which z is the limit to the last bit."""
+            for viscosity in (0.01 + i/1024 for i in range(1000)):
+                scale = math.log(viscosity) + 9.67
+                alpha = limit*scale/196e6
+                for one in (alpha, math.nextafter(alpha, 0), math.nextafter(alpha, 1)):
+                    if one*196e6/scale == limit:
+                        return viscosity, one
+        for limit, beyond in ((0.2, 0), (1.2, 1)):
+            viscosity, alpha = at(limit)
+            further = alpha
+            while further*196e6/(math.log(viscosity) + 9.67) == limit:
+                further = math.nextafter(further, beyond)
+            for one, lines in ((alpha, 0), (further, 1)):
+                result = run("film", self.write(line(10, 5, lubricant={"viscosity": viscosity, "pressure_viscosity": one})),
+                             "--viscosity", "roelands", "--tolerance", "1e-2")
+                self.assertEqual((result.code, len(result.error_lines)), (0, lines), (limit, result.err))
+
     def test_roelands_law_needs_a_viscosity(self):
         tree = line(10, 5)
         tree["lubricant"]["viscosity"] = 6e-5

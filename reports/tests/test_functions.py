@@ -77,6 +77,10 @@ class Listed(unittest.TestCase):
     def test_json_has_the_arguments_that_stream_takes(self):
         for entry in json.loads(run("functions", "--format", "json").out):
             name = entry["name"]
+            for field, (has, has_not) in {"meaning": ("^[a-z]+ .* ", r" = |\(1[89]\d\d\)"), "equation": (" = ", r"\(1[89]\d\d\)"),
+                                          "source": (r"\(1[89]\d\d\)|ASTM D341", "Error of")}.items():
+                self.assertRegex(entry[field], has, (name, field))
+                self.assertNotRegex(entry[field], has_not, (name, field))
             self.assertEqual({one["name"] for one in entry["parameters"]}, set(GOOD[name]))
             self.assertEqual({one["name"] for one in entry["parameters"] if "default" in one},
                              set(GOOD[name]) & OPTIONAL)
@@ -281,8 +285,12 @@ class Mistakes(unittest.TestCase):
 
     def test_faces_that_do_not_meet_at_a_point(self):
         for direction in "xy":
-            for first, second in [(5e-3, -4e-3), (5e-3, -5e-3), (-1, -2), (-1, 1e30)]:
-                names = [f"first_radius_{direction}", f"second_radius_{direction}"]
+            names = [f"first_radius_{direction}", f"second_radius_{direction}"]
+            # The least radius that is above 0 as a number.
+            faces = {**GOOD["reduced_radius"], **dict(zip(names, (1e-323, 1e-323)))}
+            answer, = ask(call("reduced_radius", faces))
+            self.assertEqual(answer["radius_" + direction], 5e-324)
+            for first, second in [(5e-3, -4e-3), (5e-3, -5e-3), (-1, -2), (-1, 1e30), (5e-324, 5e-324)]:
                 line = call("reduced_radius", {**GOOD["reduced_radius"], **dict(zip(names, (first, second)))})
                 self.assert_error(line, names[0], "the faces do not meet at a point: 1/first_radius_" + direction)
 

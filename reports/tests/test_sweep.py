@@ -6,7 +6,9 @@ import math
 import os
 import re
 import shutil
+import signal
 import subprocess
+import time
 import unittest
 
 from program import PROGRAM, read_terminal, run, start, wait_for
@@ -372,18 +374,25 @@ class Progress(SweepTest):
                   "surface.summit_plane_offset": "0.919"},
                  onset='["friction_minimum"]', draws=25000)
 
-    def said_to(self, stderr):
+    def said_to(self, stderr, stopped=0.0):
         path = self.folder.write("sweep.toml", self.TEXT)
         process = start("sweep", path, "-o", self.path("out.h5"), "--force",
                         stdout=subprocess.DEVNULL, stderr=stderr)
+        if stopped:
+            time.sleep(0.2)
+            process.send_signal(signal.SIGSTOP)
+            time.sleep(stopped)
+            process.send_signal(signal.SIGCONT)
         self.assertEqual(process.wait(timeout=120), 0)
 
     def test_a_terminal_sees_rate_and_time_left_on_one_line(self):
         reader, writer = os.openpty()
-        self.said_to(writer)
+        self.said_to(writer, stopped=1.0)  # so that a line comes before the first cases are there
         os.close(writer)
         said = read_terminal(reader)
         self.assertRegex(said, rb"\rcomputed [0-9.]+ %, .* points, .* a second, .* left")
+        for line in re.findall(rb"\r(computed [^\r\x1b]+)", said):  # what is left is not known while nothing is done
+            self.assertRegex(line, rb"^computed [0-9.]+ %, (0 of [^,]+, 0 a second|[1-9][^,]*, [^,]+, [0-9.]+ (s|min|h) left)$")
         self.assertNotIn(b"\n", said)
         self.assertTrue(said.endswith(b"\r\x1b[K"))
 

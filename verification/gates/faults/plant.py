@@ -19,7 +19,9 @@ stopped loses nothing, and --oldest goes on with what was not planted for longes
 """
 import argparse
 import concurrent.futures
+import contextlib
 import datetime
+import functools
 import hashlib
 import json
 import os
@@ -28,6 +30,7 @@ import platform
 import queue
 import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -47,8 +50,9 @@ INVENTORY = "inventory:"
 # The engine is compiled anew for nearly each fault of the model: here for AVX2, SSE4 and the plain processor
 # alone, so for four lanes, two and one.
 LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
-# A sample of mutants may take so many files to compile, and so many seconds of tests, as they took without a mutant.
-MOST_COMPILED, MOST_TESTED = 12, 60
+# A sample of mutants may take so many seconds of processors, as its steps and tests took without a mutant; a file that a
+# cache compiled counts as the second number, and one that was not built before as the third.
+MOST_SECONDS, COMPILED_AT_LEAST, COMPILED_AT_MOST = 300, 5, 60
 CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
 
 
@@ -110,10 +114,16 @@ def targets_of(check):
     _, suites, test = test_of(check).split(".")
     suite = "|".join(re.escape(part) for part in suites.split("/"))
     pattern = re.compile(rf"TEST(?:_[FP])?\(\s*(?:{suite}),\s*{re.escape(re.split('[/<]', test)[0])}\)")
-    for source in sorted(ROOT.glob("verification/**/*_test.cpp")):
-        if pattern.search(source.read_text()):
-            return [source.stem]
+    for name, text in sources_of_tests(ROOT):
+        if pattern.search(text):
+            return [name]
     sys.exit(f"{check}: no source has this test")
+
+
+@functools.cache
+def sources_of_tests(root):
+    files = sorted(root.glob("verification/**/*_test.cpp")) + sorted(root.glob("benchmarks/tests/*_test.cpp"))
+    return [(file.stem, file.read_text()) for file in files]
 
 
 def green_checks(junit):
@@ -123,6 +133,34 @@ def green_checks(junit):
 
 def seconds_of(junit):
     return {test.get("name"): float(test.get("time")) for test in inventory.ElementTree.parse(junit).iter("testcase")}
+
+
+class Built:
+    """A built tree: what has to be compiled again for a change, and how long that took."""
+
+    def __init__(self, build):
+        self.build = build
+        lines = [line.split("\t") for line in (build / ".ninja_log").read_text().splitlines() if not line.startswith("#")]
+        self.took = {output: (int(end) - int(start)) / 1000 for start, end, _, output, *_ in lines}
+        self.reads = {block.split(":")[0]: set(block.split("\n    ")[1:]) for block in self.ask("deps").split("\n\n")}
+
+    @functools.cache
+    def needed(self, *targets):
+        return [one for one in self.ask("inputs", *targets).split("\n") if one.endswith((".o", ".gch"))]
+
+    def ask(self, *tool):
+        done = run(["ninja", "-C", self.build, "-t", *tool])
+        if done.returncode != 0:
+            sys.exit(f"--mutants needs a built tree: {done.stdout[-300:]}")
+        return done.stdout
+
+    def seconds(self, file, targets):
+        """Seconds to compile what reads the file, as far as the targets need it. Tests share a header that is compiled first."""
+        needed = self.needed(*targets)
+        again = {one for one in needed if str(file) in self.reads.get(one, ())}
+        if any(one.endswith(".gch") for one in again):
+            again |= {one for one in needed if one.startswith("verification/tests/CMakeFiles/")}
+        return sum(max(self.took.get(one, COMPILED_AT_MOST), COMPILED_AT_LEAST) for one in again)
 
 
 def whole_test(check):
@@ -185,6 +223,16 @@ class Scratch:
         return gate.stdout.splitlines()[0]
 
 
+def is_compiled(fault):
+    return fault["file"].endswith("pp")
+
+
+def targets_above(fault):
+    """The targets of a check in the built tree, which has benchmarks: the program starts one of them."""
+    is_benchmark = fault["check"].startswith("program.") and fault["file"].startswith("benchmarks/")
+    return targets_of(fault["check"]) + ["tribocheck_bench"] * is_benchmark
+
+
 class Above:
     """The built tree with a layer above it, which takes what a mutant changes: only what it touches is built again, and the
     tree stays as it is. Nobody but the commands that are started so sees the layer."""
@@ -194,63 +242,82 @@ class Above:
         self.folder = folder
 
     def inside(self, *command):
-        return run(["unshare", "--map-root-user", "--mount", "sh", "-c", self.MOUNT, "sh", ROOT, self.folder, *command])
+        return run(["unshare", "--map-root-user", "--mount", "sh", "-c", self.MOUNT, "sh", ROOT, self.folder, *command],
+                   env={**os.environ, "GTEST_FAIL_FAST": "1"})
 
-    def try_fault(self, fault, most=None):
-        """The verdict of the check; None where more than `most` files would be compiled. Raises Red where the mutant was not caught."""
+    @contextlib.contextmanager
+    def planted(self, fault):
         path = self.folder / "upper" / fault["file"]
         path.parent.mkdir(parents=True)
         (self.folder / "work").mkdir()
         try:
             path.write_text((ROOT / fault["file"]).read_text().replace(fault["find"], fault["replace"]))
             shutil.copymode(ROOT / fault["file"], path)
-            build = ["ninja", "-C", "build/release", "-j1", *targets_of(fault["check"])]
-            if fault["file"].endswith("pp"):
-                steps = self.inside(*build, "-n")
-                if steps.returncode != 0:
-                    sys.exit(f"--mutants needs a built tree, `unshare` and overlays: {steps.stdout[-300:]}")
-                self.cost = steps.stdout.count(" Building CXX")
-                if most is not None and self.cost > most:
-                    return None
-                if self.inside(*build).returncode != 0:
-                    raise Red("does not build")
-            else:
-                self.cost = 0
-            return self.look(fault["check"])
+            yield
         finally:
             shutil.rmtree(self.folder)
 
-    def look(self, check):
-        test = whole_test(check)
-        done = self.inside("ctest", "--test-dir", "build/release", "-R", f"^{re.escape(test)}$", "--timeout", str(CHECK_SECONDS))
+    def make(self, targets):
+        return self.inside("ninja", "-C", "build/release", "-j1", *targets)
+
+    def look(self, test, seconds=CHECK_SECONDS):
+        """How the test ended (green, red or hung), and what it said."""
+        done = self.inside("ctest", "--test-dir", "build/release", "-R", f"^{re.escape(test)}$", "--timeout", f"{seconds:.0f}",
+                           "--output-on-failure")
         if "No tests were found" in done.stdout:
             raise Red(f"{test} is not there to run")
-        if done.returncode == 0:
+        if " tests failed out of 1" not in done.stdout:
+            sys.exit(f"a mutant above the built tree needs `unshare` and overlays: {done.stdout[-300:]}")
+        return "green" if done.returncode == 0 else "hung" if "***Timeout" in done.stdout else "red", done.stdout
+
+    def try_fault(self, fault):
+        """The verdict of the check. Raises Red where the mutant was not caught."""
+        with self.planted(fault):
+            if is_compiled(fault) and self.make(targets_above(fault)).returncode != 0:
+                raise Red("does not build")
+            end, _ = self.look(whole_test(fault["check"]))
+        if end == "green":
             raise Red("survived")
-        return "timed out" if "***Timeout" in done.stdout else "failed"
+        return {"hung": "timed out", "red": "failed"}[end]
 
 
-def plant_above(faults, count, seed, folder, seconds):
-    """The first `count` mutants, in an order that the seed gives, that take together no more than a sample may."""
-    left, time_left, rows = MOST_COMPILED, MOST_TESTED, []
-    for fault in random.Random(seed).sample(faults, len(faults)):
-        if len(rows) == count:
-            break
-        if (takes := seconds.get(whole_test(fault["check"]), MOST_TESTED)) > time_left:
-            continue
-        start, above = time.monotonic(), Above(folder / fault["id"])
-        row = {key: fault[key] for key in ("id", "fault", "file", "check")}
-        try:
-            said = above.try_fault(fault, left)
-            if said is None:
-                continue
-            row |= {"caught": True, "said": said}
-        except Red as red:
-            row |= {"caught": False, "said": str(red)}
-        left, time_left = left - above.cost, time_left - takes
-        row["seconds"] = round(time.monotonic() - start, 1)
-        tell(row)
-        rows.append(row)
+def plant_above(faults, count, seed, folder, seconds, workers, built):
+    """The first `count` mutants, in an order that the seed gives, that can be met within a sample's time: none takes more than
+    twice its share of what is left of that."""
+    order = iter(random.Random(seed).sample(faults, len(faults)))
+    lock, rows, left, taken = threading.Lock(), [], MOST_SECONDS, 0
+
+    def next_within():
+        nonlocal left, taken
+        for fault in order if taken < count else ():
+            takes = seconds.get(whole_test(fault["check"]), CHECK_SECONDS)
+            most = min(left, 2 * left / (count - taken))
+            if takes <= most and is_compiled(fault):
+                takes += built.seconds(ROOT / fault["file"], targets_above(fault))
+            if takes <= most:
+                taken, left = taken + 1, left - takes
+                return fault
+        return None
+
+    def one(_):
+        while True:
+            with lock:
+                fault = next_within()
+            if fault is None:
+                return
+            start = time.monotonic()
+            row = {key: fault[key] for key in ("id", "fault", "file", "check")}
+            try:
+                row |= {"caught": True, "said": Above(folder / fault["id"]).try_fault(fault)}
+            except Red as red:
+                row |= {"caught": False, "said": str(red)}
+            row["seconds"] = round(time.monotonic() - start, 1)
+            with lock:
+                tell(row)
+                rows.append(row)
+
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        list(pool.map(one, range(workers)))
     return rows
 
 
@@ -402,7 +469,8 @@ def main():
         if arguments.mutants is None:
             rows = plant(faults, arguments.workers, folder, keep)
         else:
-            rows = plant_above(faults, arguments.mutants, arguments.seed or head, folder, seconds_of(arguments.green))
+            rows = plant_above(faults, arguments.mutants, arguments.seed or head, folder, seconds_of(arguments.green),
+                               arguments.workers, Built(ROOT / "build/release"))
             if len(rows) < arguments.mutants:
                 red.append(f"{len(rows)} mutants were planted, {arguments.mutants} are wanted")
                 print(f"RED       {red[-1]}")
@@ -411,9 +479,10 @@ def main():
             print(f"scratch copies: {folder}")
         else:
             shutil.rmtree(folder, ignore_errors=True)
-    seconds = round(time.monotonic() - started)
+    seconds, used = round(time.monotonic() - started), resource.getrusage(resource.RUSAGE_CHILDREN)
     survived = sum(not row["caught"] for row in rows)
-    print(f"{len(rows)} faults planted, {len(rows) - survived} caught, in {seconds} s; {len(red)} cannot be planted")
+    print(f"{len(rows)} faults planted, {len(rows) - survived} caught, in {seconds} s and {used.ru_utime + used.ru_stime:.0f} s of processors; "
+          f"{len(red)} cannot be planted")
     return 1 if survived or red else 0
 
 

@@ -98,7 +98,7 @@ class Look(Tree):
 class OfMutants(Tree):
     """Mutants that the ledger calls caught, planted in a layer above the built tree."""
 
-    def above(self, *ends, check="program.test_formula", most=None):
+    def above(self, *ends):
         layer, seen = plant.Above(self.folder / "layer"), []
 
         def inside(*command):
@@ -108,27 +108,47 @@ class OfMutants(Tree):
         (self.folder / "formula.hpp").write_text("y = 1;\n")
         with mock.patch.object(layer, "inside", inside), mock.patch.object(plant, "targets_of", return_value=["formula_test"]):
             try:
-                return layer.try_fault(FAULT | {"file": "formula.hpp", "check": check}, most), seen
+                return layer.try_fault(FAULT | {"file": "formula.hpp"}), seen
             finally:
                 self.assertFalse((self.folder / "layer").exists())
                 self.assertEqual((self.folder / "formula.hpp").read_text(), "y = 1;\n")
 
     def test_a_red_test_has_caught_it_and_a_green_one_has_not(self):
-        self.assertEqual(self.above((0, "[1/1] Building CXX x\n"), (0, ""), (8, "")), ("failed", ["ninja", "ninja", "ctest"]))
+        red, green = (f"100% tests passed, {failed} tests failed out of 1" for failed in (1, 0))
+        self.assertEqual(self.above((0, ""), (8, red)), ("failed", ["ninja", "ctest"]))
+        self.assertEqual(self.above((0, ""), (8, "***Timeout\n" + red)), ("timed out", ["ninja", "ctest"]))
         with self.assertRaisesRegex(plant.Red, "survived"):
-            self.above((0, ""), (0, ""), (0, ""))
+            self.above((0, ""), (0, green))
         with self.assertRaisesRegex(plant.Red, "does not build"):
-            self.above((0, ""), (1, ""))
+            self.above((1, ""))
 
-    def test_one_whose_test_takes_longer_than_is_left_is_passed_over(self):
-        faults = [FAULT | {"id": str(i)} for i in range(5)]
-        with mock.patch.object(plant.Above, "try_fault", lambda above, *_: setattr(above, "cost", 0) or "failed"), \
-                contextlib.redirect_stdout(io.StringIO()):
-            for takes, planted in ((plant.MOST_TESTED / 3, 3), (plant.MOST_TESTED + 1, 0)):
-                self.assertEqual(len(plant.plant_above(faults, 5, "x", self.folder, {"program.test_formula": takes})), planted)
+    def test_a_command_that_cannot_be_started_in_the_layer_has_caught_nothing(self):
+        with self.assertRaisesRegex(SystemExit, "unshare: operation not permitted"):
+            self.above((0, ""), (1, "unshare: operation not permitted"))
 
-    def test_one_with_more_to_compile_than_is_left_is_passed_over(self):
-        self.assertEqual(self.above((0, "[1/2] Building CXX x\n[2/2] Building CXX y\n"), most=1), (None, ["ninja"]))
+    def planted(self, compiled, tested):
+        """How many of ten are planted, where each takes so long."""
+        built = mock.Mock(seconds=lambda file, targets: compiled)
+        faults = [FAULT | {"id": str(i), "file": "formula.hpp"} for i in range(30)]
+        with mock.patch.object(plant.Above, "try_fault", lambda *_: "failed"), contextlib.redirect_stdout(io.StringIO()):
+            return len(plant.plant_above(faults, 10, "x", self.folder, {FAULT["check"]: tested}, 2, built))
+
+    def test_those_that_take_more_than_twice_their_share_of_the_time_are_passed_over(self):
+        share = plant.MOST_SECONDS / 10
+        for compiled, tested, planted in ((share / 2, share / 2, 10), (share, share, 1), (share, share + 1, 0), (2 * share + 1, 0, 0)):
+            self.assertEqual(self.planted(compiled, tested), planted, (compiled, tested))
+
+    def test_what_reads_a_file_is_compiled_again_as_far_as_it_is_needed(self):
+        (self.folder / ".ninja_log").write_text("# ninja log v5\n0\t1000\t1\told.o\tx\n10\t9010\t1\told.o\tx\n5\t6\t1\tcached.o\tx\n")
+        deps = "old.o: #deps 2, deps mtime 1 (VALID)\n    /t/a.hpp\n    /t/b.hpp\n\n" + "".join(
+            f"{name}: #deps 1, deps mtime 1 (VALID)\n    /t/{file}\n\n" for name, file in
+            (("cached.o", "a.hpp"), ("new.o", "b.hpp"), ("other.o", "b.hpp"), ("x/pch.gch", "c.hpp"), ("verification/tests/CMakeFiles/t.o", "d.cpp")))
+        needed = "old.o\ncached.o\nnew.o\nx/pch.gch\nverification/tests/CMakeFiles/t.o\nlib.a\n"
+        with mock.patch.object(plant, "run", lambda command: finished(0, needed if "inputs" in command else deps)):
+            built = plant.Built(self.folder)
+            for file, seconds in (("a.hpp", 9 + plant.COMPILED_AT_LEAST), ("b.hpp", 9 + plant.COMPILED_AT_MOST),
+                                  ("c.hpp", 2 * plant.COMPILED_AT_MOST), ("d.cpp", plant.COMPILED_AT_MOST), ("e.hpp", 0)):
+                self.assertEqual(built.seconds("/t/" + file, ["it"]), seconds, file)
 
     def test_only_what_is_called_caught_is_planted_and_what_changed_since_is_not(self):
         row = {"id": "m", "operator": "constant", "original": "1", "replacement": "2", "file": "formula.txt", "find": "= 1;", "replace": "= 2;",
@@ -140,7 +160,7 @@ class OfMutants(Tree):
             (self.folder / "formula.txt").write_text(content)
             (self.folder / "mutants.json").write_text(text)
             with mock.patch.object(plant, "MUTANTS", self.folder / "mutants.json"), mock.patch.object(plant, "commit", return_value="c"), \
-                    mock.patch.object(plant.Above, "try_fault", lambda above, *_: setattr(above, "cost", 0) or "failed"), \
+                    mock.patch.object(plant.Above, "try_fault", lambda *_: "failed"), mock.patch.object(plant, "Built"), \
                     mock.patch.object(sys, "argv", ["plant.py", "--mutants", "1", "--green", str(self.green)]), \
                     contextlib.redirect_stdout(io.StringIO()):
                 self.assertEqual(plant.main(), code)

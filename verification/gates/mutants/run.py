@@ -9,8 +9,10 @@ wait, and each of the other tests then meets all that wait together, and parts o
 after each mutant: a run that is stopped, or ends with its --minutes, goes on with the same command.
 
   verification/gates/mutants/run.py sample --seed 20261123 --minutes 60
+  verification/gates/mutants/run.py alone ID ID --minutes 10     meet the tests above the built tree of today, without a copy
   verification/gates/mutants/run.py score
   verification/gates/mutants/run.py equivalent ID "the reason, in a sentence"
+  verification/gates/mutants/run.py held ID concern.Suite.Test   the check that a survivor was given since
 """
 import argparse
 import concurrent.futures
@@ -23,6 +25,7 @@ import random
 import re
 import signal
 import sys
+import tempfile
 import threading
 import time
 
@@ -94,7 +97,7 @@ def summary(ledger):
         and low >= 0.87 and noticed(strict)[2] >= 0.9
     last = {room: one["seed"] for one in ledger["samples"] for room in one["rooms"]}
     unnoticed = [{**{key: row[key] for key in ("id", "room", "operator", "verdict")}, "place": f"{row['file']}:{row['line']}",
-                  "original": shortened(row["original"]), "replacement": shortened(row["replacement"]), "reason": row.get("reason", "")}
+                  "original": shortened(row["original"]), "replacement": shortened(row["replacement"]), "reason": row.get("reason", ""), "since": row.get("since", "")}
                  for one in ledger["samples"] for row in one["mutants"]
                  if last[row["room"]] == one["seed"] and row.get("verdict") in ("survived", "not reached", "equivalent")]
     return {"noticed": part, "of": of, "low": low, "high": high, "goals_reached": reached, "rooms": rooms, "unnoticed": unnoticed}
@@ -374,6 +377,75 @@ def take_sample(arguments):
     return 0
 
 
+# Which tests can read what is not compiled, by its folder; the longest that fits counts.
+READERS = {"reports/page": r"program\.test_(report|page|sweep_pictures)", "benchmarks/gates": r"gates\.", "": r"program\."}
+
+
+def readers_of(row, built, names):
+    """Tests of CTest that can notice the mutant, with the targets that each needs: those whose program reads the text."""
+    found = {}
+    for name in names:
+        target = "tribocheck" if name.startswith("program.") else name.split(".")[1]
+        if not plant.is_compiled(row):
+            folder = max((one for one in READERS if row["file"].startswith(one)), key=len)
+            if re.match(READERS[folder], name):
+                found[name] = []
+        elif name.startswith("program.") or target.endswith("_test"):
+            targets = ["tribocheck", "verification/conformance/subjects/all"] if name.startswith("program.") else [target]
+            if built.seconds(plant.ROOT / row["file"], targets[:1]):
+                found[name] = targets
+    return found
+
+
+def meet_alone(row, built, seconds, folder, minutes):
+    """A verdict on one mutant of the ledger from the tests above the built tree: first those that share a word with the name of its
+    file, and of these and the others the quickest, with what each has to compile; none that it has outlived. None where the time
+    ends before the tests do."""
+    readers = {name: targets for name, targets in readers_of(row, built, seconds).items() if name not in row.get("outlived", ())}
+    words = set(pathlib.Path(row["file"]).stem.replace("-", "_").split("_")) - {"test"}
+    takes = {name: seconds[name] + (built.seconds(plant.ROOT / row["file"], targets) if targets else 0) for name, targets in readers.items()}
+    above, started, outlived = plant.Above(folder), time.monotonic(), []
+    with above.planted(row):
+        for name in sorted(readers, key=lambda name: (not words & set(re.split(r"[._]", name)), takes[name])):
+            left = 60 * minutes - (time.monotonic() - started)
+            if takes[name] > left:
+                row["outlived"] = row.get("outlived", []) + outlived
+                return None
+            if readers[name] and (made := above.make(readers[name])).returncode != 0:
+                if "static assertion failed" not in made.stdout:
+                    sys.exit(f"{row['id']} does not compile: {made.stdout[-500:]}")
+                return {"verdict": "caught", "by": "static_assert"}
+            end, said = above.look(name, min(max(10 * seconds[name], tests.LEAST_SECONDS), 300))
+            if end != "green":
+                unit = {"test": name, **({"cases": []} if name.endswith("_test") and not name.startswith(("program.", "gates.")) else {})}
+                return {"verdict": NOTICED[end], "by": tests.check_of(unit, said)}
+            outlived.append(name)
+    return {"verdict": "survived" if readers or row.get("outlived") else "not reached"}
+
+
+def take_alone(arguments):
+    ledger = read_ledger(arguments.out)
+    rows = [row for one in ledger["samples"] for row in one["mutants"] if row["id"] in arguments.ids]
+    if len(rows) != len(arguments.ids) or any(row.get("verdict", "not reached") != "not reached" for row in rows):
+        print("run.py: alone: these have to be mutants of the ledger that wait or were not reached", file=sys.stderr)
+        return 2
+    built, seconds = plant.Built(ROOT / "build/release"), plant.seconds_of(arguments.green)
+    for row in rows:
+        started = time.monotonic()
+        if why := plant.stale(row):
+            print(f"{row['id']}: {why}")
+            continue
+        with tempfile.TemporaryDirectory(prefix="tribocheck-mutant-") as folder:
+            found = meet_alone(row, built, seconds, pathlib.Path(folder) / "layer", arguments.minutes)
+        if found is not None:
+            row.pop("outlived", None)
+            row.update(found, commit=plant.commit(), seconds=round(time.monotonic() - started, 1))
+        write_ledger(arguments.out, ledger)
+        print(f"{'waits' if found is None else found['verdict']:12}{time.monotonic() - started:7.1f} s  {row['id']}  {row['file']}:{row['line']}  "
+              f"{row['operator']}  {(found or {}).get('by', '')}", flush=True)
+    return 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=pathlib.Path, default=LEDGER, metavar="FILE", help="the ledger")
@@ -387,10 +459,18 @@ def main():
     take.add_argument("--work", type=pathlib.Path, default=ROOT / "build/mutants", help="folder of the generated copy")
     take.add_argument("--without", metavar="REGEX", help="leave these tests out; the ledger says so")
     take.add_argument("--patience", type=float, default=20, metavar="SECONDS", help="for the tests that meet each mutant alone (default 20)")
+    alone = commands.add_parser("alone", help="meet the tests above the built tree, one mutant after another")
+    alone.add_argument("ids", nargs="+", metavar="ID")
+    alone.add_argument("--minutes", type=float, default=5, help="for each, by the clock (default 5)")
+    alone.add_argument("--green", type=pathlib.Path, default=ROOT / "build/release/ctest.xml", metavar="FILE",
+                       help="JUnit file of a CTest run, which says how long each test takes (default: what `make test` left)")
     commands.add_parser("score", help="what was caught in each room's last sample")
     equivalent = commands.add_parser("equivalent", help="tell a survivor that changes nothing, with the reason")
     equivalent.add_argument("id")
     equivalent.add_argument("reason")
+    held = commands.add_parser("held", help="tell the check, written since, that is red with a mutant that none noticed; its verdict stays")
+    held.add_argument("id")
+    held.add_argument("check")
     arguments = parser.parse_args()
     if arguments.command == "sample":
         for one in (signal.SIGINT, signal.SIGTERM, signal.SIGQUIT):
@@ -398,16 +478,25 @@ def main():
         # Under nohup a run goes on. A handler, unlike what nohup sets, is not handed on to the tests.
         signal.signal(signal.SIGHUP, lambda *_: None)
         return take_sample(arguments)
+    if arguments.command == "alone":
+        return take_alone(arguments)
     ledger = read_ledger(arguments.out)
     if arguments.command == "score":
         print_scores(ledger)
         return 0
     rows = [row for one in ledger["samples"] for row in one["mutants"] if row["id"] == arguments.id]
-    if not rows or any(row.get("verdict") not in ("survived", "not reached", "equivalent") for row in rows) or len(arguments.reason) < 20:
+    is_held = arguments.command == "held"
+    # One that waits can be read, too: no test can notice what changes nothing.
+    allowed = ("survived", "not reached", "equivalent", *(() if is_held else (None,)))
+    if not rows or any(row.get("verdict") not in allowed for row in rows) or not is_held and len(arguments.reason) < 20:
         print(f"run.py: {arguments.id} is no survivor of the ledger, or the reason is no sentence", file=sys.stderr)
         return 2
     for row in rows:
-        row.update(verdict="equivalent", reason=arguments.reason)
+        if is_held:
+            row["since"] = arguments.check
+        else:
+            row.pop("outlived", None)
+            row.update(verdict="equivalent", reason=arguments.reason)
     write_ledger(arguments.out, ledger)
     return 0
 

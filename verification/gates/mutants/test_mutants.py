@@ -225,6 +225,42 @@ class Verdicts(Folder):
         self.assertNotIn("covered", json.loads(prepared.file.read_text()))
 
 
+class Alone(Folder):
+    """A mutant above the built tree: which tests it meets, in which order, and what they say of it."""
+    SECONDS = {"film.slow_test": 40.0, "film.quick_test": 2.0, "film.other_test": 1.0, "program.test_film": 20.0, "gates.test_rules": 1.0}
+
+    def meet(self, said, minutes=5, file="model/ehl/a.cpp", made=(0, ""), **row):
+        """The verdict, and the tests that were met; `said`: how a test ends that is not green."""
+        met = []
+
+        def look(_, name, seconds):
+            met.append(name)
+            return said.get(name, "green"), f"[ RUN      ] A.First\n[  FAILED  ] A.First\n[ RUN      ] A.Skipped\n[  SKIPPED ] A.Skipped\n"
+        built = unittest.mock.Mock(seconds=lambda file, targets: 0 if "other_test" in targets else 5)
+        row = {"id": "m", "file": file, **row}
+        with unittest.mock.patch.multiple(run.plant.Above, planted=lambda *_: contextlib.nullcontext(), look=look,
+                                          make=lambda *_: types.SimpleNamespace(returncode=made[0], stdout=made[1])):
+            return run.meet_alone(row, built, self.SECONDS, self.folder, minutes), met, row.get("outlived")
+
+    def test_it_meets_those_that_read_its_text_the_quickest_first_until_one_is_red(self):
+        self.assertEqual(self.meet({}), ({"verdict": "survived"}, ["film.quick_test", "program.test_film", "film.slow_test"], None))
+        self.assertEqual(self.meet({"program.test_film": "red"}),
+                         ({"verdict": "caught", "by": "program.test_film"}, ["film.quick_test", "program.test_film"], None))
+        self.assertEqual(self.meet({"film.quick_test": "hung"})[0], {"verdict": "hung", "by": "film.A.First"})
+        self.assertEqual(self.meet({}, file="benchmarks/gates/gate.py")[1], ["gates.test_rules"])
+        self.assertEqual(self.meet({}, file="model/ehl/slow_film.cpp")[1][0], "film.quick_test")
+        self.assertEqual(self.meet({}, file="model/ehl/slow_start.cpp")[1][0], "film.slow_test")
+
+    def test_it_meets_none_that_it_outlived_and_waits_where_the_time_ends(self):
+        self.assertEqual(self.meet({}, outlived=["film.quick_test"])[1], ["program.test_film", "film.slow_test"])
+        self.assertEqual(self.meet({}, minutes=0.5), (None, ["film.quick_test", "program.test_film"], ["film.quick_test", "program.test_film"]))
+
+    def test_what_does_not_compile_is_caught_by_an_assertion_alone(self):
+        self.assertEqual(self.meet({}, made=(1, "error: static assertion failed"))[0], {"verdict": "caught", "by": "static_assert"})
+        with self.assertRaises(SystemExit):
+            self.meet({}, made=(1, "error: no such name"))
+
+
 class Score(unittest.TestCase):
     def row(self, verdict, room="film"):
         return {"room": room, "verdict": verdict}

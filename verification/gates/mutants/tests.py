@@ -84,8 +84,9 @@ def check_of(unit, said):
     """The check, as the manifest calls it, at which the part ended."""
     if "cases" not in unit:
         return unit["test"]
-    last = re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE) or re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
-    return f"{unit['test'].split('.')[0]}.{last[-1]}" if last else unit["test"]
+    # After a TEST that failed, others are told as begun and skipped.
+    first = re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE) or re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE)[-1:]
+    return f"{unit['test'].split('.')[0]}.{first[0]}" if first else unit["test"]
 
 
 def narrowed(unit, said):

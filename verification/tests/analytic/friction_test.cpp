@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/judge.hpp"
 
 namespace tribo::verification {
@@ -39,6 +41,24 @@ TEST(Friction, SmallShearIsNewtonianAndLargeShearIsWhatTheLawSays) {
     EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0.0, 1.0), 0);
     EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0x1p-1074, 1.0), 0x1p-1074);
   }
+}
+
+// x = ηγ̇/τ₀ is 1 or 0x1p-30, of factors whose quotients underflow, overflow or do neither.
+TEST(Friction, StressOverItsScaleIsThatOfXWhateverItsFactors) {
+  constexpr int powers[][5] = {// of 2: τ₀, η₀, S·u, separation, η/η₀
+                               {600, -500, 900, -100, 100},  {600, -500, 900, -200, 0},
+                               {-600, 500, -900, 100, -100}, {-600, 500, -900, 200, 0},
+                               {300, -300, 500, -100, 0},    {20, 10, 20, 10, 0}};
+  for (const auto law : {eyring, limiting})
+    for (const double x : {1.0, 0x1p-30})
+      for (const auto& [scale, viscosity, speed, separation, ratio] : powers) {
+        const double stress = fluid_shear_stress(law, std::ldexp(1, scale),
+                                                 std::ldexp(x, viscosity), ratio * std::log(2),
+                                                 std::ldexp(1, speed), std::ldexp(1, separation));
+        EXPECT_TRUE(is_close(std::ldexp(stress, -scale),
+                             fluid_shear_stress(law, 1.0, x, 0.0, 1.0, 1.0), 1e-12,
+                             {{"power of the scale", 1.0 * scale}, {"x", x}}));
+      }
 }
 
 TEST(Friction, EyringStressHasNoStepWhereTheLogarithmTakesOver) {

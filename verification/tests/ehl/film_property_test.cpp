@@ -14,6 +14,7 @@
 #include "ehl/reynolds.hpp"
 #include "ehl/sampled_contact.hpp"
 #include "support/judge.hpp"
+#include "support/threshold.hpp"
 
 namespace tribo::verification {
 namespace {
@@ -179,6 +180,20 @@ TEST(SolveFrom, SaysThatTheStepsWereTooFew) {
   EXPECT_EQ(film.outcome, ehl::Outcome::not_converged);
   EXPECT_EQ(film.steps, 2);
   EXPECT_GT(film.last_change, 1e-10);
+}
+
+TEST(SolveLineFilm, SaysWhereItWasNotTriedBeyondEachLimit) {
+  const auto says = [](double load_number, double material_number) {
+    const SolvedFilm film = ehl::solve_line_film(ehl::barus_contact(load_number, material_number),
+                                                 {.first_cells = 32, .greatest_cells = 32});
+    EXPECT_EQ(film.outcome, ehl::Outcome::not_converged);
+    return film.reason.find("; the solver was tried up to M = 10000 and L = 50") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(changes_at_its_limit(
+      {"M", 1e4, True::above, [&](double load_number) { return says(load_number, 5); }}));
+  EXPECT_TRUE(changes_at_its_limit(
+      {"L", 50, True::above, [&](double material_number) { return says(10, material_number); }}));
 }
 
 TEST(SolveLineFilm, RefusesAFilmBelowItsResolution) {

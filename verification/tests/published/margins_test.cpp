@@ -374,6 +374,21 @@ TEST(SampledCurves, AreWithinTheirErrors) {
   EXPECT_GT(told_by_the_grid, 10U);
 }
 
+// Nodes within the noise say that the function crosses, and it does not: the crossing may be
+// anywhere between them.
+TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
+  const SampledCurve curve(
+      std::vector<double>{2.5, 3}, std::vector<double>{1e-15, -1e-15}, [](double) { return 1e-15; },
+      1e-14);
+  const auto fall = curve.first_fall_to({0, 0});
+  ASSERT_TRUE(fall.has_value());
+  EXPECT_EQ(fall->value, 2.75);
+  EXPECT_EQ(fall->error, 0.25);
+  const Estimate part = curve.part_above_zero();
+  EXPECT_EQ(part.value, 0.5);
+  EXPECT_EQ(part.error, 0.5);
+}
+
 // The nearest number at which the verdict is another one, by trying.
 double nearest_other_verdict(const Item& one, const Observed& observed) {
   const Verdict here = judge(one, observed);

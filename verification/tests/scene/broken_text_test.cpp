@@ -205,6 +205,17 @@ TEST(WideNumbers, AreFoundAfterALongStringThatEndsInQuotes) {
   EXPECT_TRUE(has_problem(reading.errors, "speed[3]", "underflows"));
 }
 
+// Up to two quotes before the three that end a long string belong to it; one more begins a string.
+TEST(BrokenToml, LongStringsEndWithAtMostFiveQuotes) {
+  for (const char quote : {'"', '\''})
+    for (const std::size_t closing : {3U, 4U, 5U, 6U})
+      EXPECT_TRUE(refused(
+          Format::toml,
+          "id = " + std::string(3, quote) + 'a' + std::string(closing, quote) + "ä" + quote + '\n',
+          "", closing < 6 ? "non-ASCII" : "not TOML"))
+          << quote << closing;
+}
+
 TEST(WideNumbers, AreLeftAloneInKeysStringsAndComments) {
   const std::string rest = SceneText::good().remove("id").toml();
   EXPECT_EQ(read(Format::toml, "id = \"= 1e400\"\n" + rest).scene.value().id, "= 1e400");

@@ -2,6 +2,8 @@
 // The root over the whole range of the number type: nothing hangs, nothing is a silent NaN.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/judge.hpp"
 #include "tribo/load_sharing.hpp"
 
@@ -60,10 +62,18 @@ TEST(LoadSharingStress, AbsurdOffsetsGiveSharesBetweenZeroAndOne) {
 TEST(LoadSharingStress, InputsOutsideTheNumbersGiveWhatTheContractSays) {
   const double infinity = std::numeric_limits<double>::infinity();
   const LoadSharing<double> ordinary(AsperityModel::greenwood_tripp, 10.0, 1.0);
-  EXPECT_EQ(ordinary.solve(infinity).film_parameter, infinity);
+  using All = std::array<double, 4>;
+  const auto all = [](const auto& got) {
+    return All{static_cast<double>(got.film_parameter), static_cast<double>(got.asperity),
+               static_cast<double>(got.fluid), static_cast<double>(got.iterations)};
+  };
+  EXPECT_EQ(all(ordinary.solve(infinity)), (All{infinity, 0, 1, 0}));
   EXPECT_TRUE(std::isnan(ordinary.solve(std::nan("")).film_parameter));
   const LoadSharing<double> endless(AsperityModel::greenwood_tripp, infinity, 1.0);
-  EXPECT_EQ(endless.solve(1.0).film_parameter, infinity);
+  EXPECT_EQ(all(endless.solve(1.0)), (All{infinity, 1, 0, 0}));
+  const LoadSharing<long double> wide(AsperityModel::greenwood_tripp, infinity, 1.0L);
+  EXPECT_EQ(all(wide.solve(1.0L)), (All{infinity, 1, 0, 0}));
+  EXPECT_EQ(all(wide.solve(infinity)), (All{infinity, 0, 1, 0}));
   const LoadSharing<double> unknown(AsperityModel::greenwood_tripp, std::nan(""), 1.0);
   EXPECT_TRUE(std::isnan(unknown.solve(1.0).film_parameter));
   const LoadSharing<double> none(AsperityModel::greenwood_tripp, 0.0, 1.0);
