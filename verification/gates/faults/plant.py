@@ -53,6 +53,7 @@ LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
 # A sample of mutants may take so many seconds of processors, as its steps and tests took without a mutant; a file that a
 # cache compiled counts as the second number, and one that was not built before as the third.
 MOST_SECONDS, COMPILED_AT_LEAST, COMPILED_AT_MOST = 300, 5, 60
+NO_LAYER = 3  # exit code
 CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
 
 
@@ -244,6 +245,15 @@ class Above:
     def inside(self, *command):
         return run(["unshare", "--map-root-user", "--mount", "sh", "-c", self.MOUNT, "sh", ROOT, self.folder, *command],
                    env={**os.environ, "GTEST_FAIL_FAST": "1"})
+
+    def can_be(self):
+        """Whether this machine allows such a layer, which needs namespaces and overlays."""
+        for name in ("upper", "work"):
+            (self.folder / name).mkdir(parents=True)
+        try:
+            return self.inside("true").returncode == 0
+        finally:
+            shutil.rmtree(self.folder)
 
     @contextlib.contextmanager
     def planted(self, fault):
@@ -466,6 +476,10 @@ def main():
         tell(row)
 
     try:
+        if arguments.mutants is not None and not Above(folder / "probe").can_be():
+            print("plant.py: --mutants: this machine allows no layer above the built tree (unshare, mount -t overlay); "
+                  "faults of the catalogue can be planted, with --sample", file=sys.stderr)
+            return NO_LAYER
         if arguments.mutants is None:
             rows = plant(faults, arguments.workers, folder, keep)
         else:

@@ -156,13 +156,14 @@ class OfMutants(Tree):
         text = json.dumps({"samples": [{"mutants": [{**row, "verdict": "caught"}, {**row, "verdict": "survived"}, row]}]})
         one, = plant.caught_mutants(text)
         self.assertEqual(one | {"fault": ""}, FAULT | {"id": "m", "fault": ""})
-        for content, code in (("y = 1;\n", 0), ("y = 3;\n", 1)):
+        for content, has_layer, code in (("y = 1;\n", True, 0), ("y = 3;\n", True, 1), ("y = 1;\n", False, plant.NO_LAYER)):
             (self.folder / "formula.txt").write_text(content)
             (self.folder / "mutants.json").write_text(text)
             with mock.patch.object(plant, "MUTANTS", self.folder / "mutants.json"), mock.patch.object(plant, "commit", return_value="c"), \
                     mock.patch.object(plant.Above, "try_fault", lambda *_: "failed"), mock.patch.object(plant, "Built"), \
+                    mock.patch.object(plant.Above, "can_be", return_value=has_layer), \
                     mock.patch.object(sys, "argv", ["plant.py", "--mutants", "1", "--green", str(self.green)]), \
-                    contextlib.redirect_stdout(io.StringIO()):
+                    contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
                 self.assertEqual(plant.main(), code)
 
 
