@@ -25,8 +25,9 @@ using Bytes = std::vector<std::byte>;
 template <class T>
 void put(Bytes& to, const T& value) {
   static_assert(std::is_arithmetic_v<T>);
-  const auto* const first = reinterpret_cast<const std::byte*>(&value);
-  to.insert(to.end(), first, first + sizeof value);
+  const std::size_t before = to.size();
+  to.resize(before + sizeof value);  // g++ 12 warns of insert() without a reason
+  std::memcpy(to.data() + before, &value, sizeof value);
 }
 inline void put(Bytes& to, std::span<const std::byte> bytes) {
   put(to, static_cast<std::uint64_t>(bytes.size()));
