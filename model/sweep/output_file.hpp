@@ -141,7 +141,7 @@ class OutputLock {
   bool is_exclusive() const { return locking_ == Locking::locked; }
   // Notes some bytes in the place of what is noted. Throws std::runtime_error where that fails.
   void note(std::span<const std::byte> bytes) const;
-  // What is noted in OUTPUT.lock, by whoever holds it or was killed; empty: nothing.
+  // The note in OUTPUT.lock, of the process that holds it or was killed; empty where there is none.
   static Bytes noted(const std::string& output);
   // The file stays with what is noted, as if this process were killed.
   void leave() { file_ = Descriptor(); }

@@ -61,11 +61,11 @@ class Part {
     std::uint64_t checksum;
   };
 
-  // Of a file, whose checksum is looked at first. What HDF5 reads of it is read in a process of its
+  // The part in a file, whose checksum is looked at first. HDF5 reads the rest in a process of its
   // own (apart.hpp), for somebody may have forged it. Throws std::runtime_error, with a text that
   // names the file, where it is no whole part; Stopped once stopped() is true.
   explicit Part(const std::string& path, const std::function<bool()>& stopped = {});
-  // Of a short sweep, which writes none.
+  // The part of a short sweep, which writes no file of it.
   Part(PartHeader header, ChunksInMemory chunks);
 
   const std::string& path() const { return path_; }  // empty: in memory

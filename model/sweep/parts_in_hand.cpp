@@ -48,7 +48,7 @@ double numbers_of_chunk(const SceneSweep& scene) {
   return cases * static_cast<double>(kept) + static_cast<double>(scene.width()) * of_column;
 }
 
-// What a chunk of a scene, or several chunks, or at most a part costs.
+// The cost of a chunk of a scene, of several chunks, or the most that a part may cost.
 struct Cost {
   double seconds, numbers;
 };
@@ -70,7 +70,7 @@ std::size_t chunks_asked_for() {
 
 // --- Files.
 
-// What stands behind BEGINNING and the output's name in the names of the files beside it.
+// The rest of the names of files beside the output that begin with BEGINNING and the output's name.
 std::vector<std::string> endings_beside(const std::string& output, const std::string& beginning) {
   const std::string start = beginning + fs::path(output).filename().string();
   std::vector<std::string> endings;

@@ -41,8 +41,8 @@ std::string difference(const PartHeader& mine, const PartHeader& theirs, bool an
 
 constexpr Shard no_shard{0, 0};
 
-// What the owner of an output computes, as its lock's file says. A process that was killed leaves
-// it.
+// The sweep that the owner of an output computes, as its lock's file says. A process that was
+// killed leaves the file.
 struct OwnersNote {
   PartHeader header;  // without files
   Shard shard;        // or no_shard
@@ -364,7 +364,8 @@ class Run {
   }
 
  private:
-  // What a step on this rank throws, null if nothing. Of several ranks, this one tells it at once.
+  // The exception of a step on this rank, or null. Where there are several ranks, this one tells it
+  // at once.
   template <class Step>
   std::exception_ptr failure_of(Step&& step) const {
     try {

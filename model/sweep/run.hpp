@@ -40,7 +40,7 @@ struct RunSettings {
   bool mixed_fma = false;  // go on with those of another arithmetic
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
-  // Of several ranks, on the one that fails: says why at once, for the others may go on for long.
+  // Says at once, on the rank that fails, why it fails, for the other ranks may go on for long.
   std::function<void(std::string_view)> failed;
   std::function<bool()> stopped;  // to end early, with what is computed kept
   // On rank 0 once the result has its name, and before another process can replace it; with the

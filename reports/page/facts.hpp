@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the groups of report.json are made of by Python (groups/report.py), where no command says
-// it. Each function throws std::exception where it cannot be made: the page says why in place of
+// Facts of which Python makes the groups of report.json (groups/report.py), where no command says
+// them. Each function throws std::exception where it cannot be made: the page says why in place of
 // the group.
 #pragma once
 

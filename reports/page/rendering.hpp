@@ -22,9 +22,9 @@ struct Rendering {
 Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments);
 
-// What groups/report.py says of the data that it has made as `request` asks. Throws ReportError
-// where that refuses the request, and protocol::OutputFailed where the data cannot be made or
-// written.
+// The answer of groups/report.py about the data that it has made as `request` asks. Throws
+// ReportError where that refuses the request, and protocol::OutputFailed where the data cannot be
+// made or written.
 nlohmann::json make_data(const ReportPlaces& places, const std::string& request);
 
 // The page of places.out/report.json.

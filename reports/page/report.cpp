@@ -47,7 +47,7 @@ bool is_needed(const FactsMaker& maker, const std::vector<std::string>& sections
          });
 }
 
-// What the groups of report.json are made of by Python, or why it is missing.
+// The facts of which Python makes the groups of report.json, or why they are missing.
 Json facts_json(const ReportPlaces& places, const std::vector<Case>& cases,
                 const std::vector<std::string>& sections, const Progress& progress) {
   Json facts = Json::object();

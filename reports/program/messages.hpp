@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a command tells: the stream of its results, which is that of the protocol's answers, lines
-// on stderr, and its exit code. Bad input is one line for each thing that is wrong, and an exit
-// code of its own.
+// All that a command tells: the stream of its results, which is that of the protocol's answers,
+// lines on stderr, and its exit code. Bad input is one line for each thing that is wrong, and an
+// exit code of its own.
 #pragma once
 
 #include <stdexcept>

@@ -23,7 +23,7 @@ struct Evidence {
   std::string decided_by;
 };
 
-// Of the rough surface, computed as printed and as corrected.
+// The rough surface's share, computed as printed and as corrected.
 Evidence slow_share(double printed, double right) {
   return {"asperity share at the lowest speed, rough surface", printed, right, "C4: 0.82"};
 }

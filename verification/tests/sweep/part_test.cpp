@@ -415,8 +415,8 @@ TEST(PartsInHand, KeepsChunksWhileAThreadLooksForParts) {
   EXPECT_EQ(parts_of(folder.file("out")).size(), 1U);
 }
 
-// What a killed process has not given its name is removed; what belongs to a part that somebody
-// computes, and what is no file of ours, is not.
+// A file to which a killed process has not given its name is removed; a file of a part that
+// somebody computes, and a file that is not ours, are not.
 TEST(PartsInHand, LeavesWhatIsInUseWhereBegunFilesAreRemoved) {
   const TemporaryFolder folder;
   Process process(folder);
