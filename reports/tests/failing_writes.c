@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Preloaded into the program by test_sweep_writes.py and test_sweep_ranks.py: has one call fail by which a file is changed, the
    FAILING_CALL-th of those on files whose paths begin with FAILING_PATH (the name may have a dot in front), or all from that one on where
-   FAILING_ON is set. Writes to FAILING_COUNT how many calls there were, and which failed
-   last. */
+   FAILING_ON is set. Writes to FAILING_COUNT how many calls there were, which failed last, and a letter for each call:
+   w for a write, o for another. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -16,6 +16,7 @@
 
 static int calls;
 static const char* failed = "none";
+static char kinds[1 << 16];
 
 static int has_watched_start(const char* path) {
   const char* const start = getenv("FAILING_PATH");
@@ -57,6 +58,7 @@ static int is_watched_in(int folder, const char* name) {
 static int fails(int watched, const char* name) {
   if (!watched) return 0;
   const int call = __atomic_add_fetch(&calls, 1, __ATOMIC_SEQ_CST);
+  if ((size_t)call < sizeof kinds) kinds[call - 1] = strstr(name, "write") != NULL ? 'w' : 'o';
   const char* const wanted = getenv("FAILING_CALL");
   const int failing = wanted == NULL ? 0 : atoi(wanted);
   if (failing == 0 || call < failing || (call > failing && getenv("FAILING_ON") == NULL)) return 0;
@@ -69,7 +71,7 @@ __attribute__((destructor)) static void tell(void) {
   const char* const path = getenv("FAILING_COUNT");
   FILE* const file = path == NULL ? NULL : fopen(path, "w");
   if (file == NULL) return;
-  fprintf(file, "%d %s\n", calls, failed);
+  fprintf(file, "%d %s %s\n", calls, failed, kinds);
   fclose(file);
 }
 
