@@ -81,9 +81,9 @@ std::string sentence(std::string_view field, const Fault& fault) {
   if (fault.rule == Fault::reach)
     text += "; " + std::string(last_part(field)) + " must be " + fault.allowed;
   text += fault.what;
-  if (fault.rule == Fault::name && !fault.value.empty()) text += " (" + fault.value + ")";
+  if (fault.rule == Fault::unknown && !fault.value.empty()) text += " (" + fault.value + ")";
   if (fault.rule != Fault::reach && !fault.allowed.empty())
-    text += (fault.rule == Fault::name ? "; known here: " : "; allowed: ") + fault.allowed;
+    text += (fault.rule == Fault::unknown ? "; known here: " : "; allowed: ") + fault.allowed;
   if (!fault.nearest.empty()) text += "; did you mean " + fault.nearest + "?";
   return text;
 }

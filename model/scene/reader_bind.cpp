@@ -101,7 +101,7 @@ class SceneBinder {
     const bool table = entry.value.kind == ValueKind::table;
     const bool on_top = section_of(entry.path).empty();
     const std::string_view nearest = nearest_name(entry.path, on_top, !table);
-    problems_.error(entry.path, {Fault::name, value_text(entry.value), table ? "table" : "field",
+    problems_.error(entry.path, {Fault::unknown, value_text(entry.value), table ? "table" : "field",
                                  nearest.empty() ? names_in(section_of(entry.path)) : "",
                                  std::string(nearest)});
     explain(nearest);

@@ -31,8 +31,8 @@ TableReader::TableReader(std::string path, std::span<const Entry> entries,
   for (const Entry& entry : entries_) {
     if (std::find(names.begin(), names.end(), entry.path) != names.end()) continue;
     const std::string_view nearest = scene_detail::nearest_choice(entry.path, names);
-    refuse(entry.path,
-           {Fault::name, "", "field", nearest.empty() ? list_of(names) : "", std::string(nearest)});
+    refuse(entry.path, {Fault::unknown, "", "field", nearest.empty() ? list_of(names) : "",
+                        std::string(nearest)});
   }
 }
 

@@ -53,7 +53,7 @@ std::span<const FieldGroup> scene_field_groups();
 struct Fault {
   enum Rule : std::uint8_t {
     other,        // what: the fault in words
-    name,         // a field or table that is not known; what: "field" or "table"
+    unknown,      // a field or table that is not known; what: "field" or "table"
     once,         // a field that is given twice
     presence,     // a field that is missing; what: why it is needed
     absence,      // a field beside another one; what: that one
@@ -74,7 +74,7 @@ struct Fault {
   Rule rule = other;
   std::string value = {};    // as messages show it; empty: a list or a table, or nothing
   std::string what = {};     // what the rule says more
-  std::string allowed = {};  // of a name: the known ones
+  std::string allowed = {};  // of an unknown one: the known ones
   std::string nearest = {};  // the known name or word that is probably meant
   std::string where = {};    // under which circumstances, before all the rest
 };
