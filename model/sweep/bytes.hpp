@@ -149,6 +149,7 @@ class Receiver {
   void one(std::vector<T>& list) {
     if constexpr (is_in_one_piece<T>) {
       const std::span<const std::byte> bytes = from_.take_bytes();
+      if (bytes.size() % sizeof(T) != 0) throw std::runtime_error("a list ends within a number");
       list.resize(bytes.size() / sizeof(T));
       if (!list.empty()) std::memcpy(list.data(), bytes.data(), list.size() * sizeof(T));
     } else {

@@ -6,6 +6,7 @@ import csv
 import itertools
 import json
 import math
+import statistics
 import typing
 
 import contour_labels
@@ -179,10 +180,6 @@ def films_of(program, folder):
 
 # --- How far off the formulas, the solved films and the maps are.
 
-def median(values):
-    return sorted(values)[len(values) // 2]
-
-
 def place_of(error, at):
     return {"error": error, "load_number": at.load, "material_number": at.material}
 
@@ -195,16 +192,16 @@ def formula_data(formula, films):
     numbers = films.formula(formula.name, [(one.load, one.material) for one in table])
     errors = [number / one.of(formula) - 1 for number, one in zip(numbers, table)]
     return {"name": formula.name, "authors": formula.authors, "quantity": formula.quantity, "liquid": formula.liquid,
-            "points": len(errors), "least": place_of(*min(zip(errors, table))), "median": median(errors),
+            "points": len(errors), "least": place_of(*min(zip(errors, table))), "median": statistics.median_high(errors),
             "greatest": place_of(*max(zip(errors, table))),
-            "median_size": median([abs(error) for error in errors])}
+            "median_size": statistics.median_high([abs(error) for error in errors])}
 
 
 def solved_data(table):
     """The relative errors that the table states for its films."""
     errors = [(error / film, one) for one in table for film, error in zip(one.film, one.error)]
     return {"films": len(errors), "within_1e_4": sum(error <= 1e-4 for error, _ in errors),
-            "median": median([error for error, _ in errors]), "greatest": place_of(*max(errors, key=lambda one: one[0]))}
+            "median": statistics.median_high([error for error, _ in errors]), "greatest": place_of(*max(errors, key=lambda one: one[0]))}
 
 
 def interpolation_data(barus, compressible):

@@ -51,6 +51,20 @@ TEST(Chunk, IsRefusedWithMoreBehindIt) {
   EXPECT_EQ(is_refused(bytes), true);
 }
 
+TEST(Chunk, HasNoListThatEndsWithinANumber) {
+  for (const std::size_t size : {0, 7, 8, 9, 16}) {
+    Bytes bytes;
+    put(bytes, std::span<const std::byte>(Bytes(size)));
+    std::vector<double> list;
+    if (size % sizeof(double) == 0) {
+      Receiver{bytes}(list);
+      EXPECT_EQ(list.size(), size / sizeof(double));
+    } else {
+      EXPECT_THROW(Receiver{bytes}(list), std::runtime_error) << size;
+    }
+  }
+}
+
 // The checksums of parts are there to find damage; here it must only do no harm.
 TEST(Chunk, OfDamagedBytesIsRefusedOrReadWithoutHarm) {
   const Bytes bytes = with_everything().bytes();
