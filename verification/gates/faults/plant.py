@@ -54,6 +54,8 @@ LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
 # cache compiled counts as the second number, and one that was not built before as the third.
 MOST_SECONDS, COMPILED_AT_LEAST, COMPILED_AT_MOST = 300, 5, 60
 NO_LAYER = 3  # exit code
+# The instruction sets that the kernels are compiled for, the best one first, with what the C library has to switch off so that they run.
+INSTRUCTION_SETS = {"HWY_AVX3": "", "HWY_AVX2": "-AVX512F", "HWY_SSE4": "-AVX512F,-AVX2,-FMA"}
 CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
 
 
@@ -97,6 +99,46 @@ def stale(fault):
         return f"{fault['file']} is not there"
     times = path.read_text().count(fault["find"])
     return None if times == 1 else f"its text stands {times} times in {fault['file']}"
+
+
+def runs_on(text, place, instruction_set):
+    """Whether the text at the place is compiled for the instruction set, as far as the lines #if, #elif and #else before it say."""
+    def holds(condition):
+        if not re.search("HWY_TARGET [!=]=|HWY_NATIVE_FMA", condition):
+            return True
+        terms = [term.strip() for term in condition.split("||")]
+        return any(term in (f"HWY_TARGET == {instruction_set}", "HWY_NATIVE_FMA" if instruction_set != "HWY_SSE4" else "")
+                   or re.fullmatch(rf"HWY_TARGET != (?!{instruction_set}$)\w+", term) for term in terms)
+
+    open_ones = []  # whether a branch was taken before, and whether this one is
+    for line in text[:place].splitlines():
+        word, _, rest = line.removeprefix("#").partition(" ") if line.startswith("#") else ("", "", "")
+        if word in ("if", "ifdef", "ifndef"):
+            open_ones.append((False, holds(rest)))
+        elif word in ("elif", "else"):
+            before = any(open_ones.pop())
+            open_ones.append((before, not before and holds(rest)))
+        elif word == "endif":
+            open_ones.pop()
+    return all(is_taken for _, is_taken in open_ones)
+
+
+@functools.cache
+def instruction_sets_here():
+    """Those that this machine has, the best one first."""
+    flags = next((line.split() for line in open("/proc/cpuinfo") if line.startswith("flags")), [])
+    needs = {"HWY_AVX3": {"avx512f", "avx2", "fma"}, "HWY_AVX2": {"avx2", "fma"}, "HWY_SSE4": set()}
+    return [one for one in INSTRUCTION_SETS if needs[one] <= set(flags)]
+
+
+def instruction_set_for(fault):
+    """The best instruction set of this machine that runs the text of the fault, or None where it has none."""
+    text = (ROOT / fault["file"]).read_text()
+    if not fault["file"].endswith("-inl.hpp"):
+        return instruction_sets_here()[0]
+    # The text around the change may begin before a line of the preprocessor; the change itself is what counts.
+    begin = text.index(fault["find"]) + len(os.path.commonprefix([fault["find"], fault["replace"]]))
+    return next((one for one in instruction_sets_here() if runs_on(text, begin, one)), None)
 
 
 def test_of(check):
@@ -241,10 +283,12 @@ class Above:
 
     def __init__(self, folder):
         self.folder = folder
+        self.switched_off = ""
 
     def inside(self, *command):
+        tunables = {"GLIBC_TUNABLES": f"glibc.cpu.hwcaps={self.switched_off}"} if self.switched_off else {}
         return run(["unshare", "--map-root-user", "--mount", "sh", "-c", self.MOUNT, "sh", ROOT, self.folder, *command],
-                   env={**os.environ, "GTEST_FAIL_FAST": "1"})
+                   env={**os.environ, "GTEST_FAIL_FAST": "1", **tunables})
 
     def can_be(self):
         """Whether this machine allows such a layer, which needs namespaces and overlays."""
@@ -281,7 +325,8 @@ class Above:
         return "green" if done.returncode == 0 else "hung" if "***Timeout" in done.stdout else "red", done.stdout
 
     def try_fault(self, fault):
-        """The verdict of the check. Raises Red where the mutant was not caught."""
+        """The verdict of the check, on the best instruction set that runs the text. Raises Red where the mutant was not caught."""
+        self.switched_off = INSTRUCTION_SETS[instruction_set_for(fault)]
         with self.planted(fault):
             if is_compiled(fault) and self.make(targets_above(fault)).returncode != 0:
                 raise Red("does not build")
@@ -440,8 +485,9 @@ def main():
             for fault in faults if test_of(fault["check"]) not in green]
     if arguments.mutants is not None:  # what changed since it was caught says nothing of today's tests
         gone = {line.split(":")[0] for line in red}
-        faults = [fault for fault in faults if fault["id"] not in gone]
-        print(f"{len(catalogue) - len(faults)} of {len(catalogue)} caught mutants do not apply to today's text, or their check is not there")
+        faults = [fault for fault in faults if fault["id"] not in gone and instruction_set_for(fault) is not None]
+        print(f"{len(catalogue) - len(faults)} of {len(catalogue)} caught mutants do not apply to today's text, their check is not there, "
+              "or this machine has no instruction set that runs them")
         red = [] if len(faults) >= arguments.mutants else [f"{len(faults)} mutants apply, {arguments.mutants} are wanted: "
                                                            "draw a new sample (make mutants)"]
     for fault in faults:

@@ -167,6 +167,49 @@ class OfMutants(Tree):
                 self.assertEqual(plant.main(), code)
 
 
+class InstructionSets(unittest.TestCase):
+    """A kernel's text that one instruction set has for itself is met on that one."""
+    TEXT = """#if defined(X) == defined(HWY_TARGET_TOGGLE)
+#else
+#endif
+all
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+avx512
+#elif HWY_TARGET == HWY_AVX2
+avx2
+#else
+plain
+#endif
+#if HWY_TARGET != HWY_SCALAR
+vector
+#endif
+#if HWY_NATIVE_FMA
+fused
+#else
+apart
+#endif
+"""
+    RUN_ON = {"all": "325", "avx512": "3", "avx2": "2", "plain": "5", "vector": "325", "fused": "32", "apart": "5"}
+    NAMES = {"3": "HWY_AVX3", "2": "HWY_AVX2", "5": "HWY_SSE4"}
+
+    def test_a_text_is_run_where_its_branch_is_taken(self):
+        for word, sets in self.RUN_ON.items():
+            for short, name in self.NAMES.items():
+                self.assertEqual(plant.runs_on(self.TEXT, self.TEXT.index(f"\n{word}\n") + 1, name), short in sets, (word, name))
+
+    def test_the_best_set_that_the_machine_has_is_asked(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(plant, "ROOT", pathlib.Path(folder)):
+            (plant.ROOT / "a-inl.hpp").write_text(self.TEXT)
+            (plant.ROOT / "a.hpp").write_text(self.TEXT)
+            for here in ("325", "25", "5"):
+                for word, sets in self.RUN_ON.items():
+                    mutant = {"file": "a-inl.hpp", "find": f"\n{word}\n", "replace": f"\n{word[:1]}!\n"}
+                    with mock.patch.object(plant, "instruction_sets_here", lambda here=here: [self.NAMES[one] for one in here]):
+                        best = next((self.NAMES[one] for one in here if one in sets), None)
+                        self.assertEqual(plant.instruction_set_for(mutant), best, (here, word))
+                        self.assertEqual(plant.instruction_set_for(mutant | {"file": "a.hpp"}), self.NAMES[here[0]])
+
+
 class Try(Tree):
     def test_the_file_is_whole_again_whatever_comes_of_it(self):
         scratch = plant.Scratch.__new__(plant.Scratch)
