@@ -60,6 +60,8 @@ def perturbed(report, seed):
     made = changed(report, draw, {name: sorted({value for key, value in named(report) if key == name and value}) for name in WORDS})
     made["not_run"] = made["not_run"] or [{"what": "What the page asked for", "why": "it was not there", "how_to": "`make it`,"}]
     made["planted_faults"]["catalogue"] = len(made["planted_faults"]["faults"]) + seed - 1
+    for one in made["mutants"]["rooms"]:
+        one["ran"] = draw.randint(0, one["drawn"]) if seed == 2 else one["drawn"]
     for one in made["ledger"]["arguments"]:
         one["agreeing"] = sum(way["agrees"] for way in one["candidates"])
     software = [one for one in made["findings"] if one["about"] == "software"]

@@ -211,6 +211,12 @@ def software(report):
     yield (f"{stress['held']} of {len(stress['outputs'])} outputs keep their declared accuracy at {many(stress['points'])} random points; the worst error "
            f"takes {percent(stress['worst_part_of_bound'])} of its bound. {measured(stress)}.")
     yield f"{many(stress['points'])} random points, seed {stress['seed']}: scenes as they are built, and scenes far beyond. {provenance(stress)}"
+    random, waiting = report["mutants"], sum(one["drawn"] - one["ran"] for one in report["mutants"]["rooms"])
+    end = f"{many(waiting)} more wait for slow tests." if waiting else "All goals are reached." if random["goals_reached"] else "A goal is missed."
+    share = (f"the tests notice {many(random['noticed'])} of {many(random['of'])} wrong changes that were drawn at random: with 95 % confidence between "
+             f"{percent(random['low'])} and {percent(random['high'])} of all such changes.")
+    yield f"Random changes: {share if random['of'] else 'no part of the project has a score yet.'} {end} {measured(random)}"
+    yield f"The tests should turn red at each change. {provenance(random)}"
     yield f"Planted faults: {faults['caught']} of {len(faults['faults'])} faults that were planted in the formulas"
     more = f"The catalogue has {faults['catalogue']} faults; the others"
     yield more if faults["catalogue"] > len(faults["faults"]) else ("not", more)
@@ -267,7 +273,7 @@ def software(report):
     standings = [one["standing"] for one in report["findings"] if one["about"] == "software"]
     fails, late = standings.count("fails"), standings.count("missed")
     yield ({0: "Software checks pass", 1: "A software check fails"}.get(fails, f"{fails} software checks fail") +
-           {0: "", 1: "; one speed target is missed"}.get(late, f"; {late} speed targets are missed") + ".")
+           {0: "", 1: "; one target is missed"}.get(late, f"; {late} targets are missed") + ".")
 
 
 def promised(report):

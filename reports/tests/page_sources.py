@@ -32,6 +32,13 @@ def planted_faults(base):
     return run_of(base) | {"catalogue": base["catalogue"], "caught": sum(one["caught"] for one in faults), "faults": faults}
 
 
+def mutants(base):
+    score = base["score"]
+    rooms = [of(one, "room", "drawn", "ran", "caught", "hung", "survived", "not_reached", "equivalent", "goal", "low", "high", "score",
+                "with_equivalents") for one in score["rooms"]]
+    return run_of(base) | of(score, "noticed", "of", "low", "high", "goals_reached", "unnoticed") | {"rooms": rooms}
+
+
 def diagnosis(base):
     solvers = [of(one, "function", "said", "fakes", "named") for one in base["wrong_solvers"]]
     return run_of(base) | {"right_solvers": of(base["right_solvers"], "tries", "accused"), "wrong_solvers": solvers,
@@ -104,7 +111,7 @@ def work_precision(base):
 
 def promised(bases):
     """Each group by its name in report.json; `bases` reads a file of reference/baselines by its stem."""
-    made = {name: globals()[name](bases(name)) for name in ("stress", "planted_faults", "diagnosis", "work_precision")}
+    made = {name: globals()[name](bases(name)) for name in ("stress", "mutants", "planted_faults", "diagnosis", "work_precision")}
     return made | {"gates": gates(bases("gates"), bases("performance")), "sweep_speed": sweep_speed(bases("sweep"))}
 
 

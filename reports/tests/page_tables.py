@@ -419,6 +419,21 @@ def worst_inputs(report):
             for one in outputs if one["worst_point"] is not None])
 
 
+def mutants(report):
+    found = report["mutants"]
+    yield ("Random changes in each part of the project",
+           ["part", "drawn", "caught", "hung", "survived", "not reached", "change nothing", "wait", "score", "95 % interval",
+            "score, if those that change nothing survive", "goal"],
+           [[one["room"], *(str(one[name]) for name in ("drawn", "caught", "hung", "survived", "not_reached", "equivalent")),
+             str(one["drawn"] - one["ran"]), DASH if one["score"] is None else percent(one["score"]),
+             DASH if one["score"] is None else f"{percent(one['low'])} to {percent(one['high'])}",
+             DASH if one["with_equivalents"] is None else percent(one["with_equivalents"]), percent(one["goal"])] for one in found["rooms"]])
+    yield ("Random changes that no test noticed",
+           ["part", "place", "kind of change", "text", "in its place", "verdict", "why it changes nothing, or the check that notices it since"],
+           [[*(one[name] for name in ("room", "place", "operator", "original", "replacement", "verdict")), one["since"] or one["reason"]]
+            for one in found["unnoticed"]])
+
+
 def planted_faults(report):
     yield ("Faults planted in the tree, and the check that caught each", ["id", "fault", "verdict", "check", "in", "time, s"],
            [[one["id"], one["fault"], "caught" if one["caught"] else f"SURVIVED: {one['said']}", one["check"], one["file"],
@@ -492,7 +507,7 @@ def not_run(report):
 
 
 SECTIONS = (first, comparison, claims, readings, requirements, uncertainty, misprints, model, contacts, film_solved, verification,
-            worst_inputs, planted_faults, diagnosis, work_precision, skipped_work, gates, sweep_speed, environment, not_run)
+            worst_inputs, mutants, planted_faults, diagnosis, work_precision, skipped_work, gates, sweep_speed, environment, not_run)
 
 
 def promised(report):

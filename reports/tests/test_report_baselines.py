@@ -18,14 +18,15 @@ from report_files import FIGURES, FITS_FIGURES, ROOT, PageReader, report
 class Baselines(unittest.TestCase):
     """A project of its own, whose reference/exact and reference/baselines are as a test leaves them."""
     FILES = {"accuracy.json": "verification", "stress.json": "worst-inputs",
-             "planted_faults.json": "planted-faults", "diagnosis.json": "diagnosis",
+             "mutants.json": "mutants", "planted_faults.json": "planted-faults", "diagnosis.json": "diagnosis",
              "work_precision.json": "work-precision",
              "performance.json": "gates", "gates.json": "gates",
              "sweep.json": "sweep-speed"}
     GROUPS = {"accuracy.json": "certified", "performance.json": "gates", "sweep.json": "sweep_speed"} | {
-        f"{name}.json": name for name in ("stress", "planted_faults", "diagnosis", "work_precision", "gates")}
+        f"{name}.json": name for name in ("stress", "mutants", "planted_faults", "diagnosis", "work_precision", "gates")}
     TITLES = {"verification": "Accuracy, quantity by quantity",
-              "worst-inputs": "Accuracy at random inputs", "planted-faults": "Planted faults: do the checks find errors?",
+              "worst-inputs": "Accuracy at random inputs", "mutants": "Random changes: how many do the tests notice?",
+              "planted-faults": "Planted faults: do the checks find errors?",
               "diagnosis": "Wrong solvers: are their mistakes named?",
               "work-precision": "Run time against error", "gates": "Checks of run time",
               "sweep-speed": "Run time of sweeps over many inputs"}
@@ -42,6 +43,12 @@ class Baselines(unittest.TestCase):
         path = self.project / "reference/baselines/planted_faults.json"
         ledger = json.loads(path.read_text())
         path.write_text(json.dumps(ledger | {"catalogue": len(ledger["faults"])}))
+        # A sample of mutants grows by parts of an hour.
+        path = self.project / "reference/baselines/mutants.json"
+        ledger = json.loads(path.read_text())
+        for one in ledger["score"]["rooms"]:
+            one["ran"] = one["drawn"]
+        path.write_text(json.dumps({**ledger, "samples": []}))
         (self.project / "empty").mkdir()
 
     def page(self, sections=None):
@@ -214,6 +221,15 @@ class Baselines(unittest.TestCase):
         self.changed("planted_faults.json", more)
         self.page()
         self.assertEqual([row[0] for row in self.missing], ["planted faults"])
+
+    def test_mutants_that_wait_are_said_to_and_a_goal_is_reached_or_missed(self):
+        for is_reached, standing in ((True, "holds"), (False, "missed")):
+            self.changed("mutants.json", lambda content: content["score"].update(goals_reached=is_reached))
+            self.assertEqual(self.standing_of("mutants")[0], standing)
+            self.assertEqual(self.missing, [])
+        self.changed("mutants.json", lambda content: content["score"]["rooms"][1].update(drawn=content["score"]["rooms"][1]["ran"] + 7))
+        self.assertIn(" 7 more wait for slow tests.", self.standing_of("mutants")[1])
+        self.assertEqual([row[:2] for row in self.missing], [["random changes", "7 of those that were drawn wait for slow tests"]])
 
     def test_a_gate_that_was_not_held_did_not_run(self):
         path = self.project / "reference/baselines/gates.json"

@@ -15,7 +15,7 @@ from report_files import ROOT, report
 
 WORD = ("=<script>alert(1)</script><img src=x onerror=alert(2)>\x1b[31m\u009b1m\u202e & &lt;b&gt; | `c` ~d~ ^e^ [f](javascript:g) "
         "![h](http://x.example/i) {/Symbol j}_k^l@m {{ 7*7 }} {% x %} \" ' \\ $(n)\n# o\n\n<h1>p</h1>\n\n```\n")
-SECTIONS = ["verification", "worst-inputs", "planted-faults", "diagnosis", "work-precision", "gates", "sweep-speed",
+SECTIONS = ["verification", "worst-inputs", "mutants", "planted-faults", "diagnosis", "work-precision", "gates", "sweep-speed",
             "environment"]
 CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 

@@ -62,6 +62,7 @@ GROUPS = {
     "certified": Maker(verification.certified, "The checkout's folder `reference/exact`, or `make references`,",
                        "holding the model to the certified tables"),
     "stress": Maker(verification.stress, "`make stress`"),
+    "mutants": Maker(verification.mutants, "`make mutants`"),
     "planted_faults": Maker(verification.planted_faults, "`make faults`"),
     "diagnosis": Maker(verification.diagnosis, "`make diagnosis`"),
     "work_precision": Maker(work_precision.work_precision, "`make work-precision`"),

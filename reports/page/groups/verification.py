@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Certified values, random points, planted faults and wrong solvers: each is held, or a promise is broken."""
+"""Certified values, random points, planted faults and wrong solvers: each is held, or a promise is broken; random changes have a goal."""
 from baselines import copied, count, flag, from_baseline, number, number_or_none, part, run_of, text, texts
-from group import Group, not_run, promise
+from group import Group, finding, not_run, promise
 
 
 def held_quantity(answer):
@@ -54,6 +54,26 @@ def planted(baseline):
                  left_out if catalogue > len(faults) else [])
 
 
+def room_of_mutants(row):
+    return (copied(row, text, "room") | copied(row, count, "drawn", "ran", "caught", "hung", "survived", "not_reached", "equivalent") |
+            copied(row, number, "goal", "low", "high") | copied(row, number_or_none, "score", "with_equivalents"))
+
+
+def noticed(baseline):
+    """How many random changes the tests notice, by the last sample of each part of the project."""
+    score = baseline["score"]
+    data = copied(score, count, "noticed", "of") | copied(score, number, "low", "high") | copied(score, flag, "goals_reached")
+    data |= {"rooms": [room_of_mutants(row) for row in score["rooms"]],
+             "unnoticed": [copied(row, text, "id", "room", "operator", "place", "original", "replacement", "verdict", "reason", "since")
+                           for row in score["unnoticed"]]}
+    waiting = sum(row["drawn"] - row["ran"] for row in data["rooms"])
+    left_out = [not_run("random changes", f"{waiting} of those that were drawn wait for slow tests", "`make mutants`")]
+    found = finding("mutants", "mutants", "software", "holds")
+    if not data["goals_reached"]:
+        found = finding("mutants", "mutants", "software", "missed", f"a goal is missed; {waiting} changes wait for slow tests.")
+    return Group(run_of(baseline) | data, [found], left_out if waiting else [])
+
+
 def diagnosed(baseline):
     """Answers of `verify --subject` on wrong solvers, and whether it accused right ones."""
     solvers = [copied(one, text, "function", "said") | copied(one, texts, "fakes") | copied(one, flag, "named")
@@ -82,3 +102,7 @@ def planted_faults(asked):
 
 def diagnosis(asked):
     return from_baseline(asked.places, "diagnosis.json", diagnosed)
+
+
+def mutants(asked):
+    return from_baseline(asked.places, "mutants.json", noticed)

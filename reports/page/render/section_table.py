@@ -24,6 +24,7 @@ SECTIONS = {
     "film-solved": Section("The film solved, and what formulas are worth", ("line_films",), True),
     "verification": Section("Accuracy, quantity by quantity", ("certified",), True),
     "worst-inputs": Section("Accuracy at random inputs", ("stress",), True),
+    "mutants": Section("Random changes: how many do the tests notice?", ("mutants",), True),
     "planted-faults": Section("Planted faults: do the checks find errors?", ("planted_faults",), True),
     "diagnosis": Section("Wrong solvers: are their mistakes named?", ("diagnosis",), True),
     "work-precision": Section("Run time against error", ("work_precision", "ellipse_fits"), further=("ellipse-fits",)),
