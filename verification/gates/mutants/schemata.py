@@ -8,7 +8,7 @@ import sys
 
 SWITCH = pathlib.Path(__file__).with_name("switch.hpp")
 NUMBER = re.compile(r"tribocheck_mutants::\w+(?:<[^()]*?>)?\((\d+)")
-PLACE = re.compile(r"^(?:In file included from |\s+from )?(/[^:\n]+):(\d+)[:,]", re.MULTILINE)
+PLACE = re.compile(r"^(?:In file included from |\s+from )?([/.][^:\s]+):(\d+)[:,]", re.MULTILINE)
 LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
 
 
@@ -56,22 +56,26 @@ class Copy:
             return set()
         found = set()
         for output in re.split(r"^FAILED: ", done.stdout, flags=re.MULTILINE)[1:]:
-            mine = self.blamed(re.findall(r"^(/[^:\n]+):(\d+):(?:\d+:)? (?:fatal )?error", output, re.MULTILINE), 0)
+            mine = self.blamed(re.findall(r"^([/.][^:\s]+):(\d+):(?:\d+:)? (?:fatal )?error", output, re.MULTILINE), 0)
             found |= mine or self.blamed(PLACE.findall(output), 3) or self.no_constants(PLACE.findall(output))
         if not found:
             sys.exit("the copy does not build, and no mutant is to blame:\n" + done.stdout[-3000:])
         return found
 
+    def path_of(self, file):
+        """A file that the compiler names: a cache of compilers names it from the folder of the build."""
+        return (self.build / file).resolve()
+
     def no_constants(self, lines):
         """Mutants that made a constexpr variable of these files a const one, which something else needs while compiling."""
-        texts = [path.read_text() for path in {pathlib.Path(file).resolve() for file, _ in lines} if self.tree in path.parents]
+        texts = [path.read_text() for path in {self.path_of(file) for file, _ in lines} if self.tree in path.parents]
         return {int(number) for text in texts for number in re.findall(r"::late_\w+(?:<[^()]*?>)?\((\d+)", text)}
 
     def blamed(self, lines, around):
         """Mutants that stand on the lines told of, or near them."""
         found = set()
         for file, line in lines:
-            path = pathlib.Path(file).resolve()
+            path = self.path_of(file)
             if self.tree in path.parents:
                 text = path.read_text().splitlines()
                 for reach in range(around + 3):

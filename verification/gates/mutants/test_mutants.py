@@ -104,6 +104,17 @@ class Cpp(Folder):
         self.assertNotEqual(self.says(TRIBOCHECK_MUTANT="7,0"), "3 4 10")
 
 
+class Build(Folder):
+    def test_what_does_not_compile_is_blamed_whether_its_place_is_told_from_the_root_or_from_the_build(self):
+        copy = schemata.Copy(self.folder, self.folder / "tree", self.folder / "tree/build/release")
+        copy.build.mkdir(parents=True)
+        (copy.tree / "a.cpp").write_text("int a;\nint b = tribocheck_mutants::value<int>(7, 1, 2);\n")
+        for place in (str(copy.tree / "a.cpp"), "../../a.cpp"):
+            said = f"[1/2] x\nFAILED: a.o\n{place}:2:9: error: not usable in a constant expression\n"
+            with unittest.mock.patch.object(subprocess, "run", return_value=subprocess.CompletedProcess([], 1, said)):
+                self.assertEqual(copy.failing(), {7}, place)
+
+
 class Texts(unittest.TestCase):
     def changes(self, reader, text):
         return {(one["operator"], text.encode()[one["begin"]:one["end"]].decode(), one["replacement"]) for one in reader("x", text)}
