@@ -10,7 +10,6 @@
 
 #include "contenders/dense_line_film.hpp"
 #include "ehl/line_contact.hpp"
-#include "work_precision/measures.hpp"
 
 namespace tribo::benchmarks {
 namespace {
@@ -51,24 +50,6 @@ TEST(LineFilmWays, FormulasGiveOneNumberAndNoneOfConstantViscosity) {
     if (way.quantity == nullptr) continue;
     EXPECT_TRUE(std::isnan(way.run(ehl::barus_contact(10, 0)).*way.quantity)) << way.name;
     EXPECT_GT(way.run(ehl::barus_contact(10, 5)).*way.quantity, 1) << way.name;
-  }
-}
-
-TEST(LineFilmExponents, OfPowersAreThesePowers) {
-  Rows growth;
-  for (int cells = 128; cells <= 4096; cells *= 2)
-    growth.push_back({{"solver", "one"},
-                      {"cells", cells},
-                      {"kernel_ns", 3. * cells},
-                      {"step_ns", 1e-3 * std::pow(cells, 2.5)},
-                      {"bytes", 8. * cells * cells}});
-  const Rows rows = line_film_exponents(growth);
-  ASSERT_EQ(rows.size(), 3U);
-  for (const auto& [at, expected] : {std::pair{0U, 1.}, {1U, 2.5}, {2U, 2.}}) {
-    EXPECT_NEAR(rows[at].at("exponent").get<double>(), expected, 1e-9);
-    EXPECT_LT(rows[at].at("uncertainty").get<double>(), 1e-9);
-    EXPECT_EQ(rows[at].at("from_cells"), 512);
-    EXPECT_EQ(rows[at].at("to_cells"), 4096);
   }
 }
 

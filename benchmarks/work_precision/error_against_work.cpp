@@ -38,9 +38,8 @@ nlohmann::ordered_json ulps(const Errors& errors, double value) {
 
 }  // namespace
 
-Rows errors_against_work(const Effort& effort, std::vector<Measured> others) {
-  auto all = judged(all_jobs(Settings::swept));
-  for (auto& other : judged(std::move(others))) all.push_back(std::move(other));
+Rows errors_against_work(std::vector<Measured> offered, const Effort& effort) {
+  const auto all = judged(std::move(offered));
   std::vector<Timed> timed;
   for (const auto& [measured, errors] : all) timed.push_back({measured.run, measured.own_seconds});
   const std::vector<double> seconds = median_seconds(timed, effort.rounds, effort.least_seconds);

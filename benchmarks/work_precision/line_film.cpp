@@ -16,29 +16,6 @@ namespace {
 
 constexpr double slow = 3;  // s a pass: it is not repeated
 
-struct JudgedContact {
-  ehl::LineContact contact;
-  LineFilmAnswer exact;
-};
-
-// From a nearly rigid contact of constant viscosity to a heavy one of a very viscous liquid.
-std::vector<JudgedContact> judged_contacts() {
-  std::vector<JudgedContact> all;
-  for (const auto& [load_number, material_number] :
-       {std::pair{1., 0.}, {10., 5.}, {100., 10.}, {200., 20.}}) {
-    const ehl::LineContact contact = ehl::barus_contact(load_number, material_number);
-    const ehl::SolvedFilm solved =
-        ehl::solve_line_film(contact, {.tolerance = 1e-9, .greatest_cells = 16384});
-    if (solved.outcome != ehl::Outcome::solved) throw std::runtime_error(solved.reason);
-    LineFilmAnswer exact;
-    exact.central = contact.film_number(solved.central.value);
-    exact.minimum = contact.film_number(solved.minimum.value);
-    exact.at_greatest_pressure = contact.film_number(solved.at_greatest_pressure.value);
-    all.push_back({contact, exact});
-  }
-  return all;
-}
-
 struct RelativeErrors {
   double greatest = 0, sum = 0;
   int numbers = 0, no_numbers = 0, steps = 0;
@@ -74,9 +51,25 @@ RelativeErrors judge(const LineFilmWay& way, const std::vector<JudgedContact>& c
 
 }  // namespace
 
-Rows line_film_errors(const Effort& effort) {
-  const std::vector<JudgedContact> contacts = judged_contacts();
-  const std::vector<LineFilmWay> ways = line_film_ways();
+std::vector<JudgedContact> judged_contacts() {
+  std::vector<JudgedContact> all;
+  for (const auto& [load_number, material_number] :
+       {std::pair{1., 0.}, {10., 5.}, {100., 10.}, {200., 20.}}) {
+    const ehl::LineContact contact = ehl::barus_contact(load_number, material_number);
+    const ehl::SolvedFilm solved =
+        ehl::solve_line_film(contact, {.tolerance = 1e-9, .greatest_cells = 16384});
+    if (solved.outcome != ehl::Outcome::solved) throw std::runtime_error(solved.reason);
+    LineFilmAnswer exact;
+    exact.central = contact.film_number(solved.central.value);
+    exact.minimum = contact.film_number(solved.minimum.value);
+    exact.at_greatest_pressure = contact.film_number(solved.at_greatest_pressure.value);
+    all.push_back({contact, exact});
+  }
+  return all;
+}
+
+Rows line_film_errors(const std::vector<LineFilmWay>& ways,
+                      const std::vector<JudgedContact>& contacts, const Effort& effort) {
   std::vector<RelativeErrors> errors;
   std::vector<double> seconds;
   std::vector<Timed> timed;

@@ -51,7 +51,7 @@ Json environment() {
 // can be measured alone.
 Json line_film_parts(const Arguments& arguments, const Effort& effort) {
   step("films of line contacts: error against work");
-  const Rows errors = line_film_errors(effort);
+  const Rows errors = line_film_errors(line_film_ways(), judged_contacts(), effort);
   step("films of line contacts: growth");
   const Rows growth = line_film_growth(effort);
   const Rows exponents = line_film_exponents(growth);
@@ -95,10 +95,12 @@ void write_line_film(const Arguments& arguments, const Effort& effort) {
 }
 
 void write_all(const Arguments& arguments, const Effort& effort) {
-  std::vector<Measured> others;
-  if (!arguments.plugin.empty()) others = plugin_jobs(conformance::load_plugin(arguments.plugin));
+  std::vector<Measured> jobs = all_jobs(Settings::swept);
+  if (!arguments.plugin.empty())
+    for (Measured& other : plugin_jobs(conformance::load_plugin(arguments.plugin)))
+      jobs.push_back(std::move(other));
   step("error against work");
-  const Rows work = errors_against_work(effort, std::move(others));
+  const Rows work = errors_against_work(std::move(jobs), effort);
   step("error by range");
   const Rows ranges = errors_by_range();
   const Json line_film = line_film_parts(arguments, effort);

@@ -5,22 +5,33 @@
 #include <vector>
 
 #include "cases/jobs.hpp"
+#include "contenders/line_film_ways.hpp"
 #include "work_precision/table.hpp"
 #include "work_precision/timing.hpp"
 
 namespace tribo::benchmarks {
 
-// True error against CPU time and evaluations, every contender from coarse to fine, and others
-// besides: job, family, series, name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures,
-// no_numbers, judged.
-Rows errors_against_work(const Effort& effort, std::vector<Measured> others = {});
+// True error against CPU time and evaluations of those that can run here: job, family, series,
+// name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures, no_numbers, judged.
+Rows errors_against_work(std::vector<Measured> offered, const Effort& effort);
 
 // Greatest error of each way to F_{5/2} in ulp, by ranges of d.
 Rows errors_by_range();
 
+struct JudgedContact {
+  ehl::LineContact contact;
+  LineFilmAnswer exact;
+};
+
+// From a nearly rigid contact of constant viscosity to a heavy one of a very viscous liquid, with
+// the film that ours has on up to 16384 cells, extrapolated. Throws std::runtime_error.
+std::vector<JudgedContact> judged_contacts();
+
 // Films of line contacts: job, family, series, name, ns, steps, max_relative, mean_relative,
-// no_numbers, judged. Judged against ours on up to 16384 cells, extrapolated; a point is a contact.
-Rows line_film_errors(const Effort& effort);
+// no_numbers, judged; a point is a contact. Formulas are not judged where the viscosity is
+// constant.
+Rows line_film_errors(const std::vector<LineFilmWay>& ways,
+                      const std::vector<JudgedContact>& contacts, const Effort& effort);
 
 // solver, cells, kernel_ns, step_ns, bytes: of the matrix of influences, of one step of Newton's
 // method, and of both matrices.

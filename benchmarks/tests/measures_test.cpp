@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tables of error against work say of made-up ways, whose errors and times are known.
+#include "work_precision/measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ehl/line_contact.hpp"
+
+namespace tribo::benchmarks {
+namespace {
+
+using Row = nlohmann::ordered_json;
+
+constexpr Effort short_effort{1, 1e-9};
+
+// A way that says itself how long its last run took.
+Measured made_up(const std::string& name, std::size_t points, double seconds,
+                 const Errors& errors) {
+  return {.job = "job of " + name,
+          .family = "family of " + name,
+          .name = name,
+          .points = points,
+          .run = [] {},
+          .judge = [errors] { return errors; },
+          .evaluations = {},
+          .own_seconds = [seconds] { return seconds; }};
+}
+
+TEST(ErrorsAgainstWork, EachRowSaysWhatItsWayDoes) {
+  Measured first = made_up("first", 10, 2e-6, {7, 3, 2, 4.56789, 3.5, 1.25});
+  first.evaluations = [] { return 12.34567; };
+  Measured missing = made_up("missing", 1, 1, {});
+  missing.judge = []() -> Errors { throw std::runtime_error("it is not installed"); };
+  const Rows rows = errors_against_work(
+      {first, missing, made_up("second", 4, 1e-3, {0, 0, 0, 0, 0, 0})}, short_effort);
+  const Row expected{{{"job", "job of first"},
+                      {"family", "family of first"},
+                      {"series", "family of first: first"},
+                      {"name", "first"},
+                      {"ns", 200.},
+                      {"evaluations", 12.35},
+                      {"max_ulp", 4.568},
+                      {"p99_ulp", 3.5},
+                      {"mean_ulp", 1.25},
+                      {"failures", 3},
+                      {"no_numbers", 2},
+                      {"judged", 7}},
+                     {{"job", "job of second"},
+                      {"family", "family of second"},
+                      {"series", "family of second: second"},
+                      {"name", "second"},
+                      {"ns", 250000.},
+                      {"evaluations", nullptr},
+                      {"max_ulp", nullptr},
+                      {"p99_ulp", nullptr},
+                      {"mean_ulp", nullptr},
+                      {"failures", 0},
+                      {"no_numbers", 0},
+                      {"judged", 0}}};
+  EXPECT_EQ(Row(rows).dump(1), expected.dump(1));
+}
+
+TEST(ErrorsAgainstWork, AWayWithoutItsSettingIsASeries) {
+  for (const auto& [name, series] : {std::pair{"Gauss 1e-06", "Gauss"},
+                                     {"spline 64 knots", "spline"},
+                                     {"bisection 40 bits", "bisection"},
+                                     {"Simpson 200", "Simpson"},
+                                     {"200 intervals", "200 intervals"},
+                                     {"order 2 fit", "order 2 fit"}}) {
+    const Rows rows = errors_against_work({made_up(name, 1, 1, {})}, short_effort);
+    EXPECT_EQ(rows.at(0).at("series"), "family of " + std::string(name) + ": " + series);
+  }
+}
+
+TEST(ErrorsByRange, AreOfTheRangeAndNoneWhereNothingIsClaimed) {
+  const Rows rows = errors_by_range();
+  EXPECT_GT(rows.size(), 10U);
+  bool has_ours = false;
+  for (const MomentContender& contender : moment_contenders()) {
+    if (contender.order != Order::five_halves || contender.own_seconds) continue;
+    for (const Row& row : rows) {
+      if (row.at("family") != contender.family || row.at("name") != contender.name) continue;
+      has_ours = true;
+      for (const auto& [from, to] :
+           {std::pair{-40, -37}, {-37, -5}, {-5, 0}, {0, 5}, {5, 12}, {12, 37}, {37, 40}}) {
+        const std::string range = std::to_string(from) + ".." + std::to_string(to);
+        const Errors errors = judge(contender, from, to);
+        const bool is_claimed = errors.judged > 0;
+        EXPECT_EQ(row.at(range).dump(),
+                  (is_claimed ? Row(four_digits(errors.max_ulp)) : Row(nullptr)).dump())
+            << contender.name;
+        EXPECT_EQ(row.at("failures " + range).dump(),
+                  (is_claimed ? Row(static_cast<double>(errors.failures)) : Row(nullptr)).dump())
+            << contender.name;
+      }
+    }
+  }
+  EXPECT_TRUE(has_ours);
+}
+
+TEST(LineFilmErrors, AreThoseOfTheNumbersThatAWayGives) {
+  const std::vector<JudgedContact> contacts{
+      {ehl::barus_contact(10, 0), {.central = 2, .minimum = 1, .at_greatest_pressure = 3}},
+      {ehl::barus_contact(10, 5), {.central = 4, .minimum = 2, .at_greatest_pressure = 5}}};
+  const auto factor_of = [&](const ehl::LineContact& contact) {
+    return contact.material_number == 0 ? 1. : 2.;
+  };
+  const std::vector<LineFilmWay> ways{
+      {"solver", "s", "two numbers", nullptr,
+       [&](const ehl::LineContact& contact) {
+         const double f = factor_of(contact);
+         return LineFilmAnswer{2.04 * f, 0.95 * f, 300, f > 1 ? 5 : 2};
+       }},
+      {"solver", "s", "no minimum", nullptr,
+       [&](const ehl::LineContact& contact) {
+         return LineFilmAnswer{2 * factor_of(contact), std::nan(""), 300, 1};
+       }},
+      {"formula", "f", "at the greatest pressure", &LineFilmAnswer::at_greatest_pressure,
+       [](const ehl::LineContact&) {
+         return LineFilmAnswer{1, 1, 5.5, 9};
+       }}};
+  const Rows rows = line_film_errors(ways, contacts, short_effort);
+  ASSERT_EQ(rows.size(), 3U);
+  Rows without_time = rows;
+  for (Row& row : without_time) {
+    EXPECT_GE(row.at("ns").get<double>(), 0);
+    row.erase("ns");
+  }
+  const auto row = [](const LineFilmWay& way, Row steps, Row greatest, Row mean, int nothing,
+                      int judged) {
+    return Row{{"job", "line_film"},    {"family", way.family},      {"series", way.series},
+               {"name", way.name},      {"steps", std::move(steps)}, {"max_relative", greatest},
+               {"mean_relative", mean}, {"no_numbers", nothing},     {"judged", judged}};
+  };
+  const Row expected{row(ways[0], 3.5, 0.05, 0.035, 0, 4), row(ways[1], 1., 0., 0., 2, 4),
+                     row(ways[2], nullptr, 0.1, 0.1, 0, 1)};
+  EXPECT_EQ(Row(without_time).dump(1), expected.dump(1));
+}
+
+TEST(MedianSeconds, AreOfACallHoweverManyAreTimed) {
+  std::size_t calls = 0;
+  const double start = cpu_seconds();
+  const double median = median_seconds({{[&] { ++calls; }, {}}}, 1, 0.01).front();
+  const double passed = cpu_seconds() - start;
+  EXPECT_GE(passed, 0.01);
+  EXPECT_LE(median * static_cast<double>(calls), passed);
+  EXPECT_GE(median * static_cast<double>(calls), 0.01);
+}
+
+TEST(Table, OfRowsHasNothingWhereThereIsNothing) {
+  const Rows rows{{{"series", "a"}, {"x", 1}, {"y", nullptr}},
+                  {{"series", "b"}, {"x", 2.5}, {"y", "text"}},
+                  {{"series", "a"}, {"x", 3}, {"y", 4}}};
+  EXPECT_EQ(tsv(rows), "series\tx\ty\na\t1\t\nb\t2.5\ttext\na\t3\t4\n");
+  EXPECT_EQ(tsv_blocks(rows, "series"), "\"a\"\na\t1\tNaN\na\t3\t4\n\n\n\"b\"\nb\t2.5\ttext\n");
+  EXPECT_EQ(tsv({}), "");
+  EXPECT_EQ(four_digits(123456), 123500);
+}
+
+TEST(LineFilmExponents, OfPowersAreThesePowers) {
+  Rows growth;
+  for (int cells = 128; cells <= 4096; cells *= 2)
+    growth.push_back({{"solver", "one"},
+                      {"cells", cells},
+                      {"kernel_ns", 3. * cells},
+                      {"step_ns", 1e-3 * std::pow(cells, 2.5)},
+                      {"bytes", 8. * cells * cells}});
+  const Rows rows = line_film_exponents(growth);
+  ASSERT_EQ(rows.size(), 3U);
+  for (const auto& [at, expected] : {std::pair{0U, 1.}, {1U, 2.5}, {2U, 2.}}) {
+    EXPECT_NEAR(rows[at].at("exponent").get<double>(), expected, 1e-9);
+    EXPECT_LT(rows[at].at("uncertainty").get<double>(), 1e-9);
+    EXPECT_EQ(rows[at].at("from_cells"), 512);
+    EXPECT_EQ(rows[at].at("to_cells"), 4096);
+  }
+}
+
+}  // namespace
+}  // namespace tribo::benchmarks
