@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tables of error against work say of made-up ways, whose errors and times are known.
+// Tables of error against work, made of ways whose errors and times are known.
 #include "work_precision/measures.hpp"
 
 #include <gtest/gtest.h>
