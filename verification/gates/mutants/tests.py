@@ -153,6 +153,7 @@ class Tree:
         mark = uuid.uuid4().hex
         RUNNING.add(mark)
         with tempfile.TemporaryDirectory(prefix="tribocheck-mutant-", ignore_cleanup_errors=True) as folder:
+            os.chmod(folder, 0o755)  # some tests run the program as another user
             environment = {**os.environ, **self.environment(unit), **more, "TMPDIR": folder, "TRIBOCHECK_MUTANT_RUN": mark}
             with open(pathlib.Path(folder) / "said", "w+b") as said:
                 process = subprocess.Popen(command, cwd=self.moved(unit["folder"]), env=environment, stdin=subprocess.DEVNULL,
