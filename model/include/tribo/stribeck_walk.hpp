@@ -91,7 +91,8 @@ class StribeckWalk {
     return point;
   }
 
-  // A coordinate whose speed is roughly u: explicit, from the two ends of the film's range.
+  // A coordinate whose speed is roughly u: explicit, from the two ends of the film's range; not
+  // above u, and on the paper's surfaces above u/6.
   T near(const T& speed) const {
     using std::exp;
     using std::log;

@@ -169,5 +169,18 @@ TEST(StribeckWalk, FilmSlopeIsTwoThirdsWhereTheFluidCarriesAllAndNeverMore) {
   }
 }
 
+// The walk needs few steps from there: it begins at most two steps of 2 in ln u away.
+TEST(StribeckWalk, BeginsBelowTheSpeedAndNoFurtherThanAFactorOfSix) {
+  for (const Scene& scene : scenes()) {
+    const MixedContact<long double> contact(scene);
+    const StribeckWalk<long double> walk(contact);
+    for (long double u = 1e-5L; u < 30; u *= 1.1L) {
+      const long double begins = walk.at(walk.near(u)).flooded.speed;
+      EXPECT_LE(begins, u * (1 + 1e-15L)) << static_cast<double>(u) << name_of(scene);
+      EXPECT_GT(begins, u / 6) << static_cast<double>(u) << name_of(scene);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tribo::verification

@@ -151,6 +151,33 @@ TEST(SceneFields, NegativeNumbersAreRefused) {
   }
 }
 
+// The range as messages tell it, without its unit.
+std::string range_of(const FieldInfo& field) {
+  const auto short_text = [](double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%g", value);
+    std::string told = text;
+    if (const auto at = told.find("e+0"); at != std::string::npos) told.erase(at + 2, 1);
+    return told;
+  };
+  const std::string least = short_text(field.minimum);
+  if (field.maximum)
+    return (field.exclusive_minimum ? "above " + least + " and at most "
+                                    : "from " + least + " to ") +
+           short_text(*field.maximum);
+  return (field.exclusive_minimum ? "above " : "not below ") + least;
+}
+
+TEST(SceneFields, ANumberOutsideIsRefusedWithTheRange) {
+  for (const FieldInfo& field : scene_fields()) {
+    if (!is_number(field) || field.is_radius_of_face) continue;
+    const std::string kind = field.type == FieldType::integer ? "a whole number " : "a number ";
+    const std::string told = "allowed: " + kind + range_of(field);
+    expect_judged(field, decimal(field.minimum - 1), false, told.c_str());
+    if (field.maximum) expect_judged(field, decimal(*field.maximum + 1), false, told.c_str());
+  }
+}
+
 TEST(SceneFields, EndsOfTheRangeAreJudgedToTheLastBit) {
   for (const FieldInfo& field : scene_fields()) {
     if (!is_number(field)) continue;
