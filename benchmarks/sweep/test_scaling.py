@@ -194,6 +194,12 @@ class Output(Folder):
         self.assertEqual(scaling.rounded({"a": [1.23456789, "text"], "b": {"c": 123456.7}, "d": 1234567}),
                          {"a": [1.2346, "text"], "b": {"c": 123460.0}, "d": 1234567})
 
+    def test_the_environment_is_the_processor_as_the_system_names_it_and_what_the_tools_say_first(self):
+        with mock.patch.object(scaling.measure, "said_by", lambda command: f"{command[0]} 12: the best\nmore\n"):
+            found = scaling.environment()
+        names = [line.partition(":")[2].strip() for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")]
+        self.assertEqual(found, {"cpu": names[0] if names else "unknown", "compiler": "g++ 12: the best", "mpi": "mpirun 12: the best"})
+
     def main(self, *options):
         parts = {name: mock.Mock(return_value={"new": name}) for name in scaling.PARTS}
         with mock.patch.multiple(scaling, **parts, tables=mock.DEFAULT), mock.patch.object(scaling.shutil, "which", lambda _: "/usr/bin/mpirun"), \

@@ -114,7 +114,7 @@ struct ChildEnd {
   std::string text;      // its output
 
   bool succeeded() const { return exited_with(0); }
-  bool exited_with(int code) const { return start_error == 0 && !is_late && exit_code == code; }
+  bool exited_with(int code) const { return !is_late && exit_code == code; }
 };
 
 // Runs a program to its end with Pipes::output. One that has not ended within `limit` is ended,

@@ -205,15 +205,17 @@ TEST(WideNumbers, AreFoundAfterALongStringThatEndsInQuotes) {
   EXPECT_TRUE(has_problem(reading.errors, "speed[3]", "underflows"));
 }
 
-// Up to two quotes before the three that end a long string belong to it; one more begins a string.
-TEST(BrokenToml, LongStringsEndWithAtMostFiveQuotes) {
+// Up to two quotes after the three that begin a long string, or before the three that end it,
+// belong to it; one more before the end begins a string.
+TEST(BrokenToml, LongStringsBeginAndEndWithAtMostFiveQuotes) {
   for (const char quote : {'"', '\''})
-    for (const std::size_t closing : {3U, 4U, 5U, 6U})
-      EXPECT_TRUE(refused(
-          Format::toml,
-          "id = " + std::string(3, quote) + 'a' + std::string(closing, quote) + "ä" + quote + '\n',
-          "", closing < 6 ? "non-ASCII" : "not TOML"))
-          << quote << closing;
+    for (const std::size_t opening : {3U, 4U, 5U})
+      for (const std::size_t closing : {3U, 4U, 5U, 6U})
+        EXPECT_TRUE(refused(Format::toml,
+                            "id = " + std::string(opening, quote) + 'a' +
+                                std::string(closing, quote) + "ä" + quote + '\n',
+                            "", closing < 6 ? "non-ASCII" : "not TOML"))
+            << quote << opening << closing;
 }
 
 TEST(WideNumbers, AreLeftAloneInKeysStringsAndComments) {
