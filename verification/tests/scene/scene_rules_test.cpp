@@ -5,9 +5,12 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "scene/scene_text.hpp"
 #include "support/threshold.hpp"
+#include "tribo/film_thickness.hpp"
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/spectral_moments.hpp"
 
@@ -526,10 +529,25 @@ TEST(SceneShapes, TakeOnlyFilmLawsOfTheirKind) {
   for (const Format format : formats) {
     EXPECT_TRUE(refused(format, line().remove("closures.film"), "closures.film",
                         "missing: the contact is a line"));
-    EXPECT_TRUE(refused(format, line().set("closures.film", "\"hamrock_dowson_minimum\""),
-                        "closures.film", "allowed: dowson_higginson_minimum"));
-    EXPECT_TRUE(refused(format, ellipse().set("closures.film", "\"pan_hamrock_central\""),
-                        "closures.film", "the contact is no line"));
+    for (const bool is_line : {false, true}) {
+      std::vector<std::string> fitting, others;
+      for (std::size_t i = 0; i < film_formula_words.size(); ++i) {
+        const std::string word(film_formula_words[i]);
+        const bool fits = film_law(static_cast<FilmFormula>(i)).is_of_lines == is_line;
+        (fits ? fitting : others).push_back(word);
+      }
+      const std::string last = fitting.back();
+      fitting.pop_back();
+      const std::string told =
+          fmt::format("{}; allowed: {} or {}",
+                      is_line ? "the contact is a line (bodies.length)" : "the contact is no line",
+                      fmt::join(fitting, ", "), last);
+      for (const std::string& word : others) {
+        SceneText text = is_line ? line() : ellipse();
+        text.set("closures.film", '"' + word + '"');
+        EXPECT_TRUE(refused(format, text, "closures.film", told.c_str()));
+      }
+    }
   }
 }
 
