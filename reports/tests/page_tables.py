@@ -429,7 +429,7 @@ def mutants(report):
              DASH if one["score"] is None else f"{percent(one['low'])} to {percent(one['high'])}",
              DASH if one["with_equivalents"] is None else percent(one["with_equivalents"]), percent(one["goal"])] for one in found["rooms"]])
     yield ("Random changes that no test noticed",
-           ["part", "place", "kind of change", "text", "in its place", "verdict", "why it changes nothing, or the check that notices it since"],
+           ["part", "place", "kind of change", "text", "in its place", "verdict", "reason, or check since"],
            [[*(one[name] for name in ("room", "place", "operator", "original", "replacement", "verdict")), one["since"] or one["reason"]]
             for one in found["unnoticed"]])
 
