@@ -26,7 +26,9 @@ def marked(text):
 
 
 def code(text):
-    """In as many backticks as the text needs."""
+    """In as many backticks as the text needs; nothing where there is no text, as two backticks begin a code of two."""
+    if not text:
+        return Markdown("")
     fence = "`" * (1 + max(map(len, re.findall("`+", text)), default=0))
     space = " " if text[:1] == "`" or text[-1:] == "`" else ""
     return Markdown(f"{fence}{space}{text}{space}{fence}".replace("|", "\\|"))
