@@ -91,8 +91,8 @@ class StribeckWalk {
     return point;
   }
 
-  // A coordinate whose speed is roughly u: explicit, from the two ends of the film's range; not
-  // above u, and on the paper's surfaces above u/6.
+  // A coordinate whose speed is roughly u: explicit, from the two ends of the film's range. On the
+  // paper's surfaces that speed lies between u/6 and u.
   T near(const T& speed) const {
     using std::exp;
     using std::log;

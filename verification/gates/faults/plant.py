@@ -125,8 +125,8 @@ def runs_on(text, place, instruction_set):
 
 @functools.cache
 def instruction_sets_here():
-    """Those that this machine has, the best one first."""
-    flags = next((line.split() for line in open("/proc/cpuinfo") if line.startswith("flags")), [])
+    """The instruction sets of this machine, the best one first."""
+    flags = next((line.split() for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("flags")), [])
     needs = {"HWY_AVX3": {"avx512f", "avx2", "fma"}, "HWY_AVX2": {"avx2", "fma"}, "HWY_SSE4": set()}
     return [one for one in INSTRUCTION_SETS if needs[one] <= set(flags)]
 
@@ -301,6 +301,8 @@ class Above:
 
     @contextlib.contextmanager
     def planted(self, fault):
+        """The mutant in the layer, whose commands run on the best instruction set that runs the mutant's text; there has to be one."""
+        self.switched_off = INSTRUCTION_SETS[instruction_set_for(fault)]
         path = self.folder / "upper" / fault["file"]
         path.parent.mkdir(parents=True)
         (self.folder / "work").mkdir()
@@ -325,8 +327,7 @@ class Above:
         return "green" if done.returncode == 0 else "hung" if "***Timeout" in done.stdout else "red", done.stdout
 
     def try_fault(self, fault):
-        """The verdict of the check, on the best instruction set that runs the text. Raises Red where the mutant was not caught."""
-        self.switched_off = INSTRUCTION_SETS[instruction_set_for(fault)]
+        """The verdict of the check. Raises Red where the mutant was not caught."""
         with self.planted(fault):
             if is_compiled(fault) and self.make(targets_above(fault)).returncode != 0:
                 raise Red("does not build")

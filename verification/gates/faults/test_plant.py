@@ -210,6 +210,19 @@ apart
                         self.assertEqual(plant.instruction_set_for(mutant | {"file": "a.hpp"}), self.NAMES[here[0]])
 
 
+class LayerOfAnInstructionSet(Tree):
+    def test_commands_in_the_layer_run_without_the_better_sets(self):
+        (self.folder / "a-inl.hpp").write_text(InstructionSets.TEXT)
+        for word, tunables in (("avx512", None), ("avx2", "glibc.cpu.hwcaps=-AVX512F"), ("apart", "glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA")):
+            layer, asked = plant.Above(self.folder / "layer"), []
+            with mock.patch.object(plant, "instruction_sets_here", lambda: list(plant.INSTRUCTION_SETS)), mock.patch.dict(plant.os.environ), \
+                    mock.patch.object(plant, "run", lambda command, env: asked.append(env.get("GLIBC_TUNABLES"))):
+                plant.os.environ.pop("GLIBC_TUNABLES", None)
+                with layer.planted({"file": "a-inl.hpp", "find": f"\n{word}\n", "replace": "\n!\n"}):
+                    layer.inside("ctest")
+            self.assertEqual(asked, [tunables], word)
+
+
 class Try(Tree):
     def test_the_file_is_whole_again_whatever_comes_of_it(self):
         scratch = plant.Scratch.__new__(plant.Scratch)

@@ -432,7 +432,9 @@ def take_alone(arguments):
     built, seconds = plant.Built(ROOT / "build/release"), plant.seconds_of(arguments.green)
     for row in rows:
         started = time.monotonic()
-        if why := plant.stale(row):
+        why = plant.stale(row)
+        if why or plant.instruction_set_for(row) is None:
+            why = why or "this machine has no instruction set that runs its text"
             print(f"{row['id']}: {why}")
             continue
         with tempfile.TemporaryDirectory(prefix="tribocheck-mutant-") as folder:

@@ -169,7 +169,7 @@ TEST(StribeckWalk, FilmSlopeIsTwoThirdsWhereTheFluidCarriesAllAndNeverMore) {
   }
 }
 
-// The walk needs few steps from there: it begins at most two steps of 2 in ln u away.
+// The first step reaches the speed but for curvature: it may be 2 in ln u, and ln 6 is less.
 TEST(StribeckWalk, BeginsBelowTheSpeedAndNoFurtherThanAFactorOfSix) {
   for (const Scene& scene : scenes()) {
     const MixedContact<long double> contact(scene);
