@@ -4,9 +4,9 @@
 
 A sample is drawn by its seed from all places that the tree's texts have. Mutants of C++ stand behind switches in a
 generated copy, which is built once; others are written into a copy of the tree one at a time. One run of all tests without a mutant
-says which tests reach which mutants, and where a value would change. Quick tests meet each mutant alone; those that it outlives
-wait, and each of the other tests then meets all that wait together, and parts of them where it turns red. The ledger is written
-after each mutant: a run that is stopped, or ends with its --minutes, goes on with the same command.
+says which tests reach which mutants, and where a value would change. Quick tests meet each mutant alone, then the tests that noticed
+most others of its file and room do; those that it outlives wait, and each of the other tests then meets all that wait together, and
+parts of them where it turns red. The ledger is written after each mutant: a run that is stopped, or ends with its --minutes, goes on with the same command.
 
   verification/gates/mutants/run.py sample --seed 20261123 --minutes 60
   verification/gates/mutants/run.py alone ID ID --minutes 10     meet the tests above the built tree of today, without a copy
@@ -15,6 +15,7 @@ after each mutant: a run that is stopped, or ends with its --minutes, goes on wi
   verification/gates/mutants/run.py held ID concern.Suite.Test   the check that a survivor was given since
 """
 import argparse
+import collections
 import concurrent.futures
 import contextlib
 import datetime
@@ -43,6 +44,7 @@ from plant import scratch  # noqa: E402
 LEDGER = ROOT / "reference/baselines/mutants.json"
 NOTICED = {"red": "caught", "hung": "hung"}
 STRICT = ("formulas", "engine", "judging")  # whose goal is 95 %; of the others it is 90 %
+LIKELY, LIKELY_SECONDS = 4, 60  # how many tests that noticed others of its room a mutant meets alone, and what each may take
 KEPT = ("id", "room", "operator", "file", "line", "original", "replacement", "find", "replace")
 
 
@@ -304,6 +306,29 @@ class Verdicts:
                 outlived.append(unit["name"])
         self.say(mutant, "survived" if able or reach else "not reached", time.monotonic() - start)
 
+    def most_likely(self, mutant):
+        """Of the tests that the mutant did not meet, the few that noticed most others of its file, then of its room, in all samples."""
+        test_of = {tests.check_of({**unit, "cases": [unit["case"]]} if "case" in unit else unit, f"[  FAILED  ] {unit.get('case')}"): unit["test"]
+                   for unit in self.prepared.kept["coverage"].values()}
+        hits = {key: collections.Counter(test_of.get(row.get("by")) for one in self.ledger["samples"] for row in one["mutants"]
+                                         if row[key] == mutant[key]) for key in ("file", "room")}
+        outlived = self.rows[mutant["id"]]["outlived"]
+        able = [unit for unit in tests.together(self.prepared.who_can_notice(mutant)[0])
+                if unit["name"] not in outlived and unit["seconds"] <= LIKELY_SECONDS and hits["room"][unit["test"]]]
+        return sorted(able, key=lambda unit: (-hits["file"][unit["test"]], -hits["room"][unit["test"]], unit["seconds"]))[:LIKELY]
+
+    def meet_likely_tests(self, mutant):
+        start = time.monotonic()
+        for unit in () if self.over() else self.most_likely(mutant):
+            if self.over():
+                return
+            with self.a_tree() as tree:
+                end, check, _ = self.run(unit, [mutant], tree)
+            if end != "green":
+                self.say(mutant, NOTICED[end], time.monotonic() - start, check)
+                return
+            self.note_outlived(mutant, [*self.rows[mutant["id"]]["outlived"], unit["name"]])
+
     def wait_for_others(self, workers):
         """Each other test meets all mutants that wait for it together. Those that none notices survive."""
         waiting, awaited = self.waiting(), {}
@@ -369,6 +394,7 @@ def take_sample(arguments):
     random.Random(arguments.seed).shuffle(quick)
     with concurrent.futures.ThreadPoolExecutor(arguments.workers) as pool:
         list(pool.map(lambda mutant: verdicts.meet_quick_tests(mutant, arguments.patience), quick))
+        list(pool.map(verdicts.meet_likely_tests, verdicts.waiting()))
     if not verdicts.over():
         verdicts.wait_for_others(arguments.workers)
     print_scores(verdicts.ledger)
