@@ -4,8 +4,10 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -181,17 +183,23 @@ void solve_cases(const Subject& subject, benchmark::State& state) {
   set_points(state, subject.cases());
 }
 
-// A step of Alone on one block, for which all steps have been taken.
-Contender stage(std::function<void(Alone&, const Subject&, std::span<double>)> step) {
-  return [step = std::move(step)](const Subject& subject, benchmark::State& state) {
+// A step of Alone on one block, for which all steps have been taken. A last step gives the results
+// again, or it is no measure.
+enum class Gives { nothing, results };
+Contender stage(Gives gives, std::function<void(Alone&, const Subject&, std::span<double>)> step) {
+  return [gives, step = std::move(step)](const Subject& subject, benchmark::State& state) {
     Alone solver(subject.scene());
     std::vector<double> results(Alone::block_cases * subject.scene().width());
     solver.solve(subject.block(), results);
+    const std::vector<double> expected = results;
+    if (gives == Gives::results) std::fill(results.begin(), results.end(), -1.0);
     for (const auto _ : state) {
       step(solver, subject, results);
       benchmark::DoNotOptimize(results.data());
       benchmark::ClobberMemory();
     }
+    if (std::memcmp(results.data(), expected.data(), results.size() * sizeof(double)) != 0)
+      state.SkipWithError("the step does not give the results of all steps");
     set_points(state, Alone::block_cases);
   };
 }
@@ -323,15 +331,18 @@ void register_sweep(const Workload& workload) {
   add(subject, "points", sweep_of(&Subject::points));
   add(subject, "stage: draw", draw);
   if (workload.varied.size() > 1) {
-    add(subject, "stage: prepare", stage([](Alone& solver, const Subject& of, std::span<double>) {
+    add(subject, "stage: prepare",
+        stage(Gives::nothing, [](Alone& solver, const Subject& of, std::span<double>) {
           solver.prepare(of.block());
         }));
     if (workload.settings.empty()) {
-      add(subject, "stage: points", stage([](Alone& solver, const Subject&, std::span<double> to) {
+      add(subject, "stage: points",
+          stage(Gives::results, [](Alone& solver, const Subject&, std::span<double> to) {
             solver.solve_points(to);
           }));
     } else {
-      add(subject, "stage: onset", stage([](Alone& solver, const Subject&, std::span<double> to) {
+      add(subject, "stage: onset",
+          stage(Gives::results, [](Alone& solver, const Subject&, std::span<double> to) {
             solver.find_onsets(to);
           }));
     }
