@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Each erratum's two numbers, printed and right, beside formulas written here once more."""
+import json
+import math
+import unittest
+
+from program import run
+
+ELASTIC, RADIUS, LOAD, VISCOSITY, BARUS = 107.9e9, 9.5e-3, 50, 0.0202, 2e-8
+SMOOTH, ROUGH = {"density": 2e11, "sd": 2.5e-8}, {"density": 5e10, "sd": 1e-7}
+SUMMIT, OFFSET = 1e-5, 1.146
+CONSTANT = 2.69 * (1 - 0.61 * math.exp(-0.73))
+
+
+def moment(order, d, steps=1000):
+    """∫ over s from d up, of (s − d)^order φ(s), by the rule of trapezoids in √(s − d)."""
+    width = math.sqrt(max(d, 0) + 12 - d) / steps
+    total = sum((k * width) ** (2 * order + 1) * math.exp(-(d + (k * width) ** 2) ** 2 / 2) for k in range(1, steps))
+    return 2 * width * total / math.sqrt(2 * math.pi)
+
+
+def hertz_radius(radius=RADIUS):
+    return (3 * LOAD * radius / (4 * ELASTIC)) ** (1 / 3)
+
+
+def film_alone(speed, moduli=(2, 2, 2), constant=CONSTANT, radius=RADIUS):
+    """Hamrock and Dowson's central film; the moduli of U, G and W in E*."""
+    u, g, w = (part * ELASTIC for part in moduli)
+    return constant * radius * (VISCOSITY * speed / (u * radius)) ** 0.67 * (BARUS * g) ** 0.53 * (LOAD / (w * radius**2)) ** -0.067
+
+
+def shared(speed, density, sd, prefactor=1, summit=SUMMIT, offset=OFFSET, **film):
+    """Film and asperity share by Johnson's rule with Greenwood and Tripp's contact, by bisection. `prefactor`: A_nom's or the law's."""
+    area = math.pi * hertz_radius(film.get("radius", RADIUS)) ** 2
+    stiffness = prefactor * 16 * math.sqrt(2) * math.pi / 15 * (density * summit * sd) ** 2 * math.sqrt(sd / summit) * ELASTIC * area / LOAD
+
+    def share(separation):
+        return math.sqrt(stiffness * moment(2.5, separation - offset))
+    alone = film_alone(speed, **film) / sd
+    low, high = 1e-9, 50
+    for _ in range(60):
+        middle = (low + high) / 2
+        part = share(middle)
+        if part >= 1 or math.log(middle / alone) + 0.14 * math.log(1 - part) < 0:
+            low = middle
+        else:
+            high = middle
+    return {"film": high * sd, "share": share(high)}
+
+
+def slow_share(**changes):
+    return shared(1e-4, **{**ROUGH, **changes})["share"]
+
+
+def fast_film(speed=1, **changes):
+    return shared(speed, **SMOOTH, **changes)["film"]
+
+
+def real_area(moment_order, power):
+    return (math.pi * SMOOTH["density"] * SUMMIT * SMOOTH["sd"]) ** power * moment(moment_order, 1 - OFFSET)
+
+
+# The right share and the right film stand beside all that change them.
+SHARE, FILM = slow_share(), fast_film()
+COMPLIANCE = (1 - 0.3**2) / 210e9
+ROUGHNESS = SMOOTH["density"] * SUMMIT * SMOOTH["sd"]
+TWO = {
+    "E1": (0, COMPLIANCE),
+    "E2": (fast_film(moduli=(1, 1, 1)), FILM),
+    "E3": (slow_share(prefactor=0.5), SHARE),
+    "E4": (slow_share(prefactor=1 / math.pi), SHARE),
+    "E5": (0.5, math.exp(-2) / math.sqrt(2 * math.pi) - math.erfc(math.sqrt(2))),
+    "E6": (1000, 1),
+    "E7": (real_area(1, 1), real_area(2, 2)),
+    "E8": (0.82 / 1.4, 0.82 * 1.4),
+    "E9": (slow_share(offset=2 * OFFSET), SHARE),
+    "E10": (1000 ** (4 / 3 - 3), 1),
+    "E14": (2.69 * (1 - 0.6 * math.exp(-0.73)), CONSTANT),
+    "E15": (slow_share(density=VISCOSITY), SHARE),
+    "E17": (slow_share(summit=1e-7), SHARE),
+    "E18": (hertz_radius(1e-3 * RADIUS) / (1e-3 * RADIUS), hertz_radius() / RADIUS),
+    "E21": (fast_film(radius=RADIUS / 2), FILM),
+    "E23": (fast_film(moduli=(1, 2, 2)), FILM),
+    "E24": (fast_film(speed=2), FILM),
+    "E25": (fast_film(constant=2.69), FILM),
+    "E26": (OFFSET * ROUGHNESS, 1 / (4 * math.pi * math.sqrt(3))),
+}
+OF_NOTATION = {"E12", "E16", "E22"}
+OF_INLET_AND_FRICTION = {"E11", "E13", "E19", "E20"}  # their two numbers are those of readings, which the ledger's tests hold
+
+
+class Errata(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rows = {row["erratum"]: row for row in json.loads(run("reproduce", "--format", "json").out)["errata"]}
+
+    def test_each_has_the_numbers_that_its_formula_gives_as_printed_and_corrected(self):
+        self.assertEqual(set(self.rows), set(TWO) | OF_NOTATION | OF_INLET_AND_FRICTION)
+        for name, numbers in TWO.items():
+            for key, expected in zip(("as_printed", "as_corrected"), numbers):
+                with self.subTest(erratum=name, which=key, expected=expected, got=self.rows[name][key]):
+                    # At the lowest speed the inlet, which is left out here, thins the film by less than one part in 50 000.
+                    bound = 2e-5 if numbers[1] == SHARE else 1e-6
+                    self.assertAlmostEqual(self.rows[name][key], expected, delta=bound * abs(expected))
+
+    def test_each_number_stands_beside_what_decides_it(self):
+        for name, (_, right) in TWO.items():
+            said = "C4: 0.82" if right == SHARE else "1.22: 1.899" if name in ("E14", "E25") else "" if name in ("E2", "E7", "E21", "E23", "E24") else None
+            if said is not None:
+                self.assertEqual(self.rows[name]["against"], said, name)
+        for name, row in self.rows.items():
+            self.assertEqual(row["computed"] == "", name in OF_NOTATION)
+            self.assertTrue(row["against"] != row["computed"] or name in OF_NOTATION, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
