@@ -6,9 +6,9 @@ import unittest
 
 from program import run
 
-ELASTIC, RADIUS, LOAD, VISCOSITY, BARUS = 107.9e9, 9.5e-3, 50, 0.0202, 2e-8
+ELASTIC, RADIUS, LOAD, VISCOSITY, BARUS, EYRING, BOUNDARY = 107.9e9, 9.5e-3, 50, 0.0202, 2e-8, 2.5e6, 0.13
 SMOOTH, ROUGH = {"density": 2e11, "sd": 2.5e-8}, {"density": 5e10, "sd": 1e-7}
-SUMMIT, OFFSET = 1e-5, 1.146
+SUMMIT, OFFSET, OIL = 1e-5, 1.146, 4  # of oil: its film over the summits' σ
 CONSTANT = 2.69 * (1 - 0.61 * math.exp(-0.73))
 
 
@@ -29,13 +29,15 @@ def film_alone(speed, moduli=(2, 2, 2), constant=CONSTANT, radius=RADIUS):
     return constant * radius * (VISCOSITY * speed / (u * radius)) ** 0.67 * (BARUS * g) ** 0.53 * (LOAD / (w * radius**2)) ** -0.067
 
 
+def asperity_share(separation, density, sd, prefactor=1, summit=SUMMIT, offset=OFFSET, radius=RADIUS):
+    stiffness = prefactor * 16 * math.sqrt(2) * math.pi / 15 * (density * summit * sd) ** 2 * math.sqrt(sd / summit)
+    return math.sqrt(stiffness * ELASTIC * math.pi * hertz_radius(radius) ** 2 / LOAD * moment(2.5, separation - offset))
+
+
 def shared(speed, density, sd, prefactor=1, summit=SUMMIT, offset=OFFSET, **film):
     """Film and asperity share by Johnson's rule with Greenwood and Tripp's contact, by bisection. `prefactor`: A_nom's or the law's."""
-    area = math.pi * hertz_radius(film.get("radius", RADIUS)) ** 2
-    stiffness = prefactor * 16 * math.sqrt(2) * math.pi / 15 * (density * summit * sd) ** 2 * math.sqrt(sd / summit) * ELASTIC * area / LOAD
-
     def share(separation):
-        return math.sqrt(stiffness * moment(2.5, separation - offset))
+        return asperity_share(separation, density, sd, prefactor, summit, offset, film.get("radius", RADIUS))
     alone = film_alone(speed, **film) / sd
     low, high = 1e-9, 50
     for _ in range(60):
@@ -60,6 +62,39 @@ def real_area(moment_order, power):
     return (math.pi * SMOOTH["density"] * SUMMIT * SMOOTH["sd"]) ** power * moment(moment_order, 1 - OFFSET)
 
 
+def starved(flooded, gap=2 * math.sqrt(2) / 3, at=None):
+    """The film over that of the oil, from the flooded one over it; the inlet's length from the gap at the film `at`, the flooded one."""
+    length = ((1 / (at or flooded) - 1) / (2 * gap)) ** (2 / 3)
+    return flooded * 2 / math.pi * math.atan(2.7 * length)
+
+
+def starved_as_printed():
+    """The film over that of the oil where Wolveridge's function is of that ratio: a fixed point, whatever the flooded film."""
+    low, high = 1e-6, 1 - 1e-6
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if starved(1, at=middle) > middle else (low, middle)
+    return low
+
+
+def greatest_film(gap):
+    """The greatest film over the summits' σ, by sections of a third."""
+    low, high = 0.3, 0.9
+    for _ in range(100):
+        a, b = low + (high - low) / 3, high - (high - low) / 3
+        low, high = (a, high) if starved(a, gap) < starved(b, gap) else (low, b)
+    return OIL * starved(low, gap)
+
+
+def friction(law=math.asinh, barus=BARUS, speed=0.1):
+    sd = SMOOTH["sd"]
+    ratio = OIL * starved(fast_film(speed) / (OIL * sd))
+    share, area = asperity_share(ratio, **SMOOTH), math.pi * hertz_radius() ** 2
+    real = (math.pi * SMOOTH["density"] * SUMMIT * sd) ** 2 * moment(2, ratio - OFFSET)
+    viscosity = VISCOSITY * math.exp(barus * (1 - share) * LOAD / area)
+    return BOUNDARY * share + EYRING * law(viscosity * speed / (ratio * sd) / EYRING) * area * (1 - real) / LOAD
+
+
 # The right share and the right film stand beside all that change them.
 SHARE, FILM = slow_share(), fast_film()
 COMPLIANCE = (1 - 0.3**2) / 210e9
@@ -75,10 +110,14 @@ TWO = {
     "E8": (0.82 / 1.4, 0.82 * 1.4),
     "E9": (slow_share(offset=2 * OFFSET), SHARE),
     "E10": (1000 ** (4 / 3 - 3), 1),
+    "E11": (starved_as_printed(), starved(0.01)),
+    "E13": (greatest_film(2 * math.sqrt(2) / 3), greatest_film(8 * math.sqrt(2) / (3 * math.pi))),
     "E14": (2.69 * (1 - 0.6 * math.exp(-0.73)), CONSTANT),
     "E15": (slow_share(density=VISCOSITY), SHARE),
     "E17": (slow_share(summit=1e-7), SHARE),
     "E18": (hertz_radius(1e-3 * RADIUS) / (1e-3 * RADIUS), hertz_radius() / RADIUS),
+    "E19": (friction(law=lambda x: 1 - math.exp(-x)), friction()),
+    "E20": (friction(barus=0), friction()),
     "E21": (fast_film(radius=RADIUS / 2), FILM),
     "E23": (fast_film(moduli=(1, 2, 2)), FILM),
     "E24": (fast_film(speed=2), FILM),
@@ -86,7 +125,6 @@ TWO = {
     "E26": (OFFSET * ROUGHNESS, 1 / (4 * math.pi * math.sqrt(3))),
 }
 OF_NOTATION = {"E12", "E16", "E22"}
-OF_INLET_AND_FRICTION = {"E11", "E13", "E19", "E20"}  # their two numbers are those of readings, which the ledger's tests hold
 
 
 class Errata(unittest.TestCase):
@@ -95,7 +133,7 @@ class Errata(unittest.TestCase):
         cls.rows = {row["erratum"]: row for row in json.loads(run("reproduce", "--format", "json").out)["errata"]}
 
     def test_each_has_the_numbers_that_its_formula_gives_as_printed_and_corrected(self):
-        self.assertEqual(set(self.rows), set(TWO) | OF_NOTATION | OF_INLET_AND_FRICTION)
+        self.assertEqual(set(self.rows), set(TWO) | OF_NOTATION)
         for name, numbers in TWO.items():
             for key, expected in zip(("as_printed", "as_corrected"), numbers):
                 with self.subTest(erratum=name, which=key, expected=expected, got=self.rows[name][key]):

@@ -28,6 +28,8 @@ OTHER = {"<": ("boundary", "<="), "<=": ("boundary", "<"), ">": ("boundary", ">=
          "==": ("comparison", "!="), "!=": ("comparison", "=="), "&&": ("logic", "||"), "||": ("logic", "&&"),
          "+": ("arithmetic", "-"), "-": ("arithmetic", "+"), "*": ("arithmetic", "/"), "/": ("arithmetic", "*")}
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
+# Functions whose first two arguments may change places.
+ORDER_FREE = {"Mul", "Add", "Max", "Min", "And", "Or", "MulAdd", "MulSub", "NegMulAdd", "max", "min", "fmax", "fmin", "hypot"}
 # Highway's operations on vectors.
 VECTOR = {"Add": "Sub", "Sub": "Add", "Mul": "Div", "Div": "Mul", "Min": "Max", "Max": "Min", "MulAdd": "NegMulAdd",
           "NegMulAdd": "MulAdd", "MulSub": "MulAdd", "Lt": "Le", "Le": "Lt", "Gt": "Ge", "Ge": "Gt", "And": "Or", "Or": "And"}
@@ -225,8 +227,11 @@ class Cpp:
         text = self.cut(span)
         spans = [self.span(one) for one in cursor.get_arguments()]
         types = [one.type.get_canonical() for one in cursor.get_arguments()]
+        called = re.match(r"(?:\w+::)*(\w+)\(", text)
         for i in range(len(spans) - 1):
             a, b = spans[i], spans[i + 1]
+            if i == 0 and (called and called[1] in ORDER_FREE or a and b and self.text[a[1]:b[0]].decode().strip() in ("==", "!=", "+", "*")):
+                continue  # the order of these two changes nothing
             if not a or not b or a[1] > b[0] or types[i].spelling.removeprefix("const ") != types[i + 1].spelling.removeprefix("const "):
                 continue
             if "=" in re.sub(rb"[=!<>]=", b"", self.text[a[1]:b[0]]).decode():

@@ -97,6 +97,16 @@ class Cpp(Folder):
             self.says(TRIBOCHECK_MUTANTS_REACHED=str(reached))
             self.assertEqual(reached.read_bytes(), bytes([how, 0, 0, 0]))
 
+    def test_arguments_are_exchanged_where_their_order_counts(self):
+        self.source.write_text("namespace vec { double Mul(double, double); double Div(double, double); double MulAdd(double, double, double); }\n"
+                               "struct V { double x; }; bool operator==(V, V); V operator-(V, V);\n"
+                               "double all(double a, double b, double c, V u, V v) {\n"
+                               "  if (u == v) return vec::Mul(a, b);\n"
+                               "  return vec::MulAdd(a, b, c) + vec::Div(a, c) + (u - v).x;\n}\n")
+        found = {(one["replacement"]) for one in places.cpp_part(self.folder, [(f"c++ -std=c++20 -c {self.source}", str(self.source))])
+                 if one["operator"] == "arguments"}
+        self.assertEqual(found, {"c, b", "c, a", "v - u"})
+
     def test_what_is_computed_while_compiling_is_the_original(self):
         one = next(one for one in self.places if one["operator"] == "constant" and (SOURCE + MAIN)[one["begin"] - 7:one["begin"]] == "return ")
         self.built([one])  # with its static_assert
@@ -223,6 +233,24 @@ class Verdicts(Folder):
         found = verdicts.noticed_by(unit, mutants, self.tree())
         self.assertEqual([(one["id"], end) for one, end, _ in found], [("3", "red"), ("31", "red")])
         self.assertLess(len((self.folder / "runs").read_text()), 30)
+
+    def test_those_that_wait_meet_first_what_noticed_most_others_of_their_file_and_then_of_their_room(self):
+        def row(file, by, room="film"):
+            return {"file": file, "room": room, "by": by}
+        units = [{"name": f"{name}:{case}" if case else name, "test": name, "seconds": seconds, "differs": [1], **({"case": case} if case else {})}
+                 for name, case, seconds in (("film.a_test", "A.One", 1), ("film.a_test", "A.Two", 1), ("program.test_b:X", "", 9), ("program.test_c:Y", "", 2),
+                                             ("program.test_slow:Z", "", 61), ("program.test_never:N", "", 1))]
+        for unit in units:
+            unit["test"] = unit["test"].split(":")[0]
+        verdicts = run.Verdicts.__new__(run.Verdicts)
+        verdicts.prepared = types.SimpleNamespace(kept={"coverage": {unit["name"]: unit for unit in units}}, who_can_notice=lambda _: (units, 0))
+        verdicts.ledger = {"samples": [{"mutants": [row("x.cpp", "film.A.Two"), *3 * [row("y.cpp", "program.test_c")], row("y.cpp", "program.test_b"),
+                                                    row("x.cpp", "program.test_slow"), row("z.py", "program.test_never", "scene")]}]}
+        verdicts.rows = {"m": {"outlived": []}}
+        mutant = {"id": "m", "file": "x.cpp", "room": "film"}
+        self.assertEqual([unit["name"] for unit in verdicts.most_likely(mutant)], ["film.a_test", "program.test_c:Y", "program.test_b:X"])
+        verdicts.rows["m"]["outlived"] = ["program.test_c:Y"]
+        self.assertEqual([unit["name"] for unit in verdicts.most_likely(mutant)], ["film.a_test", "program.test_b:X"])
 
     def test_a_test_that_is_red_without_a_mutant_ends_the_run_with_its_name(self):
         tree = self.tree()
