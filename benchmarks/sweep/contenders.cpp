@@ -36,8 +36,6 @@
 namespace tribo::benchmarks {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
 constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins and ends with
 constexpr std::uint64_t chunks_in_turn = 8;        // chunks of contenders of one thread
