@@ -228,6 +228,28 @@ TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
 }
 
 // λ = λ_b to half an ulp up to floor_up_to, beside the floor's own error; no step is taken there.
+// Rounding takes no place of a batch below the floor, the first one and the last of any length too.
+TEST(BatchRoot, IsNeverBelowTheFloor) {
+  on_each_instruction_set([] {
+    Sampler sampler(161);
+    for (const AsperityModel model : models)
+      for (int i = 0; i < 10000; ++i) {
+        const double k = sampler.log_uniform(0.1, 1e6), delta = uniform_offset(sampler);
+        const LoadSharing<double> surface(model, k, delta);
+        if (!(surface.floor() > 0)) continue;
+        std::vector<double> flooded(1 + i % 5), result(flooded.size());
+        for (double& one : flooded) {
+          const double power = sampler.uniform(0.9, 1);
+          one = surface.floor() * std::pow(surface.surface().floor_up_to / surface.floor(), power);
+        }
+        film_parameter(surface, flooded, result);
+        for (std::size_t place = 0; place < result.size(); ++place)
+          EXPECT_GE(result[place], surface.floor())
+              << describe({{"K", k}, {"delta", delta}, {"lambda0", flooded[place]}}) << place;
+      }
+  });
+}
+
 TEST(BatchRoot, IsTheFloorWhereTheBoundSaysSo) {
   Sampler sampler(160);
   std::size_t far_up = 0;
