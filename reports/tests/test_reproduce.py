@@ -230,6 +230,39 @@ class ReproduceTest(unittest.TestCase):
         for section in ["arguments", "requirements", "uncertainty", "independent"]:
             self.assertTrue(ledger[section], section)
 
+    def test_sentences_under_the_tables_say_the_numbers_of_the_json(self):
+        ledger = reproduced("--format", "json").json()
+        ranking = ledger["ranking"]
+
+        def said(*sections):
+            return " ".join(reproduced(*(word for section in sections for word in ("--section", section))).out.split())
+
+        def grouped(count):
+            return f"{count:,}".replace(",", " ") if count > 9999 else str(count)
+        self.assertIn(f"There are {grouped(ranking['readings'])} readings: every combination of the {len(ledger['switches'])} switches. One drawn at "
+                      f"random reproduces {ranking['mean_score']:.3g} claims (standard deviation {ranking['score_standard_deviation']:.2g}). "
+                      f"{grouped(ranking['above_corrected'])} readings reproduce more than the corrected one, and "
+                      f"{grouped(ranking['equal_to_corrected'] - 1)} others as many:", said("ranking"))
+        spread = {"print": "print precision", "plausible": "plausible ranges"}
+        text = said("uncertainty")
+        for one in ledger["uncertainty"]:
+            self.assertIn(f"{spread[one['inputs_varied']]}: {one['draws']} draws; all three onset speeds print as reported in "
+                          f"{one['all_onsets_as_reported']} of them.", text)
+        first = next(claim for claim in ledger["claims"] if claim["claim"] == "C1")
+        self.assertEqual("C1: no combination of interpretations gives all three speeds." in said("claims"), first["met_by"] == 0, first)
+
+    def test_uncertain_numbers_stand_beside_what_the_paper_reports(self):
+        speeds, shares = {"rough": 0.5, "medium": 0.15, "smooth": 0.09}, {"rough": "0.820", "medium": "–", "smooth": "0.600"}
+        reported = {f"onset speed, {name}, m/s": f"{speed:#.3g}" for name, speed in speeds.items()}
+        reported |= {f"asperity share at the lowest speed, {name}": share for name, share in shares.items()}
+        reported |= {"onset speeds, medium/smooth": f"{0.15 / 0.09:.3g}", "onset speeds, rough/medium": f"{0.5 / 0.15:.3g}", "λ at the onset": "1.40"}
+        found = {}
+        for line in reproduced("--section", "uncertainty").out.splitlines():
+            cells = re.split(r" {2,}", line.strip())
+            if len(cells) == 6 and cells[0] != "number":
+                found.setdefault(cells[0], set()).add(cells[5])
+        self.assertEqual(found, {name: {text} for name, text in reported.items()})
+
     def test_csv_agrees_with_onset_and_reads_back(self):
         rows = self.rows("--reading", "corrected")
         found = {row["item"]: row for row in rows}

@@ -102,6 +102,8 @@ class Cpp:
 
     def add(self, operator, begin, end, replacement, *edits, variable=None):
         """`variable`: the declaration whose initial value holds the place: it must not be made while compiling."""
+        if b".reserve(" in self.text[self.text.rfind(b"\n", 0, begin) + 1:begin]:
+            return  # a list grows by itself beyond what was reserved
         if variable is not None:
             place = self.constant(variable)
             if place is False:

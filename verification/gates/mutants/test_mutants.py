@@ -107,6 +107,12 @@ class Cpp(Folder):
                  if one["operator"] == "arguments"}
         self.assertEqual(found, {"c, b", "c, a", "v - u"})
 
+    def test_room_that_is_reserved_changes_nothing(self):
+        self.source.write_text("struct List { void reserve(int); void resize(int); };\nvoid f(List& a, int n) {\n  a.reserve(n + 1);\n  a.resize(n + 2);\n}\n")
+        found = [one for one in places.cpp_part(self.folder, [(f"c++ -std=c++20 -c {self.source}", str(self.source))])]
+        self.assertIn("n - 2", [one["replacement"] for one in found])
+        self.assertNotIn("n - 1", [one["replacement"] for one in found])
+
     def test_what_is_computed_while_compiling_is_the_original(self):
         one = next(one for one in self.places if one["operator"] == "constant" and (SOURCE + MAIN)[one["begin"] - 7:one["begin"]] == "return ")
         self.built([one])  # with its static_assert
