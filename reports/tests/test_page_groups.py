@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page's own arithmetic at its limits: verdicts, agreement of two samples, parts below a speed, and errors of maps, on data made up."""
+import math
+import os
+import pathlib
+import sys
+import types
+import unittest
+from unittest import mock
+
+sys.path.insert(0, str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page/groups"))
+import ledger  # noqa: E402
+import line_films  # noqa: E402
+import onset_uncertainty  # noqa: E402
+import paper  # noqa: E402
+
+
+class Verdicts(unittest.TestCase):
+    def test_on_a_printed_number_change_at_half_its_last_digit_a_tenth_and_the_root_of_ten(self):
+        root = math.sqrt(10)
+        for sure, beyond, verdict, next_verdict in (
+                (1.05, 1.0501, "reproduced", "within 10 %"), (0.95, 0.9499, "reproduced", "within 10 %"),
+                (1.0999, 1.1001, "within 10 %", "order only"), (0.9001, 0.8999, "within 10 %", "order only"),
+                (0.9999 * root, 1.0001 * root, "order only", "not reproduced"), (1.0001 / root, 0.9999 / root, "order only", "not reproduced"),
+                (1e-6 + 1 / root, 0.0, "order only", "not reproduced"), (1e-6 + 1 / root, -1.0, "order only", "not reproduced")):
+            for scale in (1, 3e-7, 2e9):
+                self.assertEqual(paper.judged(scale * sure, scale, 0.1 * scale), verdict, (sure, scale))
+                self.assertEqual(paper.judged(scale * beyond, scale, 0.1 * scale), next_verdict, (beyond, scale))
+
+
+class Uncertainty(unittest.TestCase):
+    LEVELS = ((0.025, "low"), (0.5, "median"), (0.975, "high"))
+
+    def compared(self, distances, count=300, draws=100):
+        """Quantiles of 1 with intervals of ± 0.196, that is one deviation of 0.1, beside others that are so far away."""
+        columns = {surface: {onset_uncertainty.COMPARED: {
+            "count": count, "quantiles": [{"level": level, "value": 1.0, "low": 0.804, "high": 1.196} for level, _ in self.LEVELS]}}
+            for surface in ledger.SURFACES}
+        drawn = {"draws": draws, "onset_speed": {surface: {end: 1 + distances.get((surface, end), 0) for _, end in self.LEVELS} for surface in ledger.SURFACES}}
+        return onset_uncertainty.agreement(columns, drawn)
+
+    def test_a_distance_is_told_in_deviations_of_both_samples_and_as_a_part(self):
+        for surface in ledger.SURFACES:
+            for _, end in self.LEVELS:
+                for distance in (0.5, -0.25):
+                    found = self.compared({(surface, end): distance})
+                    # Four times as many draws in all as in the other sample: deviations of both are twice that of ours.
+                    self.assertAlmostEqual(found["in_deviations"], abs(distance) / (0.1 * math.sqrt(1 + 3)), places=12)
+                    self.assertAlmostEqual(found["farthest"], abs(distance) / (1 + distance), places=12)
+        self.assertEqual((found["ledger_draws"], found["column"]), (100, "onset.film_maximum.speed"))
+
+    def test_they_agree_up_to_the_greatest_number_of_deviations(self):
+        limit = 0.2 * onset_uncertainty.MOST_DEVIATIONS
+        self.assertTrue(self.compared({("rough", "high"): 0.999 * limit})["agree"])
+        self.assertFalse(self.compared({("rough", "high"): 1.001 * limit})["agree"])
+
+    def test_the_part_below_a_speed_is_linear_within_a_bar(self):
+        value = {"count": 10, "histogram": {"edges": [1, 2, 4, 5], "counts": [2, 4, 3]}}
+        for speed, part in ((0.5, 0), (1, 0), (1.5, 0.1), (2, 0.2), (3, 0.4), (4, 0.6), (4.5, 0.75), (5, 0.9), (9, 0.9)):
+            self.assertAlmostEqual(onset_uncertainty.part_below(value, speed), part, places=12)
+
+    def test_an_end_of_an_interval_that_is_not_bounded_is_infinite(self):
+        value = {"quantiles": [{"level": 0.5, "value": 2.0, "low": None, "high": None}, {"level": 0.9, "value": 3.0, "low": 1.0, "high": 4.0}]}
+        self.assertEqual(onset_uncertainty.quantile(value, 0.5), (2.0, math.inf, math.inf))
+        self.assertEqual(onset_uncertainty.quantile(value, 0.9), (3.0, 1.0, 4.0))
+
+
+class Maps(unittest.TestCase):
+    def test_the_error_of_a_map_counts_for_the_quantities_of_the_formulas_of_its_liquid_alone(self):
+        def films(*checks):
+            """A map that is 1 everywhere."""
+            return types.SimpleNamespace(checks=[types.SimpleNamespace(load=load, material=1.0, film=film) for load, film in checks],
+                                         map=lambda loads, materials: [[[1.0] * len(line_films.QUANTITIES)]])
+        first, second = line_films.QUANTITIES[:2]
+        rest = [1.0] * (len(line_films.QUANTITIES) - 2)
+        formulas = [types.SimpleNamespace(quantity=first, is_compressible=False), types.SimpleNamespace(quantity=second, is_compressible=True)]
+        heavy, light = line_films.HEAVY_FROM, math.nextafter(line_films.HEAVY_FROM, 0)
+        with mock.patch.object(line_films, "FORMULAS", formulas):
+            found = line_films.interpolation_data(films((heavy, [0.8, 0.5, *rest]), (light, [1.25, 0.5, *rest])),
+                                                  films((heavy, [0.1, 2.0, *rest]), (light, [0.1, 1.6, *rest])))
+        none = dict.fromkeys(line_films.QUANTITIES[2:], 0.0)
+        self.assertEqual({name: round(error, 12) for name, error in found["greatest"].items()}, {first: 0.25, second: 0.5, **none})
+        self.assertEqual({name: round(error, 12) for name, error in found["greatest_light"].items()}, {first: 0.2, second: 0.375, **none})
+        self.assertEqual((found["points"], found["heavy_from"]), (4, heavy))
+
+
+if __name__ == "__main__":
+    unittest.main()
