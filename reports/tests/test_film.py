@@ -163,6 +163,18 @@ class Numbers(FilmTest):
                          r"^not resolved: it still changed by \d+ % from grid to grid, to \S+ Pa on the grid of \d+ cells$")
         self.assertGreater(found["spike_place"]["value"], 0.8*found["half_width"])
 
+    def test_a_spike_is_told_up_to_an_error_of_2_percent(self):
+        told, untold = [], []
+        for material in (5.88, 5.9, 5.94, 5.96, 5.97):  # where it sharpens beyond that
+            found = self.film(line(10, material))
+            if found["spike_pressure"]:
+                told.append(found["spike_pressure"]["error"] / found["spike_pressure"]["value"])
+            else:
+                untold.append(int(re.search(r"changed by (\d+) %", found["undefined"]["spike_pressure"])[1]))
+        self.assertTrue(told and untold, (told, untold))
+        self.assertLessEqual(max(told), 0.02)
+        self.assertGreaterEqual(min(untold), 2)
+
     def test_two_bodies_that_make_a_line(self):
         tree = line(10, 5)
         given = self.film(tree)
@@ -363,11 +375,16 @@ class Failures(FilmTest):
         path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 4}))
         self.assertEqual(run("film", path).err, "")
         reader, writer = pty.openpty()
-        process = start("film", path, "--tolerance", "1e-6", stdout=subprocess.DEVNULL, stderr=writer)
+        with open(self.folder.path("films.json"), "w+") as out:
+            process = start("film", path, "--tolerance", "1e-6", "--format", "json", stdout=out, stderr=writer)
         os.close(writer)
         said = read_terminal(reader).decode()
         self.assertEqual(process.wait(), 0)
         self.assertRegex(said, r"line at \S+ m/s \(\d+ of 4\): grid of \d+ cells, step \d+ of Newton's method")
+        with open(self.folder.path("films.json")) as out:
+            finest = max(film["cells"] for film in strict_json(out.read()))
+        for cells in map(int, re.findall(r"grid of (\d+) cells", said)):
+            self.assertTrue(64 <= cells <= finest, (cells, finest))
 
 
 class Pictures(FilmTest):
