@@ -356,6 +356,7 @@ class Failures(FilmTest):
         self.assertEqual(run("film", path).out.count("- not solved: "), 2)
         rows = list(csv.DictReader(io.StringIO(run("film", path, "--format", "csv").out)))
         self.assertEqual([row["central_film"] == "" for row in rows], [True, False, True])
+        self.assertEqual([row["cells"] == "0" for row in rows], [True, False, True])
 
     def test_ctrl_c_keeps_what_is_solved(self):
         path = self.write(line(10, 5, speed={"from": 0.5, "to": 1, "count": 1000}))

@@ -189,6 +189,9 @@ TEST(Onset, SaysWhyThereIsNone) {
   const auto reason = [](const Scene& scene, OnsetCriterion criterion) {
     const Onset<double> found = onset_of(scene, criterion);
     EXPECT_FALSE(found.exists);
+    EXPECT_EQ(found.speed, 0);
+    EXPECT_EQ(found.film, 0);
+    EXPECT_EQ(found.film_parameter, 0);
     return std::string(found.reason);
   };
   Scene flooded = paper_scene(PaperSurface::smooth);

@@ -77,6 +77,18 @@ TEST(BrokenJson, IsReportedWithItsPlace) {
   EXPECT_TRUE(refused_at(Format::json, "{\"id\": \"µµ\"}\n\n x", 3, 2, "end of input"));
 }
 
+TEST(BrokenJson, NanAndInfinityAreToldWhereverTheyBegin) {
+  for (const char* word : {"NaN", "nan", "NAN", "Infinity", "-Infinity", "inf", "-INF"}) {
+    for (const char* before :
+         {"", " ", "{\"load\": ", "{\"load\":", "{\"speed\": [", "{\"speed\": [1, "}) {
+      const SceneReading reading = read(Format::json, std::string(before) + word);
+      ASSERT_FALSE(reading.errors.empty());
+      EXPECT_NE(reading.errors[0].line().find("NaN and infinity are not JSON"), std::string::npos)
+          << before << word << ": " << reading.errors[0].line();
+    }
+  }
+}
+
 TEST(BrokenJson, NothingMayFollowTheScene) {
   for (const char* garbage : {"x", "{}", ",", "1", "\n{}", "]", "}"})
     EXPECT_TRUE(refused(Format::json, SceneText::good().json() + garbage, "", "not JSON"));
