@@ -374,6 +374,51 @@ TEST(SampledCurves, AreWithinTheirErrors) {
   EXPECT_GT(told_by_the_grid, 10U);
 }
 
+// Levels just above a minimum, which the function reaches between two nodes alone, and levels of
+// both signs; a level's own error is one of the place.
+TEST(SampledCurves, FallToALevelWhereADenseSweepDoes) {
+  Sampler sampler(35);
+  std::size_t between_nodes = 0;
+  for (int n = 0; n < 300; ++n) {
+    const double tilt = sampler.uniform(-0.5, 0.5), lift = sampler.uniform(-3, 3);
+    const double phase = sampler.uniform(0, 6);
+    const auto f = [&](double x) { return std::sin(x + phase) + tilt * x + lift; };
+    std::vector<double> x, y;
+    for (double at = 0; at < 6; at += sampler.uniform(0.1, 0.4)) x.push_back(at);
+    x.push_back(6);
+    for (const double at : x) y.push_back(f(at));
+    const SampledCurve curve(x, y, f, 1e-14);
+    constexpr int count = 60001;
+    std::vector<double> dense;
+    for (int i = 0; i < count; ++i) dense.push_back(f(6.0 * i / (count - 1)));
+    std::size_t first_minimum = 0;
+    while (first_minimum + 2 < dense.size() &&
+           (first_minimum == 0 || dense[first_minimum - 1] < dense[first_minimum] ||
+            dense[first_minimum + 1] < dense[first_minimum]))
+      ++first_minimum;
+    for (const double above : {1e-4, 1e-2, 0.3}) {
+      const double level = dense[first_minimum] + above;
+      const auto fall = curve.first_fall_to({level, 0});
+      const auto at =
+          std::find_if(dense.begin(), dense.end(), [&](double value) { return value <= level; });
+      ASSERT_EQ(fall.has_value(), at != dense.begin() && at != dense.end());
+      if (!fall) continue;
+      EXPECT_TRUE(is_within(fall->value,
+                            6.0 * static_cast<double>(at - dense.begin()) / (count - 1), 2e-4));
+      EXPECT_TRUE(is_within(f(fall->value), level, 1e-12));
+      const auto node =
+          std::find_if(y.begin(), y.end(), [&](double value) { return value <= level; });
+      between_nodes +=
+          node == y.end() || x[static_cast<std::size_t>(node - y.begin())] > fall->value + 0.4 ? 1U
+                                                                                               : 0U;
+      EXPECT_GT(curve.first_fall_to({level, 1e-6})->error, fall->error + 5e-7);
+    }
+    EXPECT_FALSE(curve.first_fall_to({y.front(), 0}).has_value());
+    EXPECT_FALSE(curve.first_fall_to({least_of(dense) - 1e-3, 0}).has_value());
+  }
+  EXPECT_GT(between_nodes, 50U);
+}
+
 // Nodes within the noise say that the function crosses, and it does not: the crossing may be
 // anywhere between them.
 TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
