@@ -1,13 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""When a gate is red and when it is not: rules.py, and gate.py on them without measuring."""
-import contextlib
-import io
+"""When a gate is red and when it is not: rules.py, and the parts of gate.py that need no program (test_gate.py has one)."""
 import math
 import statistics
-import sys
-import tempfile
 import unittest
-from unittest import mock
 
 import gate
 import rules
@@ -81,17 +76,6 @@ class Limits(unittest.TestCase):
             ratios = [((7 * i) % count + 1) / 4 for i in range(count)]
             held = rules.interval([Repetition(3 * ratio, 2.5, 3.5) for ratio in ratios])
             self.assertEqual(held, Interval(0.25, statistics.median(ratios)))
-
-
-class Instructions(unittest.TestCase):
-    def held(self, now):
-        return gate.hold_instructions({"root AVX2": 100000}, {"root AVX2": now}, verdict("instructions"))
-
-    def test_more_is_red(self):
-        self.assertEqual(self.held(101100).red, ["root AVX2: +1.10 % instructions"])
-
-    def test_fewer_pass(self):
-        self.assertEqual(self.held(50000).name, "passed")
 
 
 class Times(unittest.TestCase):
@@ -174,51 +158,6 @@ class Comparable(unittest.TestCase):
                 gate.times_of(["p"])
         finally:
             gate.measure.times = real
-
-
-class Sides(unittest.TestCase):
-    """Each gate holds the program against the other one where there is one, and else against the baseline."""
-
-    def held(self, name, base_program, has_set=True):
-        def counts(program):
-            return {"root AVX2": {"now": 100, "base": 90}[program]}
-
-        baseline = {"environment": {}, "instructions": {"root AVX2": 50}, "counters": {"root AVX2": {"steps": 50}}}
-        measured = {"valgrind_version": lambda: "valgrind-3", "has_instruction_set": lambda program, _: program == "now" and has_set,
-                    "environment": lambda program: {}, "instructions": counts,
-                    "counters": lambda program: {key: {"steps": count} for key, count in counts(program).items()}}
-        with mock.patch.multiple(gate.measure, **measured), mock.patch.object(rules, "environment_differences", lambda *_: []):
-            return gate.hold_gate(name, "now", base_program, baseline, **QUIETLY)
-
-    def test_of_counts_are_the_other_program_or_the_baseline(self):
-        for name in ("counters", "instructions"):
-            self.assertEqual(self.held(name, "base").worst, 100 / 90)
-            self.assertEqual(self.held(name, None).worst, 2)
-
-    def test_without_the_instruction_set_its_name_is_told(self):
-        self.assertEqual(self.held("instructions", "base", has_set=False).why_not, "this machine has no " + gate.measure.VALGRIND_SET)
-
-
-class Main(unittest.TestCase):
-    """The exit code, without measuring."""
-
-    def main(self, *red, baseline="{}"):
-        held = verdict("counters")
-        held.red += red
-        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            file.write(baseline)
-            file.flush()
-            with mock.patch.object(gate, "hold", lambda *_: {"counters": held}), \
-                    mock.patch.object(sys, "argv", ["gate.py", "program", "--baseline", file.name]), \
-                    contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-                return gate.main()
-
-    def test_it_says_whether_a_gate_is_red(self):
-        self.assertEqual(self.main(), 0)
-        self.assertEqual(self.main("root AVX2: root_steps 101, not 100"), 1)
-
-    def test_without_a_baseline_that_can_be_read_it_is_2(self):
-        self.assertEqual(self.main(baseline="{"), 2)
 
 
 if __name__ == "__main__":
