@@ -7,8 +7,8 @@
 
 namespace tribo {
 
-// Needs f(low) and f(high) of opposite sign, or one of them 0. The bracket shrinks to 2ε of its
-// larger end, or to `least_width` where the root lies near 0. At most 400 evaluations.
+// Needs f(low) and f(high) of opposite sign, or one of them 0. The bracket shrinks below 4ε
+// of the result and `least_width` together. At most 400 evaluations.
 // Failure: NaN, where the ends have one sign or f gives NaN there.
 template <class T, class Function>
 T bracketed_root(Function&& f, T low, T high, const T& least_width) {

@@ -70,7 +70,7 @@ def noticed(baseline):
     left_out = [not_run("random changes", f"{waiting} of those that were drawn wait for slow tests", "`make mutants`")]
     found = finding("mutants", "mutants", "software", "holds")
     if not data["goals_reached"]:
-        found = finding("mutants", "mutants", "software", "missed", f"a goal is missed; {waiting} changes wait for slow tests.")
+        found = finding("mutants", "mutants", "software", "missed", "a goal is missed" + (f"; {waiting} changes wait for slow tests." if waiting else "."))
     return Group(run_of(baseline) | data, [found], left_out if waiting else [])
 
 

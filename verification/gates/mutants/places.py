@@ -232,7 +232,7 @@ class Cpp:
         called = re.match(r"(?:\w+::)*(\w+)\(", text)
         for i in range(len(spans) - 1):
             a, b = spans[i], spans[i + 1]
-            if i == 0 and (called and called[1] in ORDER_FREE or a and b and self.text[a[1]:b[0]].decode().strip() in ("==", "!=", "+", "*")):
+            if i == 0 and (called and called[1] in ORDER_FREE or a and b and self.text[a[1]:b[0]].strip() in (b"==", b"!=")):
                 continue  # the order of these two changes nothing
             if not a or not b or a[1] > b[0] or types[i].spelling.removeprefix("const ") != types[i + 1].spelling.removeprefix("const "):
                 continue

@@ -308,8 +308,7 @@ class Verdicts:
 
     def most_likely(self, mutant):
         """Of the tests that the mutant did not meet, the few that noticed most others of its file, then of its room, in all samples."""
-        test_of = {tests.check_of({**unit, "cases": [unit["case"]]} if "case" in unit else unit, f"[  FAILED  ] {unit.get('case')}"): unit["test"]
-                   for unit in self.prepared.kept["coverage"].values()}
+        test_of = {tests.check_named(unit["test"], unit.get("case")): unit["test"] for unit in self.prepared.kept["coverage"].values()}
         hits = {key: collections.Counter(test_of.get(row.get("by")) for one in self.ledger["samples"] for row in one["mutants"]
                                          if row[key] == mutant[key]) for key in ("file", "room")}
         outlived = self.rows[mutant["id"]]["outlived"]
@@ -319,7 +318,9 @@ class Verdicts:
 
     def meet_likely_tests(self, mutant):
         start = time.monotonic()
-        for unit in () if self.over() else self.most_likely(mutant):
+        if self.over():
+            return
+        for unit in self.most_likely(mutant):
             if self.over():
                 return
             with self.a_tree() as tree:

@@ -80,13 +80,18 @@ def together(units):
     return sorted(joined.values(), key=lambda unit: unit["seconds"])
 
 
+def check_named(test, case):
+    """The check, as the manifest calls it: a TEST of a program of GoogleTest, or the whole test."""
+    return f"{test.split('.')[0]}.{case}" if case else test
+
+
 def check_of(unit, said):
     """The check, as the manifest calls it, at which the part ended."""
     if "cases" not in unit:
         return unit["test"]
     # After a TEST that failed, others are told as begun and skipped.
     first = re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE) or re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE)[-1:]
-    return f"{unit['test'].split('.')[0]}.{first[0]}" if first else unit["test"]
+    return check_named(unit["test"], first[0] if first else None)
 
 
 def narrowed(unit, said):

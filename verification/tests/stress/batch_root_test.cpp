@@ -227,7 +227,6 @@ TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
   }
 }
 
-// λ = λ_b to half an ulp up to floor_up_to, beside the floor's own error; no step is taken there.
 // Rounding takes no place of a batch below the floor, the first one and the last of any length too.
 TEST(BatchRoot, IsNeverBelowTheFloor) {
   on_each_instruction_set([] {
@@ -250,6 +249,7 @@ TEST(BatchRoot, IsNeverBelowTheFloor) {
   });
 }
 
+// λ = λ_b to half an ulp up to floor_up_to, beside the floor's own error; no step is taken there.
 TEST(BatchRoot, IsTheFloorWhereTheBoundSaysSo) {
   Sampler sampler(160);
   std::size_t far_up = 0;
