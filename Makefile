@@ -5,7 +5,7 @@ FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest mutants faults diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest mutants faults numbers diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -95,6 +95,10 @@ mutants: ## draw SAMPLE=20261123 (a date) of wrong changes, see how many the tes
 faults: ## plant every fault of verification/gates/faults, see it caught; an hour and a half; OLDEST=N: the N oldest verdicts
 	@.ci/deps build test
 	verification/gates/faults/plant.py $(if $(OLDEST),--oldest $(OLDEST)) --out reference/baselines/planted_faults.json
+
+numbers: build ## write reference/baselines/numbers.json, all bits that numbers_version stands for, after it was raised; some seconds
+	@.ci/deps test
+	cd reports/tests && TRIBOCHECK=$(CURDIR)/build/release/tribocheck /usr/bin/python3 -B kept_numbers.py
 
 diagnosis: build ## put every fake, alone and together, to verify --subject: writes reference/baselines/diagnosis.json; two or three minutes
 	@.ci/deps build test

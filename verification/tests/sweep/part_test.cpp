@@ -276,25 +276,55 @@ SweepPlan slow_plan(std::uint64_t chunks) {
   return plan;
 }
 
+// Chunks of some ten thousand numbers each, which take no time to compute.
+SweepPlan wide_plan(std::uint64_t chunks) {
+  SweepPlan plan = slow_plan(chunks);
+  SceneSweep& scene = plan.scenes[0];
+  scene.solves_film = false;
+  scene.keep_points = true;
+  scene.chunk_groups = 1 << 11;
+  scene.groups = chunks * scene.chunk_groups;
+  return plan;
+}
+
+// No part has more than a twentieth of the chunks and these few.
+void expect_parts_of(const SweepPlan& plan, std::uint64_t chunks, std::uint64_t few) {
+  const std::vector<ChunkList> parts = cut_in_parts(plan, first_numbers(chunks));
+  ChunkList all;
+  for (const ChunkList& part : parts) all.insert(all.end(), part.begin(), part.end());
+  EXPECT_EQ(all, first_numbers(chunks));
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    EXPECT_GE(parts[i].size(), 3U);
+    EXPECT_LE(parts[i].size(), chunks / 20 + few);
+  }
+  EXPECT_LE(static_cast<double>(parts.front().size()), most_chunks_of_part(plan));
+  EXPECT_LE(most_chunks_of_part(plan), static_cast<double>(parts.front().size()) + 1);
+  EXPECT_LE(parts.size(), 4096U);
+}
+
 TEST(Parts, HaveEachChunkOnceAndTakeSomeSeconds) {
-  for (const std::uint64_t chunks : {1, 3, 100, 100000}) {
-    const std::vector<ChunkList> parts = cut_in_parts(slow_plan(chunks), first_numbers(chunks));
-    ChunkList all;
-    for (const ChunkList& part : parts) all.insert(all.end(), part.begin(), part.end());
-    EXPECT_EQ(all, first_numbers(chunks));
-    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-      EXPECT_GE(parts[i].size(), 3U);
-      EXPECT_LE(parts[i].size(), chunks / 20 + 5);
-    }
-    EXPECT_LE(static_cast<double>(parts.front().size()), most_chunks_of_part(slow_plan(chunks)));
-    EXPECT_LE(most_chunks_of_part(slow_plan(chunks)),
-              static_cast<double>(parts.front().size()) + 1);
-    EXPECT_LE(parts.size(), 4096U);
+  for (const std::uint64_t chunks : {1, 3, 100, 100000, 1000000}) {
+    SCOPED_TRACE(chunks);
+    expect_parts_of(slow_plan(chunks), chunks, 5);
+    expect_parts_of(wide_plan(chunks), chunks, 80);
   }
   SweepPlan quick = slow_plan(1000);
   quick.scenes[0].solves_film = false;
   EXPECT_EQ(cut_in_parts(quick, first_numbers(1000)).size(), 1U);
   EXPECT_EQ(cut_in_parts(quick, {}).size(), 0U);
+}
+
+TEST(Parts, HaveAsManyChunksAsTheEnvironmentAsksFor) {
+  for (const std::size_t asked : {1, 2, 7}) {
+    ASSERT_EQ(setenv("TRIBOCHECK_PART_CHUNKS", std::to_string(asked).c_str(), 1), 0);
+    for (const SweepPlan& plan : {slow_plan(14), wide_plan(14)}) {
+      const std::vector<ChunkList> parts = cut_in_parts(plan, first_numbers(14));
+      EXPECT_EQ(parts.size(), 14 / asked);
+      for (const ChunkList& part : parts) EXPECT_EQ(part.size(), asked);
+      EXPECT_EQ(most_chunks_of_part(plan), static_cast<double>(asked));
+    }
+  }
+  unsetenv("TRIBOCHECK_PART_CHUNKS");
 }
 
 // Another cut of the same sweep, into other parts or other shards, never finds its own part there.
