@@ -11,7 +11,7 @@ import re
 
 from page_tables import quantile, sig
 from report_files import table
-from svg_plots import NEAR, Axis, absent, contours, number, read, texts
+from svg_plots import NEAR, Axis, absent, contours, looks, number, read, texts
 
 COLOURS = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2, "ball_on_flat": 0x0072B2, "bearing_outer_ring": 0x009E73,
            "gear_flank": 0xD55E00}
@@ -329,6 +329,7 @@ def differences(path, name, data):
     written = texts(path)
     said = [f"no axis is named {one}" for one in AXES.get(name, ("evaluations a point", "true error (ulp), greatest") if "_evaluations" in name else WORK)
             if one not in [text for text, _, _ in written]]
+    said += looks(path)
     if name == "line_film_errors":
         return said + list(map_differences(path, data))
     panels = getattr(data, name)() if hasattr(data, name) else data.work(name)

@@ -133,6 +133,33 @@ def absent(these, among):
     return [(x, y) for x, y in these if (round(x * 10), round(y * 10)) not in cells]
 
 
+def looks(path):
+    """Strokes that are too thin to be seen, and axes of decades without ticks between them, each as one line."""
+    ticks = {"x": [], "y": []}
+    for group in xml.parse(path).getroot().iter(SVG + "g"):
+        is_of_plot = re.search(r"_plot_\d+[a-z]?$", group.get("id", ""))
+        title = group.find(SVG + "title")
+        is_named = title is not None and title.text != group.get("id")
+        for around in group.iter(SVG + "g") if is_of_plot else [group]:
+            for one in around.findall(SVG + "path"):
+                marks, width = pairs(one.get("d")), float(around.get("stroke-width") or 1)
+                is_curve = is_named and one.get("stroke-dasharray") is None and rgb(one.get("stroke")) != 0x666666
+                least = 1.4 if is_curve else 0.6  # a guide is dashed or grey
+                if is_of_plot and "fill" not in one.attrib and width < least:
+                    yield f"a stroke of {width} px, not {least} or more, in {group.get('id')}"
+                for (x, y), (x_end, y_end) in [] if is_of_plot or len(marks) % 2 else zip(marks[::2], marks[1::2]):
+                    if 0 < abs(x - x_end) + abs(y - y_end) <= 8:
+                        ticks["y" if y == y_end else "x"].append(y if y == y_end else x)
+    for plot in read(path)[0]:
+        for axis, labels in plot.labels.items():
+            known = sorted((number(label), place) for label, place in labels.items() if number(label) is not None)
+            decades = [(a, at, b, to) for (a, at), (b, to) in zip(known, known[1:]) if a > 0 and math.isclose(b, 10 * a)]
+            for a, at, b, to in decades if len(decades) >= 2 else []:
+                wanted = [at + (to - at) * math.log10(one) for one in range(2, 10)]
+                if any(min((abs(place - one) for place in ticks[axis]), default=math.inf) > NEAR for one in wanted):
+                    yield f"no ticks at the numbers between {a:g} and {b:g} on the {axis} axis"
+
+
 def contours(path, letters):
     """The plots whose names end with each letter, each with its black lines (is dashed, is thick, places), the places of coloured ones, and texts."""
     root = xml.parse(path).getroot()

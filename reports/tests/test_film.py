@@ -415,6 +415,7 @@ class Pictures(FilmTest):
                   [("", None, [(0, 1e6 * one["film"]) for one in found["formulas"]], True),
                    ("", 0x0072B2, [(1e6 * a, 1e6 * h) for a, h in zip(x, found["profile"]["film"])], False),
                    ("film in the middle", None, [], False), ("least film", None, [], False)]]
+        self.assertEqual(list(svg_plots.looks(target)), [])
         plots, axes = svg_plots.read(target)
         self.assertEqual(len(plots), 2)
         across = svg_plots.Axis(plots[1].labels["x"], False)

@@ -11,7 +11,9 @@ import unittest
 import page_tables
 
 sys.path.insert(0, str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page/render"))
+import markup  # noqa: E402
 import numbers_text  # noqa: E402
+import sweep_pictures  # noqa: E402
 
 
 def beside(value):
@@ -55,6 +57,21 @@ class Numbers(unittest.TestCase):
     def test_an_interval_has_both_ends_or_one_number(self):
         self.assertEqual(numbers_text.interval([3.664, 1.062], 3), "1.06 to 3.66")
         self.assertEqual(numbers_text.interval([2.001, 1.999], 2), "2.0")
+
+
+class Texts(unittest.TestCase):
+    def test_a_cell_for_gnuplot_keeps_each_sign_but_those_that_end_it(self):
+        for sign in map(chr, range(0x300)):
+            shown = " " if sign < " " or sign == "\x7f" else "'" if sign == '"' else sign
+            self.assertEqual(sweep_pictures.cell(f"a{sign}b"), f"a{shown}b")
+        for count in range(38, 43):
+            self.assertEqual(sweep_pictures.cell("x" * count), "x" * count if count <= 40 else "x" * 40 + "…")
+        self.assertEqual([sweep_pictures.cell(one) for one in ("", " ", "\n")], ["–", "–", "–"])
+
+    def test_a_bar_ends_no_cell_of_a_table(self):
+        self.assertEqual(markup.escaped("a|b*"), r"a\|b\*")
+        self.assertEqual(markup.marked("a|b `c|d*` *e"), r"a\|b `c\|d*` \*e")
+        self.assertEqual(markup.code("a|b"), r"`a\|b`")
 
 
 if __name__ == "__main__":

@@ -288,13 +288,17 @@ class Page(WrittenReport):
         told = self.run_script("""
             const svg = document.querySelector('#figure_10 svg'), box = svg.getBoundingClientRect();
             const axes = Object.fromEntries(svg.dataset.axes.split(' ').map((one) => one.split('=')));
-            const at = (x, y) => svg.dispatchEvent(new PointerEvent('pointermove', {
-              clientX: box.left + x / 960 * box.width, clientY: box.top + y / 640 * box.height}));
-            at(Number(axes.xmin) + 0.01, Number(axes.ytop) + 0.01);
-            const inside = document.querySelector('.values').textContent;
+            const shown = document.querySelector('.values');
+            const at = (x, y) => {
+              const place = {clientX: box.left + x / 960 * box.width, clientY: box.top + y / 640 * box.height};
+              svg.dispatchEvent(new PointerEvent('pointermove', place));
+              const {left, top} = shown.getBoundingClientRect();
+              return [left > place.clientX, top > place.clientY];
+            };
+            const beside = at(Number(axes.xmin) + 0.01, Number(axes.ytop) + 0.01), inside = shown.textContent;
             at(5, 5);
-            return [inside, document.querySelector('.values').hidden];""")
-        self.assertEqual(told, ["x = 0.000100, y = 1.00e+3", True])
+            return [inside, ...beside, shown.hidden];""")
+        self.assertEqual(told, ["x = 0.000100, y = 1.00e+3", True, True, True])
         told = self.run_script("""
             const svg = document.querySelector('#stribeck_of_machines svg'), box = svg.getBoundingClientRect();
             const axes = Object.fromEntries(svg.dataset.axes.split(' ').map((one) => one.split('=')));

@@ -135,6 +135,7 @@ class Pictures(SweepTest):
         for name in pictures:
             svg = xml.parse(self.path(f"drawn/{name}.svg")).getroot()
             self.assertTrue(svg.tag.endswith("svg"))
+            self.assertEqual(list(svg_plots.looks(self.path(f"drawn/{name}.svg"))), [])
             png = pathlib.Path(self.path(f"drawn/{name}.png")).read_bytes()
             self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
             self.assertEqual(struct.unpack(">I", png[16:20])[0], 1920)
