@@ -185,7 +185,9 @@ class Built:
         self.build = build
         lines = [line.split("\t") for line in (build / ".ninja_log").read_text().splitlines() if not line.startswith("#")]
         self.took = {output: (int(end) - int(start)) / 1000 for start, end, _, output, *_ in lines}
-        self.reads = {block.split(":")[0]: set(block.split("\n    ")[1:]) for block in self.ask("deps").split("\n\n")}
+        # A compiler cache may have written the texts' names from the build folder on.
+        self.reads = {block.split(":")[0]: {os.path.normpath(build / name) for name in block.split("\n    ")[1:]}
+                      for block in self.ask("deps").split("\n\n")}
 
     @functools.cache
     def needed(self, *targets):

@@ -3,6 +3,7 @@
 import contextlib
 import io
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -141,8 +142,9 @@ class OfMutants(Tree):
     def test_what_reads_a_file_is_compiled_again_as_far_as_it_is_needed(self):
         (self.folder / ".ninja_log").write_text("# ninja log v5\n0\t1000\t1\told.o\tx\n10\t9010\t1\told.o\tx\n5\t6\t1\tcached.o\tx\n")
         deps = "old.o: #deps 2, deps mtime 1 (VALID)\n    /t/a.hpp\n    /t/b.hpp\n\n" + "".join(
-            f"{name}: #deps 1, deps mtime 1 (VALID)\n    /t/{file}\n\n" for name, file in
-            (("cached.o", "a.hpp"), ("new.o", "b.hpp"), ("other.o", "b.hpp"), ("x/pch.gch", "c.hpp"), ("verification/tests/CMakeFiles/t.o", "d.cpp")))
+            f"{name}: #deps 1, deps mtime 1 (VALID)\n    {file}\n\n" for name, file in
+            (("cached.o", "/t/a.hpp"), ("new.o", os.path.relpath("/t/b.hpp", self.folder)), ("other.o", "/t/b.hpp"), ("x/pch.gch", "/t/c.hpp"),
+             ("verification/tests/CMakeFiles/t.o", "/t/d.cpp")))
         needed = "old.o\ncached.o\nnew.o\nx/pch.gch\nverification/tests/CMakeFiles/t.o\nlib.a\n"
         with mock.patch.object(plant, "run", lambda command: finished(0, needed if "inputs" in command else deps)):
             built = plant.Built(self.folder)
