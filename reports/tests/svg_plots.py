@@ -8,6 +8,7 @@ import xml.etree.ElementTree as xml
 SVG = "{http://www.w3.org/2000/svg}"
 HREF = "{http://www.w3.org/1999/xlink}href"
 PAIR = re.compile(r"(-?[\d.]+),(-?[\d.]+)")
+PLOT = re.compile(r"_plot_\d+[a-z]?$")  # the id of a series
 NEAR = 0.08  # px: coordinates have two digits
 
 
@@ -73,14 +74,17 @@ def series_of(group, title):
     return made
 
 
+def canvas_of(root):
+    return next(one for one in root.iter(SVG + "g") if one.get("id", "").endswith("_canvas"))
+
+
 def read(path):
     """The panels of a picture in their order, and what its element says of the axes of the last one."""
     root = xml.parse(path).getroot()
     axes = {name: float(value) for name, value in re.findall(r"(\w+)=([-+.\de]+)", root.get("data-axes"))}
-    canvas = next(one for one in root.iter(SVG + "g") if one.get("id", "").endswith("_canvas"))
     plots = [Plot()]
-    for child in canvas:
-        if re.search(r"_plot_\d+[a-z]?$", child.get("id", "")):
+    for child in canvas_of(root):
+        if PLOT.search(child.get("id", "")):
             title = child.find(SVG + "title")
             plots[-1].series.append(series_of(child, "" if title is None or title.text == child.get("id") else title.text))
             continue
@@ -136,20 +140,21 @@ def absent(these, among):
 def looks(path):
     """Strokes that are too thin to be seen, and axes of decades without ticks between them, each as one line."""
     ticks = {"x": [], "y": []}
-    for group in xml.parse(path).getroot().iter(SVG + "g"):
-        is_of_plot = re.search(r"_plot_\d+[a-z]?$", group.get("id", ""))
-        title = group.find(SVG + "title")
-        is_named = title is not None and title.text != group.get("id")
-        for around in group.iter(SVG + "g") if is_of_plot else [group]:
-            for one in around.findall(SVG + "path"):
-                marks, width = pairs(one.get("d")), float(around.get("stroke-width") or 1)
-                is_curve = is_named and one.get("stroke-dasharray") is None and rgb(one.get("stroke")) != 0x666666
-                least = 1.4 if is_curve else 0.6  # a guide is dashed or grey
-                if is_of_plot and "fill" not in one.attrib and width < least:
-                    yield f"a stroke of {width} px, not {least} or more, in {group.get('id')}"
-                for (x, y), (x_end, y_end) in [] if is_of_plot or len(marks) % 2 else zip(marks[::2], marks[1::2]):
-                    if 0 < abs(x - x_end) + abs(y - y_end) <= 8:
-                        ticks["y" if y == y_end else "x"].append(y if y == y_end else x)
+    for child in canvas_of(xml.parse(path).getroot()):
+        is_of_plot, title = PLOT.search(child.get("id", "")), child.find(SVG + "title")
+        is_named = title is not None and title.text != child.get("id")
+        for group in child.iter(SVG + "g"):
+            for one in group.findall(SVG + "path"):
+                marks = pairs(one.get("d"))
+                if is_of_plot:
+                    is_guide = not is_named or one.get("stroke-dasharray") is not None or rgb(one.get("stroke")) == 0x666666
+                    width, least = float(group.get("stroke-width") or 1), 0.6 if is_guide else 1.4
+                    if "fill" not in one.attrib and width < least:
+                        yield f"a stroke of {width} px, not {least} or more, in {child.get('id')}"
+                elif len(marks) % 2 == 0:
+                    for (x, y), (x_end, y_end) in zip(marks[::2], marks[1::2]):
+                        if 0 < abs(x - x_end) + abs(y - y_end) <= 8:
+                            ticks["y" if y == y_end else "x"].append(y if y == y_end else x)
     for plot in read(path)[0]:
         for axis, labels in plot.labels.items():
             known = sorted((number(label), place) for label, place in labels.items() if number(label) is not None)

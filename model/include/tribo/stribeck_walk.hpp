@@ -118,7 +118,7 @@ class StribeckWalk {
   }
 
   // Walks from coordinate s to one whose ln u is within `tolerance` of log_speed, in steps of at
-  // most +2 in ln u and 10 in s. A NaN speed (overflow) stops the walk.
+  // most 2 upwards in ln u and 10 in s. A NaN speed (overflow) stops the walk.
   T walk_to(T s, const T& log_speed, const T& tolerance) const {
     using std::abs;
     using std::log;
