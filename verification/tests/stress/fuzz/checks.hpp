@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks that have to hold for any bytes at all. libFuzzer calls them on bytes that it makes up
-// (toml_fuzzer.cpp and the others), corpus_replay_test.cpp on the files of corpus/.
+// (fuzzer.cpp), corpus_replay_test.cpp on the inputs in corpus/.
 #pragma once
 
 #include <stdexcept>
@@ -34,8 +34,15 @@ void check_ordinary_scene(std::string_view line);
 // The text as a sweep: one whose cases are in their fields' ranges, or errors as above.
 void check_sweep(std::string_view text);
 
+using Check = void (*)(std::string_view);
+
+// The checks of each way in.
+inline constexpr Check toml_checks[] = {check_toml_scene, check_sweep};
+inline constexpr Check json_checks[] = {check_json_scene, check_ordinary_scene};
+inline constexpr Check stream_checks[] = {check_stream};
+
 // Empty where the check holds; else what it throws.
-inline std::string broken_property(void (*check)(std::string_view), std::string_view text) {
+inline std::string broken_property(Check check, std::string_view text) {
   try {
     check(text);
   } catch (const std::exception& broken) {

@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <tuple>
 #include <vector>
 
+#include "protocol/ordinary_scene.hpp"
 #include "stress/fuzz/checks.hpp"
-#include "stress/fuzz/same_reading.hpp"
 #include "tribo/film_thickness.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -20,6 +22,47 @@ using Json = nlohmann::ordered_json;
 using Parse = SceneReading (*)(std::string_view, std::string_view, SceneUse);
 
 constexpr std::string_view source = "fuzz";
+
+// --- Two readings of a scene, compared in everything.
+
+auto values_of(const Scene& scene) {
+  const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
+      scene;
+  const auto& [list, from, to, count, spacing] = speeds;
+  const auto& [density, radius, height_sd, offset, planes, moments] = surface;
+  const auto& [modulus, reduced_radius, ellipticity, radius_x, radius_y, length, both] = bodies;
+  const auto of_body = [](const Body& body) {
+    return std::tuple(body.modulus, body.poisson_ratio, body.radius_x, body.radius_y);
+  };
+  const auto& [viscosity, pressure_viscosity, eyring_stress] = lubricant;
+  const auto& [boundary_coefficient, slide_roll_ratio, fluid, law] = friction;
+  const auto& [asperity, starvation, damiens_exponent, film] = closures;
+  return std::tuple_cat(
+      std::tuple(id, load, list, from, to, count, spacing, density, radius, height_sd, offset),
+      std::tuple(moments.m0, moments.m2, moments.m4),
+      std::tuple(planes, modulus, reduced_radius, ellipticity, viscosity, pressure_viscosity),
+      std::tuple(eyring_stress, supply.kind, supply.value, boundary_coefficient, slide_roll_ratio),
+      std::tuple(fluid, law, asperity, starvation, damiens_exponent, film, radius_x, radius_y,
+                 length),
+      of_body(both[0]), of_body(both[1]));
+}
+
+bool same(const Scene& left, const Scene& right) {
+  return values_of(left) == values_of(right) && left.outputs == right.outputs;
+}
+
+bool same_lines(const std::vector<InputProblem>& left, const std::vector<InputProblem>& right) {
+  return std::equal(
+      left.begin(), left.end(), right.begin(), right.end(),
+      [](const InputProblem& a, const InputProblem& b) { return a.line() == b.line(); });
+}
+
+bool same(const SceneReading& left, const SceneReading& right) {
+  return left.id == right.id && same_lines(left.errors, right.errors) &&
+         same_lines(left.warnings, right.warnings) &&
+         left.scene.has_value() == right.scene.has_value() &&
+         (!left.scene || same(*left.scene, *right.scene));
+}
 
 // --- Messages.
 
@@ -313,6 +356,13 @@ void check_json_scene(std::string_view text) {
   check_text(parse_scene_json, text);
   if (parse_scene_json(text, source, SceneUse::onset).scene)
     require(Json::accept(text), "a scene is JSON", text);
+}
+
+void check_ordinary_scene(std::string_view line) {
+  const std::optional<SceneReading> ordinary = protocol::read_ordinary_scene(line, source);
+  if (ordinary)
+    require(same(*ordinary, parse_scene_json(line, source, SceneUse::one_speed)),
+            "an ordinary line is read as any other", line);
 }
 
 }  // namespace tribo::fuzz
