@@ -4,7 +4,7 @@
 files each takes by hand.
 
 additions.toml has the kinds, their changes and what the built copy is asked. One copy takes them all and is built once: some
-five minutes on two cores. Exit code 1 where a change does not apply, the copy does not build, a check fails, or a kind takes
+three minutes on two cores. Exit code 1 where a change does not apply, the copy does not build, a check fails, or a kind takes
 more files by hand than its limit.
 
   verification/gates/additions/prove.py
@@ -264,8 +264,12 @@ class Copy:
         language, function = asked["language"], asked["function"]
         source = folder / f"solver.{ENDINGS[language]}"
         run([self.program("tribocheck"), "init", "subject", "--language", language, "--out", source], cwd=self.tree)
-        head, mark, rest = re.split(rf"(^(?:def|static int) {function}\()", source.read_text(), maxsplit=1, flags=re.MULTILINE)
-        source.write_text(head + mark + rest.replace(NOT_WRITTEN[language], asked["body"], 1))
+        text = source.read_text()
+        begins = re.search(rf"^(?:def|static int) {function}\(", text, re.MULTILINE)
+        if begins is None:
+            raise Red(f"`init` does not write a function {function}")
+        place = begins.end()
+        source.write_text(text[:place] + text[place:].replace(NOT_WRITTEN[language], asked["body"], 1))
         if language == "python":
             return source
         library = folder / "libsolver.so"

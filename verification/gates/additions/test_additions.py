@@ -187,6 +187,22 @@ class Programs(unittest.TestCase):
         self.assertEqual(file.read_text(), template.replace("law(x):\n    return None", "law(x):\n    return x"))
 
 
+    def test_a_solver_needs_its_function(self):
+        with mock.patch.object(prove, "run", lambda command, **_: pathlib.Path(command[-1]).write_text("def laws(x):\n    return None\n")), \
+                self.assertRaisesRegex(prove.Red, "does not write a function law"):
+            self.copy.solver({"language": "python", "function": "law", "body": "return x"}, self.copy.folder)
+
+    def test_one_check_that_fails_makes_the_whole_red_and_the_others_are_asked(self):
+        kind = prove.Kind("law", "a law", 1, 1, [], checks=[{"says": one} for one in ("first", "second", "third")])
+        for ends, held in (([None] * 3, True), ([None, prove.Red("no film"), None], False)):
+            out = io.StringIO()
+            with mock.patch.object(prove.Copy, "make"), mock.patch.object(prove.Copy, "hold", side_effect=ends), \
+                    contextlib.redirect_stdout(out):
+                self.assertIs(prove.prove([kind], self.copy.folder), held)
+            self.assertIn("held    third", out.getvalue())
+            self.assertEqual("FAILED  second: no film" in out.getvalue(), not held)
+
+
 class Whole(Files):
     """The program itself."""
 
