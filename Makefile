@@ -5,7 +5,7 @@ FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest mutants faults numbers diagnosis catalogue-proof verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -109,9 +109,9 @@ diagnosis: build ## put every fake, alone and together, to verify --subject: wri
 	  /usr/bin/python3 -B diagnosis_ledger.py $(CURDIR)/reference/baselines/diagnosis.json \
 	  $(CURDIR)/build/release/verification/tests/diagnosis_test
 
-catalogue-proof: ## add a function to a scratch copy, see it offered everywhere; some two minutes
-	@.ci/deps build report references
-	verification/gates/new_function/prove.py
+additions: ## add a field, law, closure, output, criterion, function and section to a scratch copy, see each work, count its files; some three minutes
+	@.ci/deps build report references test
+	verification/gates/additions/prove.py
 
 fuzz-short: ## run each fuzz target on a fixed number of inputs; half a minute, the build a minute
 	@.ci/deps build check
