@@ -39,7 +39,7 @@ inline constexpr std::array<std::string_view, 5> film_regime_words{
 //   isoviscous_elastic      8.70 g_E^{0.67} (1 − 0.85 e^{−0.31k})
 //   viscous_elastic         3.42 g_V^{0.49} g_E^{0.17} (1 − e^{−0.68k})
 // viscosity_parameter g_V, elasticity_parameter g_E, radius_ratio α = R_y/R_x and ellipticity k of
-// the contact's ellipse; all > 0, and what a regime does not have is not looked at. Error:
+// the contact's ellipse; all > 0; a regime reads only the numbers of its own formula. Error:
 // film_contract.
 template <class T>
 T regime_film(FilmRegime regime, const T& viscosity_parameter, const T& elasticity_parameter,

@@ -30,7 +30,7 @@ struct FieldInfo {
   bool is_radius_of_face = false;      // any number but 0, and ±∞ in TOML: a flat face
   std::span<const std::string_view> choices = {};  // choice: the legal words
   std::string_view default_text = "";              // empty: no default
-  bool required = false;                 // by every output; of `speed`'s table, where there is one
+  bool required = false;                 // by all outputs; of a table `speed`: in that table
   std::optional<Output> needed_by = {};  // by this output alone
   double plausible_minimum = 0;          // legal numbers beyond these two get a warning
   double plausible_maximum = std::numeric_limits<double>::infinity();
@@ -74,9 +74,9 @@ struct Fault {
   Rule rule = other;
   std::string value = {};    // as messages show it; empty: a list or a table, or nothing
   std::string what = {};     // what the rule says more
-  std::string allowed = {};  // of an unknown one: the known ones
+  std::string allowed = {};  // of an unknown name: the known names
   std::string nearest = {};  // the known name or word that is probably meant
-  std::string where = {};    // under which circumstances, before all the rest
+  std::string where = {};    // in which circumstances; stands before all the rest
 };
 
 // One thing wrong (or odd) with an input. `line()` is what a person reads. All texts are valid
