@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading sweeps: a scene file in TOML with grids and distributions in place of numbers, and a
-// table [sweep] that says how and what for.
+// table [sweep] that says how cases are drawn and what is asked of them.
 //
 //   [lubricant]
 //   viscosity = { distribution = "normal", mean = 0.0202, sd = 5e-4 }
@@ -43,7 +43,7 @@ struct SweepField {
 std::span<const SweepField> sweep_fields();
 
 inline constexpr std::uint64_t default_draws = 16384;
-inline constexpr std::uint64_t most_cases = 1'000'000'000'000;  // and of points
+inline constexpr std::uint64_t most_cases = 1'000'000'000'000;  // and as many points
 inline constexpr std::size_t most_variables = 40;
 
 // `source` names the input in messages and, without its folder and ending, a scene without an id.
