@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stream's short cut against the reader that it passes by.
+// The stream's short cut for ordinary lines, against the reader of any JSON.
 #include "protocol/ordinary_scene.hpp"
 #include "stress/fuzz/checks.hpp"
 #include "stress/fuzz/same_reading.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two readings of a scene, compared in everything.
+// Are two readings of a scene equal in every field and message?
 #pragma once
 
 #include <algorithm>
