@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Adds a function to a scratch copy of the tree, and sees it offered everywhere.
+"""Adds a function to a scratch copy of the tree, and checks that it is offered everywhere.
 
 The function is a header, an entry of the catalogue, a generator of its certified values, and a mistake: the
 files beside this one. Nothing else is written. Then it has to be listed by `tribocheck functions`, answered by
@@ -33,7 +33,7 @@ def run(command, code=0, **options):
 
 
 def insert(path, before, text):
-    """Puts text in front of the first place of another, which has to be there."""
+    """Puts a text in front of the first place of another text, which has to be there."""
     whole = path.read_text()
     if before not in whole:
         sys.exit(f"{path}: \"{before}\" is not there any more")
@@ -75,7 +75,7 @@ def verdict_of(said):
 
 
 def checks(program, tree, folder):
-    """Yields a line for each thing that was seen."""
+    """Checks each thing in turn, and yields a line for each."""
     def ask(*words, **options):
         return run([program, *words], cwd=tree, **options)
 
