@@ -66,12 +66,12 @@ def indices(text):
 
 
 def plain(markdown):
-    """The text alone, for labels and descriptions."""
+    """The plain text of Markdown, for labels and descriptions."""
     return html.unescape(re.sub(r"<[^>]*>", "", to_html(indices(markdown)))).strip()
 
 
 def to_html(markdown):
-    """HTML with GitHub's additions to Markdown but no links made of bare addresses, which may be anybody's words."""
+    """HTML, with GitHub's additions to Markdown, but without links made of bare addresses, which may stand in texts of others."""
     return cmarkgfm.markdown_to_html_with_extensions(str(markdown), Options.CMARK_OPT_UNSAFE,
                                                      ["table", "strikethrough", "tagfilter"])
 
