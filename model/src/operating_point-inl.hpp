@@ -130,7 +130,7 @@ HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const FilmLaw& law,
   return hn::And(hn::Gt(x, hn::Zero(d)), hn::Gt(hn::Mul(x, x), beyond));
 }
 
-// Which parts of the computation a set of outputs needs.
+// The parts of the computation that a set of outputs needs.
 struct Needs {
   explicit Needs(OutputSet outputs, SupplyKind supply)
       : is_starved(supply != SupplyKind::flooded),

@@ -30,7 +30,7 @@ struct RunRefused : std::invalid_argument {
 using Mark = bool (*)(std::span<const std::byte> start);
 inline bool any_mark(std::span<const std::byte>) { return true; }
 
-// Which file it is, and in which state; it stays the same when the machine starts anew.
+// Tells a file and its state from others; stays the same when the machine starts anew.
 struct FileIdentity {
   std::uint64_t inode = 0, size = 0;
   std::int64_t seconds = 0, nanoseconds = 0;  // of its last change

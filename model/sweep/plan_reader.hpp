@@ -4,12 +4,11 @@
 //
 //   [lubricant]
 //   viscosity = { distribution = "normal", mean = 0.0202, sd = 5e-4 }
-//   pressure_viscosity = { printed = "2.0e-8" }            # uniform, half a last digit to both
-//   sides
+//   pressure_viscosity = { printed = "2.0e-8" }            # uniform: 1.95e-8 to 2.05e-8
 //
 //   [surface]
 //   summit_height_sd = [2.5e-8, 5e-8, 1e-7]                # a grid
-//   summit_density = { from = 1e10, to = 1e12, count = 9 } # likewise; spacing = "log" or "lin"
+//   summit_density = { from = 1e10, to = 1e12, count = 9 } # a grid; spacing = "log" or "lin"
 //
 //   [sweep]
 //   onset = ["film_maximum"]

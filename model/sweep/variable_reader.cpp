@@ -32,7 +32,7 @@ struct Printed {
   double value, half_digit;
 };
 
-// Of "2.0e-8" the value 2e-8, and half a unit of the last digit, half of 1e-9.
+// From "2.0e-8": the value 2e-8, and half a unit of its last digit, 0.5e-9.
 std::optional<Printed> read_printed(const std::string& text) {
   const char* const end = text.data() + text.size();
   double value = 0;

@@ -150,7 +150,7 @@ std::optional<FunctionCall> call_of(Members members) {
   return call;
 }
 
-// Nothing where the line is no JSON object with a member "function".
+// The call that a line asks for; nullopt where it is no JSON object with a member "function".
 std::optional<FunctionCall> read_function_call(std::string_view line) {
   if (const auto members = ordinary_members(line)) return call_of(*members);
   SceneReading unused;

@@ -70,7 +70,7 @@ struct Observed {
   // Numerical errors, absolute: the number itself lies within them.
   double error = 0;                    // of value, other_end and middle
   std::optional<double> part_error{};  // of part; none where speeds are not compared
-  // Of few compared numbers, the greatest that at least half of them reach.
+  // Where few numbers are compared: the greatest that at least half of them reach.
   std::optional<double> middle{};
   // Contacts whose numbers lie beyond the collapse of their film; bit i: contact i (ContactName).
   std::uint8_t beyond_collapse = 0;

@@ -19,8 +19,8 @@ struct HertzLine {
   T peak_shear;     // the greatest shear stress, Pa: below the surface, at a depth of 0.786 b
 };
 
-// The greatest shear stress below a line contact over p₀, for any Poisson's ratio: g − g²/√(1+g²) =
-// 0.300283… at the depth g b, g = √((√5 − 1)/2) = 0.786151…
+// The greatest shear stress below a line contact over p₀, for any Poisson's ratio:
+// g − g²/√(1+g²) = 0.300283… at the depth g b, g = √((√5 − 1)/2) = 0.786151…
 template <class T>
 T line_peak_shear_ratio() {
   using std::sqrt;

@@ -307,7 +307,7 @@ class Verdicts:
         self.say(mutant, "survived" if able or reach else "not reached", time.monotonic() - start)
 
     def most_likely(self, mutant):
-        """Of the tests that the mutant did not meet, the few that noticed most other mutants of its file, then of its room, in all samples."""
+        """The few tests, not yet run on this mutant, that noticed most other mutants of its file, then of its room, in all samples."""
         test_of = {tests.check_named(unit["test"], unit.get("case")): unit["test"] for unit in self.prepared.kept["coverage"].values()}
         hits = {key: collections.Counter(test_of.get(row.get("by")) for one in self.ledger["samples"] for row in one["mutants"]
                                          if row[key] == mutant[key]) for key in ("file", "room")}
@@ -359,7 +359,7 @@ class Verdicts:
                 self.say(mutant, "survived", 0)
 
     def noticed_by(self, unit, mutants, tree):
-        """Which of these mutants the part notices, with its end and its check. Mutants that hide each other survive here, so that the
+        """The mutants among these that the part notices, each with its end and its check. Mutants that hide each other survive here, so that the
         score is never too high."""
         found = []
         while mutants := [one for one in mutants if "verdict" not in self.rows[one["id"]] and one not in [row[0] for row in found]]:

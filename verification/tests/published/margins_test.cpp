@@ -543,7 +543,7 @@ TEST(Margins, OfAPartOfTheSpeedsAreFromOneHalf) {
   // Where the worst number is nearer to its threshold, its distance is the margin.
   EXPECT_EQ(margin_of_verdict(item("C14"), {0.99, 1.2, 0.7, {}, 1e-12, 1e-3})->of,
             MarginOf::number);
-  // Of few numbers, the greatest that at least half of them reach decides.
+  // Where numbers are few, the greatest that at least half of them reach decides.
   const Margin middle = *margin_of_verdict(item("C5"), {0.5, 1.01, 0.5, {}, 1e-12, {}, 1.01});
   EXPECT_TRUE(is_close(middle.distance, std::log(1.01), 1e-12, {}));
 }

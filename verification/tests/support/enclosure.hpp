@@ -14,12 +14,11 @@
 //                            sign of the model's own equation a little to the left and to the right
 //                            proves, and all between is the root.
 //   LoadSharing: the root (root), the floor (find_floor), the way back from a share to a film
-//                            (distance_above_floor): likewise, from the root in long double. The
+//                            (distance_above_floor): the same, from the root in long double. The
 //                            equations are written out here after the comment that heads
 //                            load_sharing.hpp; A in them is the model's asperity_share.
-//   the shape of an ellipse  likewise: the model's equation in ln k, on Carlson's integrals in
-//   place
-//                            of Bulirsch's.
+//   the shape of an ellipse  the same, by the model's equation in ln k, on Carlson's integrals in
+//                            place of Bulirsch's.
 //   LoadSharing: the Taylor series of 1 − A near the floor, by 1 − A itself: 320 bits stand the
 //                            cancellation.
 // So what is checked here is each formula's text, its branches, and that the numbers of the
