@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and texts as bytes, for what is written to a part: little-endian, as they lie in
-// memory on every machine that this is built for.
+// Numbers and texts as the bytes of a part: little-endian, as they lie in memory on every machine
+// for which the program is built.
 #pragma once
 
 #include <bit>
@@ -68,7 +68,7 @@ class ByteReader {
 };
 
 // --- A struct is written as its fields, one after the other. A struct without write() and read()
-// of its own names its fields, by each_field(to, of) or as
+// of its own names its fields in a function each_field(to, of), or in its member
 //   template <class To, class Of> static void fields(To& to, Of& of) { to(of.one, of.another); }
 
 template <class T>

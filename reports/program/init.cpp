@@ -46,8 +46,7 @@ struct Language {
   std::string program;  // the interpreter or compiler
   std::string package;  // Debian's package of the program
   // The command that builds {library}, in {folder}, from {file}; {include} is the folder of
-  // tribocheck_plugin.h.
-  // Without {library} it is the command of the subject itself.
+  // tribocheck_plugin.h. A command without {library} starts the subject itself.
   std::string command;
 };
 

@@ -125,7 +125,7 @@ class Shared(SweepTest):
                     os.remove(self.path("out.h5"))
 
     def test_no_file_of_others_is_touched_however_links_are_put_in_its_way(self):
-        """A process of another user where this is root, else another process."""
+        """Another process makes the links; if the test runs as root, that process is of another user."""
         os.chmod(self.folder.name, 0o755)
         os.mkdir(self.path("shared"))
         os.chmod(self.path("shared"), 0o777)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Minimum films of point contacts in the regimes of lubrication, by dimensionless numbers that do
-// not hold the speed twice (model/README.md, section 5): with U, G and W of film_thickness.hpp,
+// Minimum films of point contacts in the regimes of lubrication, by three dimensionless numbers,
+// made from U, G and W of film_thickness.hpp (model/README.md, section 5):
 //
 //   Ĥ = (h_min/R_x) (W/U)²,   g_V = G W³/U²,   g_E = W^{8/3}/U².
 //
 // Sources: B. J. Hamrock, D. Dowson: Minimum film thickness in elliptical contacts for different
 // regimes of fluid-film lubrication. NASA TP-1342 (1978); B. J. Hamrock: Fundamentals of Fluid Film
-// Lubrication. NASA RP-1255 (1991), chapter on regimes; of viscous_rigid_roelands Y.-R. Jeng, B. J.
+// Lubrication. NASA RP-1255 (1991), chapter on regimes; viscous_rigid_roelands: Y.-R. Jeng, B. J.
 // Hamrock, D. E. Brewe: Piezoviscous effects in nonconformal contacts lubricated hydrodynamically.
 // ASLE Trans. 30 (1987) 452.
 #pragma once

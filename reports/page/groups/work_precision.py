@@ -93,7 +93,7 @@ WAYS = {"job": "job", "family": "family", "series": "series", "name": "way", "ns
         "evaluations": "evaluations a point", "max_ulp": "greatest error [ulp]",
         "p99_ulp": "99th percentile of the error [ulp]", "mean_ulp": "mean error [ulp]", "failures": "failures",
         "no_numbers": "no numbers", "judged": "cases judged"}
-# Table: the file's name, the key that each block has one value of, and the columns.
+# For each table: the file's name, the column by which rows are put into blocks, and the columns.
 TABLES = {
     "line_film": ("line_film", "series", {
         "job": "job", "family": "family", "series": "series", "name": "way", "ns": "CPU time a contact [ns]",

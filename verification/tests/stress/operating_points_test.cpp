@@ -141,8 +141,8 @@ TEST(OperatingPoints, ThatWereNotAskedForReadAsNothing) {
   EXPECT_EQ(none.size(), 0u);
 }
 
-// Parts of one structure, filled in any order, in sizes about the engine's blocks of 512, and one
-// point in a call of its own. Every 37th point is beyond the engine's range.
+// Points solved one by one, and in parts of sizes near the engine's blocks of 512, the last part
+// first, are those solved in one call. Every 37th point is beyond the engine's range.
 TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
   std::vector<double> speeds = speeds_between(1e-5, 100, 2100);
   for (std::size_t i = 0; i < speeds.size(); i += 37) speeds[i] = i % 2 == 0 ? 1e-70 : 1e70;

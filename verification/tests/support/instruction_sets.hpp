@@ -26,8 +26,8 @@ class WithInstructionSet {
   WithInstructionSet& operator=(const WithInstructionSet&) = delete;
 };
 
-// Counts the least number of cases that held on any set, so that the manifest does not depend on the
-// machine.
+// Counts the least number of cases that held on any set, so that the manifest does not depend on
+// the machine.
 template <class Visitor>
 void on_each_instruction_set(Visitor&& visit) {
   ASSERT_GE(instruction_sets().size(), 1u);
