@@ -9,7 +9,7 @@ namespace tribo::benchmarks {
 
 // Contenders by CPU time of one thread; `stages` are those of the profile.
 inline constexpr std::string_view alone = "alone";
-// By real time: the whole sweep on so many threads.
+// The counter of threads; the whole sweep on threads is judged by real time.
 inline constexpr std::string_view threads_counter = "threads";
 
 void register_sweeps();

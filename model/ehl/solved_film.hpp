@@ -27,11 +27,11 @@ struct Beside {
   double cells_ratio = 1;                                   // cells of the last over its cells
 };
 
-// Shares that make an error: of what the grid beside differs by from what the second order says of
-// it, which shows how much a spike that is not resolved makes the values waver; of what
-// Richardson's value changed by from the grid before the last to the last (where errors are
-// regular, a fifteenth of it is left); of its two changes before that, each counting the less by
-// the share `falling`; and of the last change of the value itself. The shares of films
+// An error is the greatest of some differences, each times its share. of_last: the last change of
+// Richardson's value from grid to grid (where errors are regular, a fifteenth of it is left); its
+// two changes before that count less, each by the factor `falling`. of_change: the last change of
+// the value itself. of_waver: the difference of the grid beside from what the second order says of
+// it, which shows how much an unresolved spike makes the values waver. The shares of films
 // (solved_film.cpp) are chosen, not derived: so that the error held for 330 random contacts, and
 // then judged by 300 others (verification/tests/ehl/film_survey.cpp).
 struct Caution {

@@ -159,7 +159,7 @@ std::vector<Part::Record> records_of(std::span<const std::uint64_t> index, std::
   return records;
 }
 
-// So many bytes of an open file.
+// Reads bytes of an open file of `file_size` bytes.
 Bytes bytes_at(int file, std::uint64_t offset, std::uint64_t size, std::uint64_t file_size) {
   if (size > file_size || offset > file_size - size)
     throw std::runtime_error("its index is damaged");

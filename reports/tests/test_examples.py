@@ -95,7 +95,7 @@ class Examples(unittest.TestCase):
     def test_of_report(self):
         self.run_examples("report")
 
-    # These two commands start the reader's own: the solver that `init` writes, and a plug-in. The
+    # These two commands start a solver of the reader: the one that `init` writes, and a plug-in. The
     # fresh solver offers nothing yet, and the plug-in may fall short of the strict tolerance.
     def test_of_init_and_verify(self):
         self.run_examples("init", codes=(0, 1))

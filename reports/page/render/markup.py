@@ -26,7 +26,7 @@ def marked(text):
 
 
 def code(text):
-    """In as many backticks as the text needs; nothing where there is no text, as two backticks begin a code of two."""
+    """The text as code, in as many backticks as it needs. An empty text gives "": Markdown has no empty code."""
     if not text:
         return Markdown("")
     fence = "`" * (1 + max(map(len, re.findall("`+", text)), default=0))

@@ -49,7 +49,7 @@ class Stale(Tree):
 
 
 class Targets(unittest.TestCase):
-    """Which build targets a check needs, in the real tree."""
+    """The build targets that a check needs, in the real tree."""
 
     def test_of_each_kind_of_check(self):
         for check, targets in (("program.test_solve", ["tribocheck", "verification/conformance/subjects/all"]),

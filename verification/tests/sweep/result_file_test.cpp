@@ -300,8 +300,8 @@ TEST(ResultFile, HoldsThePointsOfOneShortChunk) {
             bits_of(small_cases(plan.scenes[0]).columns[0]));
 }
 
-// As on a full disk. The writer is a process of its own, since HDF5 does not free all of a file
-// that it could not close. In that process the next attempt has to succeed.
+// Writes fail as on a full disk. The writer is a process of its own, since HDF5 does not free all
+// of a file that it could not close. In that process the next attempt has to succeed.
 TEST(ResultFile, IsNotThereWhenItCouldNotBeWrittenWhole) {
   const TemporaryFolder folder;
   const SweepPlan plan = small_plan();
