@@ -10,8 +10,7 @@
 
 namespace tribo::sweep {
 
-// Puts these bytes at the end of an open file that is whole. Throws std::runtime_error where that
-// fails.
+// Puts these bytes at the end of a whole, open file. Throws std::runtime_error where that fails.
 void seal(int file);
 
 // Why an open file is not the one that was sealed; empty if it is. kind: "result". Throws

@@ -131,8 +131,7 @@ class Sections {
   bool wants(std::string_view section) const {
     const std::vector<std::string>& asked = arguments_.sections;
     if (asked.empty()) {
-      // Claims that were asked for are shown in depth: what they say, and what would make them
-      // true.
+      // Claims that were asked for are shown in depth: statements, and what would make them true.
       if (!arguments_.claims.empty())
         return section == "claims" || section == "statements" || section == "requirements";
       return section == "claims" || section == "ranking";

@@ -149,8 +149,7 @@ TEST(HertzEllipse, PressureClosesTheGap) {
                 b / std::sqrt(a) * std::sqrt(c)) /
                (2 * std::sqrt(a));
       };
-      // The trapezoidal rule converges geometrically over a period. The tangent suits long
-      // ellipses.
+      // The trapezoidal rule converges geometrically; spacing by the tangent suits long ellipses.
       const int count = 4000;
       const double stretch = got.ellipticity;
       double sum = 0;
