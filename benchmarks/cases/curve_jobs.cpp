@@ -64,7 +64,7 @@ Errors judge(const CurveContender& contender, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const long double film =
         exact.solve(static_cast<long double>(points.speed[i]), curve_outputs()).film;
-    if (film > 0) tally.add(points.film[i], film);  // a collapsed film is 0 to all
+    if (film > 0) tally.add(points.film[i], film);  // every contender has 0 for a collapsed film
   }
   return tally.errors();
 }

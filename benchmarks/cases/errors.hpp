@@ -10,8 +10,8 @@ namespace tribo::benchmarks {
 
 struct Errors {
   std::size_t judged = 0;
-  // No number, or off by more than failed_beyond times the condition, as `verify` with its
-  // tolerance `engineering` has it.
+  // Answers without a number, or off by more than failed_beyond times the condition, the tolerance
+  // `engineering` of `verify`.
   std::size_t failures = 0;
   std::size_t no_numbers = 0;  // failures without a number
   double max_ulp = 0;          // over the answers that are numbers, like the next two
@@ -19,15 +19,15 @@ struct Errors {
   double mean_ulp = 0;
 };
 
-// In place of an answer: a contender does not offer this case. It is not judged, as `verify` skips
-// it.
+// A contender gives this in place of an answer to a case that it does not offer. The case is not
+// judged, as in `verify`.
 inline constexpr double not_offered = -std::numeric_limits<double>::infinity();
 
 class ErrorTally {
  public:
   static constexpr double failed_beyond = 1e-6;  // relative
 
-  // Against high + low.
+  // Adds an answer, judged against high + low.
   void add(double got, double high, double low, double condition = 1);
   void add(double got, long double exact);
   Errors errors() const;

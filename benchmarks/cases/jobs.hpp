@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The jobs: at which cases contenders are timed, and against which true values they are judged.
+// The jobs: the cases at which contenders are timed, and the true values by which they are judged.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace tribo::benchmarks {
 
-// A contender at its job, ready to be timed, with what is known of it besides its time.
+// A contender at its job, ready to be timed, with its counts and its judgement.
 struct Measured {
   std::string job;
   std::string family;
@@ -31,7 +31,7 @@ struct Measured {
 };
 
 std::vector<Measured> all_jobs(Settings settings);
-// The plug-in at each job that it offers.
+// The jobs that a plug-in offers.
 std::vector<Measured> plugin_jobs(const conformance::Plugin& plugin);
 
 // The name of each job and its title for readers.
@@ -59,14 +59,14 @@ constexpr std::string_view name(RootJob job) {
 
 struct StoredRootCases {
   std::vector<double> stiffness, offset, flooded;
-  std::vector<double> high, low, condition;  // λ's; empty where λ is not known
+  std::vector<double> high, low, condition;  // of λ; empty where λ is not known
   void add(double k, double delta, double lambda0);
   RootCases view(std::size_t first, std::size_t count) const;
   RootCases view() const { return view(0, flooded.size()); }
 };
 
 StoredRootCases random_root_cases(RootJob job, std::size_t count);
-// Over the rows of reference/exact within the job's ranges.
+// The errors over the rows of reference/exact within the job's ranges.
 Errors judge(const RootContender& contender, RootJob job);
 // Each contender at this job.
 std::vector<Measured> jobs_of(const std::vector<RootContender>& contenders, RootJob job);
@@ -86,7 +86,7 @@ std::vector<Measured> jobs_of(const std::vector<CurveContender>& contenders);
 // --- Ellipses, R_y/R_x log-uniform in 1…1e4.
 
 std::vector<EllipseCase> random_ellipses(std::size_t count);
-// Over the semi-axis a_x and the peak pressure of the certified rows (reference/exact).
+// The errors of the semi-axis a_x and the peak pressure over the certified rows (reference/exact).
 Errors judge(const EllipseContender& contender);
 // Each contender at its job.
 std::vector<Measured> jobs_of(const std::vector<EllipseContender>& contenders);

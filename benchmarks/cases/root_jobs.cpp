@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film parameter of load sharing at 1024 cases, 256 for those that take long.
+// The film parameter of load sharing at 1024 cases; slow contenders solve 256 of them.
 #include <cmath>
 #include <memory>
 #include <random>

@@ -47,7 +47,7 @@ struct TanhSinh {
   }
 };
 
-// In u = s − d, as the abscissas crowd at the end of the range.
+// The integral is over u = s − d, because the abscissas crowd at the end of the range.
 template <class Count>
 struct ExpSinh {
   double tolerance;

@@ -74,7 +74,7 @@ std::vector<RootContender> bracketing_roots(Settings settings) {
     contender.is_slow = true;
     all.push_back(std::move(contender));
   };
-  // The quadrature as fine as the root.
+  // The quadrature is as fine as the root.
   for (const double tolerance : chosen(settings, {1e-10}, {1e-3, 1e-6, 1e-8, 1e-10, 1e-12})) {
     const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, tolerance};
     const Qagiu<RootIntegrand>::Method<Uncounted> by_root{2.5, tolerance};
@@ -83,8 +83,8 @@ std::vector<RootContender> bracketing_roots(Settings settings) {
     add_slow(on_load_balance("GSL", fmt::format("Brent + QAGIU {:.0e} sqrt", tolerance), by_root,
                              Brent{tolerance}));
   }
-  // The equation in the paper's form, which one would also try first. The root is two digits finer
-  // than the quadrature.
+  // The equation in the paper's form, which many would try first. The root's tolerance is two
+  // digits below that of the quadrature.
   for (const double tolerance : chosen(settings, {1e-10}, {1e-3, 1e-6, 1e-8, 1e-10})) {
     const Qagiu<PowIntegrand>::Method<Uncounted> by_pow{2.5, tolerance};
     add_slow(on_film(

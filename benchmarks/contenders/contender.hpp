@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Common to all contenders: at which tolerances, numbers of points and of knots they run, and how
-// evaluations of an integrand or a moment are counted.
+// Common to all contenders: their tolerances and numbers of points or knots, and the counting of
+// evaluations of an integrand or a moment.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ std::vector<T> chosen(Settings settings, std::initializer_list<T> usual,
   return settings == Settings::usual ? usual : swept;
 }
 
-// The parts in their order, as one.
+// Joins lists to one, in their order.
 template <class T>
 std::vector<T> joined(std::vector<std::vector<T>> parts) {
   std::vector<T> all;
@@ -42,7 +42,7 @@ struct Counted {
   static inline double total = 0;
 };
 
-// How many evaluations `work` makes.
+// The number of evaluations that `work` makes.
 template <class Work>
 double evaluations_of(Work&& work) {
   const double before = Counted::total;
@@ -50,7 +50,7 @@ double evaluations_of(Work&& work) {
   return Counted::total - before;
 }
 
-// Boost throws where it meets what is not finite: a NaN in place of its exceptions.
+// A method of Boost that gives NaN where Boost throws, as it does at numbers that are not finite.
 template <class Method>
 double value_or_nan(const Method& method) {
   try {

@@ -24,7 +24,7 @@ struct CurveContender {
 
 OutputSet curve_outputs();
 
-// Ours last.
+// All contenders, our own last.
 std::vector<CurveContender> curve_contenders(Settings settings = Settings::usual);
 
 }  // namespace tribo::benchmarks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film of a line contact as textbooks program it: the same equations as model/ehl, with the
-// whole matrix of what each pressure raises each film by, and Newton's linear equations solved by
+// whole matrix of the films that each pressure raises, and Newton's linear equations solved by
 // Eigen's PartialPivLU: N³ operations a step.
 #pragma once
 
@@ -17,9 +17,9 @@ class DenseNewton {
   DenseNewton(const ehl::LineContact& contact, const ehl::Numbers& x);
 
   void start_from(const ehl::LineFilm& film);
-  // One step, damped as ours is; what it changed the pressure by. NaN: none could be made.
+  // Makes a step, damped as ours. Gives the change of the pressure; NaN: no step could be made.
   double step();
-  // Steps until one changes less than 1e-8, at most 60.
+  // Makes steps until one changes less than 1e-8, but at most 60.
   ehl::LineFilm run();
   std::size_t bytes() const;  // size of both matrices
 

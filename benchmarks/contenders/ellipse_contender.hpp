@@ -28,10 +28,10 @@ struct EllipseContender {
   std::string family;
   std::string name;
   EllipseBatch run;
-  EllipseBatch counted;  // the same, counting pairs of integrals in Counted; empty: it has none
+  EllipseBatch counted;  // counts pairs of integrals in Counted; empty if it uses none
 };
 
-// The axes' ratio k, and E of parameter 1 − 1/k², which the contact needs besides.
+// The axes' ratio k, and E of parameter 1 − 1/k², which the contact needs, too.
 struct AxesRatio {
   double ellipticity, second_integral;
 };
@@ -44,7 +44,7 @@ inline EllipseAnswer contact_of(const EllipseCase& c, const AxesRatio& shape) {
   return {axis, 3 * c.load / (2 * pi * k * axis * axis)};
 }
 
-// Shape(α) is an AxesRatio.
+// An ellipse contender from shape(α), which gives an AxesRatio.
 template <class Shape>
 EllipseBatch by_shape(Shape shape) {
   return [shape](std::span<const EllipseCase> cases, std::span<EllipseAnswer> answers) {
@@ -53,9 +53,9 @@ EllipseBatch by_shape(Shape shape) {
   };
 }
 
-// Every one, family by family; ours last.
+// All contenders, family by family; our own last.
 std::vector<EllipseContender> ellipse_contenders(Settings settings = Settings::usual);
-// Those that find the axes' ratio as a root.
+// The contenders that find the axes' ratio as a root.
 std::vector<EllipseContender> ellipse_roots(Settings settings);
 
 }  // namespace tribo::benchmarks

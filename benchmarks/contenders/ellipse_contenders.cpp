@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All ways to a Hertz ellipse; among them fits to the axes' ratio and to the second elliptic
-// integral, as programs take them in place of the root.
+// integral, which programs use in place of the root.
 #include <array>
 #include <iterator>
 #include <string_view>

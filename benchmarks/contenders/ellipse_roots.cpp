@@ -22,7 +22,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_iterations = 200;
-// Nearer to the circle K − E is all rounding: there k is 1.
+// Nearer to the circle K − E is only rounding, and k is taken as 1.
 constexpr double least_ratio = 1 + 1e-6;
 constexpr AxesRatio circle{1, std::numbers::pi / 2};
 

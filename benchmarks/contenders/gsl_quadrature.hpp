@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// F_n by quadrature: its integrand in the two spellings that are met, (s−d)ⁿ by pow and, for
-// n = 5/2, by u·u·√u; and GSL's adaptive rules.
+// F_n by quadrature: the integrand in the two forms that programs have, (s−d)ⁿ by pow and, for n =
+// 5/2, by u·u·√u; and GSL's adaptive rules.
 #pragma once
 
 #include <gsl/gsl_integration.h>
@@ -47,7 +47,7 @@ gsl_function gsl_view(Integrand& integrand) {
 }
 
 inline constexpr std::size_t gsl_intervals = 1000;
-// Far enough that what is cut off is below 1e-20 of F.
+// An end so far out that the part beyond it is below 1e-20 of F.
 inline double finite_end(double d) { return std::max(d, 0.0) + 10; }
 
 class GslWorkspace {

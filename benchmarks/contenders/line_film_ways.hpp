@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to the film of a line contact: solved by ours, solved as textbooks do, and by formulas.
+// Ways to the film of a line contact: our solver, a solver as in textbooks, and formulas.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace tribo::benchmarks {
 
-// Film numbers (h/R)(2U)^{−1/2}; NaN: no number. A formula gives one of them.
+// Film numbers (h/R)(2U)^{−1/2}; NaN: no number. A formula gives one of these numbers.
 struct LineFilmAnswer {
   double central = std::numeric_limits<double>::quiet_NaN();
   double minimum = std::numeric_limits<double>::quiet_NaN();
@@ -21,17 +21,17 @@ struct LineFilmAnswer {
 
 struct LineFilmWay {
   std::string family;
-  std::string series;  // a diagram joins its ways by a line
+  std::string series;  // a diagram joins the ways of a series by a line
   std::string name;
-  // The one number that a formula stands for; none: a solver, judged by the first two.
+  // The number that a formula stands for; null: a solver, judged by the first two numbers.
   double LineFilmAnswer::*quantity;
   std::function<LineFilmAnswer(const ehl::LineContact& contact)> run;
 };
 
-// Every one, from coarse to fine; ours last.
+// All ways, from coarse to fine; our own last.
 std::vector<LineFilmWay> line_film_ways();
 
-// Where ours begins, too.
+// The coarse film from which our solver and the others begin.
 ehl::CoarseFilm coarse_film(const ehl::LineContact& contact);
 
 }  // namespace tribo::benchmarks

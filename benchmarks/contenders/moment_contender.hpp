@@ -19,7 +19,7 @@ namespace tribo::benchmarks {
 
 using MomentBatch = std::function<void(std::span<const double> d, std::span<double> moments)>;
 
-// Where a contender claims to hold; elsewhere it is not judged.
+// The range in which a contender claims to hold; elsewhere it is not judged.
 struct Range {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ struct MomentContender {
   std::string name;
   Order order;
   MomentBatch run;
-  MomentBatch counted;  // the same, counting its integrand in Counted; empty: it has none
+  MomentBatch counted;  // counts its integrand in Counted; empty: it has no integrand
   Range claimed{};
   // CPU time of the last call, if another process did the work; empty: this process does it.
   std::function<double()> own_seconds{};
@@ -71,7 +71,7 @@ MomentContender quadrature(std::string family, std::string name, Order order,
           {}};
 }
 
-// Every one, family by family; ours last.
+// All contenders, family by family; our own last.
 std::vector<MomentContender> moment_contenders(Settings settings = Settings::usual);
 
 // The families.

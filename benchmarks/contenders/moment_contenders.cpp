@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All ways to F_n; among them this project's, and std::exp on the same arguments as the control.
+// All ways to F_n, this project's among them, and as the control std::exp on the same arguments.
 #include <cmath>
 
 #include "contenders/moment_contender.hpp"

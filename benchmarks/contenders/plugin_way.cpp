@@ -22,7 +22,7 @@ constexpr int unset = -1;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double slow = 5e-6;  // seconds a case
 
-// Arrays that the timed call need not make.
+// Arrays that are made before the timed call.
 struct MomentRoom {
   std::vector<double> order;
   std::vector<int> status;
@@ -36,7 +36,7 @@ struct PointRoom {
   std::vector<int> status;
 };
 
-// A number counts where its status is done, as it does to `verify`.
+// A number counts where its status is done, as in `verify`.
 double answer_of(int status, double value) {
   if (status == TRIBOCHECK_NOT_OFFERED) return not_offered;
   return status == TRIBOCHECK_DONE && std::isfinite(value) ? value : no_number;
@@ -46,7 +46,7 @@ void drop_numbers_not_done(const std::vector<int>& status, std::span<double> val
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = answer_of(status[i], values[i]);
 }
 
-// The second of two calls: in the first a library may set itself up.
+// The time of the second of two calls: in the first one a library may set itself up.
 template <class Call>
 double seconds_of(Call&& call) {
   call();
@@ -55,7 +55,7 @@ double seconds_of(Call&& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// gaussian_moment of a plug-in at arguments. False: the plug-in does not offer it.
+// Calls gaussian_moment of a plug-in at the arguments. False: the plug-in does not offer it.
 bool moments_of(const PluginFunctions& functions, const double* order, std::span<const double> d,
                 double* moments, int* status) {
   const std::array arguments{order, d.data()};
@@ -82,7 +82,7 @@ bool offers(const PluginFunctions& functions, Order order) {
   return moments_of(functions, &n, {&d, 1}, &value, &status) && status != TRIBOCHECK_NOT_OFFERED;
 }
 
-// load_sharing of a plug-in. False: the plug-in does not offer it.
+// Calls load_sharing of a plug-in. False: the plug-in does not offer it.
 bool roots_of(const PluginFunctions& functions, const double* asperity, const RootCases& cases,
               double* film, int* status) {
   const std::array arguments{asperity, cases.flooded.data(), cases.stiffness.data(),

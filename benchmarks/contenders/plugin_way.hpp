@@ -16,7 +16,7 @@ namespace tribo::benchmarks {
 // These functions first ask the plug-in for one case, to see whether it offers the quantity.
 std::vector<MomentContender> plugin_moments(const conformance::Plugin& plugin);
 std::vector<RootContender> plugin_roots(const conformance::Plugin& plugin);
-// Those that offer film, load share of the asperities and friction.
+// Contenders that offer film, load share of the asperities and friction.
 std::vector<CurveContender> plugin_curves(const conformance::Plugin& plugin);
 
 }  // namespace tribo::benchmarks

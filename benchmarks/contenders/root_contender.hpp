@@ -30,13 +30,13 @@ using RootRun = std::function<void(const RootCases&, std::span<double> film_para
 struct RootContender {
   std::string family;
   std::string name;
-  // Makes what is kept between calls, from the surface of the first case.
+  // Makes data that are kept between calls, from the surface of the first case.
   std::function<RootRun(const RootCases&)> prepare;
-  // How many moments these cases take; a moment with its derivative counts once. Empty: moments are
-  // not counted.
+  // The number of moments that these cases take; a moment with its derivative counts once. Empty:
+  // moments are not counted.
   std::function<double(const RootCases&)> evaluations;
   bool is_slow = false;                   // tens of microseconds a case, or more
-  std::function<double()> own_seconds{};  // CPU time of the last call, where not spent here
+  std::function<double()> own_seconds{};  // CPU time of the last call in another process
 };
 
 // Contenders that take a new surface in each case, and contenders for one surface (all cases have

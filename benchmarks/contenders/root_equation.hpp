@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The equation that every root contender solves, for any way to F_{5/2}.
+// The equation that every root contender solves, with any way to F_{5/2}.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace tribo::benchmarks {
 
 inline constexpr double film_exponent = 0.14;
 
-// Our F_{5/2}, for solvers of others.
+// Our F_{5/2}, for the solvers of other families.
 inline double fast_moment(double d) { return gaussian_moment(Order::five_halves, d); }
 
 // Moment is a function of d; Count counts its calls.
@@ -62,7 +62,7 @@ struct Bracket {
   double low, high, at_low, at_high;
 };
 
-// From λ₀, where the residual is not negative, upward in doubled steps.
+// A bracket from λ₀, where the residual is not negative, upward in doubled steps.
 template <class Residual>
 Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
   Bracket bracket{root_case.flooded, root_case.flooded, residual(root_case.flooded), 0};
@@ -76,14 +76,14 @@ Bracket bracket_above(const RootCase& root_case, const Residual& residual) {
   return bracket;
 }
 
-// The bracket that one would choose first: from λ₀ to a film far above the roughness.
+// The bracket that many would choose first: from λ₀ to a film far above the roughness.
 template <class Residual>
 Bracket bracket_over_roughness(const RootCase& root_case, const Residual& residual) {
   const double high = root_case.flooded + root_case.offset + 8;
   return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
 }
 
-// A function of one case, and the same counting its moments.
+// A contender from a function of one case, and the same function when it counts its moments.
 template <class Solve, class CountedSolve>
 RootContender one_by_one(std::string family, std::string name, Solve solve, CountedSolve counted) {
   return {std::move(family), std::move(name),
@@ -99,7 +99,7 @@ RootContender one_by_one(std::string family, std::string name, Solve solve, Coun
           }};
 }
 
-// solver(case, residual) with the residual of each case.
+// A contender from solver(case, residual), called with the residual of each case.
 template <class Moment, class Solver>
 RootContender on_film(std::string family, std::string name, Moment moment, Solver solver) {
   return one_by_one(

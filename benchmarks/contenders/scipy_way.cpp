@@ -28,7 +28,7 @@ class Scipy {
     if (!process_) {
       process_.emplace(std::vector<std::string>{"/usr/bin/python3", "-B", TRIBOCHECK_SCIPY_WAY},
                        conformance::ChildProcess::Pipes::all);
-      answer();  // says that it is ready
+      answer();  // the process says that it is ready
     }
     nlohmann::json lists = nlohmann::json::array();
     for (const std::span<const double> list : arguments)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables that are read by a spline: ln F_{5/2} in knots, made once with GSL's quadrature; and for
-// one surface ln λ over ln λ₀, whose knots are found by walking λ.
+// Tables that a spline reads: ln F_{5/2} at knots, made once with GSL's quadrature; and for one
+// surface ln λ over ln λ₀, with knots at chosen λ.
 #include <fmt/format.h>
 #include <gsl/gsl_spline.h>
 

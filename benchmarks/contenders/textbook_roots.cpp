@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two methods of textbooks: λ = λ₀(1−A)^−0.14 as a fixed point, and Newton's method on
-// λ − λ₀(1−A)^−0.14. Neither method is made safe.
+// Two methods of textbooks: λ = λ₀(1−A)^−0.14 as a fixed point, and Newton's method on λ −
+// λ₀(1−A)^−0.14. Neither method has a safeguard.
 #include <fmt/format.h>
 
 #include <algorithm>

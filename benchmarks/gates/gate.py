@@ -34,14 +34,14 @@ ENVIRONMENT_OF = {"counters": (), "instructions": ("compiler", "libc", "valgrind
 
 
 class Verdict:
-    """The findings of a gate, printed as they come."""
+    """The findings of a gate, each printed at once."""
 
     def __init__(self, gate, say=print):
         self.gate = gate
         self.say = say
         self.red = []
         self.compared = 0
-        self.why_not = None  # it could not be held
+        self.why_not = None  # why the gate could not be measured
         self.worst = None    # the greatest ratio to the base
 
     def see(self, ratio):
@@ -56,7 +56,7 @@ class Verdict:
         return "not held" if self.why_not else "red" if self.red else "passed"
 
     def keys(self, base, now):
-        """The keys to compare; what lacks is told."""
+        """The keys to compare; keys that lack on one side are told."""
         keys, red, notes = rules.comparable(base, now)
         self.red += red
         for line in notes:
@@ -92,7 +92,7 @@ def hold_instructions(base, now, verdict):
 
 
 class NotComparable(Exception):
-    """Why times cannot be compared."""
+    """Why times cannot be compared; empty if they can."""
 
 
 def times_of(programs, control=None):
@@ -107,7 +107,7 @@ def times_of(programs, control=None):
 
 
 def hold_times(measure_both, verdict):
-    """measure_both() gives (base, now), key → Interval; a second time where something was slower."""
+    """measure_both() gives (base, now), key → Interval. It is called a second time where something was slower."""
     slow = []
     for run in ("first run", "second run"):
         base, now = measure_both()
@@ -160,7 +160,7 @@ def hold_gate(gate, program, base_program, baseline, say=print):
 
 
 def hold(gates, program, base_program, baseline, say=print):
-    """All the gates asked for: verdicts by gate."""
+    """The verdicts of all gates that are asked for, by gate."""
     verdicts = {}
     for gate in gates:
         started = time.monotonic()
@@ -209,7 +209,7 @@ def main():
     except (OSError, ValueError, measure.Unmeasured) as error:
         print(f"gate.py: {error}", file=sys.stderr)
         return 2
-    # For the inventory; not of instruction sets, which are the machine's.
+    # The inventory reads this count, which must not depend on the machine's instruction sets.
     print(f"Ran {sum(verdict.compared for verdict in verdicts.values())} cases")
     return 1 if any(verdict.red for verdict in verdicts.values()) else 0
 

@@ -14,10 +14,10 @@
 #include "gates/workloads.hpp"
 #include "tribo/batch.hpp"
 
-// By this name callgrind finds a pass.
+// Callgrind finds a pass by this name.
 extern "C" [[gnu::noinline]] void tribocheck_gate_pass(const std::function<void()>& pass) {
   pass();
-  asm volatile("");  // the call above is not the last thing: no jump in its place
+  asm volatile("");  // after the call, so that no jump takes its place
 }
 
 namespace tribo::gates {
@@ -57,7 +57,7 @@ void print_counters(const std::vector<Chosen>& all) {
   }
 }
 
-// Each is run once beforehand, so that what is set up at a first call is left out.
+// Each workload runs once beforehand, so that work of a first call is not counted.
 void run_passes(const std::vector<Chosen>& all, int passes) {
   for (const Chosen& one : all) {
     use(one);
@@ -79,7 +79,7 @@ double seconds_of(const std::function<void()>& pass, int passes) {
   return (cpu_seconds() - start) / passes;
 }
 
-// Passes that take some milliseconds.
+// The number of passes that take some milliseconds.
 int passes_for(const std::function<void()>& pass) {
   constexpr double least = 3e-3;
   int passes = 1;
@@ -87,7 +87,7 @@ int passes_for(const std::function<void()>& pass) {
   return passes;
 }
 
-// In a repetition each workload has a slice of time, between two of the control kernel.
+// In a repetition each workload has a slice of time between two slices of the control kernel.
 void print_times(const std::vector<Chosen>& all, int repetitions) {
   const int control_passes = passes_for(run_control);
   std::vector<int> passes;
@@ -108,7 +108,7 @@ void print_times(const std::vector<Chosen>& all, int repetitions) {
   }
 }
 
-// How this program was built, and what it found.
+// The build of this program, and the machine that it runs on.
 void print_environment() {
 #ifdef __clang__
   fmt::print("compiler\t{}\n", __VERSION__);

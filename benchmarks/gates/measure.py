@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reads what tribocheck_gate_kernels measures, and what valgrind counts of that program."""
+"""Reads the measurements of tribocheck_gate_kernels, and valgrind's counts of that program."""
 import datetime
 import os
 import pathlib
@@ -64,7 +64,7 @@ def today():
 
 
 def counters(program):
-    """Key → counter → count; of functions of one value with FMA, where the machine has it, and without."""
+    """Key → counter → count. Functions of one value are counted with FMA, where the machine has it, and without."""
     found = {}
     for environment in ({}, WITHOUT_FMA):
         for workload, instruction_set, name, count in rows([program, "--counters"], environment):
@@ -73,7 +73,7 @@ def counters(program):
 
 
 def valgrind_version():
-    """None where there is no valgrind."""
+    """The version of valgrind; None where there is none."""
     if shutil.which("valgrind") is None:
         return None
     return said_by(["valgrind", "--version"]).strip()
@@ -114,7 +114,7 @@ class Times:
 
 def times(programs):
     """The programs take turns, on the best instruction set, until each workload has enough quiet
-    repetitions; the last is what was got when the most rounds were not enough."""
+    repetitions. Where the most rounds were not enough, the last result is what they gave."""
     runs = [{} for _ in programs]
     best = [next(value for name, value in rows([program, "--environment"]) if name == "vector")
             for program in programs]

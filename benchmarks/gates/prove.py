@@ -51,7 +51,7 @@ class Scratch:
              "-DCMAKE_BUILD_TYPE=Release", "-DTRIBOCHECK_BUILD_BENCHMARKS=ON"], folder)
 
     def planted(self, plant):
-        """The program with this plant; the tree is as before."""
+        """Builds the program with this plant; then the tree is as before."""
         whole = {}
         try:
             for patch in plant["patch"]:

@@ -17,9 +17,9 @@ def workload_of(key):
 
 
 def comparable(base, now):
-    """(keys in both, what is red about the rest, what is worth a line of it).
+    """(keys in both, red findings on other keys, remarks on other keys).
 
-    A workload has to be in both; an instruction set is that of the machine."""
+    A workload has to be in both. Instruction sets depend on the machine, and may differ."""
     base_workloads, workloads = set(map(workload_of, base)), set(map(workload_of, now))
     red = [f"{name}: no baseline" for name in sorted(workloads - base_workloads)]
     red += [f"{name}: in the baseline, but not measured" for name in sorted(base_workloads - workloads)]
@@ -31,7 +31,7 @@ def comparable(base, now):
 
 
 def counter_differences(base, now):
-    """Lines that say what counts differ: any difference is red, in either direction."""
+    """A line for each count that differs: any difference is red, in either direction."""
     for name in sorted(base.keys() | now.keys()):
         if base.get(name) != now.get(name):
             yield f"{name} {now.get(name, 'not counted')}, not {base.get(name, 'counted')}"
@@ -42,7 +42,7 @@ def more_instructions(base, now):
 
 
 def fewer_instructions(base, now):
-    """Not red, but the baseline should be made anew, or it lets the gain be lost again."""
+    """Not red, but the baseline should be renewed: with the old one the gain may be lost unnoticed."""
     return now < base * (1 - INSTRUCTION_TOLERANCE)
 
 
@@ -65,7 +65,7 @@ def best_control(runs):
 
 
 def quiet(repetitions, best):
-    """Those that nothing disturbed. A neighbour on the same core slows some kernels more than others, so
+    """The undisturbed repetitions. A neighbour on the same core slows some kernels more than others, so
     that the ratio to the control kernel does not take it out."""
     return [one for one in repetitions if max(one.before, one.after) <= QUIET * best]
 
@@ -83,7 +83,7 @@ def slower(base, now):
 
 
 def slower_twice(first, second):
-    """Red of two runs in a row, each a set of keys that were slower."""
+    """The red keys after two runs, of each of which the slower keys are given."""
     return first & second
 
 

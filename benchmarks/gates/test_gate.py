@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""gate.py and measure.py from the command line, on a program and a valgrind that are made up; and what the real program says."""
+"""gate.py and measure.py from the command line, on a made-up program and a made-up valgrind; and the output of the real program."""
 import datetime
 import json
 import os
@@ -85,7 +85,7 @@ class OnAProgram(unittest.TestCase):
     def gate(self, *words, tools="tools"):
         """Exit code, lines without times, and what was said on the other stream. `tools`: the folder in which commands are found;
         `without` has no valgrind."""
-        # Instruction sets are the made-up program's, whatever this test is told to leave unused.
+        # The made-up program tells its own instruction sets, whatever sets this test has to leave unused.
         environment = {name: value for name, value in os.environ.items() if name != "GLIBC_TUNABLES"} | {"PATH": str(self.folder / tools)}
         done = subprocess.run([sys.executable, "-B", HERE / "gate.py", *map(str, words)], capture_output=True, text=True, env=environment)
         return done.returncode, re.sub(r"; \d+\.\d s$", "", done.stdout, flags=re.MULTILINE).splitlines(), done.stderr
@@ -245,7 +245,7 @@ class Rounds(OnAProgram):
 
 
 class Kernels(unittest.TestCase):
-    """The program itself: its modes say the same workloads, each on the instruction sets that the machine has."""
+    """The real program: its modes list the same workloads, each on the instruction sets that the machine has."""
     PROGRAM = os.environ.get("TRIBOCHECK_GATE_KERNELS", "")
 
     def rows(self, *words):
@@ -287,7 +287,7 @@ class Kernels(unittest.TestCase):
         self.assertEqual([row[:2] for row in rows], 2 * keys)
         times = [list(map(float, row[2:])) for row in rows]
         self.assertGreater(min(map(min, times)), 0)
-        # Each is the time of one of many passes, and the program made more of them than these.
+        # Each number is the time of one pass; the program made many more passes.
         self.assertLess(sum(seconds + control for seconds, control, _ in times), took)
         for k in range(len(rows) - 1):
             if k + 1 != len(keys):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""prove.py on a tree and plants of its own: what is built, what is left behind, and when the gates are proved."""
+"""prove.py on a tree and plants of its own: its builds, the files that it leaves, and when the gates count as proved."""
 import contextlib
 import io
 import json
@@ -93,7 +93,7 @@ class Proved(Folder):
         self.assertIsNone(prove.row("passed", gate.Verdict("time", print))["greatest_ratio"])
 
     def main(self, same, planted, *options):
-        """The exit code and the ledger, where the gates say so of the same program and of each plant."""
+        """The exit code and the ledger, given the verdicts of the gates on the same program and on each plant."""
         held = []
 
         def hold(gates, program, base, _):

@@ -96,7 +96,7 @@ class Times(unittest.TestCase):
         self.assertEqual(rules.quiet([quiet, *disturbed], 1.0), [quiet])
 
     def held(self, *now):
-        """On runs with these intervals, one after another; what is left of them."""
+        """The verdict after runs with these intervals, one after another; and the runs that were not made."""
         runs = [({"root AVX2": Interval(1.0, 1.02)}, {"root AVX2": one}) for one in now]
         return gate.hold_times(lambda: runs.pop(0), verdict("time")), len(runs)
 

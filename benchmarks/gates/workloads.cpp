@@ -26,7 +26,7 @@ class Samples {
   explicit Samples(std::uint64_t seed) : generator_(seed) {}
 
   double uniform(double low, double high) { return low + (high - low) * unit(); }
-  // In [2^low, 2^high): a binade as likely as another.
+  // A number in [2^low, 2^high); each binade is equally likely.
   double binades(int low, int high) {
     const int exponent = low + static_cast<int>(generator_() % static_cast<unsigned>(high - low));
     return std::ldexp(1 + unit(), exponent);
@@ -44,7 +44,7 @@ std::vector<double> filled(std::size_t count, Function&& next) {
   return values;
 }
 
-// --- F_n, S_n and ln F_n at each of the six orders. Their text fixes their work: no counters.
+// --- F_n, S_n and ln F_n at each of the six orders. Their work never varies: no counters.
 
 constexpr std::size_t arguments_of_an_order = 512;
 
@@ -176,8 +176,8 @@ Workloads root_workloads() {
        [at, film]() mutable { return counters(film_parameter(one_surface(), at.flooded, film)); }}};
 }
 
-// --- Operating points of the paper's scenes: all outputs, and those that need little; and 200
-// points of a curve.
+// --- Operating points of the paper's scenes: all outputs, and outputs that need little work; and
+// 200 points of a curve.
 
 constexpr std::size_t speeds_a_scene = 200;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixed work of the model's kernels, for the gates: the same points on every machine, and what the
-// model's own counters say of it.
+// Fixed work of the model's kernels, for the gates: the same points on every machine, with the
+// model's own counts of the work.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +16,9 @@ using Counters = std::vector<std::pair<std::string, std::uint64_t>>;
 
 struct Workload {
   std::string name;
-  bool is_vector;                   // goes by the instruction set of batch.hpp
+  bool is_vector;                   // follows the instruction set of batch.hpp
   std::function<void()> run;        // one pass: some ten to some hundred microseconds
-  std::function<Counters()> count;  // work of one pass; empty where the source fixes it
+  std::function<Counters()> count;  // work of one pass; empty where it never varies
 };
 using Workloads = std::vector<Workload>;
 

@@ -25,8 +25,8 @@ namespace {
 
 constexpr int exit_plugin_refused = 3;
 
-// Debian builds Google Benchmark with its assertions, and it then calls itself DEBUG. Only its own
-// bookkeeping around the timed loop is slower for it: what is timed here is built as Release.
+// Debian builds Google Benchmark with its assertions, and it then calls itself DEBUG. This slows
+// only its own bookkeeping around the timed loop: the timed code is built as Release.
 class Console : public benchmark::ConsoleReporter {
  public:
   bool ReportContext(const Context& context) override {
@@ -78,7 +78,7 @@ void register_all(std::vector<tribo::benchmarks::Measured> jobs) {
     tribo::benchmarks::register_benchmark(std::move(measured));
 }
 
-// In one piece.
+// Writes a text in one piece.
 void write_whole(int output, const std::string& text) {
   std::FILE* const file = ::fdopen(output, "w");
   if (file == nullptr) return;
@@ -86,7 +86,7 @@ void write_whole(int output, const std::string& text) {
   std::fclose(file);
 }
 
-// JSON goes to its reader in one piece, whatever a plug-in prints.
+// Runs, and writes JSON in one piece, so that prints of a plug-in do not break it.
 void run_as_json(int output) {
   std::ostringstream text;
   benchmark::JSONReporter reporter;
@@ -96,7 +96,7 @@ void run_as_json(int output) {
   write_whole(output, text.str());
 }
 
-// Who reads JSON reads a line in its place: a plug-in may end this process with any exit code.
+// A reader of JSON reads this line, as a plug-in may end this process with any exit code.
 int refuse(int code, const std::string& why, int output) {
   if (output >= 0)
     write_whole(output, why + '\n');
@@ -105,8 +105,7 @@ int refuse(int code, const std::string& why, int output) {
   return code;
 }
 
-// Registers the jobs that the plug-in offers. Throws PluginRefused, also where none of them would
-// run.
+// Registers the jobs that the plug-in offers. Throws PluginRefused, also where no job would run.
 void register_plugin(const std::string& path) {
   const std::size_t before = tribo::benchmarks::registered_names().size();
   register_all(tribo::benchmarks::plugin_jobs(tribo::conformance::load_plugin(path)));

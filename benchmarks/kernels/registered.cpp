@@ -14,7 +14,7 @@
 namespace tribo::benchmarks {
 namespace {
 
-// Values that hold for all repetitions, found once outside of the timed loop.
+// Values that are the same in all repetitions, found once outside of the timed loop.
 class Known {
  public:
   explicit Known(const Measured& measured) {

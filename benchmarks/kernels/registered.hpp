@@ -11,9 +11,9 @@
 namespace tribo::benchmarks {
 
 void register_benchmark(Measured measured);
-// "job/family/name" of all that were registered.
+// The names "job/family/name" of all registered contenders.
 const std::vector<std::string>& registered_names();
-// One line on stderr that each step overwrites, where a person watches; empty: wipes the line.
+// A line on stderr that each step overwrites, shown on a terminal only; empty: wipes the line.
 void show_progress(std::string_view step);
 
 }  // namespace tribo::benchmarks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work that no sweep can avoid, written for these outputs alone: scenes are prepared, points
-// solved and onsets found. The inputs are made beforehand, and the results are not stored.
+// The work that no sweep can avoid, written for these outputs alone: it prepares scenes, solves
+// points and finds onsets. Inputs are made beforehand, and results are not stored.
 #pragma once
 
 #include <span>

@@ -37,7 +37,7 @@ namespace tribo::benchmarks {
 namespace {
 
 constexpr std::uint64_t draws = 1 << 20;           // chunks of 4096
-constexpr std::uint64_t draws_of_a_run = 1 << 18;  // with all that a run begins and ends with
+constexpr std::uint64_t draws_of_a_run = 1 << 18;  // a run includes its start and its end
 constexpr std::uint64_t chunks_in_turn = 8;        // chunks of contenders of one thread
 constexpr std::uint64_t chunks_on_threads = 256;   // chunks of an iteration
 
@@ -73,7 +73,7 @@ class NewParts {
   sweep::ChunksInMemory chunks_;
 };
 
-// A workload with what its contenders share.
+// A workload with the data that its contenders share.
 class Subject {
  public:
   explicit Subject(const Workload& workload)
@@ -101,7 +101,7 @@ class Subject {
   std::span<const double> block() const {
     return inputs(0).first(Alone::block_cases * scene().variables.size());
   }
-  std::span<const double> results() const { return results_; }  // the first chunk's
+  std::span<const double> results() const { return results_; }  // of the first chunk
 
  private:
   const Workload& workload_;
@@ -130,7 +130,7 @@ void set_points(benchmark::State& state, std::size_t points) {
   state.counters["points"] = static_cast<double>(points);
 }
 
-// --- One thread: what is needed, and the sweep.
+// --- One thread: the needed work alone, and the sweep.
 
 void run_alone(const Subject& subject, benchmark::State& state) {
   Alone solver(subject.scene());
@@ -181,8 +181,8 @@ void solve_cases(const Subject& subject, benchmark::State& state) {
   set_points(state, subject.cases());
 }
 
-// A step of Alone on one block, for which all steps have been taken. A last step gives the results
-// again, or it is no measure.
+// A step of Alone on a block that was solved already. The last step has to give the results again,
+// else the step did not do its work.
 enum class Gives { nothing, results };
 Contender stage(Gives gives, std::function<void(Alone&, const Subject&, std::span<double>)> step) {
   return [gives, step = std::move(step)](const Subject& subject, benchmark::State& state) {

@@ -120,7 +120,7 @@ def timed(work):
 
 
 def interleaved(works):
-    """Name → what is kept of its times, the works taken in turn."""
+    """Name → the times that are kept of it; the works are run in turn."""
     runs = {name: [] for name in works}
     for turn in range(ROUNDS):
         for name in works if turn % 2 == 0 else reversed(works):
@@ -163,7 +163,7 @@ def bench(sweeps, chosen, repetitions):
 
 
 def threads(sweeps):
-    """By the clock, without what others made the threads wait; and what a process takes to start."""
+    """Times by the clock, without the threads' waits for other processes; and the time that a process takes to start."""
     chunks = bench(sweeps, "film_5_fields/chunks", REPETITIONS)["film_5_fields"]
     small = sweeps.file(FIVE, 1, "summaries")
     found = interleaved({"start": lambda: sweeps.run(sweeps.command(small, "--threads", "1"))})
@@ -197,7 +197,7 @@ def ranks(sweeps):
 
 
 def memory(sweeps, billion):
-    """MB of each process, threads 2 and ranks 2; each rank is started by this script, which waits for it."""
+    """MB of each process, with 2 threads and with 2 ranks. This script starts each rank and waits for it."""
     found = {}
     for draws in (10**8, *((10**9,) if billion else ())):
         sweep = sweeps.file(OF_SPEED, draws, "summaries")

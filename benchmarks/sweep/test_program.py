@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What tribocheck_bench_sweep prints, beside its own raw numbers; no time is judged."""
+"""The table that tribocheck_bench_sweep prints agrees with its own raw numbers; no time is judged."""
 import json
 import os
 import pathlib
@@ -12,7 +12,7 @@ import unittest
 STAGES = ["stage: draw", "stage: cases", "stage: sum up", "stage: pack points", "stage: parts of points"]
 ON_THREADS = [f"{what}, threads: {threads}" for threads in (1, 2)
               for what in ("chunks with summaries", "chunks with points", "run of summaries", "run of points")]
-# Workload → its stages beside those of each.
+# Workload → stages that only some workloads have.
 WORKLOADS = {"film_5_fields": ["stage: prepare", "stage: points"], "film_12_fields": ["stage: prepare", "stage: points"],
              "film_of_speed": [], "onset_5_fields": ["stage: prepare", "stage: onset"]}
 
@@ -25,7 +25,7 @@ class SweepProgram(unittest.TestCase):
         return done
 
     def table(self, text):
-        """Workload → row → median, ratio, least, and whether it is by the clock."""
+        """Workload → row → median, ratio, least, and whether the time is by the clock."""
         found = {}
         for block in text.strip().split("\n\n"):
             head, columns, *rows = block.splitlines()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""scaling.py on measurements that are made up: what it asks to be run, and what it makes of the times."""
+"""scaling.py on made-up measurements: the runs that it asks for, and the numbers that it computes of the times."""
 import contextlib
 import io
 import json
@@ -25,7 +25,7 @@ class Folder(unittest.TestCase):
         self.asked = []
 
     def answering(self, answer):
-        """Notes what the sweeps would run, and answers in its place."""
+        """Notes the command of a sweep, and answers in its place."""
         def run(command):
             self.asked.append([str(word) for word in command])
             return answer(self.asked[-1])

@@ -42,7 +42,7 @@ std::string log_normal(double median, double log_sd) {
                      log_sd);
 }
 
-// Half uniform, as printed numbers are; the others as measured ones are.
+// Half of the fields are uniform, as printed numbers are; half are spread as measured ones.
 Fields five() {
   return {{"load", uniform(49.5, 50.5)},
           {"surface.summit_density", uniform(4.95e10, 5.05e10)},
@@ -87,7 +87,7 @@ const std::vector<Workload>& workloads() {
 std::string text_of(const Workload& workload, std::uint64_t draws, std::string_view keep) {
   std::string text;
   for (const auto& [path, value] : rough_surface()) {
-    // With onsets, outputs would ask for operating points too.
+    // With onsets, outputs would add operating points.
     if (path == "outputs" && !workload.settings.empty()) continue;
     const auto varied = std::find_if(workload.varied.begin(), workload.varied.end(),
                                      [&](const auto& field) { return field.first == path; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sweeps that are timed: of the paper's rough surface, with Sobol' points.
+// The timed sweeps: the paper's rough surface, with Sobol' points.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The contenders are what they claim to be: right where they should be, and wrong where they are
-// known to be.
+// The contenders do as they claim: they are right where they should be, and wrong where that is
+// known.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ TEST(MomentContenders, OfOneIntegrandCountItAlikeInBothSpellings) {
   }
 }
 
-// GSL says success and gives about 0: the peak at s = 0 lies between the abscissas.
+// GSL reports success and gives about 0: the peak at s = 0 lies between the abscissas.
 TEST(MomentContenders, QagiuLosesThePeakFarBelowZero) {
   EXPECT_LT(at(moment_named("QAGIU 1e-10 pow"), -37.5), 1e-3);
   EXPECT_GT(at(moment_named("QAGIU 1e-10 pow"), -37), 1e3);
@@ -164,7 +164,7 @@ TEST(RootContenders, AgreeOnOneEasyCase) {
     });
 }
 
-// Only a solver that leaves the brackets, or another moment, fails.
+// Only a solver without brackets, or with another moment, fails.
 TEST(RootContenders, FailOnlyWhereTheyAreUnsafe) {
   for (const RootJob job : {RootJob::wide, RootJob::one_surface})
     on_each(job == RootJob::wide ? wide_root_contenders() : one_surface_root_contenders(),
@@ -287,7 +287,7 @@ TEST(ErrorTally, ItsFiguresAreThoseOfAllAnswers) {
   }
 }
 
-// As the README says them: all within the range, and up to its ends.
+// Cases lie in the ranges that the README tells, and reach to the ends.
 TEST(Cases, FillTheRangesOfTheirJobs) {
   const auto fill = [](std::vector<double> points, double from, double to, double unit) {
     std::sort(points.begin(), points.end());
@@ -314,11 +314,11 @@ TEST(Cases, FillTheRangesOfTheirJobs) {
   fill(logarithms(ratios), 0, std::log(1e4), 0.04);
 }
 
-// --- Bookkeeping: contenders that count what they are given, and what they answer.
+// --- Bookkeeping: contenders that count their points and have known answers.
 
 struct Counts {
   std::size_t points = 0, judged = 0, failures = 0, no_numbers = 0;
-  double sum = 0;  // sum of the points, by which they are known
+  double sum = 0;  // the sum tells which points these were
 
   // The answers number 0, 3, 6 … are off by 1/1000, 1, 10 … are no number, 2, 11 … not offered.
   double answer(double point, double right) {
@@ -335,7 +335,7 @@ struct Counts {
   }
 };
 
-// Each job of contenders a, b … in turn, which all add to the same counts.
+// Runs each job of the contenders a, b … in turn, which all add to the same counts.
 void expect_counted(const std::vector<Measured>& jobs, Counts& counts,
                     const std::vector<std::pair<std::size_t, double>>& points_and_sums) {
   ASSERT_EQ(jobs.size(), points_and_sums.size());
@@ -359,8 +359,8 @@ std::pair<std::size_t, double> of(const std::vector<double>& points) {
   return {points.size(), std::accumulate(points.begin(), points.end(), 0.0)};
 }
 
-// All contenders of a job solve the points that it counts, and the same ones, those that are slow
-// the first of them; what is off, no number or not offered is judged as that.
+// Contenders solve as many points as their job counts, and the same ones; slow ones the first.
+// Wrong answers, no numbers and cases that are not offered are judged as such.
 TEST(Jobs, CountThePointsAndTheAnswersOfEachContender) {
   Counts counts;
   const MomentBatch moments = [&](std::span<const double> d, std::span<double> answers) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to the film of a line contact: those that solve the same equations on the same grid agree,
-// and the others are as far off as is known.
+// Ways to the film of a line contact: ways that solve the same equations on the same grid agree,
+// and the others have their known errors.
 #include "contenders/line_film_ways.hpp"
 
 #include <gtest/gtest.h>

@@ -20,7 +20,7 @@ using Row = nlohmann::ordered_json;
 
 constexpr Effort short_effort{1, 1e-9};
 
-// A way that says itself how long its last run took.
+// A way that itself tells the time of its last run.
 Measured made_up(const std::string& name, std::size_t points, double seconds,
                  const Errors& errors) {
   return {.job = "job of " + name,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work that sweeps are timed beside is the whole work, and no more: its results are the sweep's
-// own, whether it is done at once or step by step.
+// The work with which sweeps are compared is the whole needed work, and no more: at once and step
+// by step it gives the sweep's own results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::vector<std::uint64_t> bits_of(std::span<const double> numbers) {
   return bits;
 }
 
-// Blocks that are full, and one that is not.
+// The cases fill two blocks, and part of a third one.
 TEST(SweepAlone, HasTheBitsOfTheSweepItself) {
   for (const Workload& workload : workloads()) {
     const sweep::SweepPlan plan = plan_of(workload, 4096, "points");
@@ -42,8 +42,8 @@ TEST(SweepAlone, HasTheBitsOfTheSweepItself) {
   }
 }
 
-// After a block its contacts are still there: a step does it again. Where the speed alone varies
-// there is no contact of a case, which a sweep does not need either.
+// After a block its contacts are kept, so that a step can be repeated. Where the speed alone
+// varies, cases have no contacts of their own, in a sweep as here.
 TEST(SweepAlone, StepsDoTheLastBlockAgain) {
   for (const Workload& workload : workloads()) {
     const sweep::SweepPlan plan = plan_of(workload, 4096, "points");

@@ -11,13 +11,13 @@
 namespace tribo::benchmarks {
 namespace {
 
-// A contender's name without its setting: what is joined by a line in a diagram.
+// A contender's name without its setting: a diagram joins contenders of one series by a line.
 std::string series_of(const Measured& measured) {
   static const std::regex setting("( [0-9]e-[0-9]+| [0-9]+ (knots|bits)| [0-9]+$)");
   return measured.family + ": " + std::regex_replace(measured.name, setting, "");
 }
 
-// Those that can run here; SciPy may be missing.
+// The contenders that can run here; SciPy may be missing.
 std::vector<std::pair<Measured, Errors>> judged(std::vector<Measured> all) {
   std::vector<std::pair<Measured, Errors>> able;
   for (Measured& measured : all) {

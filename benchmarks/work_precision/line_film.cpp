@@ -14,7 +14,7 @@
 namespace tribo::benchmarks {
 namespace {
 
-constexpr double slow = 3;  // s a pass: it is not repeated
+constexpr double slow = 3;  // seconds: a slower pass is not repeated
 
 struct RelativeErrors {
   double greatest = 0, sum = 0;

@@ -20,7 +20,7 @@ namespace {
 constexpr int least_cells = 128, most_cells = 16384, most_dense_cells = 4096;
 constexpr int fitted_from = 512;
 
-// The state that a step is made at: a coarse film on the grid's nodes.
+// The state at which a step is made: a coarse film on the grid's nodes.
 struct StepState {
   ehl::Numbers x;
   Eigen::VectorXd pressure;
@@ -36,7 +36,7 @@ StepState state_on(const ehl::CoarseFilm& coarse, int cells) {
   return state;
 }
 
-// The linear equations of one step with our matrices: what they take; the result is not used.
+// Solves a step's linear equations with our matrices. Returns their bytes, not the solution.
 std::size_t hierarchical_step(const ehl::LineContact& contact, const StepState& state,
                               const ehl::FilmKernel& kernel) {
   Eigen::VectorXd film = kernel * state.pressure;

@@ -47,8 +47,8 @@ Json environment() {
           {"instruction_set", instruction_set()}};
 }
 
-// Into the tables of gnuplot, and as parts of the baseline with a commit of their own, since they
-// can be measured alone.
+// Writes the tables of gnuplot. Returns parts of the baseline with a commit of their own, because
+// they can be measured alone.
 Json line_film_parts(const Arguments& arguments, const Effort& effort) {
   step("films of line contacts: error against work");
   const Rows errors = line_film_errors(line_film_ways(), judged_contacts(), effort);
@@ -67,7 +67,7 @@ Json line_film_parts(const Arguments& arguments, const Effort& effort) {
       {"line_film_exponents", exponents}};
 }
 
-// A row a line, so that a change can be read.
+// Writes the baseline with a row a line, so that a change can be read.
 void write_baseline(const std::string& path, const Json& baseline) {
   std::string text = "{";
   for (const auto& [key, value] : baseline.items()) {

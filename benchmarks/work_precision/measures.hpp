@@ -11,8 +11,8 @@
 
 namespace tribo::benchmarks {
 
-// True error against CPU time and evaluations of those that can run here: job, family, series,
-// name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures, no_numbers, judged.
+// True error against CPU time and evaluations, of contenders that can run here: job, family,
+// series, name, ns, evaluations, max_ulp, p99_ulp, mean_ulp, failures, no_numbers, judged.
 Rows errors_against_work(std::vector<Measured> offered, const Effort& effort);
 
 // Greatest error of each way to F_{5/2} in ulp, by ranges of d.
@@ -24,7 +24,7 @@ struct JudgedContact {
 };
 
 // From a nearly rigid contact of constant viscosity to a heavy one of a very viscous liquid, with
-// the film that ours has on up to 16384 cells, extrapolated. Throws std::runtime_error.
+// the film of our solver on up to 16384 cells, extrapolated. Throws std::runtime_error.
 std::vector<JudgedContact> judged_contacts();
 
 // Films of line contacts: job, family, series, name, ns, steps, max_relative, mean_relative,

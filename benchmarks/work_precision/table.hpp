@@ -9,13 +9,13 @@
 
 namespace tribo::benchmarks {
 
-// One row a JSON object, all with the same keys; null: nothing to say.
+// Each row is a JSON object, all with the same keys; null: no entry.
 using Rows = std::vector<nlohmann::ordered_json>;
 
 // Rounds to four digits: a measured number holds no more.
 double four_digits(double x);
 
-// Columns under their names, null empty.
+// The rows as TSV, under the names of the columns; null is empty.
 std::string tsv(const Rows& rows);
 
 // The same for gnuplot: a block for each value of `key`, with that value as its title, and two

@@ -18,7 +18,7 @@ double seconds_a_call(const Timed& timed, double least) {
   const double start = cpu_seconds();
   long done = 0;
   double passed = 0;
-  // The clock is asked after 1, 2, 4, … calls, so that it costs nothing.
+  // The clock is asked after 1, 2, 4, … calls, so that it takes hardly any time.
   for (long calls = 1; passed < least; calls *= 2) {
     for (long i = 0; i < calls; ++i) timed.run();
     done += calls;

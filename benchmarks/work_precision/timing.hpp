@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CPU time of many calls, interleaved, so that what disturbs one disturbs all.
+// CPU time of many calls, interleaved, so that a disturbance meets all alike.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace tribo::benchmarks {
 
-// How long to measure.
+// The effort of a measurement.
 struct Effort {
   int rounds = 7;
   double least_seconds = 0.02;
@@ -19,8 +19,8 @@ struct Timed {
   std::function<double()> own_seconds;  // CPU time of the last call, if in another process
 };
 
-// CPU seconds a call of each: the median of so many rounds. In a round each is called, in a new
-// random order, until `least` seconds have passed.
+// CPU seconds a call of each: the median of so many rounds. In a round each function is called, in
+// a new random order, until `least` seconds have passed.
 std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least);
 
 double cpu_seconds();  // used by this process

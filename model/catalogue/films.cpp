@@ -87,7 +87,7 @@ std::optional<Refusal> too_hot(const Arguments& x) {
                  "fitted"};
 }
 
-// By `law`, at the arguments of the function of `own`.
+// The film by `law`, at the arguments of the function whose law is `own`.
 double film(const FilmLaw& own, const FilmLaw& law, const Arguments& x) {
   const bool is_soft = own.material_exponent.p == 0;  // it has no α
   const double alpha = is_soft ? 1 : x[2];

@@ -27,7 +27,7 @@ Extremum vertex(std::span<const double> x, std::span<const double> y, std::size_
 Extremum smooth_extremum(std::span<const double> x, std::span<const double> y, std::size_t i) {
   Extremum best = vertex(x, y, i);
   if (i < 2 || i + 2 >= x.size()) return best;
-  // Newton's form, and its first two derivatives at a place.
+  // The polynomial in Newton's form; below, its first two derivatives at a place.
   std::array<double, 5> c{};
   for (std::size_t k = 0; k < 5; ++k) c[k] = y[i - 2 + k];
   for (std::size_t order = 1; order < 5; ++order)

@@ -6,14 +6,14 @@
 
 namespace tribo::ehl {
 
-// All without units: H, P and X of line_contact.hpp.
+// All numbers are without units: H, P and X of line_contact.hpp.
 struct FilmFeatures {
   double central = 0;  // H at X = 0
   double minimum = 0;  // the least H, between nodes too
   // H where P is greatest upstream of the spike: the spike is too sharp for many grids, and in a
   // compressible liquid H would fall with its height.
   double at_greatest_pressure = 0;
-  double greatest_pressure = 0;         // P there
+  double greatest_pressure = 0;         // P at that place
   double pressure_beside_greatest = 0;  // the lesser P of the two nodes beside
   bool has_spike = false;               // a second maximum of P, downstream of a minimum
   double spike_pressure = 0;            // P at its top

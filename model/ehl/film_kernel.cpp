@@ -30,9 +30,9 @@ Eigen::MatrixXd FilmKernel::rows(int row, int row_end, int column, int column_en
       });
 }
 
-// Adaptive cross approximation: a row of what is left, its greatest column, and the row in which
-// that is greatest next. M. Bebendorf: Approximation of boundary element matrices. Numer. Math. 86
-// (2000) 565.
+// Adaptive cross approximation: takes a row of the rest of the block, the column in which that row
+// is greatest, and next the row in which this column is greatest. M. Bebendorf: Approximation of
+// boundary element matrices. Numer. Math. 86 (2000) 565.
 ThinProduct FilmKernel::thin_product(int row, int row_end, int column, int column_end) const {
   const int m = row_end - row, n = column_end - column;
   const int most = std::min(m, n);
@@ -40,7 +40,7 @@ ThinProduct FilmKernel::thin_product(int row, int row_end, int column, int colum
   std::vector<char> used(static_cast<std::size_t>(m), 0);
   // The rows and columns where the halves meet vary most.
   int pivot = row < column ? m - 1 : 0;
-  double square = 0;  // of the block's norm, so far
+  double square = 0;  // the square of the block's norm, so far
   for (int rank = 0; rank < most; ++rank) {
     used[static_cast<std::size_t>(pivot)] = 1;
     Eigen::VectorXd across =

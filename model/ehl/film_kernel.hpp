@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film at every node from the pressure at every node: H = K P, and what is kept of K. Blocks of
-// K between neighbouring halves of the nodes have few independent rows, because ln|x − t| is smooth
-// there, and are kept as products of two thin matrices. So N nodes take N log N numbers, and as
-// many operations, instead of N².
+// The film at every node from the pressure at every node, H = K P, and the form in which K is kept.
+// Blocks of K between neighbouring halves of the nodes have few independent rows, because ln|x − t|
+// is smooth there, and are kept as products of two thin matrices. So N nodes take N log N numbers,
+// and as many operations, instead of N².
 #pragma once
 
 #include <Eigen/Dense>
@@ -24,7 +24,7 @@ struct KernelPart {
   // A leaf's block, with the rows of the two nodes before it and of one after it, which its flows
   // need.
   Eigen::MatrixXd dense;
-  // Rows of the first half and columns of the second; and the other way round.
+  // The block with rows of the first half and columns of the second one; and the other block.
   ThinProduct upper, lower;
   // upper_rows: the rows of the nodes begin − 2, begin − 1 and middle, in the columns of the second
   // half. lower_rows: those of middle − 2, middle − 1 and end, in the columns of the first half. A

@@ -79,7 +79,7 @@ Scales scales_of(const LineContact& contact) {
 }
 
 NodeDensity first_density(const Scales& scales) {
-  // In even steps of the logarithm from far off, then in even ones of X.
+  // Places at even steps of ln(−X) far from the contact, then at even steps of X.
   constexpr double near = -2;
   const int far_steps = static_cast<int>(100 * std::log(scales.inlet_end / near));
   const double step = std::fmin(0.002, scales.edge / 10);

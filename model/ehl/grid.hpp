@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nodes across the contact, dense where the pressure bends: at the inlet, at the outlet's
-// constriction and at the spike. A grid of 2N cells has all nodes of that of N, so that what
-// differs between their films is the error of the discretisation.
+// constriction and at the spike. A grid of 2N cells has all nodes of the grid of N cells, so that
+// their films differ by the error of discretisation alone.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace tribo::ehl {
 
 using Numbers = std::vector<double>;
 
-// Where nodes go: their density over X, of which a share below each place is kept.
+// The places of nodes by their density over X, kept as the share of the nodes below each place.
 class NodeDensity {
  public:
   // density[i] > 0 holds between place[i] and place[i + 1]; places rise.
@@ -35,21 +35,21 @@ struct Scales {
 };
 // A film number of the right size: the greatest of the four limits that Moes' formula joins.
 double expected_film(const LineContact& contact);
-// The inlet is so long that it costs 3e-7 of the film at most, which falls with the second power of
-// its length.
+// The inlet is so long that its end changes the film by 3e-7 at most. This change falls with the
+// second power of the inlet's length.
 Scales scales_of(const LineContact& contact);
 // A density for a contact that has not been solved.
 NodeDensity first_density(const Scales& scales);
 
-// A density after a solved film: by the root of the pressure's curvature, which is what a linear
-// pressure between nodes is wrong by, by the film's slope and by the distance. At most `at_edge` of
-// all nodes fall into the width of the outlet's constriction, so that a sharp spike does not draw
-// all of them.
+// A density for a solved film: by the root of the pressure's curvature (the error of pressure that
+// is linear between nodes goes with the curvature), by the film's slope and by the distance. At
+// most `at_edge` of all nodes fall into the width of the outlet's constriction, so that a sharp
+// spike does not draw all of them.
 NodeDensity density_of(std::span<const double> x, std::span<const double> pressure,
                        std::span<const double> film, double at_edge);
 
 // The values at other places, by cubics through four neighbours; between a value of 0 and its
-// neighbour within these two, so that nothing of pressure falls below 0.
+// neighbour they stay within these two, so that no pressure falls below 0.
 Numbers interpolated(std::span<const double> x, std::span<const double> values,
                      std::span<const double> to);
 

@@ -14,8 +14,8 @@ inline double twice_integrated_log(double z) {
   return z * z * (std::log(std::fabs(z)) / 2 - 0.75);
 }
 
-// ∫ (1 − s/length) ln|r − s| ds from 0 to length. Near it by the integrals of the logarithm, which
-// would cancel far from it; there its moments converge: length^{k+1}/((k+1)(k+2)).
+// ∫ (1 − s/length) ln|r − s| ds from 0 to length. Near 0 by the integrals of the logarithm. Far
+// away these would cancel, and the series of moments, length^{k+1}/((k+1)(k+2)), converges.
 inline double log_potential_of_half_hat(double r, double length) {
   if (std::fabs(r) < 8 * length) {
     const double once = r == 0 ? 0 : r * (std::log(std::fabs(r)) - 1);

@@ -33,9 +33,9 @@ Eigen::MatrixXd Jacobian::leaf_block(const KernelPart& part) const {
   return block;
 }
 
-// J between the halves: of each row those rows of K that stand in its own half are kept as thin
-// products; those of up to three nodes outside it, and the pressures at the nodes of the other
-// half, are rows of their own.
+// J between the halves: J_i takes rows of K. Rows of nodes in its own half are kept as thin
+// products; rows of up to three nodes outside it, and pressures at nodes of the other half, are
+// added singly.
 ThinProduct Jacobian::between(const KernelPart& part, bool is_upper) const {
   const int row = is_upper ? part.begin : part.middle;
   const int row_end = is_upper ? part.middle : part.end;
@@ -44,7 +44,7 @@ ThinProduct Jacobian::between(const KernelPart& part, bool is_upper) const {
   const ThinProduct& thin = is_upper ? part.upper : part.lower;
   const Eigen::MatrixXd& outside = is_upper ? part.upper_rows : part.lower_rows;
   const int rank = static_cast<int>(thin.left.cols());
-  const int pressures = is_upper ? 1 : 2;  // of nodes in the other half that rows reach
+  const int pressures = is_upper ? 1 : 2;  // nodes of the other half whose pressures rows take
   ThinProduct product{Eigen::MatrixXd::Zero(row_end - row, rank + 3 + pressures),
                       Eigen::MatrixXd::Zero(column_end - column, rank + 3 + pressures)};
   product.right.leftCols(rank) = thin.right;
@@ -84,8 +84,8 @@ void Jacobian::factor(int index) {
   solve_part(part.first, upper.left);
   solve_part(part.second, lower.left);
   const Eigen::Index of_upper = upper.left.cols(), of_lower = lower.left.cols();
-  // With s = upper.rightᵀ x₂ and t = lower.rightᵀ x₁: t + (lower.rightᵀ first_left) s and
-  // s + (upper.rightᵀ second_left) t are those of the halves alone.
+  // Let s = upper.rightᵀ x₂ and t = lower.rightᵀ x₁. Solutions of the halves alone have, in place
+  // of t and s, t + (lower.rightᵀ first_left) s and s + (upper.rightᵀ second_left) t.
   Eigen::MatrixXd joint = Eigen::MatrixXd::Identity(of_upper + of_lower, of_upper + of_lower);
   joint.topRightCorner(of_upper, of_lower) = upper.right.transpose() * lower.left;
   joint.bottomLeftCorner(of_lower, of_upper) = lower.right.transpose() * upper.left;

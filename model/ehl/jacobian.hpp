@@ -20,15 +20,15 @@ class Jacobian {
   Jacobian(const FilmKernel& kernel, std::span<const BalanceSlopes> slopes,
            std::span<const char> is_free);
 
-  // J⁻¹ of each column.
+  // J⁻¹ times each column.
   Eigen::MatrixXd solve(Eigen::MatrixXd right_hand_sides) const;
   std::size_t bytes() const;
 
  private:
-  // A leaf has its block, factored, in `lu`. Another part has there the small system that joins its
-  // halves, factored; and the two blocks between the halves as products left · rightᵀ: the inverse
-  // of the first half times the left of the upper block is in first_left, that of the second half
-  // times the left of the lower block in second_left.
+  // In `lu` a leaf has its block, factored, and any other part the small system that joins its
+  // halves. Other parts also have the two blocks between the halves as products left · rightᵀ: the
+  // inverse of the first half times the left of the upper block is in first_left, that of the
+  // second half times the left of the lower block in second_left.
   struct Factor {
     Eigen::PartialPivLU<Eigen::MatrixXd> lu;
     Eigen::MatrixXd upper_right, lower_right, first_left, second_left;

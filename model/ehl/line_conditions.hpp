@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line contact in SI units, and what it is without units.
+// A line contact in SI units, and its conversion to numbers without units.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +32,8 @@ struct LineScale {
 };
 
 // The conditions of a scene whose bodies make a line, at a speed. The law of viscosity is Roelands'
-// where friction.viscosity is; else it is Barus', for `ambient` is said of friction alone. Scenes
-// have no law of density: it is the default.
+// where friction.viscosity is; else it is Barus', because `ambient` is meant for friction alone.
+// Scenes name no law of density: the default holds.
 LineConditions conditions_of(const Scene& scene, double speed);
 
 LineScale scale_of(const LineConditions& conditions);

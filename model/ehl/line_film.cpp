@@ -19,15 +19,14 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double greatest_change = 0.5;   // of P in one step: Hertz' peak is 1
-constexpr double least_part = 1e-3;       // of a step of Newton's method that is still worth making
+constexpr double least_part = 1e-3;       // the least part of a Newton step that is worth making
 constexpr double rounding_change = 1e-7;  // of P, at most
 
-// A film that is followed in time: rates are those of the steps, 1/ΔT, for a contact of half-width
-// 1.
+// For a film that is followed in time: 1/ΔT of its steps, for a contact of half-width 1.
 constexpr double first_rate = 100, last_rate = 0.05, greatest_rate = 1e9;
 constexpr double greatest_change_in_time = 0.3;
 constexpr int most_steps_in_time = 80;
-constexpr double least_stride = 1e-3;  // in the share of the viscosity's rise
+constexpr double least_stride = 1e-3;  // a share of the viscosity's rise
 
 // The weights of a grid's nodes in ∫ P dX.
 VectorXd load_weights(const Numbers& x) {
@@ -53,7 +52,7 @@ struct Change {
   VectorXd pressure;
   double separation = 0;
 
-  // Not finite where any of it is not.
+  // Not finite where any number of the change is not.
   double greatest() const {
     if (!pressure.allFinite()) return std::numeric_limits<double>::infinity();
     return std::max(pressure.cwiseAbs().maxCoeff(), std::fabs(separation));
@@ -68,7 +67,7 @@ class Newton {
     now_ = state_of(guess, separation);
   }
 
-  // The least film of the guess becomes this one.
+  // Lifts the film of the guess, so that its least value is `least`.
   void lift_to(double least) {
     now_ = state_of(now_.pressure, now_.separation + least - now_.film.minCoeff());
   }
@@ -76,7 +75,7 @@ class Newton {
   const State& state() const { return now_; }
   void return_to(const State& state) { now_ = state; }
 
-  // Newton's method, in parts of its steps that bring it nearer.
+  // Newton's method; of each step it makes a part that comes nearer to the solution.
   void converge(const NewtonLimits& limits, const Watch& watch) {
     result_.outcome = Outcome::not_converged;
     for (int step = 0; step < limits.steps && goes_on(watch); ++step) {
@@ -93,8 +92,8 @@ class Newton {
     }
   }
 
-  // The film in time, as it is squeezed and filled, in steps that grow until it is steady; then
-  // Newton's method. `reach`: of the contact, in half-widths.
+  // Follows the film in time, as it is squeezed and filled, in steps that grow until it is steady;
+  // then Newton's method. `reach`: how far pressure reaches from the middle, in half-widths.
   void settle(double reach, const NewtonLimits& limits, const Watch& watch) {
     result_.outcome = Outcome::not_converged;
     double rate = first_rate / reach;
@@ -124,7 +123,7 @@ class Newton {
     Balance balance;
     std::vector<char> is_free;
     Jacobian jacobian;
-    VectorXd by_separation;  // what the pressures change by, for 1 of H₀
+    VectorXd by_separation;  // the changes of the pressures for a change of 1 of H₀
   };
 
   State state_of(VectorXd pressure, double separation) const {
@@ -149,12 +148,12 @@ class Newton {
     return balance.diffusion[row] + (1 + rate * weights_[row]) * kernel_.entry(node, node);
   }
 
-  // A node is free if a step of its own would leave pressure there.
+  // A node is free if a Newton step of this node alone would leave pressure there.
   static bool is_free(const State& at, const Balance& balance, Eigen::Index row, double own) {
     return at.pressure[row] > balance.surplus[row] / own;
   }
 
-  // At a rate above 0 the film that a step in time adds is stored: ∂(ρ̄H)/∂T.
+  // Where the rate is above 0, liquid is stored in the film that a step in time adds: ∂(ρ̄H)/∂T.
   Linear linear_at(const State& at, double rate) {
     Balance balance = balance_of(contact_, result_.x, at.pressure, at.film);
     const auto size = static_cast<Eigen::Index>(result_.x.size());
@@ -177,9 +176,8 @@ class Newton {
     return {std::move(balance), std::move(free), std::move(jacobian), std::move(by_separation)};
   }
 
-  // The change that removes, to first order, the residual of a state, which may be another state
-  // than that of the linear equations: where the film has broken, the pressure; elsewhere the
-  // surplus.
+  // The change that removes, to first order, the residual of a state: its pressure where the film
+  // has broken, else its surplus. The linear equations may be those of another state.
   Change change_for(const Linear& linear, const State& at, const Balance& balance,
                     double rate) const {
     VectorXd side = VectorXd::Zero(at.pressure.size());
@@ -195,7 +193,7 @@ class Newton {
     const double missing_load = std::numbers::pi / 2 - weights_.dot(at.pressure + change.pressure);
     change.separation = missing_load / weights_.dot(linear.by_separation);
     change.pressure += change.separation * linear.by_separation;
-    // It is 0 at the ends, but for rounding.
+    // The change is 0 at the ends, but for rounding.
     change.pressure[0] = change.pressure[side.size() - 1] = 0;
     return change;
   }
@@ -205,7 +203,7 @@ class Newton {
                      change.separation * change.separation);
   }
 
-  // Where a part of a change leads; nothing where it leaves no film.
+  // The state after a part of a change; nothing where hardly any film would be left.
   std::optional<State> state_after(double part, const Change& change) const {
     State next = state_of((now_.pressure + part * change.pressure).cwiseMax(0),
                           now_.separation + part * change.separation);
@@ -213,10 +211,10 @@ class Newton {
     return next;
   }
 
-  // Makes the greatest part, by halves, after which the same linear equations ask for less than
-  // before; gives this part, or 0 where there is none. That test is P. Deuflhard's: Newton methods
-  // for nonlinear problems (2004), section 3.3: it does not change with the scale of an equation.
-  // After a whole step, what they ask for is what is left, to second order.
+  // Makes the greatest part of a step, by halves, after which the same linear equations ask for
+  // less change. Returns the part; 0: none. That test is P. Deuflhard's: Newton methods for
+  // nonlinear problems (2004), section 3.3: it does not change with the scale of an equation. After
+  // a whole step, the change that they ask for is the one that is left, to second order.
   double make_step() {
     ++result_.steps;
     const Linear linear = linear_at(now_, 0);
@@ -239,7 +237,7 @@ class Newton {
     return 0;
   }
 
-  // Returns false, and makes none, where the step is too long for what it changes.
+  // Returns false, and makes no step, where the step would change the pressure too much.
   bool make_step_in_time(double rate, double most) {
     ++result_.steps;
     const Linear linear = linear_at(now_, rate);
@@ -253,8 +251,8 @@ class Newton {
     return true;
   }
 
-  // The flow is the same between all free nodes; where pressure is greatest it has no part that
-  // the pressure drives.
+  // The flow is the same between all free nodes; where pressure is greatest, pressure drives no
+  // part of it.
   double flow_at_peak() const {
     Eigen::Index peak;
     now_.pressure.maxCoeff(&peak);
@@ -266,11 +264,11 @@ class Newton {
   FilmKernel kernel_;
   VectorXd weights_, parabola_;
   State now_;
-  double change_left_ = 0;  // after the last step of Newton's method
+  double change_left_ = 0;  // by the equations of the last Newton step
   LineFilm result_;
 };
 
-// A liquid whose viscosity rises less.
+// The contact with a liquid whose viscosity rises by a share of the rise.
 LineContact with_share_of_rise(LineContact contact, double share) {
   contact.material_number *= share;
   contact.fluid.exponent *= share;
@@ -313,7 +311,7 @@ LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales&
     const double at = x[i] / scales.reach;
     guess[static_cast<Eigen::Index>(i)] = std::sqrt(std::fmax(0, 1 - at * at)) / scales.reach;
   }
-  // The greatest of these shares of the viscosity's rise with which the film comes to rest.
+  // Seeks the greatest of these shares of the viscosity's rise with which the film comes to rest.
   LineFilm film;
   double share = 1;
   int steps = 0;
@@ -326,7 +324,7 @@ LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales&
     share = next;
     if (film.outcome != Outcome::not_converged || contact.fluid.exponent == 0) break;
   }
-  // From there in strides that are halved where one fails and doubled where one succeeds.
+  // Then the share grows in strides that are halved where one fails and doubled where one succeeds.
   for (double stride = 0.1; film.outcome == Outcome::solved && share < 1;) {
     const double next = std::fmin(1, share + stride);
     LineFilm trial = solve_from(with_share_of_rise(contact, next), x, film.pressure,

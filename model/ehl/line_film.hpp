@@ -14,7 +14,7 @@ namespace tribo::ehl {
 
 enum class Outcome : std::uint8_t {
   solved,
-  not_converged,  // no part of a step helps, or the greatest number of steps was made
+  not_converged,  // no part of a step came nearer, or the steps were too few
   stopped         // the caller said so
 };
 
@@ -24,12 +24,12 @@ struct LineFilm {
   Eigen::VectorXd pressure, film;  // P and H there
   double mass_flow = 0;            // ρ̄H where dP/dX = 0
   double separation = 0;           // H₀
-  int steps = 0;                   // with those on the grids before, and those in time
+  int steps = 0;                   // with the steps on the grids before, and the steps in time
   double last_change = 0;          // of the pressure, in the last step
   std::size_t bytes = 0;           // what the matrices took
 };
 
-// Told before every step; false: stop.
+// The watch is told this before every step; its answer false stops the work.
 struct Step {
   int cells;
   int step;
@@ -39,21 +39,21 @@ using Watch = std::function<bool(const Step&)>;
 
 struct NewtonLimits {
   int steps = 40;
-  double change = 1e-10;  // of P and of H₀, that is left after a converged step, at most
+  double change = 1e-10;  // greatest change of P and H₀ that may be left at the end
 };
 
-// From a guess: pressures ≥ 0 at the nodes, 0 at both ends, and H₀.
+// Starts from a guess: pressures ≥ 0 at the nodes, 0 at both ends, and H₀.
 LineFilm solve_from(const LineContact& contact, const Numbers& x, const Eigen::VectorXd& guess,
                     double separation, const NewtonLimits& limits, const Watch& watch);
 
-// From nothing: the pressure of dry contact over a film of the expected thickness, from which the
-// film goes on in time until it is steady. Where it does not come to rest, so does that of a liquid
-// whose viscosity rises less, and from there Newton's method follows the rise.
+// Starts from the pressure of dry contact over a film of the expected thickness, and follows the
+// film in time until it is steady. If it does not come to rest, a liquid whose viscosity rises less
+// is taken, and then Newton's method follows the rise.
 LineFilm solve_from_nothing(const LineContact& contact, int cells, const Scales& scales,
                             const Watch& watch);
 
-// A solved film on other nodes: by Newton's method from there, and where it does not converge as
-// the film goes on in time from there.
+// Takes a solved film to other nodes: by Newton's method, or, where that does not converge, by
+// following the film in time.
 LineFilm solve_on(const LineContact& contact, const Numbers& x, const LineFilm& film,
                   const Watch& watch);
 

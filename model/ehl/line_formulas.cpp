@@ -21,7 +21,7 @@ double film_number(const LineFormula& formula, double load_number, double materi
   if (formula.law == nullptr)
     return moes_line_number(load_number, std::fmax(material_number, 1e-30));
   if (material_number == 0) return std::numeric_limits<double>::quiet_NaN();
-  // A contact with these numbers: E* and R of 1, and so η₀u of 2U, F/L of 2M(2U)^{1/2} and α of
+  // A contact with these numbers has E* = R = 1, and therefore η₀u = 2U, F/L = 2M(2U)^{1/2} and α =
   // L(2U)^{−1/4}/2.
   const double root = std::sqrt(2 * speed_number);
   return line_film_thickness(*formula.law, 2 * speed_number, 1.,

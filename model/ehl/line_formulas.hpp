@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The films that printed formulas give for a line contact, as film numbers of M and L
-// (moes_line.hpp), and which number of the solved film each stands for.
+// (moes_line.hpp), and the number of the solved film that each formula stands for.
 #pragma once
 
 #include <array>
@@ -14,17 +14,17 @@ namespace tribo::ehl {
 
 enum class FilmQuantity : std::uint8_t { central, minimum, at_greatest_pressure };
 
-// The liquid of the films that a formula was fitted to, or derived for; unknown where no text that
-// could be seen tells. Two books of Hamrock's tell that Pan and Hamrock's liquid was compressible.
-// The solved films tell that its viscosity followed Roelands: with Roelands' law they are nearer to
-// Pan and Hamrock's formulas than with Barus' (held by test_film).
+// The liquid of the films that a formula was fitted to, or derived for; unknown where no text at
+// hand tells it. Two books of Hamrock's tell that Pan and Hamrock's liquid was compressible. The
+// solved films tell that its viscosity followed Roelands: with Roelands' law they are nearer to Pan
+// and Hamrock's formulas than with Barus' (held by test_film).
 enum class FitLiquid : std::uint8_t { unknown, barus_incompressible, roelands_compressible };
 
 struct LineFormula {
   std::string_view name;  // as in scenes and in the catalogue of functions
   std::string_view authors;
   FilmQuantity quantity;
-  const FilmLaw* law;  // none: Moes' formula
+  const FilmLaw* law;  // null: Moes' formula
   FitLiquid liquid;
 };
 
@@ -47,8 +47,8 @@ inline constexpr std::array<LineFormula, 6> line_formulas{{
 std::string_view name(FitLiquid liquid);
 
 // (h/R)(2U)^{−1/2} by a formula, at M > 0, L ≥ 0 (NaN where it has no film at L = 0) and the speed
-// number U = η₀u/(2E*R): Pan and Hamrock's exponents leave −0.012 and −0.0085 of it; of the others
-// it is of no matter.
+// number U = η₀u/(2E*R): Pan and Hamrock's films go with its powers −0.012 and −0.0085; the others
+// do not depend on it.
 double film_number(const LineFormula& formula, double load_number, double material_number,
                    double speed_number);
 

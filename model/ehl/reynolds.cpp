@@ -37,14 +37,14 @@ Liquid liquid_at(const Fluid& fluid, double p) {
           fluid.density_slope(p)};
 }
 
-// The flow between node i and the next, and its derivatives by film and pressure at the nodes
-// i − 1, i and i + 1.
+// The flow between nodes i and i + 1, and its derivatives by film and pressure at the nodes i − 1,
+// i and i + 1.
 struct Flow {
   double value = 0, diffusion = 0;
   std::array<double, 3> by_film{}, by_pressure{};
 };
 
-// How much the two nodes before the middle between two nodes, and the next one, weigh there.
+// The weights, in the middle between two nodes, of the two nodes before it and of the next one.
 std::array<double, 3> upstream_weights(std::span<const double> x, std::size_t i) {
   if (i == 0) return {0, 0.5, 0.5};
   const double ahead = (x[i + 1] - x[i]) / 2 / (x[i] - x[i - 1]);

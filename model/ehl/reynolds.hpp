@@ -21,15 +21,15 @@ struct BalanceSlopes {
 
 struct Balance {
   Eigen::VectorXd surplus;            // of each node; 0 at both ends
-  Eigen::VectorXd flow;               // of mass between a node and the next: that many less one
+  Eigen::VectorXd flow;               // of mass between a node and the next: one fewer than nodes
   Eigen::VectorXd diffusion;          // how much of the surplus the node's own pressure drives out
   std::vector<BalanceSlopes> slopes;  // of each node
 };
 
 // Second order on grids whose spacing changes slowly. The film that is dragged between two nodes is
 // extrapolated from the two nodes before, so that films do not waver where the liquid is so viscous
-// that pressure drives none of it; 1/η̄ is its mean where ln η̄ is linear. `slopes` are left out if
-// not wanted.
+// that pressure drives none of it; 1/η̄ is its mean where ln η̄ is linear. `slopes` stay empty if
+// they are not asked for.
 Balance balance_of(const LineContact& contact, std::span<const double> x,
                    const Eigen::VectorXd& pressure, const Eigen::VectorXd& film,
                    bool with_slopes = true);

@@ -66,7 +66,7 @@ std::string name_of(const LineContact& contact) {
   return name;
 }
 
-// Where a film was not found: what the last step had reached.
+// The message where no film was found: how far the last step had come.
 std::string why_not(const Step& last, const LineFilm& film) {
   std::string why =
       text("on the grid of %d cells neither Newton's method nor the film in time came to rest: ",
@@ -77,8 +77,8 @@ std::string why_not(const Step& last, const LineFilm& film) {
                     : text("the equations of step %d have no finite solution", last.step + 1));
 }
 
-// Shares of the films' errors. A spike that no grid shows moves them, more so in a compressible
-// liquid, whose spike takes film with it; the least film lies beside the spike.
+// Shares that make the films' errors. A spike that no grid shows moves the films, more so in a
+// compressible liquid, whose film follows the spike; the least film lies beside the spike.
 struct FilmCautions {
   Caution away_from_spike, beside_spike;
 };
@@ -172,8 +172,8 @@ CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales
 
 namespace {
 
-// The film by the grids that follow from one coarsest grid. The tolerance only says where they end,
-// so that a contact solved to one is solved to each greater one, in fewer steps.
+// The film by the grids that follow from one coarsest grid. The tolerance only says which is the
+// last: a contact solved to one is solved to each greater one, in fewer steps.
 SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const SolveOptions& options,
                                const Watch& watch) {
   SolvedFilm solved;
@@ -228,8 +228,8 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     estimate_all(solved, contact, grids, beside, static_cast<double>(cells) / cells_beside);
     worst = std::max({solved.central.relative_error(), solved.minimum.relative_error(),
                       solved.at_greatest_pressure.relative_error()});
-    const bool is_of_domain = worst < 1.25 * solved.domain_error;  // no grid makes that less
-    // Without a spike there is nothing to wait for.
+    const bool is_of_domain = worst < 1.25 * solved.domain_error;  // a finer grid does not help
+    // Without a spike this holds at once.
     const bool is_spike_met = !(solved.spike_pressure.relative_error() > options.spike_tolerance);
     if ((worst <= options.tolerance || is_of_domain) && is_spike_met) break;
   }
@@ -243,7 +243,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
   }
   solved.outcome = Outcome::solved;
   if (worst <= options.tolerance) {
-    solved.reason.clear();  // of a grid that was not needed
+    solved.reason.clear();  // the failure of a grid that was not needed
     return solved;
   }
   std::string met =
@@ -262,8 +262,7 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
   SolvedFilm solved;
   solved.reason = refusal(contact);
   if (!solved.reason.empty()) return solved;
-  // Thin films under great loads are not found on few cells, nor are others where a spike draws so
-  // many of them that few are left.
+  // Few cells are not enough for thin films under great loads, or where a spike draws most cells.
   constexpr int coarsest_grids = 5;
   constexpr double least_at_edge = 0.05;
   SolveOptions now = options;

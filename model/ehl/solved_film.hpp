@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A line contact solved to a stated error: on grids of which each halves the cells of the one
-// before, with the order that is observed, Richardson's value and an estimate of what is left.
+// before, with the observed order, Richardson's value and an estimate of the error that is left.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace tribo::ehl {
 
-// A number and what it may be off by. NaN: there is no such number.
+// A number and its error. NaN: there is no such number.
 struct Estimate {
   double value = std::numeric_limits<double>::quiet_NaN();
   double error = std::numeric_limits<double>::quiet_NaN();  // absolute
@@ -21,17 +21,17 @@ struct Estimate {
   double relative_error() const { return error / value; }
 };
 
-// A value on one grid more, of fewer cells than the last of a sequence.
+// The value on one more grid, beside a sequence, with fewer cells than its last grid.
 struct Beside {
   double value = std::numeric_limits<double>::quiet_NaN();  // NaN: there is no such grid
   double cells_ratio = 1;                                   // cells of the last over its cells
 };
 
-// Shares that make an error: of what the grid beside differs by from what the second order says of
-// it, which shows how much a spike that is not resolved makes the values waver; of what
-// Richardson's value changed by from the grid before the last to the last (where errors are
-// regular, a fifteenth of it is left); of its two changes before that, each counting the less by
-// the share `falling`; and of the last change of the value itself. The shares of films
+// An error is the greatest of some differences, each times its share. of_last: the last change of
+// Richardson's value from grid to grid (where errors are regular, a fifteenth of it is left); its
+// two changes before that count less, each by the factor `falling`. of_change: the last change of
+// the value itself. of_waver: the difference of the grid beside from what the second order says of
+// it, which shows how much an unresolved spike makes the values waver. The shares of films
 // (solved_film.cpp) are chosen, not derived: so that the error held for 330 random contacts, and
 // then judged by 300 others (verification/tests/ehl/film_survey.cpp).
 struct Caution {
@@ -46,8 +46,8 @@ struct Caution {
 Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {},
                      const Beside& beside = {});
 
-// Contacts of a smaller M, and with smaller films H than the second, are refused. Up to the other
-// two the solver was tried; beyond them it may do, and says so where it does not converge.
+// Smaller M than the first number and smaller films H than the second are refused. The solver was
+// tried up to the other two; beyond them it may converge, and says so where it does not.
 inline constexpr double least_load_number = 1e-3;
 inline constexpr double least_film = 1e-8;
 inline constexpr double greatest_tried_load_number = 1e4;
@@ -64,29 +64,29 @@ struct SolveOptions {
 
 struct SolvedFilm {
   Outcome outcome = Outcome::not_converged;
-  // Empty where the film is solved to the tolerance. Else what failed, where, and what was reached,
-  // without a capital and a full stop.
+  // Empty where the film is solved to the tolerance. Else it says what failed, where, and how far
+  // the solver came, without a capital and a full stop.
   std::string reason;
   LineFilm film;  // on the finest grid that was solved
   int grids = 0;
   // H and P of film_features.hpp.
   Estimate central, minimum, at_greatest_pressure, spike_pressure, spike_place;
-  // Relative error of the films by an inlet that is not endless. It is in the errors.
+  // The films' relative error because the inlet is not endless; the errors above have it in them.
   double domain_error = 0;
   int steps = 0;  // of Newton's method, on the way to the finest grid
 };
 
-// Where the nodes of all grids of a contact go, and the film on the coarsest of them.
+// The places of the nodes of all grids of a contact, and the film on the coarsest grid.
 struct CoarseFilm {
   LineFilm film;
-  NodeDensity density;  // if the film is solved: after it
+  NodeDensity density;  // follows the film, if that is solved
 };
 CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales& scales,
                              double at_edge, const Watch& watch);
 
 // Error of each number: its Estimate. Where the tolerance was not met, or a finer grid failed or
-// was stopped, the outcome is solved all the same, the numbers hold with their errors, and `reason`
-// says what was met.
+// was stopped, the outcome is `solved` all the same, the numbers hold with their errors, and
+// `reason` says which error was reached.
 SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& options = {},
                            const Watch& watch = {});
 

@@ -32,7 +32,7 @@ void check_pair(const std::string& direction, double first, double second, Probl
                                    allowed});
 }
 
-// Two faces that meet at a point, or along a line.
+// Refuses two faces that meet neither at a point nor along a line.
 void check_faces(const Scene& scene, Problems& problems) {
   const auto& [first, second] = scene.bodies.bodies;
   if (first.radius_x != 0) check_pair("x", first.radius_x, second.radius_x, problems);
@@ -53,7 +53,7 @@ void check_line(const Bodies& bodies, Problems& problems) {
                   "radius_x and length, or first_radius_x, second_radius_x and length"});
 }
 
-// Laws of points are for points, and those of lines for lines.
+// Refuses a law of points for a line, and a law of lines for any other contact.
 void check_film(const Scene& scene, bool is_given, Problems& problems) {
   const bool is_line = scene.bodies.shape() == ContactShape::line;
   if (film_law(scene.closures.film).is_of_lines == is_line) return;
@@ -81,7 +81,7 @@ void check_profile(const Scene& scene, Problems& problems) {
              " or more of an isotropic Gaussian face"});
 }
 
-// Radii so far apart that the axes are beyond double.
+// Refuses radii so far apart that the axes are beyond double.
 void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problems) {
   if (scene.bodies.shape() != ContactShape::ellipse) return;
   const double cube = numbers.ellipse.axis_cube, ratio = numbers.ellipse.axes_ratio;
@@ -93,8 +93,8 @@ void check_ellipse(const Scene& scene, const Numbers& numbers, Problems& problem
        "a ratio of the two that double can hold, or length in place of R_y, for a line"});
 }
 
-// The numbers that follow from two bodies and from moments, each of which is legal, may lose their
-// digits next to 0, or overflow.
+// Refuses legal bodies and moments from which numbers follow that overflow, or that lose their
+// digits next to 0.
 void check_derived(const Scene& scene, const Numbers& numbers, Problems& problems) {
   const auto check = [&](bool is_derived, std::string_view field, std::string_view what,
                          double number) {

@@ -10,7 +10,7 @@
 
 namespace tribo::scene_detail {
 
-// The numbers of the contact; nothing, and errors, where there is none.
+// The numbers of the contact; nothing, and errors, where the fields make no contact.
 std::optional<detail::SceneNumbers<double>> check_contact(const Scene& scene, SceneUse use,
                                                           bool film_is_given, Problems& problems);
 

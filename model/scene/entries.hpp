@@ -70,12 +70,12 @@ extern const std::string_view too_deep_text;
 // makes a tree of the text: trees are copied, printed and destroyed by recursion.
 bool nests_too_deep(std::string_view json);
 
-// The entries of a TOML text; where it is none, nothing and an error. Text over 1 MiB is refused,
-// and text with more fields.
+// The entries of a TOML text; nothing, and an error, where the text is not TOML. Text over 1 MiB or
+// with more than most_fields fields is refused.
 std::optional<std::vector<Entry>> toml_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields = max_entries);
 
-// The same of a JSON text; where it is no object, nothing and an error.
+// The same of a JSON text; nothing, and an error, where the text is no JSON object.
 std::optional<std::vector<Entry>> json_entries(std::string_view text, Problems& problems,
                                                std::size_t most_fields = max_entries);
 

@@ -16,7 +16,7 @@ namespace {
 
 bool is_standard_input(const std::string& path) { return path == "-" || path == "/dev/stdin"; }
 
-// Closes what it opened; standard input stays open.
+// A file that is closed with this object; standard input stays open.
 class InputFile {
  public:
   explicit InputFile(const std::string& path)

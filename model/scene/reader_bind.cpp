@@ -21,12 +21,12 @@ namespace {
 
 bool is_whole(double number) { return std::trunc(number) == number; }
 
-// Fields that the rules below name, looked up once.
+// The places of fields that the rules below name, looked up once.
 struct NamedFields {
   std::size_t speed = field_at("speed"), speed_from = field_at("speed.from");
   std::size_t speed_to = field_at("speed.to"), outputs = field_at("outputs");
   std::size_t film = field_at("closures.film");
-  FieldPlaces of_speed, of_supply;  // those of the tables of these names
+  FieldPlaces of_speed, of_supply;  // all fields of the tables `speed` and `supply`
 
   NamedFields() {
     for (std::size_t field = 0; field < field_count; ++field) {
@@ -179,7 +179,7 @@ class SceneBinder {
     return std::nullopt;
   }
 
-  // The rule that is broken as a number of this field, if one is.
+  // The rule that the value breaks as a number of this field, if it breaks one.
   static std::optional<Fault::Rule> broken_rule(const FieldInfo& info, const Value& value) {
     const double number = value.number;
     if (value.kind != ValueKind::number) return Fault::kind;
@@ -320,9 +320,8 @@ class SceneBinder {
 
   bool is_given(std::string_view path) const { return given_[field_at(path)] != nullptr; }
 
-  // One set of the group is given, whole, and nothing of the others.
   bool is_of_line_film() const { return use_ == SceneUse::line_film; }
-  // The film is solved with a liquid of constant viscosity too, of which film formulas have none.
+  // The film is solved for a constant viscosity, too, for which film formulas give nothing.
   bool is_without_rise(const FieldInfo& info, const Value& value) const {
     return is_of_line_film() && info.path == "lubricant.pressure_viscosity" &&
            value.kind == ValueKind::number && value.fault == NumberFault::none && value.number == 0;
@@ -333,6 +332,7 @@ class SceneBinder {
            group.fields[field_at("surface.summit_density")];
   }
 
+  // Refuses a group unless all fields of one of its sets are given, and none of the other sets.
   void check_group(const GroupPlaces& group) {
     const FieldPlaces given = is_given_ & group.fields, beside = is_given_ & group.optional;
     for (const SetPlaces& set : group.sets)
@@ -359,7 +359,7 @@ class SceneBinder {
           refuse_beside(path, first, "only beside " + std::string(set.names.fields.front()));
   }
 
-  // The set that these are, else the first that has them all, else null.
+  // The set with exactly the given fields, else the first set that has all of them, else null.
   static const SetPlaces* fitting_set(const GroupPlaces& group, const FieldPlaces& given) {
     const SetPlaces* fitting = nullptr;
     for (const SetPlaces& set : group.sets) {

@@ -34,12 +34,12 @@ std::optional<double> number_in(T from) {
 }
 std::optional<double> number_in(std::optional<double> from) { return from; }
 
-// The member of a member … of the scene.
+// Access to the scene's member of a member …, by a chain of pointers to members.
 template <auto... members>
 constexpr Access at{[](Scene& scene, double value) { put((scene.*....*members), value); },
                     [](const Scene& scene) { return number_in((scene.*....*members)); }};
 
-// The same of a member that is a number of the contact, too.
+// The same, where the member is also a number of the contact.
 template <double Numbers::*number, auto... members>
 constexpr Access at_number{at<members...>.store, at<members...>.load, number};
 
@@ -62,7 +62,7 @@ constexpr Access at_supply{[](Scene& scene, double value) {
                            },
                            &Numbers::supply};
 
-// k, which the scene of another shape than a circle does not have.
+// k, which only the scene of a circle has.
 constexpr Access at_ellipticity{
     at<&Scene::bodies, &Bodies::ellipticity>.store,
     [](const Scene& scene) {
@@ -71,7 +71,7 @@ constexpr Access at_ellipticity{
     },
     &Numbers::ellipticity};
 
-// γ, which no other rule than Damiens' has.
+// γ, which only Damiens' rule has.
 constexpr Access at_damiens_exponent{
     at<&Scene::closures, &Closures::damiens_exponent>.store,
     [](const Scene& scene) {
@@ -92,7 +92,7 @@ struct Row {
   Access access = {};
 };
 
-// Numbers beyond are legal, but get a warning.
+// The usual range of a number. A number outside it is legal, but gets a warning.
 struct Usual {
   double least, greatest;
 };
@@ -335,7 +335,7 @@ constexpr bool is_before(std::string_view left, std::string_view right) {
   return left < right;
 }
 
-// Places in the table, in that order.
+// Places of the rows in the table, in that order.
 constexpr std::array<std::size_t, field_count> by_path = [] {
   std::array<std::size_t, field_count> places{};
   for (std::size_t i = 0; i < field_count; ++i) places[i] = i;
@@ -432,7 +432,7 @@ std::optional<double> value_in(const Scene& scene, std::size_t field) {
   const auto& [info, access] = rows[field];
   if (access.load == nullptr) return std::nullopt;
   const std::optional<double> value = access.load(scene);
-  // Scenes have 0 in place of what is not given and could not be 0.
+  // A field that is not given, and that could not be 0, is 0 in a scene.
   const bool may_be_zero =
       info.type == FieldType::choice || info.minimum < 0 || !info.exclusive_minimum;
   return value == 0.0 && (!may_be_zero || info.is_radius_of_face) ? std::nullopt : value;

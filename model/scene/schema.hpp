@@ -28,20 +28,20 @@ inline constexpr auto output_names = [] {
 using Numbers = detail::SceneNumbers<double>;
 
 // The place of a field in a scene, as a number, a whole number, or the place of a chosen word. All
-// are null of the fields that have none: id and outputs.
+// are null for id and outputs, which have no such place.
 using Store = void (*)(Scene&, double);
 struct Access {
   Store store = nullptr;
   std::optional<double> (*load)(const Scene&) = nullptr;
-  double Numbers::*number = nullptr;  // null: not one of a contact's numbers as it is given
+  double Numbers::*number = nullptr;  // null: no number of a contact is this field as given
 };
 
 // Puts the value into the scene; of `speed`, in place of all its speeds.
 Store store_of(std::size_t field);
-// The value that the scene has of the field, or that follows from others for it; nothing where the
-// scene has none.
+// The field's value in the scene, given or computed from other fields; nothing where the scene has
+// none.
 std::optional<double> value_in(const Scene& scene, std::size_t field);
-// The contact's number that is the field's value, and that alone follows from it; else null.
+// The contact's number that is the field's value; null where others depend on the field, too.
 double Numbers::*contact_number(std::size_t field, ContactShape shape);
 
 // The place in scene_fields() of a dotted path.
@@ -68,7 +68,7 @@ bool is_section(std::string_view name);
 
 // "surface" of "surface.summit_radius", empty for "load".
 std::string_view section_of(std::string_view path);
-// "summit_radius" of it.
+// "summit_radius" of "surface.summit_radius".
 inline std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('.') + 1);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A look at TOML text before toml++ 3.3 gets it, for what that cannot take:
+// A look at TOML text before toml++ 3.3 gets it, for what toml++ cannot take:
 // - non-ASCII bytes outside strings and comments are undefined behaviour in it;
 // - tables nested by the thousand (a.b.c.d…) overflow the stack when they are destroyed;
 // - tables by the ten thousand take it quadratic time;
 // - at a number that fits neither double nor int64 it stops, without a word on the field.
-// The last are replaced by `inf` of equal length, and remembered by their place.
+// Such numbers are replaced by `inf` of equal length, and remembered by their place.
 #pragma once
 
 #include <cstddef>

@@ -78,7 +78,7 @@ HWY_INLINE void add_hertz(D d, ContactShape shape, const detail::SceneNumbers<V>
   contact.mean_pressure = hn::Div(scene.load, contact.nominal_area);
 }
 
-// Are the numbers of a contact within the bounds of sharing_method.hpp? 0 is, where it is legal.
+// Are the numbers of a contact within the bounds of sharing_method.hpp? So is 0, where it is legal.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, ContactShape shape, const detail::SceneNumbers<V>& scene,
                                    const detail::ContactNumbers<V>& contact) {

@@ -107,7 +107,7 @@ HWY_INLINE Binary<V> binary_of(D d, V x) {
   const auto all = hn::BitCast(bits, scaled);
   const auto biased = hn::ShiftRight<52>(hn::Add(all, hn::Set(bits, one - root_of_half)));
   const V m = hn::BitCast(d, hn::Add(hn::Sub(all, hn::ShiftLeft<52>(biased)), hn::Set(bits, one)));
-  // of e + 1023, without a conversion
+  // e + 1023 as a number, without a conversion
   const V with_bias = hn::BitCast(d, hn::Or(biased, hn::BitCast(bits, hn::Set(d, 0x1p52))));
   const V bias = hn::IfThenElse(is_tiny, hn::Set(d, 0x1p52 + 1123), hn::Set(d, 0x1p52 + 1023));
   return {hn::Sub(with_bias, bias), m};
@@ -147,7 +147,7 @@ HWY_INLINE V decimal_power(D d, V x, const Exponent& exponent) {
   return hn::IfThenElse(is_ordinary, power, at_ends);
 }
 
-// x^a y^b z^c likewise, by one exponential. Error: 3 ulp.
+// x^a y^b z^c with such exponents, by one exponential. Error: 3 ulp.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V decimal_powers(D d, V x, const Fraction& a, V y, const Fraction& b, V z,
                             const Fraction& c) {

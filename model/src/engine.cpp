@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine: its kernels for one lane and for vectors, compiled for each instruction set and
-// chosen at run time, and the functions of batch.hpp, which are nothing else.
+// chosen at run time, and the functions of batch.hpp, which call them.
 #include <algorithm>
 #include <array>
 #include <cmath>

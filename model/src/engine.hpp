@@ -81,7 +81,7 @@ struct Kernels {
                  WorkCounts* work);
 };
 
-// Those of the instruction set chosen at run time.
+// The kernels of the instruction set that was chosen at run time.
 const Kernels& engine();
 
 // Are K and δ within the range of the kernels?

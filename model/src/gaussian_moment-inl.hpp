@@ -176,7 +176,7 @@ HWY_INLINE Sum<V> moment_in_pieces(D d, Order n, hn::Mask<D> below_zero, V x) {
   return {c[0], hn::MulAdd(t, hn::MulAdd(odd, t, even), c[1])};
 }
 
-// The same to a few ulp, and its derivative in x over it.
+// The same moment to a few ulp, and its derivative in x over the moment.
 template <class V>
 struct MomentAndLogSlope {
   V moment, log_slope;
@@ -247,7 +247,7 @@ HWY_INLINE V distance_in_pieces(D d, V argument) {
   return hn::IfThenElse(hn::Lt(x, last), x, last);
 }
 
-// Lanes of a mask by a scalar function of the argument.
+// Computes the lanes of a mask anew, by a scalar function of the argument.
 template <class D, class Function>
 HWY_NOINLINE hn::Vec<D> mend(D d, hn::Vec<D> value, hn::Vec<D> argument, hn::Mask<D> lanes,
                              Function&& function) {

@@ -39,7 +39,7 @@ HWY_INLINE V share_at(D d, Order order, V stiffness, V argument) {
   return hn::IfThenElse(above_zero, above, at_zero);
 }
 
-// ln(x/y), whose argument is rounded where it is far from 1 alone.
+// ln(x/y). Only where x/y is far from 1 is the quotient rounded before the logarithm.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log_ratio(D d, V x, V y) {
   const V difference = hn::Div(hn::Sub(x, y), y);
@@ -57,7 +57,7 @@ HWY_INLINE Shares<V> shares_at_root(D d, Order order, const FilmLaw& law,
   const V one = hn::Set(d, 1.0), exponent = hn::Set(d, law.sharing_power.value);
   const V log_film = log_ratio(d, flooded, lambda);
   const V log_fluid = hn::Div(log_film, exponent);
-  // A large logarithm makes much of the rounding of the quotient and of e.
+  // A large logarithm enlarges the rounding errors of the quotient and of e.
   const Sum<V> exact = product(d, log_fluid, exponent);
   const V short_of = hn::Sub(hn::Sub(hn::Sub(log_film, exact.high), exact.low),
                              hn::Mul(log_fluid, hn::Set(d, law.sharing_power.residual)));
@@ -179,8 +179,8 @@ HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceN
 }
 
 // The floor of a surface, λ_b with A(λ_b) = 1, and what rests on it. ln A is concave and
-// decreasing: steps of third order from the right of its zero. Within the kernels' range of K and
-// δ.
+// decreasing: steps of third order from the right of its zero. K and δ have to be in the kernels'
+// range.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE detail::SurfaceNumbers<V> surface_of(D d, Order order, const FilmLaw& law, V stiffness,
                                                 V offset, V film_at_unit_speed) {

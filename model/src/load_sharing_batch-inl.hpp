@@ -101,7 +101,7 @@ class Travellers {
  public:
   using V = hn::Vec<D>;
 
-  // `surface` is that of all, where there is one.
+  // `surface` is that of all points, where they have one.
   HWY_INLINE Travellers(D d, double film_power, const detail::SurfaceNumbers<V>& surface)
       : d_(d), film_power_(film_power) {
     if constexpr (one_surface) {
@@ -122,7 +122,7 @@ class Travellers {
     count_ += hn::CountTrue(d_, mask);
   }
 
-  // All to their roots; NaN where it is not found in max_sharing_steps.
+  // Takes all points to their roots; NaN where one takes more than max_sharing_steps.
   HWY_INLINE std::size_t travel(Order order, double* result) {
     std::size_t steps = 0;
     for (int step = 0; step < max_sharing_steps && count_ > 0; ++step) {
@@ -254,7 +254,7 @@ class Travellers {
   HWY_ALIGN std::uint8_t is_last_[room];
 };
 
-// Roots, or starts of the search for them.
+// The roots of a vector of points, or where the search for them starts.
 template <class D>
 struct RootStart {
   Iterate<hn::Vec<D>> at;  // the root, or a start; NaN where it is left to Newton's method

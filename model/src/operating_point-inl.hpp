@@ -96,7 +96,7 @@ HWY_INLINE Shares<V> starved_shares(D d, Order order, const detail::SurfaceNumbe
 
 // factor · F_n(λ − δ). The rounding of λ moves F_n, whose logarithm falls as (λ − δ)²/2, by up to
 // λ²/2 ulp: a few at a floor of 3, dozens beyond. Near such a floor A, which must be given there,
-// knows better than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
+// is more exact than λ: F_p is A^{1/q}/K, and F_n/F_p hardly depends on d.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V moment_at(D d, Order load, Order n, const detail::SurfaceNumbers<V>& surface, V factor,
                        V film_parameter, V share) {
@@ -130,7 +130,7 @@ HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const FilmLaw& law,
   return hn::And(hn::Gt(x, hn::Zero(d)), hn::Gt(hn::Mul(x, x), beyond));
 }
 
-// Which parts of the computation a set of outputs needs.
+// The parts of the computation that a set of outputs needs.
 struct Needs {
   explicit Needs(OutputSet outputs, SupplyKind supply)
       : is_starved(supply != SupplyKind::flooded),

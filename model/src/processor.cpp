@@ -4,8 +4,8 @@
 #include <hwy/targets.h>
 
 #if defined(__x86_64__) && __has_include(<sys/platform/x86.h>)
-// This header is of the GNU C library, from 2.33 on, and written in C: clang does not know _Bool in
-// C++.
+// The GNU C library has this header from version 2.33 on. It is written in C and uses _Bool, which
+// clang does not know in C++.
 #define _Bool bool  // NOLINT(bugprone-reserved-identifier)
 #include <sys/platform/x86.h>
 #undef _Bool

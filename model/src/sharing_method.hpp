@@ -19,9 +19,9 @@ constexpr double free_square_of(double film_exponent) {
   return free_square - 4 + 4 / 0.14 * film_exponent;
 }
 static_assert(free_square_of(0.14) == free_square);
-// Beyond that square by this much A < 2^−54, which the first bound above gives from
-// (λ₀ − δ)² ≥ 4 ln 2^54 + 2 ln F_{5/2}(0) + 2(k + 1) ln 2 on: the sum of both is 149, and
-// 4 ln 2^54 + 2 ln F_{5/2}(0) = 148.76.
+// Where (λ − δ)² is greater than that square by this number, A < 2^−54. The first bound above gives
+// it from (λ − δ)² = 4 ln 2^54 + 2 ln F_{5/2}(0) + 2(k + 1) ln 2 on, and
+// 4 ln 2^54 + 2 ln F_{5/2}(0) = 148.76, here 149.
 constexpr double square_beyond_free(double film_exponent) {
   return 149 + 4 - free_square - 4 / 0.14 * film_exponent;
 }

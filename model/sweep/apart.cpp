@@ -47,7 +47,7 @@ void limit(int resource, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &now);
 }
 
-// Addresses that this process has, in bytes; 0: not known.
+// The size of this process's address space in bytes; 0: not known.
 rlim_t memory_in_use() {
   std::FILE* const file = std::fopen("/proc/self/statm", "re");
   if (file == nullptr) return 0;
@@ -75,7 +75,7 @@ void send(int pipe, std::span<const std::byte> bytes) {
   limit(RLIMIT_CPU, seconds);
   if (const rlim_t now = memory_in_use(); now > 0 && !has_sanitizer)
     limit(RLIMIT_AS, now + more_memory);
-  if (!has_sanitizer) {  // what libraries say before they abort is not for the user
+  if (!has_sanitizer) {  // a user need not see what a library prints before it aborts
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and texts as bytes, for what is written to a part: little-endian, as they lie in
-// memory on every machine that this is built for.
+// Numbers and texts as the bytes of a part: little-endian, as they lie in memory on every machine
+// for which the program is built.
 #pragma once
 
 #include <bit>
@@ -35,7 +35,7 @@ inline void put(Bytes& to, std::span<const std::byte> bytes) {
 }
 inline void put_text(Bytes& to, std::string_view text) { put(to, std::as_bytes(std::span(text))); }
 
-// Takes from the front what put() wrote. Throws std::runtime_error where there is not enough.
+// Takes from the front what put() wrote. Throws std::runtime_error where too few bytes are left.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -67,8 +67,8 @@ class ByteReader {
   std::span<const std::byte> left_;
 };
 
-// --- Structs, as their fields one after the other. A struct that has no write() and read() of its
-// own names its fields, by each_field(to, of) or as
+// --- A struct is written as its fields, one after the other. A struct without write() and read()
+// of its own names its fields in a function each_field(to, of), or in its member
 //   template <class To, class Of> static void fields(To& to, Of& of) { to(of.one, of.another); }
 
 template <class T>

@@ -112,7 +112,7 @@ void CaseSolver::find_places() {
   }
 }
 
-// Cases that differ in their speed alone share what is prepared.
+// Cases that differ in their speed alone share a prepared contact.
 bool CaseSolver::is_contact_of(std::span<const double> values) const {
   for (std::size_t v = 0; v < values.size(); ++v)
     if (v != speed_variable_ && values[v] != prepared_[v]) return false;

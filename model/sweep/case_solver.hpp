@@ -16,13 +16,13 @@
 
 namespace tribo::sweep {
 
-// Not for two threads at once: each has its own.
+// Two threads must not use one solver at once: each thread has its own.
 class CaseSolver {
  public:
-  // stopped: asked for each case; once it is true, solve() throws Stopped.
+  // stopped() is asked for each case; once it gives true, solve() throws Stopped.
   explicit CaseSolver(const SceneSweep& sweep, std::function<bool()> stopped = {});
 
-  // variables: of each case, its variables' values. results: of each case, its columns' values, NaN
+  // variables: the values of each case's variables. results: the values of each case's columns, NaN
   // where undefined. A case's bits depend on nothing but its variables.
   void solve(std::span<const double> variables, std::span<double> results);
 
@@ -30,7 +30,7 @@ class CaseSolver {
   std::size_t film_width() const { return solved_columns.size() * scene_.speeds.size(); }
   bool is_contact_of(std::span<const double> values) const;
   void find_places();
-  void add(std::span<const double> values);  // one more case in hand
+  void add(std::span<const double> values);  // adds a case to those in hand
   // The results of the only contact, at the speeds of the cases.
   void solve_speeds(std::span<const double> speeds, std::span<double> results);
   void put_points(std::span<double> results, std::size_t cases) const;
@@ -53,12 +53,12 @@ class CaseSolver {
   detail::SceneNumbers<double> numbers_;
   std::vector<double detail::SceneNumbers<double>::*> places_;
   std::size_t speed_variable_ = 0;  // number of the variable `speed`; past the last: none
-  // Where the speed alone varies and no onset is asked.
+  // The contact of all cases, where the speed alone varies and no onset is asked for.
   std::optional<MixedContact<double>> only_contact_;
   MixedContacts contacts_;                         // of the cases in hand
-  std::vector<std::uint64_t> contact_of_;          // its place, of each of these cases
+  std::vector<std::uint64_t> contact_of_;          // for each of these cases: its contact's place
   std::span<const double> prepared_;               // the last contact's variables
-  std::vector<InletOnsets<double>> inlet_onsets_;  // of each criterion, for this closure:
+  std::vector<InletOnsets<double>> inlet_onsets_;  // by each criterion, for this closure:
   StarvationClosure inlet_closure_ = StarvationClosure::flooded_inlet;
   double inlet_exponent_ = 0;
   std::vector<double> speeds_;

@@ -52,7 +52,7 @@ void CaseGenerator::take_from_grids(std::uint64_t group, std::span<double> value
   }
 }
 
-// Field by field, so that each distribution is asked for many quantiles at once.
+// Works field by field, so that each distribution is asked for many quantiles at once.
 void CaseGenerator::quantiles(Rows<const double> unit, Rows<double> values, std::size_t count) {
   const auto variables = std::span(sweep_.variables).subspan(grids_);
   if (sweep_.correlation_root.empty()) {

@@ -13,7 +13,7 @@
 
 namespace tribo::sweep {
 
-// Not for two threads at once: each has its own.
+// Two threads must not use one generator at once: each thread has its own.
 class CaseGenerator {
  public:
   explicit CaseGenerator(const SceneSweep& sweep);
@@ -27,7 +27,7 @@ class CaseGenerator {
   void take_from_grids(std::uint64_t group, std::span<double> values) const;
   // Fills in the drawn variables of one case of each group, from their unit numbers.
   void quantiles(Rows<const double> unit, Rows<double> values, std::size_t count);
-  void mix(std::span<double> group) const;  // AB_i of a group whose A and B are there
+  void mix(std::span<double> group) const;  // fills in each AB_i of a group from its A and B
 
   const SceneSweep& sweep_;
   std::size_t grids_, drawn_;

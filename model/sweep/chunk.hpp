@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chunk that was computed: what a part keeps of it.
+// A chunk that was computed, as a part keeps it.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace tribo::sweep {
 
 struct Chunk {
   std::uint64_t number = 0;  // in the plan
-  // Where the scene keeps points: its variables in their order, then its columns; each with the
-  // room of a whole chunk, even where the last one has fewer cases.
+  // The values of its variables in their order, then of its columns, where the scene keeps points;
+  // each has the room of a whole chunk, even where the last chunk has fewer cases.
   std::vector<PackedValues> values;
   // summaries[c][i]: the summary of value i < width (of each case) of column c.
   std::vector<std::vector<ValueSummary>> summaries;
-  // With sensitivity: likewise, in the blocks that the chunk touches.
+  // sensitivities[c][i], with sensitivity: its sums in each block that the chunk touches.
   std::vector<std::vector<std::map<std::uint32_t, SensitivitySums>>> sensitivities;
 
   Bytes bytes() const;
-  // Throws std::runtime_error if they are not those of a chunk.
+  // Throws std::runtime_error if the bytes are not those of a chunk.
   static Chunk from(std::span<const std::byte> bytes);
 };
 

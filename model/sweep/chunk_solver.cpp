@@ -13,7 +13,7 @@
 namespace tribo::sweep {
 namespace {
 
-// Rows that are solved, then summed up, while they are in the cache.
+// A block of so many numbers is solved and then summed up while it is in the cache.
 constexpr std::size_t block_numbers = 8192;
 
 }  // namespace
@@ -22,7 +22,7 @@ struct ChunkSolver::OfScene {
   OfScene(const SceneSweep& s, const std::function<bool()>& stopped)
       : sweep(s), generator(s), solver(s, stopped) {
     if (!s.sensitivity) return;
-    // c of sensitivity.hpp.
+    // The constants c of sensitivity.hpp are the results at the nominal values.
     std::vector<double> nominal_values;
     for (const Variable& variable : s.variables) nominal_values.push_back(variable.nominal);
     nominal.resize(s.width());
@@ -66,7 +66,7 @@ struct ChunkSolver::OfScene {
 
 namespace {
 
-// Which bytes a kept array has: words are places in a list.
+// A kept array as bytes; a word is kept as its place in a list.
 PackedValues packed(const std::vector<double>& values, bool words) {
   if (!words) return pack(std::span<const double>(values));
   std::vector<std::uint8_t> places(values.size());
@@ -116,7 +116,7 @@ class ChunkInHand {
 
   const SceneSweep& sweep_;
   Chunk& chunk_;
-  std::vector<double> of_column_;  // or of a group of it
+  std::vector<double> of_column_;  // the values of one column, of some groups or of one
 };
 
 }  // namespace
@@ -174,7 +174,7 @@ int compute(const SweepPlan& plan, int threads, const NextChunk& next,
         if (!chunk) return;
         keep(solver.solve(*chunk));
       }
-    } catch (const Stopped&) {  // in the middle of a chunk, which is computed anew
+    } catch (const Stopped&) {  // in the middle of a chunk, which a later run computes anew
     } catch (...) {
       failed = true;
       throw;

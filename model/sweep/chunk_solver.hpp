@@ -13,17 +13,17 @@
 
 namespace tribo::sweep {
 
-// Not for two threads at once: each has its own. The plan must outlive it.
+// Two threads must not use one solver at once: each thread has its own. The plan must outlive it.
 class ChunkSolver {
  public:
-  // stopped: asked many times a second while a chunk is solved; once it is true, solve() throws
-  // Stopped.
+  // stopped() is asked many times a second while a chunk is solved; once it gives true, solve()
+  // throws Stopped.
   explicit ChunkSolver(const SweepPlan& plan, std::function<bool()> stopped = {});
   ChunkSolver(ChunkSolver&&) noexcept;
   ~ChunkSolver();
 
-  // number: below plan.chunks(). The same bits wherever, whenever and beside whatever it is
-  // computed, with one arithmetic.
+  // number: below plan.chunks(). With one arithmetic a chunk has the same bits wherever, whenever
+  // and beside whatever other work it is computed.
   Chunk solve(std::uint64_t number);
 
  private:
@@ -34,7 +34,7 @@ class ChunkSolver {
   std::vector<std::unique_ptr<OfScene>> scenes_;  // made when first asked for
 };
 
-// The next chunk for a thread; nothing: no more. Any thread may ask.
+// Gives the next chunk for a thread; nothing where no chunk is left. Any thread may call.
 using NextChunk = std::function<std::optional<std::uint64_t>()>;
 
 // Computes the chunks that next() gives, on `threads` threads (0: as many as the machine has),

@@ -22,7 +22,7 @@ struct CorrelationRoot {
 CorrelationRoot correlation_root(const std::vector<std::vector<double>>& matrix);
 
 // The z of a standard normal with P(Z < z) = u, 0 ≤ u ≤ 1; infinite at the ends. Error: 4 ulp,
-// around u = ½ too. The second: each number of many in place, with the same bits and far faster.
+// around u = ½ too. The second does so to many numbers in place, with the same bits, far faster.
 double standard_normal(double u);
 void standard_normals(std::span<double> units);
 

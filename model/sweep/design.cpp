@@ -33,7 +33,7 @@ class RandomWords {
     return {words[0] | std::uint64_t{words[1]} << 32, words[2] | std::uint64_t{words[3]} << 32};
   }
 
-  // A word for each dimension of a point, two dimensions at a time.
+  // Makes a word for each dimension of a point, two dimensions at a time.
   template <class Use>
   void each_dimension(Stream stream, std::uint64_t point, std::size_t dimensions, Use use) const {
     for (std::size_t d = 0; d < dimensions; d += 2) {
@@ -47,7 +47,7 @@ class RandomWords {
   r123::Philox4x32::key_type key_;
 };
 
-// Where a point stands in a rectangle of columns × rows ≥ N, counted row by row.
+// The place of a point in a rectangle of columns × rows ≥ N, counted row by row.
 struct Square {
   std::uint64_t column, row;
 };

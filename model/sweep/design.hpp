@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of the unit cube by their number: any of them at once, without those before it, so that
-// chunks can be computed anywhere in any order.
+// Points of the unit cube by their number. Any point can be computed without those before it, so
+// that chunks can be computed anywhere in any order.
 //
 //   monte_carlo      independent: Philox4x32-10 (Random123) of point, dimension and seed
 //   latin_hypercube  each N-th of each dimension holds one of the N points: a permutation of the
@@ -28,7 +28,7 @@ inline constexpr double least_unit_number = 0x1p-53;
 
 inline constexpr std::size_t most_dimensions = 100;
 
-// Not for two threads at once: each has its own.
+// Two threads must not use one object at once: each thread has its own.
 class UnitPoints {
  public:
   // design: any but factorial. points: the number of points in all; a Latin hypercube is made for

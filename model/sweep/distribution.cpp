@@ -19,12 +19,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_part = 1e-300;
 
-constexpr std::size_t block = 256;  // numbers that are worked on at a time
+constexpr std::size_t block = 256;  // so many numbers are computed at a time
 
 double part_above(double z) { return gaussian_moment(Order::zero, z); }
 double part_below(double z) { return part_above(-z); }
 
-// Digits to spare, so that what is made of a logarithm loses nothing.
+// More digits than a double, so that numbers made from a logarithm lose nothing.
 using Wide = boost::multiprecision::cpp_bin_float_quad;
 
 std::string shortest(double value) {
@@ -43,7 +43,7 @@ Distribution Distribution::uniform(double from, double to) {
 }
 
 Distribution Distribution::log_uniform(double from, double to) {
-  // In two parts, so that the product with u loses nothing: exp would make much of it.
+  // In two parts, so that the product with u loses no digits: exp() would enlarge the loss.
   const Wide width = log(Wide(to) / from);
   Distribution d(DistributionKind::log_uniform, from, static_cast<double>(width), from, to);
   d.second_rest_ = static_cast<double>(Wide(width - d.second_));
@@ -69,7 +69,7 @@ Distribution Distribution::log_normal(double median, double log_sd, double from,
 void Distribution::truncate(double from, double to) {
   below_from_ = part_below(from);
   above_to_ = part_above(to);
-  // By the tail in which both lie, where there is one: its parts are small, and exact as such.
+  // If both bounds lie in one tail, the parts of that tail are taken: small numbers, and exact.
   if (from > 0)
     between_ = part_above(from) - above_to_;
   else if (to < 0)

@@ -39,16 +39,16 @@ class Distribution {
   // normal() and log_normal() throw std::invalid_argument if both bounds are on one side and so far
   // out (37 sd) that the part of the whole normal beyond the nearer bound is less than 1e-300.
   static Distribution normal(double mean, double sd, double from, double to);
-  // ln x has this sd around ln median; 0 < median, 0 <= from.
+  // ln x is normal around ln median with the sd log_sd; 0 < median, 0 <= from.
   static Distribution log_normal(double median, double log_sd, double from, double to);
 
   // The value below which a part u in (0, 1) lies, for u as they come from unit_number() of
   // design.hpp. Error: uniform 1.5 ulp of the greater bound, log_uniform 3 ulp, normal 4 ulp of the
   // greatest of |value|, |mean| and sd, log_normal 3 + 3|ln(value/median)| + 3·log_sd ulp.
   double quantile(double u) const;
-  // The same of many, with the same bits and far faster.
+  // The quantiles of many numbers, with the same bits and far faster.
   void quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const;
-  // The same for the u that belongs to a standard normal z, P(Z < z) = u; and of many.
+  // The quantile at the u that belongs to a standard normal z, P(Z < z) = u; and of many z.
   double quantile_of_normal(double z) const;
   void quantiles_of_normals(Rows<const double> z, Rows<double> values, std::size_t count) const;
 
@@ -68,7 +68,7 @@ class Distribution {
     return kind_ == DistributionKind::normal || kind_ == DistributionKind::log_normal;
   }
   bool is_truncated() const { return below_from_ != 0 || above_to_ != 0; }
-  // In place: unit numbers to quantiles, and standard normals to values.
+  // In place: turns unit numbers into quantiles, and standard normals into values.
   void take_quantiles(std::span<double> numbers) const;
   void take_values(std::span<double> normals) const;
   template <class Below, class Above>
@@ -77,7 +77,7 @@ class Distribution {
   DistributionKind kind_ = DistributionKind::uniform;
   double first_ = 0;        // mean, median; of the uniform ones: from
   double second_ = 1;       // sd, sd of ln; of the uniform ones: to − from, ln(to/from)
-  double second_rest_ = 0;  // what rounding took from ln(to/from)
+  double second_rest_ = 0;  // the rounding error of ln(to/from)
   double from_ = 0;
   double to_ = 1;
   // Parts of the whole normal: P(Z < z(from)), P(Z > z(to)), and the part between.

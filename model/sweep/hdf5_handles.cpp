@@ -112,7 +112,7 @@ Handle create_file(const std::string& path) {
   without_times(creation);
   checked(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
   const Handle access = access_without_locks();
-  // The file is one that HDF5 1.8 can read, whatever version writes it.
+  // HDF5 1.8 can read the file, whatever version writes it.
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
   return Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access));
 }

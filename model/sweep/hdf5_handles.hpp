@@ -21,8 +21,8 @@ namespace tribo::sweep::hdf5 {
 void note_failed_close() noexcept;
 std::optional<std::string> take_failed_close();
 
-// While it lives, HDF5 prints nothing of its errors in this thread. To be there before any other
-// call.
+// While such an object lives, HDF5 prints none of its errors in this thread. It has to be made
+// before any other call.
 class QuietErrors {
  public:
   QuietErrors() {
@@ -73,7 +73,7 @@ class Handle {
   }
   operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
 
-  // As the destructor, but what fails is thrown.
+  // Does as the destructor, but throws where the close fails.
   void close() {
     const hid_t id = std::exchange(id_, H5I_INVALID_HID);
     if (id >= 0) checked(H5Idec_ref(id));
@@ -86,7 +86,7 @@ class Handle {
 // A new file at a path, in place of what is there. HDF5's own locks are left out here and in
 // open_file(): some file systems have none, and the program has its own.
 Handle create_file(const std::string& path);
-// Opens a file for reading. No other file is read, and no library is loaded, whatever it says.
+// Opens a file for reading. Whatever the file says, no other file is read and no library is loaded.
 Handle open_file(const std::string& path);
 // Do the first bytes of a file begin one of ours, which has this text as its first attribute? A
 // process that is killed leaves such a file at whichever moment it is killed: only HDF5's head, as
@@ -112,7 +112,7 @@ void write_attribute(hid_t object, const char* name, std::uint64_t value);
 // Makes a dataset the dimension scale of the last of two dimensions of others, as HDF5's "Dimension
 // Scale Specification" has it.
 void make_scale(hid_t scale, const char* name, std::span<const hid_t> datasets);
-// Throw Error where there is none of that name, type and shape.
+// These functions throw Error where there is no attribute of that name, type and shape.
 std::string read_text(hid_t object, const char* name);
 std::vector<std::string> read_texts(hid_t object, const char* name);
 std::uint64_t read_count(hid_t object, const char* name);

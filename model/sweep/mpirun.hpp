@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Was this process started by MPI? By the variables that the starters of Open MPI and MPICH set, so
-// that nobody else pays for MPI's own start.
+// Was this process started by MPI? The variables that the starters of Open MPI and MPICH set tell
+// it, so that other processes need not start MPI, which takes time.
 #pragma once
 
 #include <cstdlib>

@@ -23,10 +23,10 @@
 namespace tribo::sweep {
 namespace {
 
-// The time of the processor, so that other work of the machine is not counted.
+// Time of the processor that this process used: other work of the machine is not counted.
 double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Values a case of the widest column.
+// The number of values a case that the widest column has.
 std::size_t widest(const SceneSweep& scene) {
   std::size_t widest = 1;
   for (const Column& column : scene.columns) widest = std::max(widest, column.width);
@@ -49,7 +49,7 @@ SweepPlan thinned(const SceneSweep& scene, std::size_t speeds, std::uint64_t chu
   return {{std::move(thin)}, {}, {}};
 }
 
-constexpr double allocation = 16;  // what one costs besides its bytes
+constexpr double allocation = 16;  // what an allocation costs besides its bytes
 
 double memory_of(const SensitivitySums& sums) {
   return sizeof sums + 2 * (allocation + 8 * static_cast<double>(sums.total.capacity()));
@@ -74,13 +74,13 @@ double memory_of(const Chunk& chunk) {
   return memory;
 }
 
-// Means over some chunks from all over a scene.
+// Means over some chunks that are spread over a scene.
 struct Sample {
   double solve_seconds = 0, merge_seconds = 0;
   double write_seconds = 0;     // of the summaries of all values a case has, at the end
   double kept = 0, record = 0;  // bytes of a chunk: its points packed, and all of it in a part
   double chunk_memory = 0;
-  double merged_memory = 0;  // of the summaries of all of them
+  double merged_memory = 0;  // of the merged summaries of these chunks
 };
 
 // Time that quantiles and histograms of all summaries take. Where there are few cases, the bounds
@@ -101,21 +101,21 @@ double write_seconds_of(const std::vector<std::vector<ValueSummary>>& summaries)
   return seconds;
 }
 
-// Chunk k of some that are spread over all, each at random in its part, for cases beside each other
-// are alike, and a grid's come again in equal steps.
+// The place of sample k. Samples are spread over all chunks, each at random in its part, because
+// neighbouring cases are alike, and those of a grid repeat in equal steps.
 std::uint64_t place_of_sample(std::uint64_t k, std::uint64_t parts, std::uint64_t chunks) {
   const double within = std::fmod(0.5 + 0.754877666246693 * static_cast<double>(k * k + k), 1.0);
   return static_cast<std::uint64_t>((static_cast<double>(k) + within) *
                                     static_cast<double>(chunks) / static_cast<double>(parts));
 }
 
-// For so many seconds, or `least` chunks, whichever is more.
+// Samples chunks for so many seconds, and at least `least` chunks.
 Sample sample_of(const SweepPlan& plan, double seconds, int least = 2) {
   const SceneSweep& scene = plan.scenes.front();
   std::vector<std::vector<ValueSummary>> merged;
   for (const Column& column : scene.columns) merged.emplace_back(column.width);
   ChunkSolver solver(plan);
-  solver.solve(0);  // what is made once is not counted
+  solver.solve(0);  // so that work that is done only once is not counted
   Sample sum;
   double count = 0;
   const double start = seconds_used();
@@ -160,8 +160,8 @@ Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
           reach(&Sample::merged_memory)};
 }
 
-// As a chunk of the scene. A chunk that takes long is sampled with fewer of its groups; films, of
-// which each takes long and some take ten times as long as others, one by one all over the sweep.
+// Samples chunks of the scene. A chunk that takes long is sampled with fewer groups. Films take
+// long, some ten times as long as others: single films all over the sweep are sampled.
 Sample chunk_sample(const SceneSweep& scene) {
   constexpr std::uint64_t probed = 64;
   constexpr double seconds = 0.1;
@@ -313,7 +313,7 @@ Needs needs_of(const SweepPlan& plan, int threads) {
   for (const SceneSweep& scene : plan.scenes) {
     const Sample sample = chunk_sample(scene);
     // Summaries grow with the number of different values, and a chunk may have one case alone: this
-    // sample takes chunks of up to 256 groups. So many films are not solved for an estimate.
+    // sample takes chunks of up to 256 groups. Films take too long for that.
     const double merged =
         scene.solves_film ? static_cast<double>(scene.width()) *
                                 QuantileSketch::most_memory(static_cast<double>(scene.cases()))

@@ -16,7 +16,7 @@ struct Needs {
   double file = 0, parts = 0;         // bytes; both are there at the end
   std::vector<double> point_seconds;  // of each scene, on one thread
 };
-// threads: as those of a run.
+// threads: as many as the run would have.
 Needs needs_of(const SweepPlan& plan, int threads);
 
 // At least as much as needs_of(), from the plan alone; seconds are not estimated.

@@ -13,14 +13,14 @@
 
 namespace tribo {
 
-// How many threads `threads` means, of which 0 is as many as this process may run on.
+// The number of threads that `threads` asks for; 0 asks for as many as this process may run on.
 inline int thread_count(int threads) {
   return threads > 0 ? threads
                      : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 // Calls work() on `count` threads at once, the calling one among them, and waits for all. Returns
-// on how many: where the system starts no more, those that there are do it all. Throws the first
+// the number of threads: where the system starts fewer, these do all the work. Throws the first
 // exception of any of them.
 template <class Work>
 int on_threads(int count, const Work& work) {

@@ -22,7 +22,7 @@ bool is_same(const struct stat& a, const struct stat& b) {
 // Any other error, as of a server that does not answer, says nothing about the file.
 bool is_gone(int code) { return code == ENOENT || code == ENOTDIR; }
 
-// EINVAL: a file system on which there is nothing to do.
+// EINVAL comes from a file system on which fsync() has nothing to do.
 int sync_error(int file) { return ::fsync(file) == 0 || errno == EINVAL ? 0 : errno; }
 
 // Why a file is not ours; empty if it is.
@@ -232,7 +232,7 @@ OutputLock::OutputLock(const std::string& output, std::string_view ending)
   } while (!leads_to_it());
 }
 
-// Some file systems give all files one owner: nothing that is kept there would be taken up again.
+// Some file systems give all files one owner: no file that is kept there could be taken up again.
 void OutputLock::check_owner(int made) const {
   struct stat status {};
   if (::fstat(made, &status) != 0 || status.st_uid == ::geteuid()) return;

@@ -21,7 +21,7 @@
 
 namespace tribo::sweep {
 
-// Files that are there do not fit what was asked: bad usage, not a failure.
+// Files that are there do not fit the request: bad usage, not a failure.
 struct RunRefused : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
@@ -30,7 +30,7 @@ struct RunRefused : std::invalid_argument {
 using Mark = bool (*)(std::span<const std::byte> start);
 inline bool any_mark(std::span<const std::byte>) { return true; }
 
-// Which file it is, and in which state; it stays the same when the machine starts anew.
+// Tells a file and its state from others; stays the same when the machine starts anew.
 struct FileIdentity {
   std::uint64_t inode = 0, size = 0;
   std::int64_t seconds = 0, nanoseconds = 0;  // of its last change
@@ -88,16 +88,16 @@ class FilePlace {
 // kept is removed.
 class PartFile {
  public:
-  // At TARGET.part, where what a killed process left, known by its mark, is taken up.
+  // Writes at TARGET.part. A file that a killed process left there, known by its mark, is taken up.
   PartFile(const std::string& target, Mark mark);
-  // At a name that no other process uses.
+  // Writes at a name that no other process uses.
   explicit PartFile(const std::string& target);
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
   ~PartFile();
 
   int file() const { return file_; }
-  // By which a library or a child process opens this very file, whatever its name leads to.
+  // A path by which a library or a child process opens this very file, whatever its name leads to.
   std::string open_path() const { return open_path_of(file_); }
   const std::string& path() const { return place_.path(); }
   void write(std::string_view content) const;
@@ -129,7 +129,7 @@ class OutputLock {
   // or where files that are made there belong to another user; std::runtime_error where it cannot
   // be made.
   explicit OutputLock(const std::string& output);
-  // The lock OUTPUT + ENDING; nothing where another process has it. Throws likewise.
+  // The lock OUTPUT + ENDING; nothing where another process has it. Throws as the constructor does.
   static std::optional<OutputLock> take(const std::string& output, std::string_view ending);
   OutputLock(OutputLock&&) = default;
   OutputLock& operator=(OutputLock&&) = default;
@@ -139,11 +139,11 @@ class OutputLock {
 
   // False on a file system without locks.
   bool is_exclusive() const { return locking_ == Locking::locked; }
-  // Notes some bytes in the place of what is noted. Throws std::runtime_error where that fails.
+  // Replaces the note by some bytes. Throws std::runtime_error where that fails.
   void note(std::span<const std::byte> bytes) const;
   // The note in OUTPUT.lock, of the process that holds it or was killed; empty where there is none.
   static Bytes noted(const std::string& output);
-  // The file stays with what is noted, as if this process were killed.
+  // Leaves the file there with its note, as if this process were killed.
   void leave() { file_ = Descriptor(); }
 
   // False if somebody has removed the lock's file, so that another process may have taken its

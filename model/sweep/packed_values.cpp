@@ -25,7 +25,7 @@ void transpose(std::array<std::uint64_t, 8>& x) {
   for (const std::size_t i : {0U, 2U, 4U, 6U}) swap(i, i + 1, 8, 0x00FF00FF00FF00FF);
 }
 
-// All first bytes, then all second ones …
+// Puts all first bytes of the values first, then all second bytes, and so on.
 void shuffle(std::span<const double> values, std::span<std::byte> planes) {
   const std::size_t count = values.size();
   std::size_t i = 0;
@@ -170,7 +170,7 @@ class Packer {
   }
 
   z_stream zlib_{};
-  std::vector<std::byte> planes_, packed_;  // beyond used_: rubbish
+  std::vector<std::byte> planes_, packed_;  // what lies beyond used_ is of no use
   std::size_t used_ = 0;
 };
 

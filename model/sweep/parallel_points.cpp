@@ -9,7 +9,7 @@
 namespace tribo {
 namespace {
 
-// Some tenths of a millisecond: long enough for a task, short enough to share out.
+// Points that take some tenths of a millisecond: long enough for a task, short enough to share.
 constexpr std::size_t grain = 2048;
 
 }  // namespace

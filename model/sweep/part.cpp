@@ -86,7 +86,7 @@ void write_file(const std::string& path, const PartHeader& header, const PartCon
   const hdf5::QuietErrors quiet;
   Handle file = hdf5::create_file(path);
   write_header(file, header);
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // so that it carries our mark: is_start_of_part()
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // it carries our mark: is_start_of_part()
   write_chunks(file, content);
   checked(H5Fflush(file, H5F_SCOPE_GLOBAL));
   file.close();
@@ -95,7 +95,7 @@ void write_file(const std::string& path, const PartHeader& header, const PartCon
 
 // --- Reading.
 
-// An array that lies in one piece in the file, as write_chunks() makes it: its extents and place.
+// An array that lies in one piece in the file, as write_chunks() makes it: extents and place.
 struct Array {
   std::vector<hsize_t> extents;
   std::uint64_t offset = 0;
@@ -159,7 +159,7 @@ std::vector<Part::Record> records_of(std::span<const std::uint64_t> index, std::
   return records;
 }
 
-// As many bytes as asked for, from an open file.
+// Reads bytes of an open file of `file_size` bytes.
 Bytes bytes_at(int file, std::uint64_t offset, std::uint64_t size, std::uint64_t file_size) {
   if (size > file_size || offset > file_size - size)
     throw std::runtime_error("its index is damaged");
@@ -168,7 +168,7 @@ Bytes bytes_at(int file, std::uint64_t offset, std::uint64_t size, std::uint64_t
   return bytes;
 }
 
-// A tribocheck before this one kept chunks in files of its own format.
+// Is it a journal, the file in which older versions of tribocheck kept chunks?
 bool is_journal(int file, const std::string& path) {
   constexpr std::array<unsigned char, 8> mark{0x93, 'T', 'B', 'S', 'J', '1', '\r', '\n'};
   std::array<std::byte, 8> start{};
@@ -233,7 +233,7 @@ Part::Part(const std::string& path, const std::function<bool()>& stopped) : path
     if (chunks_size > size || chunks_offset > size - chunks_size)
       throw std::runtime_error("it ends before its last chunk");
     records_ = records_of(index, chunks_offset, chunks_size);
-  } catch (const std::system_error&) {  // it says nothing about the file
+  } catch (const std::system_error&) {  // such an error says nothing about the file
     throw;
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + " is no part of a sweep: " + error.what());

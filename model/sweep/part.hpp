@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part of a sweep: some of its chunks, in one HDF5 file that is whole or not there. Shards are
-// such files too, and so is what is put together to a result.
+// A part of a sweep: some of its chunks, in one HDF5 file that is whole or not there. Shards, and
+// all files that are put together to a result, are such files too.
 //
 //   /        attributes: format, tribocheck_version, numbers (numbers_version), digest (the plan's
 //            part_digest), arithmetic, replaces, file_names and file_texts (of the sweep's files)
@@ -28,8 +28,8 @@
 
 namespace tribo::sweep {
 
-// The origin of the chunks of a part. Chunks of two parts go together if numbers, digest and
-// arithmetic are the same.
+// The origin of the chunks of a part. Two parts fit together if numbers, digest and arithmetic are
+// the same.
 struct PartHeader {
   std::string version;        // of tribocheck, for messages
   std::uint64_t numbers = 0;  // numbers_version
@@ -38,7 +38,7 @@ struct PartHeader {
   // The files that the plan was made of: names and texts, so that parts are enough to make the
   // result.
   std::vector<std::pair<std::string, std::string>> files;
-  // Which file (FileIdentity) at the output --force has allowed this sweep to replace; empty: none.
+  // The file at the output (FileIdentity) that --force lets this sweep replace; empty: none.
   std::string replaces = {};
 
   template <class To, class Header>
@@ -61,8 +61,8 @@ class Part {
     std::uint64_t checksum;
   };
 
-  // The part in a file, whose checksum is looked at first. HDF5 reads the rest in a process of its
-  // own (apart.hpp), for somebody may have forged it. Throws std::runtime_error, with a text that
+  // The part in a file, whose checksum is checked first. HDF5 reads the rest in a process of its
+  // own (apart.hpp), because the file may be forged. Throws std::runtime_error, with a text that
   // names the file, where it is no whole part; Stopped once stopped() is true.
   explicit Part(const std::string& path, const std::function<bool()>& stopped = {});
   // The part of a short sweep, which writes no file of it.
@@ -71,8 +71,8 @@ class Part {
   const std::string& path() const { return path_; }  // empty: in memory
   const PartHeader& header() const { return header_; }
   std::span<const Record> records() const { return records_; }
-  // The bytes of a chunk. A file is opened again for it, for a sweep may have more parts than a
-  // process may have open files, and the chunk's checksum is looked at.
+  // The bytes of a chunk. Its file is opened again, because a sweep may have more parts than a
+  // process may have open files, and the chunk's checksum is checked.
   Bytes read(const Record& record) const;
 
  private:

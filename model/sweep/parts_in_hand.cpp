@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 
 constexpr double part_seconds = 2;
 constexpr double most_parts = 4000;
-constexpr double most_numbers = 1 << 21;  // that a part keeps: a process holds two parts or three
+constexpr double most_numbers = 1 << 21;  // in a part: a process holds two or three parts
 
-// Seconds of one processor for a chunk, within a factor of some.
+// A rough estimate of the seconds that a chunk takes one processor.
 double seconds_of_chunk(const SceneSweep& scene) {
   constexpr double point = 2e-7, solved = 0.5;
   const double speeds = scene.asks_at_speeds() ? static_cast<double>(scene.scene.speeds.size()) : 0;
@@ -40,7 +40,7 @@ double seconds_of_chunk(const SceneSweep& scene) {
   return a_case * static_cast<double>(scene.chunk_groups * scene.cases_per_group());
 }
 
-// Numbers of 8 bytes, at most some: of each column its counts too, whose bars grow with the cases.
+// About the most numbers of 8 bytes in a chunk, with each column's counts, which grow with cases.
 double numbers_of_chunk(const SceneSweep& scene) {
   const std::size_t kept = scene.keep_points ? scene.width() + scene.variables.size() : 0;
   const auto cases = static_cast<double>(scene.chunk_cases());
@@ -95,7 +95,7 @@ std::vector<std::string> files_like(const std::string& output, const std::string
 }
 
 const std::string part_ending = R"(\.part-\d+-\d+(-\d+)?)";
-const std::string begun_ending = R"(\.\d+-\d+)";  // of files that have not their name yet
+const std::string begun_ending = R"(\.\d+-\d+)";  // of files that were not renamed yet
 
 }  // namespace
 
@@ -168,7 +168,7 @@ void remove_begun(const std::string& output) {
       FilePlace(path).remove_ours([](std::span<const std::byte> start) {
         return is_start_of_part(start) || is_start_of_result(start);
       });
-    } catch (const RunRefused&) {  // a file of somebody else, which is in nobody's way
+    } catch (const RunRefused&) {  // somebody else's file: no sweep needs its name
     }
   };
   for (const std::string& begun : files_like(output, ".", begun_ending)) remove(begun);
@@ -223,14 +223,14 @@ std::vector<std::size_t> PartsInHand::missing() {
   return missing;
 }
 
-// A part that is now this process's.
+// Claims a part for this process; nothing where no part is left for it.
 std::optional<PartsInHand::InHand> PartsInHand::claim() {
   for (const std::size_t part : missing()) {
     InHand made{part};
     if (settings_.in_memory) return made;
     const std::string path = path_of_part(settings_.output, parts_[part]);
     made.claim = OutputLock::take(path, ".lock");
-    // It may have been written, and even put into the result, before it was claimed.
+    // Before the claim, another process may have written the part, or even put it into the result.
     if (!made.claim || FilePlace(path).status()) continue;
     is_over_ = settings_.over && settings_.over();
     if (is_over_) break;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the processes of a sweep share its work: each takes parts that are not there. OUTPUT.part-F-L
-// holds the chunks from F to L, and OUTPUT.part-F-L-S each S-th of them; whoever computes it claims
-// it by a lock, this name and .lock, writes it at a name that no other process uses, and renames it
-// when it is whole. Where a file system has no locks, two processes may compute the same part: that
-// loses time, never numbers.
+// holds the chunks from F to L, and OUTPUT.part-F-L-S each S-th of them; a process that computes it
+// claims it by a lock (this name and .lock), writes it at a name that no other process uses, and
+// renames it when it is whole. Where a file system has no locks, two processes may compute the same
+// part: that loses time, never numbers.
 #pragma once
 
 #include <atomic>
@@ -27,30 +27,28 @@ namespace tribo::sweep {
 using ChunkList = std::vector<std::uint64_t>;  // numbers, ascending
 
 // Cuts chunks into at most some 4096 parts of some seconds of one processor each. The borders
-// follow from the plan and the chunks alone: from how many points there are, and what a point of
-// its kind takes on an ordinary machine. TRIBOCHECK_PART_CHUNKS in the environment, for tests, asks
-// for so many chunks a part.
+// follow from the plan and the chunks alone: from the number of points, and the time that a point
+// of its kind takes on an ordinary machine. TRIBOCHECK_PART_CHUNKS in the environment, for tests,
+// asks for so many chunks a part.
 std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chunks);
 
-// No part of cut_in_parts() has more chunks, when all chunks of the plan are cut. It does not cut
-// them: a sweep that has no room may have 10⁸ chunks.
+// The most chunks that a part of cut_in_parts() has, when all chunks of the plan are cut. It is
+// found without cutting: a sweep that has no room may have 10⁸ chunks.
 double most_chunks_of_part(const SweepPlan& plan);
 
-// Two lists of chunks that a run or a shard is cut into have the same path only if they are the
-// same.
+// The path of a part. Different parts, of whatever run or shard, have different paths.
 std::string path_of_part(const std::string& output, const ChunkList& chunks);
-// The parts that are there of an output; and all files that computing them leaves, with claims and
-// with files that a killed process has not given their name.
+// The parts of an output that are there; and all files of parts, with claims, and with files that a
+// killed process has not renamed.
 std::vector<std::string> parts_of(const std::string& output);
 std::vector<std::string> files_of_parts(const std::string& output);
-// Removes the files that killed processes have not given their name, of parts and of the result,
-// for the process that holds the output's lock; not those of parts that another process has
-// claimed.
+// Removes files of parts and of the result that killed processes have not renamed, but not files of
+// parts that another process has claimed. For the process that holds the output's lock.
 void remove_begun(const std::string& output);
-// The journals that a tribocheck before this one, which had them in place of parts, has left.
+// The journals of an output: files that older versions of tribocheck wrote in place of parts.
 std::vector<std::string> journals_of(const std::string& output);
 
-// A part among so many with which this process begins: by its host and number, and by the turn.
+// The part, among so many, with which this process begins: by its host and number, and the turn.
 std::size_t place_of_process(std::size_t parts, std::uint64_t turn = 0);
 
 class PartsInHand {
@@ -85,7 +83,7 @@ class PartsInHand {
   struct InHand {
     std::size_t part;
     std::optional<OutputLock> claim = {};
-    std::size_t next = 0;  // of its chunks, to be handed out
+    std::size_t next = 0;  // the next of its chunks to hand out
     ChunksInMemory kept = {};
   };
   bool has_chunks() const;
@@ -99,8 +97,8 @@ class PartsInHand {
   std::vector<ChunkList> parts_;
   std::vector<bool> there_;
   std::mutex mutex_;                 // not held while files are looked at
-  std::condition_variable claimed_;  // is_claiming_ has ended
-  bool is_claiming_ = false;         // one thread at a time, for all
+  std::condition_variable claimed_;  // told when is_claiming_ ends
+  bool is_claiming_ = false;         // one thread claims at a time, for all
   std::list<InHand> in_hand_;        // the last one has chunks left to hand out, if any has
   std::atomic<bool> is_over_ = false;
   std::uint64_t jumps_ = 0;

@@ -91,10 +91,10 @@ std::vector<Column> columns_of(const SceneSweep& sweep) {
 
 // A chunk is long enough that the overhead of its record and of its place in the file is small, and
 // short enough that little is lost with it. A point whose film is solved takes as long as a million
-// others: these chunks have up to four, and one where many threads would else have nothing to do.
-// Else a sweep has about 256 chunks of 1024 to 65536 points; a greater sweep has more chunks of
-// 65536 points; the greatest have about 4096 chunks of more points each, up to 2²⁰. A chunk of kept
-// points has at most some 131072 numbers.
+// other points: its chunk has up to four points, or one where many threads would have nothing to
+// do. Any other sweep has about 256 chunks of 1024 to 65536 points; a greater one has more chunks
+// of 65536 points; the greatest have about 4096 chunks of more points each, up to 2²⁰. A chunk of
+// kept points has at most some 131072 numbers.
 std::uint64_t groups_a_chunk(const SceneSweep& sweep, std::uint64_t points) {
   constexpr std::uint64_t least = 1024, usual = 65536, most = 1 << 20, most_numbers = 1 << 17;
   std::uint64_t chunk_points = std::clamp(points / 256, least, usual);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep: scenes in which some fields vary, and what is asked of each of their cases. Made from
-// files by plan_reader.hpp; all that follows is a function of the plan alone, so that any number of
-// threads, machines and restarts comes to the same bits.
+// A sweep: scenes in which some fields vary, and what is asked of each of their cases.
+// plan_reader.hpp makes it from files. All results are a function of the plan alone, so that any
+// number of threads, machines and restarts comes to the same bits.
 //
 //   case    one set of values of the varied fields
 //   point   one case at one speed, or one case with its onsets where no operating point is asked
@@ -38,9 +38,9 @@ struct Variable {
   std::string meaning;                      // of the field
   std::string text;                         // how it varies: "uniform from 0.02015 to 0.02025"
   void (*store)(Scene&, double) = nullptr;  // puts a value into a scene
-  double nominal = 0;                       // in the middle; what `scene` of the sweep has
-  std::vector<double> grid;                 // not empty: these values, each with all others
-  std::vector<std::string> words;  // of a grid of words: all that the field knows; the grid has
+  double nominal = 0;                       // the middle value; SceneSweep::scene has it
+  std::vector<double> grid;                 // not empty: the values, each with all others
+  std::vector<std::string> words;  // of a grid of words: all words of the field; `grid` has
                                    // places in this list
   Distribution distribution;       // where there is no grid
 
@@ -63,7 +63,7 @@ struct SceneSweep {
   Scene scene;       // with nominal values
 
   std::vector<Variable> variables;  // grids first, each kind in the schema's order
-  Design design = Design::sobol;    // of the drawn ones
+  Design design = Design::sobol;    // of the drawn variables
   std::uint64_t draws = 1;          // for each set of grid values; of each matrix with sensitivity
   std::uint64_t seed = 1;
   // Rows of the lower triangle L of the correlation matrix, L·Lᵀ, of the drawn variables in their
@@ -76,7 +76,7 @@ struct SceneSweep {
   std::vector<OnsetCriterion> criteria;  // of onsets; empty: none
   double departure = default_departure;  // ε of film_departure
   bool solves_film = false;              // of lines: the film of the Reynolds equation
-  std::vector<Column> columns;           // what these come to, in the order of the result
+  std::vector<Column> columns;           // the results of a case, in their order
 
   std::uint64_t grid_cells = 1;  // sets of grid values
   std::uint64_t groups = 1;      // grid_cells · draws
@@ -110,7 +110,7 @@ struct SweepPlan {
   std::uint64_t points() const;
 };
 
-// A chunk of the whole plan, found: of which scene, and its cases.
+// The place of a chunk of the whole plan: its scene, and its groups of cases.
 struct ChunkPlace {
   std::size_t scene = 0;
   std::uint64_t chunk = 0;        // within the scene
@@ -119,7 +119,7 @@ struct ChunkPlace {
 };
 ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk);
 
-// The work was to end early.
+// The work was stopped early, as asked.
 struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("stopped") {}
 };

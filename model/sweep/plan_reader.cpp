@@ -127,7 +127,7 @@ class SweepBinder {
     problems_reading_.errors.clear();
   }
 
-  // --- Apart: the table [sweep], and what varies.
+  // --- Takes the table [sweep], and the fields that vary, out of the entries.
 
   void take_sweep_table() {
     const auto found = std::find_if(entries_.begin(), entries_.end(),
@@ -153,7 +153,7 @@ class SweepBinder {
       }
     }
     hand_over();
-    // Grids first, then in the schema's order: the files' own is not known any more.
+    // Grids first, then the schema's order: the order of the file is not known any more.
     std::sort(varied_.begin(), varied_.end(),
               [](const VariedEntry& left, const VariedEntry& right) {
                 const auto key = [](const VariedEntry& varied) {
@@ -253,7 +253,7 @@ class SweepBinder {
           "up to 200 bytes without \"/\", not empty and not \".\"");
   }
 
-  // --- The values that the variables take, each alone and with those of others that share a rule.
+  // --- The values of the variables, each alone and with those of variables that share a rule.
 
   struct Setting {
     const VariedEntry* varied;
@@ -359,7 +359,7 @@ class SweepBinder {
     return text + ": ";
   }
 
-  // A distribution that reaches beyond what its field may be.
+  // The fault of a distribution that reaches beyond its field's range.
   static Fault reach(const Variable& variable, double value, const std::string& allowed) {
     const bool is_printed = variable.text.starts_with("printed");
     const DistributionKind kind = variable.distribution.kind();

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reading sweeps: a scene file in TOML with grids and distributions in place of numbers, and a
-// table [sweep] that says how and what for.
+// table [sweep] that says how cases are drawn and what is asked of them.
 //
 //   [lubricant]
 //   viscosity = { distribution = "normal", mean = 0.0202, sd = 5e-4 }
-//   pressure_viscosity = { printed = "2.0e-8" }            # uniform, half a last digit to both
-//   sides
+//   pressure_viscosity = { printed = "2.0e-8" }            # uniform: 1.95e-8 to 2.05e-8
 //
 //   [surface]
 //   summit_height_sd = [2.5e-8, 5e-8, 1e-7]                # a grid
-//   summit_density = { from = 1e10, to = 1e12, count = 9 } # likewise; spacing = "log" or "lin"
+//   summit_density = { from = 1e10, to = 1e12, count = 9 } # a grid; spacing = "log" or "lin"
 //
 //   [sweep]
 //   onset = ["film_maximum"]
@@ -43,7 +42,7 @@ struct SweepField {
 std::span<const SweepField> sweep_fields();
 
 inline constexpr std::uint64_t default_draws = 16384;
-inline constexpr std::uint64_t most_cases = 1'000'000'000'000;  // and of points
+inline constexpr std::uint64_t most_cases = 1'000'000'000'000;  // and as many points
 inline constexpr std::size_t most_variables = 40;
 
 // `source` names the input in messages and, without its folder and ending, a scene without an id.

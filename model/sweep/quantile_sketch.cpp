@@ -11,7 +11,7 @@ namespace tribo::sweep {
 namespace {
 
 constexpr int dropped_places = 52 - 10;
-constexpr std::int32_t subnormal_bins = 1023;  // those of exponent 0 but the first, which is zero's
+constexpr std::int32_t subnormal_bins = 1023;  // of exponent 0; its first bin is for zero
 
 constexpr std::int32_t page_of(std::int32_t bin) { return bin >> 8; }
 std::size_t place_in_page(std::int32_t bin) { return static_cast<std::size_t>(bin & 255); }
@@ -91,7 +91,7 @@ void QuantileSketch::each_bin(Use use) const {
 
 double QuantileSketch::most_memory(double values) {
   constexpr double all_pages = 2 * (page_of(greatest_bin) + 1);
-  constexpr double growth = 2;  // of a vector's room over what is in it
+  constexpr double growth = 2;  // of a vector's room over its size
   return growth * (std::min(values, all_pages) * sizeof(Page) + all_pages * sizeof(std::uint32_t));
 }
 

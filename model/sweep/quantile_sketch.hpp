@@ -20,7 +20,7 @@ namespace tribo::sweep {
 
 class QuantileSketch {
  public:
-  // A quantile is within this part of the value that has that rank (unless that is below 2.3e-308).
+  // The relative error of a quantile (unless the value of its rank is below 2.3e-308).
   static constexpr double relative_error = 0x1p-11;
   static constexpr std::int32_t greatest_bin = 2046 * 1024;  // of the greatest finite number
 
@@ -28,9 +28,9 @@ class QuantileSketch {
   void merge(const QuantileSketch& other);
 
   std::uint64_t count() const { return count_; }
-  // The most that memory() can be with so many values.
+  // The greatest memory() with so many values.
   static double most_memory(double values);
-  // Bytes that it has beside itself.
+  // Bytes that the sketch has allocated.
   std::size_t memory() const {
     return pages_.capacity() * sizeof(Page) + places_.capacity() * sizeof places_.front();
   }

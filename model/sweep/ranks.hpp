@@ -24,9 +24,9 @@ class Ranks {
 
   // Rank 0's text, on all ranks.
   std::string from_first(std::string text) const;
-  // Is it so on every rank? Waits for all.
+  // Is `mine` true on every rank? Waits for all.
   bool everywhere(bool mine) const;
-  // Ends the processes of all ranks, where this one cannot go on to what they will wait for.
+  // Ends the processes of all ranks: this rank cannot take steps that the others would wait for.
   [[noreturn]] void end_all() const;
 
  private:

@@ -61,7 +61,7 @@ inline constexpr std::size_t histogram_bins = 100;
 // The mark of results (output_file.hpp).
 bool is_start_of_result(std::span<const std::byte> start);
 
-// Writes it next to `path` (at PATH.part, or where it is shared with other processes at a name that
+// Writes the result next to `path` (at PATH.part, or where other processes share it at a name that
 // none of them uses), to the disk, and renames it into place, where it may replace what
 // `replaceable` says. All chunks have to be there; it takes them in order, one at a time, and calls
 // told(chunks written) after each. Returns the written file, open. Throws std::runtime_error (disk
@@ -79,7 +79,7 @@ struct ResultIdentity {
 };
 // The summaries of a result, for tables and pictures.
 struct ColumnResult {
-  struct Value {  // one of `width` a case
+  struct Value {  // one of a column's `width` values of a case
     std::uint64_t count = 0, undefined = 0;
     double mean = 0, sd = 0, least = 0, greatest = 0;
     std::vector<Quantile> quantiles;             // at quantile_levels
@@ -118,13 +118,13 @@ struct SweepResult {
 class ResultFile {
  public:
   explicit ResultFile(const std::string& path);
-  // The file, open, that this process itself has written there.
+  // The result that this process itself has written at `path`; `own` is its open file.
   ResultFile(const std::string& path, Descriptor own);
 
   const std::string& path() const { return path_; }
   ResultIdentity identity() const;
   SweepResult read() const;
-  // The kept values of one input or column of a scene, [cases, width]. Words as their places.
+  // The kept values of one input or column of a scene, [cases, width]; of words, their places.
   std::vector<double> input(const std::string& scene_id, const std::string& name) const;
   std::vector<double> column(const std::string& scene_id, const std::string& name) const;
 

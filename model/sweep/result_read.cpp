@@ -26,7 +26,7 @@ using hdf5::read_count;
 using hdf5::read_text;
 using hdf5::read_texts;
 
-// All that HDF5 finds wrong in a result, or that it cannot be, becomes one line.
+// Any fault that HDF5 or this reader finds in a result becomes one line with these words.
 constexpr const char* not_whole = "is no whole result of tribocheck sweep: ";
 
 struct NotThere : std::runtime_error {
@@ -43,7 +43,7 @@ Handle open_result(const std::string& path) {
   bool is_ours = false;
   try {
     is_ours = H5Aexists(file, "format") > 0 && read_text(file, "format") == result_format;
-  } catch (const hdf5::Error&) {  // somebody else's attribute of that name
+  } catch (const hdf5::Error&) {  // an attribute of that name by another program
   }
   if (!is_ours) throw NotThere("is an HDF5 file, but no result of tribocheck sweep");
   return file;
@@ -56,7 +56,7 @@ bool exists(hid_t parent, const std::string& name) {
   return checked(H5Lexists(parent, name.c_str(), H5P_DEFAULT)) > 0;
 }
 
-// Opens what lies at a path below a group. A link on the way that leads elsewhere, as into another
+// Opens the object at a path below a group. A link on the way that leads elsewhere, as into another
 // file, is refused.
 Handle open_object(hid_t parent, const std::string& path) {
   Handle object;
@@ -79,8 +79,8 @@ Handle open_group(hid_t parent, const std::string& path) {
   return group;
 }
 
-// Nothing but what the writer uses: a filter of another library is not run, and no dataset of
-// pieces of other files is read.
+// Allows only storage that the writer uses: no filter of another library is run, and no dataset
+// made of other files is read.
 void check_storage(hid_t dataset, const std::string& name) {
   const Handle creation(H5Dget_create_plist(dataset));
   if (H5Pget_layout(creation) != H5D_CHUNKED || checked(H5Pget_external_count(creation)) != 0)
@@ -113,7 +113,7 @@ std::size_t length_of(hid_t parent, const std::string& name) {
   return static_cast<std::size_t>(extents.front());
 }
 
-// A dataset of known type and extents.
+// The content of a dataset whose type and extents are known.
 template <class T>
 std::vector<T> read_array(hid_t parent, const std::string& name, hid_t type,
                           const std::vector<hsize_t>& extents) {
@@ -137,7 +137,7 @@ std::vector<T> read_array(hid_t parent, const std::string& name,
   return read_array<T>(parent, name, hdf5::file_type(T()), extents);
 }
 
-// Names of what a group holds, in the order in which it was written.
+// The names of a group's members, in the order in which they were written.
 std::vector<std::string> names_in(hid_t group) {
   H5G_info_t info;
   checked(H5Gget_info(group, &info));
@@ -269,7 +269,7 @@ std::vector<double> read_cases(hid_t file, const std::string& scene_id, const st
   const std::string place = folder == "outputs" ? path_of_column(name) : name;
   const Handle group = open_group(scene, folder);
   std::size_t end = 0;
-  do {  // H5Lexists() wants to know of all groups on the way that they are there
+  do {  // H5Lexists() may only be asked of a path whose groups are all there
     end = place.find('/', end + 1);
     if (!exists(group, place.substr(0, end)))
       throw NotThere("has no " + name + " among the " + folder + " of scene " + scene_id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The last bytes of a result or a part, behind what HDF5 has written and reads: a mark, the size
-// and the checksum (XXH3) of all before them. They are looked at before HDF5 is given the file, for
-// a damaged one may crash or hang it.
+// The last bytes of a result or a part, behind all that HDF5 writes and reads: a mark, the size and
+// the checksum (XXH3) of the bytes before them. They are checked before HDF5 opens the file,
+// because a damaged file may crash or hang HDF5.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace tribo::sweep {
 
-// Puts them at the end of an open file that is whole. Throws std::runtime_error where that fails.
+// Puts these bytes at the end of a whole, open file. Throws std::runtime_error where that fails.
 void seal(int file);
 
 // Why an open file is not the one that was sealed; empty if it is. kind: "result". Throws

@@ -25,7 +25,7 @@ using hdf5::write_attribute;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Like the filter of this name in HDF5, whose bytes are big-endian words of 16 bits.
+// As the filter of this name in HDF5 computes it, from big-endian words of 16 bits.
 std::uint32_t fletcher32(std::span<const std::byte> bytes) {
   constexpr std::size_t words_between = 360;  // as many as do not overflow
   const auto folded = [](std::uint32_t sum) { return (sum & 0xFFFF) + (sum >> 16); };
@@ -43,7 +43,7 @@ std::uint32_t fletcher32(std::span<const std::byte> bytes) {
   return folded(second) << 16 | folded(first);
 }
 
-// In chunks of whole rows of some 1 MB, since HDF5 has checksums of chunks alone.
+// Stores a dataset in chunks of whole rows of some 1 MB, since HDF5 has checksums of chunks alone.
 template <class T>
 Handle write_array(hid_t group, const std::string& name, const std::vector<T>& values,
                    std::vector<hsize_t> extents) {
@@ -76,11 +76,11 @@ Handle make_column_group(hid_t parent, const std::string& column) {
 // A dataset of all cases, to which packed chunks are written.
 class CaseDataset {
  public:
-  // width 1: [cases], else [cases, width]. No cases: those that are not kept.
+  // The extents are [cases] where the width is 1, else [cases, width]. 0 cases: none are kept.
   CaseDataset(hid_t group, const std::string& name, const std::vector<std::string>& words,
               std::uint64_t cases, std::uint64_t chunk_cases, std::size_t width)
       : element_size_(words.empty() ? 8 : 1), chunk_cases_(chunk_cases), rank_(width > 1 ? 2 : 1) {
-    // Not only as many as there are, for no chunk may be longer than a dataset can become.
+    // The greatest extents, beyond the cases: no chunk may be longer than its dataset can become.
     const std::array<hsize_t, 2> extents{cases, width};
     const std::array<hsize_t, 2> greatest{std::max<hsize_t>(cases, chunk_cases), width};
     const std::array<hsize_t, 2> chunk{chunk_cases, width};
@@ -327,7 +327,7 @@ void write_file(const std::string& path, const SweepPlan& plan, const PartSet& c
   write_attribute(file, "tribocheck_commit", build_commit);
   write_attribute(file, "sweep_digest", plan.digest);
   write_attribute(file, "arithmetic", chunks.arithmetics());
-  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // so that it carries our mark: is_start_of_result()
+  checked(H5Fflush(file, H5F_SCOPE_GLOBAL));  // it carries our mark: is_start_of_result()
   std::uint64_t written = 0;
   for (const SceneSweep& scene : plan.scenes) {
     SceneWriter writer(file, scene);

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Why a part is not of this sweep; empty if it is.
+// Why a part does not belong to this sweep; empty if it does.
 std::string difference(const PartHeader& mine, const PartHeader& theirs, bool any) {
   if (theirs.numbers != mine.numbers)
     return "was computed by tribocheck " + theirs.version + ", whose numbers are not those of " +
@@ -53,7 +53,7 @@ struct OwnersNote {
   }
 };
 
-// Nothing where there is no whole note: its owner is about to write it, or to end.
+// The owner's note; nothing where none is whole: the owner is about to write it, or to end.
 std::optional<OwnersNote> noted_at(const std::string& output) {
   const Bytes bytes = OutputLock::noted(output);
   OwnersNote note;
@@ -81,12 +81,12 @@ void check_room(const SweepPlan& plan, int threads, const std::string& result,
     throw RunRefused("the sweep " + lack);
 }
 
-// Throws RunRefused where one of them is not ours.
+// Throws RunRefused where one of the files is not ours.
 void remove_all(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) FilePlace(path).remove_ours(any_mark);
 }
 
-// The parts that can be read. What is damaged is of no use to anybody, and is removed. Throws
+// The parts that can be read. A damaged part is of no use to anybody, and is removed. Throws
 // RunRefused where a file is not ours.
 std::vector<Part> readable(const std::vector<std::string>& paths, const RunSettings& settings,
                            const std::function<bool()>& stopped) {
@@ -97,7 +97,7 @@ std::vector<Part> readable(const std::vector<std::string>& paths, const RunSetti
       parts.emplace_back(path, stopped);
     } catch (const Stopped&) {
       throw;
-    } catch (const std::system_error&) {  // it says nothing about the file
+    } catch (const std::system_error&) {  // such an error says nothing about the file
       throw;
     } catch (const std::runtime_error& error) {
       FilePlace(path).remove_ours(is_start_of_part);
@@ -119,19 +119,19 @@ ChunkList chunks_of(const SweepPlan& plan, const std::optional<Shard>& shard) {
 
 struct Start {
   bool complete = false;    // the result is there
-  std::vector<bool> there;  // of the parts of this run; one is there only with all its chunks
+  std::vector<bool> there;  // of this run's parts; a part is there only with all its chunks
   // The file that may be at the output when the result takes its place.
   Replaceable replaceable = {};
 };
 
 class Starter {
  public:
-  // parts: of this run. threads: of this rank.
+  // parts: those of this run. threads: those of this rank.
   Starter(const SweepPlan& plan, const RunSettings& settings, const PartHeader& header,
           const std::vector<ChunkList>& parts, int threads)
       : plan_(plan), settings_(settings), header_(header), parts_(parts), threads_(threads) {}
 
-  // left: what a process that was killed has noted.
+  // left: the note of a process that was killed.
   Start start(const std::optional<OwnersNote>& left) {
     const std::string& path = settings_.result;
     std::vector<std::string> files = files_of_parts(path);
@@ -152,7 +152,7 @@ class Starter {
         remove_all(files);
         return {true, {}, {}};
       }
-      // --force has begun this, and was stopped.
+      // Has a run with --force begun this sweep, and was it stopped?
       const bool is_begun =
           left && there && refusal(*left).empty() && left->header.replaces == there->text();
       if (!is_begun && !any_goes_on(found, "")) throw RunRefused(why + "; --force replaces it");
@@ -190,7 +190,7 @@ class Starter {
     return why;
   }
 
-  // Why what another process computes, or has begun, is not what this one does; empty if it is.
+  // Why another process's sweep, by its note, is not this one; empty if it is.
   std::string refusal(const OwnersNote& note) const {
     std::string why = difference(header_, note.header, settings_.mixed_fma);
     if (why.empty() && note.shard != settings_.shard.value_or(no_shard)) why = "is another shard";
@@ -231,7 +231,7 @@ class Starter {
     }
   }
 
-  // Is there a part of this very run? replaces: and may it replace this file; empty: any.
+  // Is there a part of this very run that may replace the file `replaces`? Empty: any file.
   bool any_goes_on(const std::vector<std::string>& paths, const std::string& replaces) const {
     return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
       try {
@@ -379,7 +379,7 @@ class Run {
     return nullptr;
   }
 
-  // Runs what may throw on this rank, and has all ranks know of it.
+  // Runs a step that may throw on this rank, and lets all ranks know whether it did.
   template <class Step>
   void together(Step&& step) const {
     const std::exception_ptr failure = failure_of(step);
@@ -445,8 +445,8 @@ class Run {
     return start;
   }
 
-  // Why another process, which owns the output, does not compute what this one does; empty if it
-  // does, or has not said yet.
+  // Why the process that owns the output computes something else than this one; empty if it
+  // computes the same, or has not said yet.
   std::string why_not_of_owner() const {
     const std::optional<OwnersNote> note = noted_at(settings_.result);
     return note ? starter().refusal(*note) : "";
@@ -465,7 +465,7 @@ class Run {
 
   void start_helping(Start& start) {
     check_owner();
-    // The only part of a short sweep is its owner's; and help begins once the owner says with what.
+    // The one part of a short sweep is its owner's. Help begins once the owner's note is there.
     start.there.assign(parts_.size(), parts_.size() == 1 || !noted_at(settings_.result));
   }
 
@@ -505,7 +505,7 @@ class Run {
       while (!ends()) {
         if (!parts.has_work()) {
           if (parts.is_done()) return;
-          std::this_thread::sleep_for(moment);  // what is left is in the hands of others
+          std::this_thread::sleep_for(moment);  // other processes compute the parts that are left
           continue;
         }
         const int now = compute(
@@ -516,7 +516,7 @@ class Run {
     });
     try {
       while (worker.wait_for(moment) != std::future_status::ready) {
-        // Where the output's folder is gone, nobody waits for what cannot be written.
+        // Where the output's folder is gone, nothing can be written, and nobody waits for it.
         if (!place.is_folder_at_its_path() || (lock_ && !lock_->holds())) is_lost = true;
         if (ranks_.rank() == 0 && settings_.progress)
           settings_.progress({RunProgress::Phase::computing, chunks_.size() - first_there,
@@ -528,7 +528,7 @@ class Run {
       if (worker.valid()) worker.wait();
       // Another process has ended the sweep, and has removed what this one was about to write.
       if (is_over() && starter().why_not_it().empty()) return;
-      if (lock_) check_lock();  // says more than a write that failed for it
+      if (lock_) check_lock();  // tells more than the write that failed
       throw;
     }
     if (!lock_ && is_lost)
@@ -547,11 +547,11 @@ class Run {
   // Where the lock or the folder is gone, no result is made, and nobody is told to go on there.
   void check_lock() const { lock_->check(); }
 
-  // The chunks that are computed, of which whole parts alone are kept.
+  // The computed chunks, in the parts that are whole.
   PartSet gathered() {
     std::vector<Part> parts;
     if (is_all_in_memory()) parts.emplace_back(header_, std::move(in_memory_));
-    // To count what is kept, for a moment.
+    // After a stop, looking for kept parts may go on for a moment.
     const auto patient = [this, end = Clock::now() + std::chrono::milliseconds(500)] {
       return is_stopped() && Clock::now() > end;
     };
@@ -586,7 +586,7 @@ class Run {
     }
   }
 
-  // kept: what can be told of parts on the disk; empty: there are none.
+  // kept: a text on the parts on the disk; empty: there are none.
   RunEnd write_and_clean(const PartSet& parts, const Replaceable& replaceable,
                          const std::string& kept) {
     check_lock();
@@ -607,7 +607,7 @@ class Run {
     return cleaned();
   }
 
-  // Where no part says it, the note says that --force has allowed to replace a file.
+  // Leaves the note, which says where no part does that --force lets the run replace a file.
   void leave_note() {
     if (!header_.replaces.empty()) lock_->leave();
   }

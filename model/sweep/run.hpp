@@ -17,7 +17,7 @@
 
 namespace tribo::sweep {
 
-// The i-th of n parts, 1 ≤ i ≤ n: every n-th chunk, so that what is slow is dealt out too.
+// The i-th of n shards, 1 ≤ i ≤ n: every n-th chunk, so that slow chunks are dealt out, too.
 struct Shard {
   std::uint64_t part = 1, parts = 1;
   bool has(std::uint64_t chunk) const { return chunk % parts == part - 1; }
@@ -26,8 +26,8 @@ struct Shard {
 
 struct RunProgress {
   enum class Phase : std::uint8_t { computing, writing } phase = Phase::computing;
-  std::uint64_t chunks = 0;  // of this run: those to compute, or to write
-  std::uint64_t done = 0;    // by all ranks
+  std::uint64_t chunks = 0;  // that this run has to compute, or to write
+  std::uint64_t done = 0;    // that all ranks have done
 };
 
 struct RunSettings {
@@ -35,16 +35,16 @@ struct RunSettings {
   int threads = 0;     // of each rank; 0: as many as the machine has, 1 under mpirun
   std::optional<Shard> shard;
   bool resume = false;     // go on with parts that are there
-  bool join = false;       // likewise, and help where another process owns the output
+  bool join = false;       // go on with such parts, and help a process that owns the output
   bool force = false;      // throw away parts and the result that are there
-  bool mixed_fma = false;  // go on with those of another arithmetic
+  bool mixed_fma = false;  // go on with parts of another arithmetic
   std::function<void(const RunProgress&)> progress;  // some times a second, from one thread
   std::function<void(std::string_view)> tell;        // a line on what was found or done
   // Says at once, on the rank that fails, why it fails, for the other ranks may go on for long.
   std::function<void(std::string_view)> failed;
   std::function<bool()> stopped;  // to end early, with what is computed kept
-  // On rank 0 once the result has its name, and before another process can replace it; with the
-  // result, open, where this process has written it.
+  // Called on rank 0 once the result has its name, and before another process can replace it; gets
+  // the open result where this process has written it.
   std::function<void(std::optional<Descriptor>)> finished;
 };
 
@@ -56,13 +56,13 @@ struct OtherRankFailed : std::runtime_error {
 enum class RunEnd : std::uint8_t { done, stopped };
 
 // Every rank calls it with the same plan and settings; rank 0 holds the output's lock and writes
-// the result, or, with `join`, helps whoever does. Throws RunRefused, OtherRankFailed, and
+// the result, or, with `join`, helps the process that does. Throws RunRefused, OtherRankFailed, and
 // std::runtime_error where it fails; computed parts stay then. Where a rank fails, the others
 // compute its parts too, and the result is written if all are there.
 RunEnd run(const SweepPlan& plan, RunSettings settings, const Ranks& ranks);
 
-// Puts shards together: the result is that of an undivided run, to the bit. Throws RunRefused where
-// they do not make a whole.
+// Puts shards together: the result has the bits of an undivided run. Throws RunRefused where chunks
+// are missing, or shards do not fit together.
 RunEnd merge(const std::vector<std::string>& shards, RunSettings settings);
 
 }  // namespace tribo::sweep

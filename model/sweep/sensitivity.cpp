@@ -36,7 +36,7 @@ SensitivitySums merged_without(const SensitivityBlocks& blocks, std::size_t left
   return sums;
 }
 
-// replicates: the same index with one block left out, of each block that is not empty.
+// replicates: for each block that is not empty, the index without that block.
 SobolIndex with_interval(double value, const std::vector<double>& replicates) {
   const auto n = static_cast<double>(replicates.size());
   double mean = 0;
@@ -51,7 +51,7 @@ SobolIndex with_interval(double value, const std::vector<double>& replicates) {
 }  // namespace
 
 std::size_t block_of(std::uint64_t group, std::uint64_t groups) {
-  // The blocks' numbers grow by one each groups/32 groups; without the product, which may overflow.
+  // Each block has about groups/32 groups; group · 32 is not computed, as it may overflow.
   const std::uint64_t whole = groups / jackknife_blocks;
   const std::uint64_t rest = groups % jackknife_blocks;
   // The first `rest` blocks have whole + 1 groups.
@@ -103,7 +103,7 @@ SensitivitySums SensitivitySums::read(ByteReader& from) {
   sums.both = Moments::read(from);
   sums.left_out = from.take<std::uint64_t>();
   const auto variables = from.take<std::uint32_t>();
-  // One by one: if the number of variables is false, the bytes run out before the memory does.
+  // Sums are read one by one: if the number of variables is false, the bytes end before the memory.
   for (std::uint32_t i = 0; i < variables; ++i) sums.first_order.push_back(from.take<double>());
   for (std::uint32_t i = 0; i < variables; ++i) sums.total.push_back(from.take<double>());
   return sums;

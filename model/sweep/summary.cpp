@@ -11,12 +11,12 @@
 namespace tribo::sweep {
 namespace {
 
-// From this variance on the terms that the approximation leaves out are below 1/50 of a rank.
+// From this variance on, the approximation is off by less than 1/50 of a rank.
 constexpr double exact_below_variance = 400;
 constexpr double two_sided_95 = 1.959963984540054;
 
-// The least k with P(K ≤ k) ≥ 2.5 % and ≥ 97.5 %, K the number of n independent values that are
-// below the p-quantile.
+// The least k with P(K ≤ k) ≥ 2.5 %, and with ≥ 97.5 %, where K counts those of n independent
+// values that are below the p-quantile.
 struct Ranks {
   double low, high;
 };
@@ -28,14 +28,14 @@ Ranks ranks_of(double n, double p) {
     const boost::math::binomial_distribution<double, Up> below(n, p);
     return {boost::math::quantile(below, 0.025), boost::math::quantile(below, 0.975)};
   }
-  // Cornish and Fisher's expansion to the skewness, with the correction for continuity.
+  // Cornish and Fisher's expansion up to the skewness, with the correction for continuity.
   const double centre = n * p - 0.5 + (two_sided_95 * two_sided_95 - 1) * (1 - 2 * p) / 6;
   const double reach = two_sided_95 * std::sqrt(variance);
   return {std::ceil(centre - reach), std::ceil(centre + reach)};
 }
 
-// use(lane, value) of each value, with so many lanes side by side that an addition need not wait
-// for the one before it.
+// Calls use(lane, value) for each value, with so many lanes side by side that an addition need not
+// wait for the one before it.
 constexpr std::size_t lanes = 8;
 template <class Use>
 void in_lanes(std::span<const double> values, const Use& use) {
@@ -149,7 +149,7 @@ Quantile quantile_of(const ValueSummary& summary, double p) {
   const auto within = [&](double value) {
     return std::clamp(value, summary.moments.least, summary.moments.greatest);
   };
-  const auto at = [&](double rank) {  // 0: the least value
+  const auto at = [&](double rank) {  // rank 0 is the least value
     return sketch.value_at_rank(
         std::min(static_cast<std::uint64_t>(std::max(rank, 0.0)), count - 1));
   };
@@ -171,7 +171,7 @@ Quantile quantile_of(const ValueSummary& summary, double p) {
 std::vector<QuantileSketch::Bin> histogram_of(const QuantileSketch& sketch, std::size_t most) {
   const std::vector<QuantileSketch::Bin> bins = sketch.bins();
   if (bins.empty() || most == 0) return {};
-  // By the middles: the lower edge of a negative bin belongs to the bin below it.
+  // Bins are found by their middles: the lower edge of a negative bin belongs to the bin below it.
   const auto number = [](const QuantileSketch::Bin& bin) {
     return QuantileSketch::bin_of(bin.low / 2 + bin.high / 2);
   };

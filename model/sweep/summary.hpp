@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The summary of a column of values, which are not kept.
+// The summary of a column of values. The values themselves are not kept.
 #pragma once
 
 #include <cmath>
@@ -34,24 +34,23 @@ struct Moments {
   }
 };
 
-// A value that is not there (an onset that does not exist, friction of a collapsed film) or not
-// finite is counted as undefined, and is in nothing else.
+// A value that does not exist (an onset that is not there, friction of a collapsed film), or is not
+// finite, counts as undefined and enters no other number.
 struct ValueSummary {
   Moments moments;
   QuantileSketch sketch;
   std::uint64_t undefined = 0;
 
-  // The bits of the moments rest on which values come together.
+  // The bits of the moments depend on which values are added together.
   void add(std::span<const double> values);
   void merge(const ValueSummary& other);
   void write(Bytes& to) const;
   static ValueSummary read(ByteReader& from);
 };
 
-// The p-quantile with an interval that holds that of the distribution itself in 95 of 100 sweeps of
-// independent draws: by the binomial distribution of ranks, wider by the error of the sketch. An
-// end is infinite where there are too few values to bound that side; all are NaN where there is
-// none.
+// The p-quantile, with an interval that holds the distribution's own p-quantile in 95 of 100 sweeps
+// of independent draws: by the binomial distribution of ranks, wider by the error of the sketch. An
+// end is infinite where too few values bound that side; without a value all three are NaN.
 struct Quantile {
   double value, low, high;
 };

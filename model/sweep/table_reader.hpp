@@ -22,18 +22,18 @@ class TableReader {
   bool has(std::string_view name) const { return find(name) != nullptr; }
   const scene_detail::Entry* find(std::string_view name) const;
 
-  // Nothing where the field is absent or wrong; the latter is reported.
+  // The number of a field; nothing where the field is absent or wrong. A wrong field is reported.
   std::optional<double> number(std::string_view name, std::string_view allowed);
   std::optional<std::uint64_t> whole(std::string_view name, std::uint64_t least,
                                      std::uint64_t greatest, std::string_view allowed);
   std::optional<bool> boolean(std::string_view name);
   std::optional<std::string> text(std::string_view name, std::string_view allowed);
-  // The place in `words`.
+  // The place of a field's word in `words`.
   std::optional<std::size_t> word(std::string_view name, std::span<const std::string_view> words);
-  // The places of a list of words, each at most once.
+  // The places of a field's list of words; no word may come twice.
   std::optional<std::vector<std::size_t>> words(std::string_view name,
                                                 std::span<const std::string_view> words);
-  // number(), reported where it is missing.
+  // As number(), but a missing field is reported.
   std::optional<double> needed_number(std::string_view name, std::string_view allowed);
 
   void refuse(std::string_view name, Fault fault);

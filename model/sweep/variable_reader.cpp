@@ -32,13 +32,13 @@ struct Printed {
   double value, half_digit;
 };
 
-// "2.0e-8": 2e-8, and half of 1e-9.
+// From "2.0e-8": the value 2e-8, and half a unit of its last digit, 0.5e-9.
 std::optional<Printed> read_printed(const std::string& text) {
   const char* const end = text.data() + text.size();
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  std::string half;  // the same number with all its digits 0, but for a 5 behind the last
+  std::string half;  // the same number with each digit 0, and a 5 behind the last
   bool seen_point = false;
   std::size_t i = 0;
   for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
@@ -145,7 +145,7 @@ class VariableReader {
     problem_ = problem_ || !table.good();
   }
 
-  // Refuses the fields of the table that this kind of variation does not have.
+  // Refuses fields of the table that this kind of variation does not have.
   bool only(TableReader& table, std::initializer_list<std::string_view> names) {
     for (const Entry& entry : entry_.inner) {
       if (std::find(names.begin(), names.end(), entry.path) != names.end()) continue;
@@ -224,7 +224,7 @@ class VariableReader {
   struct Range {
     double from, to;
   };
-  // from < to; an end that is missing is at infinity, where that is allowed.
+  // The ends, from < to; a missing end is infinite, where an end need not be given.
   std::optional<Range> read_ends(TableReader& table, bool needed) {
     constexpr std::string_view below = "a number below to", above = "a number above from";
     const auto from = needed ? table.needed_number("from", below) : table.number("from", below);

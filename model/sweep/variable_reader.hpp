@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a field varies, from what stands in its place in a sweep file.
+// How a field varies, from the value that stands in its place in a sweep file.
 #pragma once
 
 #include <optional>

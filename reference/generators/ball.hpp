@@ -15,14 +15,14 @@ namespace tribo::reference {
 
 inline constexpr slong ball_precision = 320;  // bits
 
-// Comparisons of this thread that were not certain either way. Text that is written for numbers
-// takes one of two branches after such a comparison, and may no longer give an enclosure.
+// Comparisons of this thread that were not certain either way. Code for plain numbers takes one
+// branch after such a comparison, and its result may enclose nothing.
 inline thread_local std::uint64_t undecided_comparisons = 0;
 
 class Ball {
  public:
   Ball() { arb_init(x_); }
-  Ball(double value) : Ball() { arb_set_d(x_, value); }  // NOLINT: as the built-in numbers convert
+  Ball(double value) : Ball() { arb_set_d(x_, value); }  // NOLINT: converts like built-in numbers
   Ball(int value) : Ball() { arb_set_si(x_, value); }    // NOLINT
   Ball(const Ball& other) : Ball() { arb_set(x_, other.x_); }
   Ball(Ball&& other) noexcept : Ball() { arb_swap(x_, other.x_); }
@@ -64,7 +64,7 @@ class Ball {
   friend bool overlaps(const Ball& a, const Ball& b) { return arb_overlaps(a.x_, b.x_) != 0; }
   friend bool is_finite(const Ball& a) { return arb_is_finite(a.x_) != 0; }
 
-  // The midpoint alone, radius 0: a number chosen, not enclosed.
+  // The midpoint with radius 0: a chosen number, no enclosure.
   Ball midpoint() const {
     Ball result;
     arb_get_mid_arb(result.x_, x_);
@@ -81,7 +81,7 @@ class Ball {
     arf_clear(bound);
     return result;
   }
-  // Bits of relative accuracy: radius below 2^−this of the midpoint.
+  // Bits of relative accuracy, n where the radius is 2^−n of the midpoint.
   slong accurate_bits() const { return arb_rel_accuracy_bits(x_); }
   // `digits` significant decimal digits, the last of which may be off by one.
   std::string decimal(slong digits) const {

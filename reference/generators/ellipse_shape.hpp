@@ -52,8 +52,8 @@ inline Associated associated(const Ball& k) {
   return {k, complement * carlson_rd(1, complement) / 3, carlson_rd(complement, 1) / 3};
 }
 
-// The ellipse of α = the greater radius over the smaller one, α ≥ 1: its axes' ratio k ≥ 1, and
-// the complete elliptic integrals of parameter q = 1 − 1/k².
+// The ellipse at α ≥ 1, the greater radius over the smaller one: its axes' ratio k ≥ 1, and the
+// complete elliptic integrals of parameter q = 1 − 1/k².
 struct EllipseShape {
   Ball k, first, second;  // k, K, E
 };

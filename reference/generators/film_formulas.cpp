@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films by formulas that are no rows of numbers, and what heats or starves them.
+// Films by formulas that are no rows of numbers, and the reduction of a film by heat.
 #include <array>
 
 #include "generators/sampler.hpp"
@@ -23,7 +23,7 @@ Ball moes_film(const Balls& x) {
   const Ball piezoviscous = pow(pow(rp, -fraction(7, 2)) + pow(ep, -fraction(7, 2)), -2 * s / 7);
   return radius * sqrt(2 * u) * pow(isoviscous + piezoviscous, 1 / s);
 }
-// By logarithms of the inputs, and the last equation by bisection on h.
+// The same by logarithms of the inputs, the last equation by bisection on h.
 Ball moes_film_by_logarithms(const Balls& x) {
   const Ball ln_2u = log(x[0]) + log(x[1]) - log(x[4]) - log(x[5]);
   const Ball ln_m = log(x[3]) - log(Ball(2)) - log(x[4]) - log(x[5]) - ln_2u / 2;
@@ -66,7 +66,7 @@ Ball regime_film(std::size_t regime, const Balls& x) {
   return fraction(342, 100) * pow(x[0], fraction(49, 100)) * pow(x[1], fraction(17, 100)) *
          bracket(6800, x[3]);
 }
-// Whole powers, and the arc of a cosine.
+// The same by whole powers, with an arc of a cosine.
 Ball regime_film_by_roots(std::size_t regime, const Balls& x) {
   const auto bracket = [](int n, const Ball& of) { return -expm1(-of * n / 10000); };
   if (regime == 0) {
@@ -119,7 +119,7 @@ Table moes_lines() {
     };
     const double speed = pick(1e-4, 30, 1e-6, 100), viscosity = pick(1e-3, 1, 1e-4, 100);
     const double alpha = pick(5e-9, 4e-8, 1e-9, 1e-7);
-    // Rigid bodies too.
+    // One case in three has nearly rigid bodies.
     const double load = i % 3 == 1 ? pick(1, 1e3, 1e-3, 1e3) : pick(1e3, 2e6, 1, 1e7);
     const double modulus = i % 3 == 2 ? pick(1e6, 1e9, 1e5, 1e9) : pick(1e10, 5e11, 1e5, 1e12);
     const double radius = pick(1e-3, 0.3, 1e-6, 10);
@@ -176,7 +176,7 @@ Table thermal_reductions() {
     const double heating = beta * viscosity * speed * speed / conductivity;
     const double limit = 2 * modulus / (13.2 * std::pow(heating, 0.42));
     if (usual && pressure > 0.9 * limit) continue;
-    if (!usual) pressure = limit * (1 - sampler.log_uniform(1e-9, 0.1));  // next to the refusal
+    if (!usual) pressure = limit * (1 - sampler.log_uniform(1e-9, 0.1));  // next to refused ones
     table.add({}, {pressure, modulus, sliding, beta, viscosity, speed, conductivity}, thermal,
               thermal_by_roots, usual ? "ordinary" : "far");
   }

@@ -16,7 +16,7 @@ struct Contact {
   double speed, viscosity, alpha, load, modulus, radius, k;
 };
 
-// U, G and W of a contact: with E' = 2E*, and as a line's F/L is a point's F/R.
+// U, G and W of a contact, with E' = 2E*. A line's F/L takes the place of a point's F/R.
 struct Groups {
   Ball u, g, w;
   Groups(const Law& law, const Contact& x) {

@@ -11,7 +11,7 @@ struct Argument {
   const char* region;
 };
 
-// Dense in the middle, log-spaced towards 0 from both sides, the neighbours of edges, worst cases.
+// Arguments dense in the middle, log-spaced towards 0 on both sides, next to edges, worst cases.
 std::vector<Argument> arguments() {
   std::vector<Argument> all;
   for (int i = -40; i <= 40; ++i) all.push_back({static_cast<double>(i), "dense"});
@@ -23,12 +23,12 @@ std::vector<Argument> arguments() {
     all.push_back({x, "near_zero"});
     all.push_back({-x, "near_zero"});
   }
-  // Branches of implementations: where they change pieces, series or signs.
+  // Places where implementations change pieces, series or signs.
   for (const double edge : {0.5, 1.0, 2.0, 3.0, 5.0, 8.0, 9.0, 10.0, 13.0, 16.0, 29.0, 32.0, 37.0})
     for (const double sign : {-1.0, 1.0})
       for (const double towards : {0.0, 100.0})
         all.push_back({std::nextafter(sign * edge, towards), "branch"});
-  // Places that broke other ways: d² not split, quadrature cut short, subnormal results.
+  // Places where other methods failed: d² not split, quadrature cut short, subnormal results.
   for (const double d : {32.27553, 0.775, 36.6, 37.3, 37.5, 38.0, 38.4, 0x1.02336f3a2a1c6p+5, 37.4,
                          37.6, 34.524, 8.49, 35.999999})
     all.push_back({d, "worst"});

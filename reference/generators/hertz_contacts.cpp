@@ -83,7 +83,7 @@ constexpr std::array ellipse_outputs{"semi_axis_x",   "semi_axis_y",   "elliptic
                                      "mean_pressure", "peak_pressure", "approach"};
 using EllipseBalls = std::array<Ball, ellipse_outputs.size()>;
 
-// In the order of ellipse_outputs.
+// The values in the order of ellipse_outputs.
 EllipseBalls in_order(bool is_exchanged, const Ball& minor, const Ball& major, const Ball& k,
                       const Ball& mean, const Ball& approach) {
   return {is_exchanged ? major : minor,
@@ -103,7 +103,7 @@ EllipseBalls ellipse_conditions(bool is_exchanged, const Ball& alpha) {
   const Ball k = slope([](const Associated& s) { return s.k; });
   const Ball first = slope([](const Associated& s) { return s.b + s.d; });
   const Ball minor = slope([](const Associated& s) { return s.b / s.k; }) / 3;
-  // The exponents of F and E*, of both radii together, and of α at the same smaller radius.
+  // Sums the exponents of F and E*, of both radii together, and of α at a constant smaller radius.
   const auto sum = [](const Ball& force, const Ball& modulus, const Ball& radii,
                       const Ball& ratio) {
     const Ball all = force + modulus + abs(ratio) + abs(radii - ratio);

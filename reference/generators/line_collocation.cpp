@@ -21,13 +21,13 @@ using Eigen::VectorXd;
 using Ends = std::vector<double>;  // ends of elements, rising
 
 constexpr int newton_steps = 25;
-// Relative error of the films and of X_e with the inlet at 100: falls as the inlet's fourth power.
+// Relative error of the films and X_e with an inlet of 100; it falls as the inlet's fourth power.
 constexpr double inlet_error = 5e-8;
 constexpr double first_fluidity = 1e-2, last_fluidity = 3e-6;
 
-// Pressure, by its values at the elements' nodes, and what belongs to it.
+// A state: the elements, the pressure at their nodes, the separation and the flow.
 struct State {
-  Ends ends;  // the last: X_e
+  Ends ends;  // the last one is X_e
   VectorXd pressure;
   double separation, mass_flow;
 };
@@ -57,8 +57,8 @@ class Collocation {
     return contact_.theta() * 4 / 3 / std::pow(-ends.front(), 3);
   }
 
-  // Newton's method for all unknowns: the pressures between the ends, c, H₀ and X_e. Gives
-  // the number of steps; 0: it did not converge.
+  // Newton's method for all unknowns: the pressures between the ends, c, H₀ and X_e. Returns the
+  // number of steps; 0: the method did not converge.
   int solve(State& state) const {
     state.pressure[0] = inlet_pressure(state.ends);
     state.pressure[state.pressure.size() - 1] = 0;
@@ -95,7 +95,7 @@ class Collocation {
     return v;
   }
 
-  // The same pressure on elements of which those where is_halved holds are halved.
+  // The same pressure, after each element for which is_halved holds was halved.
   template <class Predicate>
   State halved(const State& state, const Predicate& is_halved) const {
     State finer{{}, {}, state.separation, state.mass_flow};
@@ -240,8 +240,8 @@ class Collocation {
     return j;
   }
 
-  // Makes the part of a step that leaves the film positive. Gives the change of P, of c and of X_e
-  // that the whole step would have been.
+  // Makes a part of a step, such that the film stays positive. Returns the greatest change, of P,
+  // of c or of X_e, of the whole step.
   double make_step(State& state) const {
     const VectorXd x = nodes(state.ends);
     const MatrixXd kernel = this->kernel(state.ends, x);
@@ -259,7 +259,7 @@ class Collocation {
     const double of_outlet = std::fabs(change[count]);
     const double room = (state.ends.back() - state.ends[state.ends.size() * 19 / 20 - 1]) / 3;
     double part = std::min({1.0, 0.3 / of_pressure, room / of_outlet});
-    if (!(part > 1e-4)) return std::numeric_limits<double>::infinity();  // no part to make
+    if (!(part > 1e-4)) return std::numeric_limits<double>::infinity();  // the step is too small
     State next;
     for (; part > 1e-4; part /= 2) {
       next = state;
@@ -310,7 +310,7 @@ class Collocation {
     return tops;
   }
 
-  // Golden sections.
+  // The least film between two places, by golden sections.
   double least_film(const State& state, double low, double high) const {
     constexpr double part = 2 - std::numbers::phi;
     for (int i = 0; i < 40; ++i) {
@@ -329,8 +329,8 @@ class Collocation {
   int degree_;
 };
 
-// Elements of equal shares in a density: by the root of the pressure's curvature, by the slope
-// of ln H and by the distance.
+// Ends of elements that have equal shares in a density of three parts: the root of the pressure's
+// curvature, the slope of ln H, and the distance.
 Ends first_ends(const FilmStart& start, double inlet, double outlet, int count) {
   const auto x = start.x, p = start.pressure;
   std::vector<double> bend(x.size(), 0.0);
@@ -387,8 +387,8 @@ State first_state(const FilmStart& start, const Ends& ends, const VectorXd& node
   return state;
 }
 
-// Solves, and halves elements, until P is resolved on all. false: not possible; then the state is
-// unchanged.
+// Solves, and halves elements, until P is resolved on all. Returns false, and leaves the state,
+// where that is not possible.
 bool solve_resolved(const Collocation& way, const CollocationOptions& options, State& state,
                     int& steps) {
   const auto is_coarse = [&](const VectorXd& c) {
@@ -416,8 +416,8 @@ struct Level {
   Values values;
 };
 
-// Extrapolates the last two levels linearly to φ = 0. The error is the sum of the changes of this
-// value still to come, if they fall with the root of φ: about the spike they fall slower than φ².
+// Extrapolates the last two levels linearly to φ = 0. The error is the sum of all further changes
+// of this value if they fall with the root of φ, because near the spike they fall slower than φ².
 CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Values::*member) {
   const auto extrapolated = [&](std::size_t i) {
     const Level &coarse = levels[i - 1], &fine = levels[i];
@@ -431,7 +431,7 @@ CollocatedNumber without_fluidity(const std::vector<Level>& levels, double Value
   return {extrapolated(last), changed * root / (1 - root)};
 }
 
-// With a given number of elements to begin with.
+// Solves with a given number of elements at first.
 CollocatedFilm collocate(const LineContact& contact, const FilmStart& start,
                          const CollocationOptions& options) {
   CollocatedFilm result;

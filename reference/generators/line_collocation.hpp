@@ -10,9 +10,9 @@
 // that the equation is ρ̄H = c. The film is integrated exactly. Upstream of the first node P falls
 // with the third power of the distance, as it does far from the contact.
 //
-// Where αp₀ is great, the pressure's spike is too sharp for any elements. Then a liquid of the
-// fluidity 1/η̄ + φ is solved for, for smaller and smaller φ, and what the films tend to linearly
-// as φ falls is the result.
+// Where αp₀ is great, the pressure's spike is too sharp for any elements. Then liquids of the
+// fluidity 1/η̄ + φ are solved for, with smaller and smaller φ, and the result is the films' linear
+// extrapolation to φ = 0.
 #pragma once
 
 #include <limits>
@@ -23,19 +23,19 @@
 
 namespace tribo::reference {
 
-// Where the search begins. The result does not depend on it.
+// The start of the search. The result does not depend on it.
 struct FilmStart {
-  std::span<const double> x, pressure, film;  // P is 0 at the last
+  std::span<const double> x, pressure, film;  // P is 0 at the last node
   double separation;                          // H₀
   double mass_flow;                           // c
 };
 
 struct CollocationOptions {
   int degree = 4;
-  int elements = 60;         // at first; then those are halved where P is not resolved
+  int elements = 60;         // at first; then elements are halved where P is not resolved
   double resolution = 3e-4;  // most that an element's last polynomials may add to P
   int most_elements = 160;
-  // How far upstream the elements begin, in X or in √(2c) if that is more; the start has to reach
+  // How far upstream the elements begin, in X, or in √(2c) if that is more. The start has to reach
   // as far.
   double inlet = 100;
 };
@@ -48,7 +48,7 @@ struct CollocatedNumber {
 
 struct CollocatedFilm {
   bool is_solved = false;
-  std::string reason;                                       // why not, in a sentence
+  std::string reason;                                       // why it is not solved, in a sentence
   CollocatedNumber central, minimum, at_greatest_pressure;  // H as of ehl/film_features.hpp
   CollocatedNumber spike_pressure, spike_place;             // P and X; only if φ is 0
   CollocatedNumber outlet;                                  // X_e
@@ -57,8 +57,8 @@ struct CollocatedFilm {
   int steps = 0;                                            // Newton steps, in all
 };
 
-// The errors: what halving all elements changes, what is left of the changes with φ, and
-// the inlet's. If it fails, it is tried again with more elements.
+// The errors have three parts: the change by halving all elements, the rest of the changes with φ,
+// and the error of the inlet. A search that fails is repeated with more elements.
 CollocatedFilm collocate_line_film(const ehl::LineContact& contact, const FilmStart& start,
                                    const CollocationOptions& options = {});
 

@@ -46,10 +46,10 @@ std::string fields(const Estimate& e, double unit) {
   return fmt::format(",{:.9g},{:.2g}", e.value * unit, e.error * unit);
 }
 
-// By how much of the sum of both errors the second method's films differ, at most; empty where it
-// did not solve the contact.
+// The greatest difference of the second method's films, as a part of the sum of both errors; empty
+// where it did not solve the contact.
 std::string part_of_errors(const tribo::ehl::LineContact& contact, const SolvedFilm& films) {
-  // From a grid that does not show the spike too sharply.
+  // The start is a grid that does not show the spike too sharply.
   const tribo::ehl::LineFilm f = tribo::ehl::solve_line_film(contact).film;
   const std::size_t count = f.x.size();
   const tribo::reference::CollocatedFilm other = tribo::reference::collocate_line_film(
@@ -103,7 +103,7 @@ std::string row(const Contact& c, bool with_second_method) {
   return text + "," + (with_second_method ? part_of_errors(contact, films) : "") + "," + note;
 }
 
-// All of `which`, on all cores, in their order.
+// The rows of all contacts in `which`, made on all cores, in their order.
 std::vector<std::string> rows_of(const std::vector<Contact>& which, bool with_second_method) {
   const auto make = [&](std::size_t i) {
     std::string made = row(which[i], with_second_method);
@@ -190,8 +190,8 @@ MapContacts between_contacts() {
 // The three films of a contact, after its numbers, and its role.
 std::string map_row(const Contact& c, const tribo::ehl::LineContact& contact,
                     const std::string& more, const char* role) {
-  // Where the front of the pressure passes the middle, the order is irregular, and the error
-  // larger.
+  // Where the front of the pressure passes the middle, the observed order is irregular, and the
+  // error larger.
   const SolvedFilm films = tribo::ehl::solve_line_film(contact, {.greatest_cells = 16384});
   if (films.outcome != tribo::ehl::Outcome::solved)
     throw std::runtime_error(
@@ -221,9 +221,9 @@ int make_between(const std::filesystem::path& file) {
   return 0;
 }
 
-// With Roelands' viscosity and a compressible liquid M and L do not fix the film. So the liquid is
-// one: α = 20/GPa and Roelands' z = 0.6, between bodies of steel; the speed then makes L, and the
-// load M.
+// With Roelands' viscosity and a compressible liquid M and L do not fix the film. So there is one
+// liquid: α = 20/GPa and Roelands' z = 0.6, between bodies of steel; the speed then makes L, and
+// the load M.
 int make_compressible(const std::filesystem::path& file) {
   using namespace tribo::ehl;
   constexpr double modulus = 115.4e9, radius = 0.01, coefficient = 20e-9, index = 0.6;
@@ -274,7 +274,7 @@ std::vector<double> numbers_of(const std::string& line) {
   return values;
 }
 
-// Machines and compilers round differently, so that bytes may; numbers agree within their errors.
+// Bytes depend on how a machine and a compiler round; numbers agree within their errors.
 bool is_same(const std::string& committed, const std::string& again) {
   const std::vector<double> a = numbers_of(committed), b = numbers_of(again);
   if (a.size() != numbers || b.size() != numbers || a[0] != b[0] || a[1] != b[1]) return false;

@@ -27,7 +27,7 @@ Ball roelands_by_pole(const Balls& x) {
   return pow(over_pole, power) * exp(-fraction(967, 100));
 }
 
-// Inputs: T1, nu1, T2, nu2 and T. In natural logarithms, and by A and B in decimal ones.
+// Inputs: T1, nu1, T2, nu2 and T. By natural logarithms, and by A and B of decimal ones.
 Ball astm_d341(const Balls& x) {
   const auto z = [](const Ball& viscosity) {
     return log(log(1000000 * viscosity + fraction(7, 10)));

@@ -24,7 +24,7 @@ struct RoughContact {
   Ball share(const Ball& lambda) const {  // A
     const int order = model == Rough::tripp ? 5 : 3;
     Ball load = stiffness * moment(order, lambda - offset);
-    // F_p has underflowed to a ball around 0
+    // an underflow makes a ball around 0 of F_p
     arb_nonnegative_part(load.get(), load.get());
     return model == Rough::tripp ? unary(arb_sqrtpos, load) : load;
   }
@@ -52,7 +52,7 @@ inline bool is_proven(const RoughContact& contact, const Ball& lambda0, const Ba
          sign_at(contact, lambda0, (lambda * (1 + step)).midpoint()) > 0;
 }
 
-// Upper end of the root's bracket, generous: F_p(d) ≤ F_p(0) e^{−d²/2}, A ≤ 1/2 there.
+// An upper end of the root's bracket: A ≤ 1/2 there, because F_p(d) ≤ F_p(0) e^{−d²/2}.
 inline Ball upper_bound(const RoughContact& contact, const Ball& lambda0) {
   const Ball load = contact.stiffness * 4;
   const Ball by_floor = contact.offset + 1 + (load > 1 ? sqrt(2 * log(load)) : Ball(0));

@@ -18,7 +18,7 @@ std::vector<Problem> problems() {
   for (int i = 0; i < 120; ++i)
     all.push_back({sampler.pick({Rough::tripp, Rough::williamson}), sampler.log_uniform(1e-6, 10),
                    sampler.uniform(0, 3), sampler.log_uniform(1e-4, 100), "regular"});
-  // One of the paper's surfaces across its films.
+  // One of the paper's surfaces, over the range of its films.
   for (int i = 0; i < 40; ++i)
     all.push_back({Rough::tripp, 0.3, 1.146, sampler.log_uniform(1e-3, 20), "regular"});
   // A(0) near 1: K near 1/F_p(−δ).
@@ -34,7 +34,7 @@ std::vector<Problem> problems() {
     all.push_back({sampler.pick({Rough::tripp, Rough::williamson}),
                    sampler.log_uniform(1e-300, 1e300), sampler.uniform(0, 10),
                    sampler.log_uniform(1e-300, 1e300), "extreme"});
-  // Inputs that break naive solvers.
+  // Inputs at which simple solvers fail.
   const double broken[][3] = {
       {10, 1.146, 1e-4},    {10, 1.146, 1.9},    {0.30652, 1.146, 0.00776499},
       {1e6, 1.146, 4.5},    {10, 1.146, 2.1},    {0.303626, 1.146, 0.00175},

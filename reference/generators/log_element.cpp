@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Roots of P_{p−1} + P_p, and 1.
+// The nodes: the roots of P_{p−1} + P_p, and 1.
 VectorXd radau_nodes(int degree) {
   const auto f = [&](double z) { return legendre(degree - 1, z) + legendre(degree, z); };
   VectorXd nodes(degree + 1);

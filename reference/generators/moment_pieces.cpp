@@ -4,16 +4,16 @@
 //
 //   S_n(d) = e^{d²/2} F_n(d) for d ≥ 0,  F_n(d) for d < 0,  |d| < 45,
 //
-// in pieces of |d| + 3 with equal widths in each binade, on each the interpolant at the Chebyshev
-// nodes, as a polynomial in t = |d| − centre. Its constant coefficient is held as a sum of two
-// doubles.
+// in pieces of |d| + 3 with equal widths in each binade, on each piece the interpolant at the
+// Chebyshev nodes, as a polynomial in t = |d| − centre. Its constant coefficient is held as a sum
+// of two doubles.
 //
 // Error of the interpolant of degree N: 4 M ρ^−N/(ρ−1), M the greatest |f| on the Bernstein ellipse
 // of parameter ρ around the piece. F_n and S_n are entire, and with z = x + iy their integrals give
 // |S_n(z)| ≤ S_n(x) and |F_n(z)| ≤ e^{y²/2} F_n(x), both falling in x: M is known from the
 // ellipse's left end and its height. Far below 0 a path down to the real axis and then along it is
-// better: |F_n(x+iy)| ≤ |y|^{n+1} e^{(y²−x²)/2}/√2π + (E(|N| + |x| + |y|)⁴)^{n/4}, N normal. Added
-// to it is what the rounding of the coefficients costs.
+// better: |F_n(x+iy)| ≤ |y|^{n+1} e^{(y²−x²)/2}/√2π + (E(|N| + |x| + |y|)⁴)^{n/4}, N normal. The
+// error by the rounding of the coefficients is added.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -116,7 +116,7 @@ Ball greatest_on_ellipse(int twice_n, bool below_zero, const Piece& piece, doubl
   Ball greatest = 0;
   for (int i = 0; i < arcs; ++i) {
     const double from = std::numbers::pi * i / arcs, to = std::numbers::pi * (i + 1) / arcs;
-    // A trifle wider than the arc, for the rounding of the cosines.
+    // A little wider than the arc, because cosines are rounded.
     const double far = piece.centre + reach * std::cos(from) + 1e-9;
     const double near = piece.centre + reach * std::cos(to) - 1e-9;
     const double top = from < std::numbers::pi / 2 && to > std::numbers::pi / 2
@@ -152,7 +152,7 @@ Polynomial fit(int twice_n, bool below_zero, const Piece& piece) {
       cosines[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] = cosine;
     }
   for (std::size_t j = 0; j < values.size(); ++j)
-    // At the node's midpoint, 2^−300 from the node: what that costs is far below what is added up.
+    // The node's midpoint is 2^−300 from the node: far below the errors that are added.
     values[j] = value(twice_n, below_zero,
                       (Ball(piece.centre) + Ball(piece.half_width) * cosines[j][1]).midpoint());
   std::vector<Ball> chebyshev(values.size());
@@ -205,7 +205,7 @@ std::string table() {
       worst, worst * 0x1p52, pieces().size(), degree + 2, text);
 }
 
-// 2^{−j/128} as a double, and what it is short of relative to it, for e^{−d²/2}.
+// 2^{−j/128} as a double, and its relative rounding error, for e^{−d²/2}.
 std::string powers_of_two() {
   std::string text =
       fmt::format("\nalignas(16) inline constexpr double powers_of_two[{}][2] = {{\n", powers);

@@ -12,10 +12,10 @@
 
 namespace tribo::reference {
 
-// The moment over a ball from its value at the midpoint: F(d ± ρ) = F(d) e^{±hρ} with
-// h = −F′/F ≤ max(d, 0) + n + 2. (h′ = h² − dh − n; had h − d reached n + 2, it would grow for
-// ever, but h → d. Below 0 h is less than at 0: F is log-concave.) An argument that is itself a
-// ball would suffer the cancellation of the series.
+// The moment over a ball from its value at the midpoint: F(d ± ρ) = F(d) e^{±hρ} with h = −F′/F ≤
+// max(d, 0) + n + 2. (h′ = h² − dh − n; had h − d reached n + 2, it would grow for ever, but h → d.
+// Below 0 h is less than at 0: F is log-concave.) With a ball as its argument the series would
+// cancel.
 inline Ball widened(Ball value, int twice_n, const Ball& ball) {
   Ball radius;
   arb_get_rad_arb(radius.get(), ball.get());

@@ -17,7 +17,7 @@ enum class Shear { eyring, limiting };
 enum class Viscosity { barus, ambient, roelands };
 enum class Shape { circle, ellipse, line };
 
-// The numbers of a scene; every one of them an input for the condition numbers.
+// The numbers of a scene; each is an input of the condition numbers.
 struct Inputs {
   enum : std::size_t {
     load,
@@ -46,7 +46,7 @@ struct Inputs {
   Shear shear = Shear::eyring;
   Viscosity law = Viscosity::barus;
   Shape shape = Shape::circle;
-  std::size_t film = 0;  // among the laws
+  std::size_t film = 0;  // the place of its law in `laws`
 };
 
 // Hertz' results: A_nom, and k of the film's constant.
@@ -67,9 +67,9 @@ inline EllipseAxes axes_by_bisection(const Ball& alpha) {
   return {shape.k, shape.second};
 }
 
-// How to get at roots, moments, film ratios and ellipses: the two ways differ in all of them.
-// (Inside the roots both take the hypergeometric moments; the quadrature would need hours there,
-// and the table of moments holds the two against each other.)
+// A way to roots, moments, film ratios and ellipses: the two ways differ in all of these. (Inside
+// the roots both take the hypergeometric moments; the quadrature would need hours there, and the
+// table of moments holds the two against each other.)
 struct Way {
   Moment moment;
   Ball (*root)(const RoughContact&, const Ball&);
@@ -164,7 +164,7 @@ inline Outputs solve(const Inputs& in, const Way& way) {
     y = way.film_ratio(in.inlet, flooded / inlet_parameter, v[Inputs::damiens_exponent]);
   }
   const Ball lambda = flooded * y;
-  // The floor only where the film is below it.
+  // The separation is the floor only where the film is below it.
   Ball apart = lambda, share = measured.share(lambda);
   Ball fluid = in.supply_kind == Supply::flooded ? pow(lambda0 / flooded, 1 / exponent) : 1 - share;
   if (share >= 1) {

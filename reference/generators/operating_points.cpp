@@ -12,7 +12,7 @@ namespace {
 // Circles with the default law first, then, up to scene_count, all shapes with each law.
 constexpr int circle_count = 320, scene_count = 480;
 
-// Another shape, or another law of circles.
+// Chooses another shape, or another law of circles.
 void choose_shape(Inputs& in, Sampler& sampler) {
   auto& v = in.value;
   in.shape = sampler.pick({Shape::circle, Shape::ellipse, Shape::line});

@@ -26,11 +26,11 @@ Ball ratio_condition(Inlet inlet, const Ball& r, const Ball& gamma, const Ball& 
 }
 
 // Where d ln(r y)/d ln y = 0: y dG/dy = G, G = 1/r. By bisection on central differences the sign is
-// certain but within 2^-150 of the root; `digits` of the two ways differ by their step.
+// certain but within 2^-150 of the root; the two ways differ in their step.
 Ball maximum_film_ratio(Inlet inlet, int step_bits) {
   const Ball h = pow(Ball(2), Ball(-step_bits));
   const auto excess = [&](const Ball& y) {
-    // Richardson: error h⁴
+    // Richardson's extrapolation: the error is of order h⁴
     const auto log_inverse = [&](int k) { return log(inverse_ratio(inlet, y * exp(k * h))); };
     const Ball slope =
         (8 * (log_inverse(1) - log_inverse(-1)) - (log_inverse(2) - log_inverse(-2))) / (12 * h);

@@ -59,7 +59,7 @@ inline Ball film_ratio_by_inlet_length(Inlet inlet, const Ball& r, const Ball& g
     if (inlet == Inlet::printed_exponents) term = term / (y * sqrt(sqrt(y)));
     return log(r * (y + term));
   };
-  // r is a root itself, known to as many bits.
+  // r may be made of a root itself, which is known to no more bits than these.
   const std::optional<Ball> t = zero_by_newton(excess, (-log(r)).midpoint(), {240, 210, 170, 145});
   if (!t) throw std::runtime_error("no sign proof for a film ratio");
   return ratio_at(exp(*t));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of reference/exact: their headers, and their rows one by one, so that any of them can
-// be made again alone. A row is admitted when its enclosure is narrower than 1e-40 relative and a
+// The tables of reference/exact: their headers, and their rows one by one, so that any row can be
+// made again alone. A row is admitted when its enclosure is narrower than 1e-40 relative and a
 // second method's enclosure overlaps it.
 #pragma once
 
@@ -32,7 +32,7 @@ struct Row {
 inline std::string hexfloat(double x) { return fmt::format("{:a}", x); }
 
 // The row's text: value to 40 digits, the same as high + low doubles, the condition number to 3
-// digits; these are empty where the quantity is undefined.
+// digits; all are empty where the quantity is undefined.
 inline std::string line(const std::string& id, const Row& row) {
   std::string text = id;
   for (const std::string& word : row.words) text += "," + word;
@@ -43,7 +43,7 @@ inline std::string line(const std::string& id, const Row& row) {
     throw std::runtime_error(fmt::format("row {} is not admitted: {} bits, {} {}", id,
                                          row.value.accurate_bits(), row.value.decimal(25),
                                          row.second.decimal(25)));
-  const double high = row.value.nearest();  // 0 below the range of double
+  const double high = row.value.nearest();  // 0 where the value is below the range of double
   const double low = (row.value - Ball(high)).nearest();
   return text + fmt::format(",{},{},{},{:.3g},{}", row.value.decimal(40), hexfloat(high),
                             hexfloat(low), row.condition.nearest(), row.region);
@@ -67,7 +67,7 @@ inline Ball condition_of(const Formula& formula, const Balls& inputs) {
 struct Table {
   Header header;
   std::string ids;                                   // the start of its rows' ids
-  std::vector<std::function<std::string()>> rows{};  // each makes its text, alone
+  std::vector<std::function<std::string()>> rows{};  // each makes the text of its row
 
   void add(std::string id, std::function<Row()> make) {
     rows.emplace_back([id = std::move(id), make = std::move(make)] { return line(id, make()); });

@@ -82,8 +82,8 @@ inline std::vector<std::string> committed_rows(const std::filesystem::path& file
   return rows;
 }
 
-// Makes a seeded sample of a table's rows again: again(places) has their texts. Says what is
-// different, which is_same(committed, again) decides, and returns how many rows are.
+// Makes a seeded sample of a table's rows again: again(places) gives their texts. Prints and counts
+// the rows for which is_same(committed, again) is false.
 template <class Again, class IsSame>
 int different_rows(const std::string& name, const std::vector<std::string>& committed,
                    std::size_t count_now, std::uint64_t seed, int count, Again&& again,

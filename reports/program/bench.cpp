@@ -41,7 +41,7 @@ struct BenchArguments {
   bool update_baseline = false, force = false;
 };
 
-// Beside this program, as in the build tree, or where an installation puts helpers; empty: nowhere.
+// tribocheck_bench beside this program, or where an installation puts helpers; empty: nowhere.
 fs::path bench_program() {
   std::error_code ignored;
   const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
@@ -51,11 +51,11 @@ fs::path bench_program() {
   return {};
 }
 
-// The readers of expressions recurse with each bracket.
+// A limit, because the readers of expressions recurse with each bracket.
 constexpr std::size_t longest_filter = 1000;
 
 bool is_expression(std::string filter) {
-  if (filter.starts_with('-')) filter.erase(0, 1);  // "not", to Google Benchmark
+  if (filter.starts_with('-')) filter.erase(0, 1);  // which Google Benchmark takes as "not"
   try {
     const std::regex tried(filter, std::regex::extended);
     return true;
@@ -66,7 +66,7 @@ bool is_expression(std::string filter) {
 
 constexpr const char* control_row = "moment_5_2/control/std::exp";
 
-// Does Google Benchmark run this row? A leading - is "not" to it.
+// Does Google Benchmark run this row? It takes a leading - as "not".
 bool is_run(std::string filter, const std::string& row) {
   if (filter.empty() || filter == "all") return true;
   const bool is_negative = filter.starts_with('-');
@@ -74,7 +74,7 @@ bool is_run(std::string filter, const std::string& row) {
   return std::regex_search(row, std::regex(filter, std::regex::extended)) != is_negative;
 }
 
-// With a baseline the control takes part, as all times are told over its time.
+// With a baseline the control runs, too, because all times are told over its time.
 std::string filter_of(const BenchArguments& arguments) {
   if (arguments.baseline.empty() || is_run(arguments.filter, control_row)) return arguments.filter;
   return fmt::format("({})|^{}$", arguments.filter, control_row);
@@ -99,7 +99,7 @@ void append_results(Text& to, const BenchResults& results, const std::string& fo
     append_bench_table(to, results);
 }
 
-// Why there are no results.
+// The message on a run without results.
 std::string failure_text(const conformance::ChildEnd& end, const BenchArguments& arguments) {
   const std::string with_plugin =
       arguments.plugin.empty() ? "" : fmt::format(", with the plug-in {} loaded", arguments.plugin);
@@ -147,7 +147,7 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   if (end.start_error != 0)
     return fail(exit_failed, program.string() + " cannot be started: " +
                                  std::generic_category().message(end.start_error));
-  // Its words, not its exit code, say why it runs nothing: a plug-in may exit with any code.
+  // Its text, not its exit code, tells why it runs nothing: a plug-in may exit with any code.
   if (end.text == "no contender matches the filter\n")
     return fail(exit_bad, "--filter: no contender's job/family/name matches \"" + arguments.filter +
                               "\"" + contenders_text(program));
@@ -157,13 +157,13 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   if (!end.succeeded()) return fail(exit_failed, failure_text(end, arguments));
   try {
     return read_bench_results(end.text);
-  } catch (const std::exception&) {  // nothing, or half of it
+  } catch (const std::exception&) {  // no output, or half of it
     return fail(exit_failed, failure_text(end, arguments));
   }
 }
 
-// The content of the file of --baseline, read before anything is measured; null: it is to be
-// written. With --force a file that cannot be used is taken for none.
+// The content of the file of --baseline, read before anything is measured; null: the file is to be
+// written. With --force a file that cannot be used counts as absent.
 nlohmann::json usable_baseline(const BenchArguments& arguments) {
   try {
     nlohmann::json before = conformance::read_conformance_baseline(arguments.baseline);

@@ -19,7 +19,7 @@ constexpr int schema = 2;
 
 std::string key_of(const BenchRow& row) { return row.job + '/' + row.family + '/' + row.name; }
 
-// The control's median; none where it did not run.
+// The control's median; empty where it did not run.
 std::optional<double> control_of(const BenchResults& results) {
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows)
@@ -54,7 +54,7 @@ bool is_of_this_machine(const json& baseline) {
   return baseline.at("environment") == environment_json();
 }
 
-// One row beside the baseline's.
+// The comparison of a row with the baseline's row.
 class RowComparison {
  public:
   // Without a control times are not compared.
@@ -67,7 +67,7 @@ class RowComparison {
     if (control) compare_time();
   }
 
-  // The baseline's row with the numbers that became better.
+  // The baseline's row, updated with the numbers that became better.
   json improved() const {
     json row = before_;
     for (const char* field : improved_fields_) row[field] = now_.at(field);
@@ -84,7 +84,7 @@ class RowComparison {
     if (!is_worse) improved_fields_.push_back(field);
   }
 
-  // `sign`: 1 where more is worse, −1 where fewer are.
+  // `sign`: 1 where more is worse, −1 where fewer is worse.
   void compare_count(const char* field, const char* words, int sign) {
     const auto was = optional_number(before_, field), is = optional_number(now_, field);
     if (was && !is) return note(true, field, fmt::format("{} were {}, are not told", words, *was));
@@ -111,11 +111,11 @@ class RowComparison {
       note(false, "max_ulp", text);
   }
 
-  // Slower only where the intervals from minimum to median do not meet, and by more than a tenth.
+  // Slower: the intervals from minimum to median do not meet, and the median grew by over a tenth.
   void compare_time() {
     const auto least = optional_number(now_, time_fields[0]),
                median = optional_number(now_, time_fields[1]);
-    if (!least || !median) return;  // the control itself
+    if (!least || !median) return;  // the row is the control
     const auto was_least = optional_number(before_, time_fields[0]),
                was_median = optional_number(before_, time_fields[1]);
     if (!was_least || !was_median) {
@@ -155,7 +155,7 @@ void note_gone(const BenchResults& results, const json& baseline, const IsAsked&
   std::size_t left_out = 0;
   for (const auto& [key, row] : baseline.at("rows").items()) {
     if (std::find(here.begin(), here.end(), key) != here.end()) continue;
-    // Our own rows are of the processor's instruction sets.
+    // Rows of our own name instruction sets, which depend on the processor.
     const bool is_of_processor =
         !is_of_this_machine(baseline) && key.find("/tribocheck/") != std::string::npos;
     if (!is_asked(key))

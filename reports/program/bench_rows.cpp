@@ -95,7 +95,7 @@ BenchResults read_bench_results(const std::string& json) {
   if (all.is_discarded()) throw std::runtime_error("tribocheck_bench printed no JSON");
   BenchResults results;
   std::vector<Json> runs = all.at("benchmarks");
-  // As registered; they come in the order of the interleaving.
+  // Runs come interleaved. They are put into the order in which they were registered.
   std::stable_sort(runs.begin(), runs.end(), [](const Json& a, const Json& b) {
     return a.at("family_index").get<int>() < b.at("family_index").get<int>();
   });

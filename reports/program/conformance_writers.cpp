@@ -36,7 +36,7 @@ std::size_t count(const ConformanceResult& result, Verdict status) {
                     [&](const QuantityVerdict& one) { return one.status == status; }));
 }
 
-// Does it fail, and did so when the baseline was written?
+// Does a quantity fail that also failed when the baseline was written?
 bool failed_already(const SubjectVerdict& verdict, const QuantityVerdict& one) {
   if (!verdict.changes) return false;
   const std::vector<std::string>& known = verdict.changes->failed_already;
@@ -85,7 +85,7 @@ std::vector<std::string> remarks(const SubjectVerdict& verdict) {
   return lines;
 }
 
-// Is the end of stderr worth to be shown?
+// Should the end of stderr be shown?
 bool shows_errors(const SubjectVerdict& verdict) {
   return !verdict.last_errors.empty() && verdict.result.overall != Overall::complete;
 }
@@ -103,7 +103,7 @@ std::string comparison(const Example& one) {
                      error.empty() ? "" : ": " + error);
 }
 
-// The diagnoses of the quantity's function: one explains the quantities of a function together.
+// The diagnoses of the quantity's function; each explains all quantities of the function.
 std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
                                            const std::string& quantity) {
   const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
@@ -177,8 +177,8 @@ void append_examples(Text& to, const SubjectVerdict& verdict) {
   }
 }
 
-// Quantities that are not offered take no rows of a table: a function of which none is offered is
-// named once. Empty where all are offered.
+// A sentence on quantities that are not offered, which take no rows of a table. A function of which
+// none is offered is named once. Empty where all are offered.
 std::string not_offered(const ConformanceResult& result) {
   const auto function = [](const QuantityVerdict& one) {
     return one.quantity.substr(0, one.quantity.find('.'));
@@ -317,7 +317,7 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
                            one.quantity, cell(one.id), cell(comparison(one)), one.request.dump()));
   for (const std::string& line : remarks(verdict)) append(to, "- " + cell(line) + "\n");
   if (shows_errors(verdict)) {
-    std::string fence = "````";  // longer than any in the text
+    std::string fence = "````";  // longer than any fence in the text
     for (const std::string& line : verdict.last_errors)
       while (line.find(fence) != std::string::npos) fence += '`';
     append(to, "- The last it wrote to stderr:\n\n  " + fence + "text\n");
@@ -331,7 +331,7 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     append(to, "- Better than the baseline: " + cell(one.text) + "\n");
 }
 
-// The diagnosis of a quantity, and the case that is worst.
+// The diagnosis of a quantity, and its worst case.
 std::string junit_details(const SubjectVerdict& verdict, const std::string& quantity) {
   std::string text;
   const Example* const example = worst_of(verdict, quantity);
@@ -365,7 +365,7 @@ std::string subject_junit(const SubjectVerdict& verdict) {
     else
       add(one.quantity, End::passed, "");
   }
-  for (const QuantityNote& one : failed)  // failures of no quantity
+  for (const QuantityNote& one : failed)  // failures that belong to no quantity
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
       add(one.quantity, End::failure, one.text);

@@ -84,10 +84,10 @@ LoadedScenes scenes_of(const FilmArguments& arguments) {
   return loaded;
 }
 
-// Returns whether it was drawn.
+// Draws the film's picture. Returns whether it was drawn.
 bool draw(const FilmCase& film, const FilmArguments& arguments) {
   try {
-    const sweep::PartFile data(arguments.picture);  // goes again
+    const sweep::PartFile data(arguments.picture);  // removed at the end
     data.write(film_json(film, arguments.settings, true).dump());
     const report::Rendering drawn = report::run_script(report::usual_places(), "film_picture.py",
                                                        {data.path(), arguments.picture});
@@ -109,7 +109,7 @@ class FilmRun {
         writer_(arguments.scenes.format, arguments.settings, arguments.with_profile,
                 output.text()) {}
 
-  // Returns false where it was stopped.
+  // Solves and shows a film. Returns false where it was stopped.
   bool solve(const Scene& scene, double speed) {
     const std::string name = fmt::format("{} at {} m/s", scene.id, readable(speed));
     const FilmCase film = solve_film(scene, speed, arguments_.settings, [&](int cells, int step) {

@@ -16,9 +16,9 @@
 namespace tribo::cli {
 namespace {
 
-// Spikes are resolved as far as that costs the films nothing.
+// Spikes are resolved as far as that does not harm the films.
 constexpr double at_edge = 0.3;
-// A spike's height that may be off by more than this share of it is none that can be told.
+// A spike's height is told only where its relative error is at most this.
 constexpr double greatest_spike_error = 0.02;
 
 constexpr Measured unknown{std::numeric_limits<double>::quiet_NaN(),
@@ -75,8 +75,8 @@ bool is_of(const ehl::LineConditions& conditions, ehl::FitLiquid liquid) {
              (is_roelands ? ehl::LineDensity::dowson_higginson : ehl::LineDensity::incompressible);
 }
 
-// The solved film of the liquid that a formula was fitted to; none where that is not known, or is
-// a liquid that has no such viscosity, or where the film is not solved.
+// The solved film of the liquid that a formula was fitted to; empty where that liquid is not known,
+// where Roelands' law has no such liquid of this viscosity, or where the film is not solved.
 std::optional<ehl::SolvedFilm> film_of_fit(ehl::LineConditions conditions, ehl::FitLiquid liquid,
                                            const ehl::SolveOptions& options,
                                            const ehl::Watch& watch) {

@@ -20,7 +20,7 @@ struct FilmSettings {
   double tolerance = 1e-4;                 // relative, of the three films
 };
 
-// A number and what it may be off by, absolute; both NaN where there is none.
+// A number and its absolute error; both NaN where there is no number.
 struct Measured {
   double value, error;
 };
@@ -30,9 +30,9 @@ struct FormulaFilm {
   std::string_view stands_for;  // central_film, minimum_film or film_at_greatest_pressure
   std::string_view fitted_to;   // the liquid, as ehl::name(FitLiquid) has it
   double film;                  // m
-  // From the solved film that it stands for, over this: `deviation` where the liquid is the one
-  // that the formula was fitted to (NaN where that is not known), `this_liquid_deviation` where it
-  // is this contact's.
+  // The difference of the formula's film from the solved film that it stands for, over the solved
+  // film: `deviation` with the liquid that the formula was fitted to (NaN where that is not known),
+  // `this_liquid_deviation` with this contact's liquid.
   double deviation, this_liquid_deviation;
 };
 
@@ -50,9 +50,9 @@ struct FilmCase {
   double half_width, peak_pressure;                 // Hertz': m, Pa
   Measured central, minimum, at_greatest_pressure;  // m
   Measured spike_pressure, spike_place;             // Pa, m
-  std::string no_spike;  // why there is no number of its pressure, or of both
+  std::string no_spike;  // why the spike has no pressure, or neither number
   bool is_solved = false;
-  // Why it is not solved, or what was met where that is less than the tolerance; else empty.
+  // Why it is not solved, or which error was reached in place of the tolerance; else empty.
   std::string reason;
   int grids = 0, cells = 0, steps = 0;  // cells of the finest grid; steps of Newton's method in all
   std::vector<FormulaFilm> formulas;
@@ -62,14 +62,14 @@ struct FilmCase {
 // Names of the formulas, in the order of FilmCase::formulas.
 std::vector<std::string_view> film_formula_names();
 
-// Told before every step of Newton's method; false: stop.
+// Called before every step of Newton's method; its answer false stops the work.
 using FilmWatch = std::function<bool(int cells, int step)>;
 
 // Solves a scene that was read as a line (SceneUse::line_film).
 FilmCase solve_film(const Scene& scene, double speed, const FilmSettings& settings,
                     const FilmWatch& watch);
 
-// format: "table", "csv" or "json". In CSV the rows of a profile are in place of those of films.
+// format: "table", "csv" or "json". In CSV rows of profiles take the place of rows of films.
 class FilmWriter {
  public:
   FilmWriter(std::string_view format, const FilmSettings& settings, bool with_profile, Text& text);
@@ -92,7 +92,7 @@ class FilmWriter {
   const FilmSettings& settings_;
   bool with_profile_;
   Text& text_;
-  const char* before_;  // the next film
+  const char* before_;  // the text before the next film
 };
 
 // One film as the JSON has it.

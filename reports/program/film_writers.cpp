@@ -34,7 +34,7 @@ constexpr std::array<Quantity, 5> quantities{{
     {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, true},
 }};
 
-// One of M, L and Hertz' numbers.
+// A number of the contact that is given: M, L or one of Hertz' numbers.
 struct Given {
   std::string_view name, words, unit;
   double FilmCase::*value;
@@ -48,12 +48,12 @@ constexpr std::array<Given, 4> given{{
 
 constexpr std::size_t signed_width = number_width + 1, deviation_width = 11;
 
-// NaN and ∞ become null.
+// The number in JSON; NaN and ∞ become null.
 ordered_json number(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-// As many digits as the error leaves, and one more.
+// The number with as many digits as its error leaves, and one more.
 std::string with_digits(const Measured& measured) {
   const double digits = std::ceil(std::log10(std::fabs(measured.value) / measured.error)) + 1;
   return fmt::format("{:#.{}g}", measured.value,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck functions: what can be asked of `stream`, and of other people's solvers.
+// tribocheck functions: the functions that `stream` and other people's solvers are asked.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct FunctionsArguments {
 
 std::string unit_text(std::string_view unit) { return unit.empty() ? "-" : std::string(unit); }
 
-// The range of a contact on earth: "1e-06 to 100".
+// The range of a number in contacts on earth: "1e-06 to 100".
 std::string physical(const Parameter& parameter) {
   return fmt::format("{:g} to {:g}", parameter.least, parameter.greatest);
 }

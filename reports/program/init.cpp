@@ -46,8 +46,7 @@ struct Language {
   std::string program;  // the interpreter or compiler
   std::string package;  // Debian's package of the program
   // The command that builds {library}, in {folder}, from {file}; {include} is the folder of
-  // tribocheck_plugin.h.
-  // Without {library} it is the command of the subject itself.
+  // tribocheck_plugin.h. A command without {library} starts the subject itself.
   std::string command;
 };
 
@@ -59,7 +58,7 @@ std::vector<Language> read_languages(const fs::path& templates) {
   std::vector<Language> languages;
   std::ifstream table(templates / "languages.tsv");
   std::string line;
-  std::getline(table, line);  // the heads
+  std::getline(table, line);  // the headings
   while (std::getline(table, line)) {
     std::istringstream cells(line);
     Language row;
@@ -107,7 +106,7 @@ std::string own_name() {
 
 // The next command to type: it builds a library, and puts the solver to the tests.
 std::string next_line(const Language& language, const fs::path& include, const std::string& out) {
-  const std::string file = out.starts_with('-') ? "./" + out : out;  // is no option
+  const std::string file = out.starts_with('-') ? "./" + out : out;  // so that it is no option
   const std::string verify = shell_word(own_name()) + " verify ";
   const std::string command = with(language.command, "{file}", file);
   if (command.find("{library}") == std::string::npos)
@@ -127,7 +126,7 @@ constexpr std::size_t widest_comment = 92;  // columns
 
 std::string text_of(std::string_view text) { return std::string(text); }
 
-// Its lines, for a comment: {{#about}}{{line}}{{/about}}.
+// The lines of a text, for a comment: {{#about}}{{line}}{{/about}}.
 data lines_of(const std::string& text) {
   data lines(data::type::list);
   for (const std::string& line : report::wrapped(text, widest_comment)) lines << data("line", line);
@@ -184,7 +183,7 @@ data function_of(const catalogue::Function& function) {
   return entry;
 }
 
-// The filled template: Mustache, in which what stands between {{#functions}} and {{/functions}} is
+// The filled template: Mustache, in which a text between {{#functions}} and {{/functions}} is
 // written once for each function of the catalogue. `next` is what a user types next, for {{next}}.
 // Throws std::runtime_error with one line where `text`, which is that of the file `path`, is no
 // Mustache.

@@ -41,7 +41,7 @@ Example:
 The paper's scenes are in reference/published, its sweeps in reference/published/sweeps.
 See also: tribocheck solve --help)";
 
-// Where a line goes on: below the description of an option, else below its own start.
+// The column at which a line goes on: below the description of an option, else below its own start.
 std::size_t indent_of(const std::string& line) {
   const std::size_t start = line.find_first_not_of(' ');
   if (start == 0 || start == std::string::npos) return 0;
@@ -68,7 +68,7 @@ bool is_prose(const std::string& line) {
 }
 
 // Help on 80 columns, as CLI11 2.1 does not wrap: lines broken at words. Descriptions of options go
-// on in their column, paragraphs are filled anew; what follows "Example:" stays, as people copy it.
+// on in their column, paragraphs are filled anew; lines after "Example:" stay, as people copy them.
 std::string wrapped_help(const std::string& help) {
   constexpr std::size_t width = 80;
   std::vector<std::string> lines;
@@ -130,7 +130,7 @@ int answer_parse_error(const CLI::App& program, const CLI::ParseError& error,
 // CLI11 2.1 takes the brackets off "[name]" and splits what is in them, a file's name or not.
 std::vector<std::string> guarded(int count, char** arguments) {
   std::vector<std::string> result;
-  for (int i = count - 1; i > 0; --i) {  // it wants them back to front
+  for (int i = count - 1; i > 0; --i) {  // CLI11 wants them in reverse order
     const std::string argument = arguments[i];
     const bool in_brackets = argument.starts_with('[') && argument.ends_with(']');
     result.push_back(in_brackets ? "./" + argument : argument);
@@ -179,7 +179,7 @@ int run(int count, char** arguments, OutputStream& output) {
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
-    // It gets the lowest number that is free: this one.
+    // The file gets the lowest free number, that of this stream.
     if (::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
   }
 }

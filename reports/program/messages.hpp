@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that a command tells: the stream of its results, which is that of the protocol's answers,
-// lines on stderr, and its exit code. Bad input is one line for each thing that is wrong, and an
-// exit code of its own.
+// All that a command tells: its results, by the stream of the protocol's answers, lines on stderr,
+// and its exit code. Bad input is one line for each thing that is wrong, and an exit code of its
+// own.
 #pragma once
 
 #include <stdexcept>
@@ -27,7 +27,7 @@ inline constexpr int exit_bad = 2;     // bad usage or input
 // stderr that is closed or full is no reason to fail.
 void complain(std::string_view text);
 
-// Writes "  <text>" in the same way: a line that belongs to the last.
+// Writes " <text>" in the same way: a line that belongs to the line before.
 void complain_more(std::string_view text);
 
 // Complains, and returns the exit code.

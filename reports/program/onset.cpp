@@ -35,7 +35,7 @@ bool is_asked(const OnsetArguments& arguments, OnsetCriterion criterion) {
   return asked.empty() || std::find(asked.begin(), asked.end(), name(criterion)) != asked.end();
 }
 
-// An overflow in between is no onset.
+// The onset, or none with a reason where a number of it overflows.
 Onset<double> checked(Onset<double> onset) {
   if (!onset.exists || std::isfinite(onset.speed + onset.film + onset.film_parameter)) return onset;
   onset.exists = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that are numbers, and options that would be ignored: each one does what it says, or is
-// refused by one line.
+// Options that are numbers, and options that a command would ignore: each option has its effect, or
+// is refused by one line.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,20 +11,20 @@
 
 namespace tribo::cli {
 
-// Options that mean nothing where `is_so`, as other options make it.
+// Options that have no effect where `is_so`, because of other options.
 struct Ignored {
   std::vector<std::string_view> options;
   bool is_so;
   std::string why;  // "without --subject", "beside --show": ends the sentence of the refusal
 };
 
-// The refusal of the first option of a parsed command that would be ignored: one of the table, one
-// in front of a subcommand, or one without a value, as an unset variable of a shell gives it. Empty
-// where there is none. An option whose value may be empty expects 0 to 1 values.
+// The refusal of the first given option that would be ignored: an option of the table, one in front
+// of a subcommand, or one without a value, as an unset variable of a shell gives it. Empty where
+// there is none. An option whose value may be empty expects 0 to 1 values.
 std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& table);
 
-// Not CLI11's own conversion, which rounds twice and lets "nan" through. `allowed` says in words
-// what `is_allowed` takes.
+// Adds an option that is a number. CLI11's own conversion rounds twice and lets "nan" through.
+// `allowed` tells in words which numbers `is_allowed` takes.
 CLI::Option* add_number_option(CLI::App& app, const std::string& name,
                                std::function<void(double)> store, bool (*is_allowed)(double),
                                const std::string& allowed, const std::string& description);

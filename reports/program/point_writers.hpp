@@ -16,7 +16,7 @@ namespace tribo::cli {
 class PointWriter {
  public:
   virtual ~PointWriter() = default;
-  // Once before the points of each scene; `scene` must stay until the next call.
+  // Called once before the points of each scene; `scene` must live until the next call.
   virtual void begin_scene(const Scene& scene) = 0;
   virtual void add(const OperatingPoint<double>& point) = 0;
   virtual void finish() = 0;

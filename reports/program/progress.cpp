@@ -20,7 +20,7 @@ std::string span_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-// Is stderr read later, as a file is?
+// Is stderr a file, or anything else that is read later?
 bool is_log() {
   struct stat status {};
   return ::fstat(STDERR_FILENO, &status) != 0 ||

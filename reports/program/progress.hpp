@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a long computation is, on stderr.
+// Tells on stderr how far a long computation is.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace tribo::cli {
 
-// One line on stderr that each step overwrites, where a person watches.
+// A line on stderr that each step overwrites, shown on a terminal only.
 class StepLine {
  public:
   // The first line is shown after `first`, and then one at most every `between`.
@@ -36,8 +36,8 @@ class StepLine {
 
 struct ProgressStyle {
   const char* what = "points";
-  std::size_t steps_between_looks = 1024;  // at the clock
-  bool results_come_at_end = false;        // else a terminal that gets the results is left alone
+  std::size_t steps_between_looks = 1024;  // looks at the clock
+  bool results_come_at_end = false;        // else a terminal with the results shows nothing
 };
 
 // Steps counted: shown only where nothing else is written to the same terminal, and only once they

@@ -28,7 +28,7 @@ using report::TextTable;
 
 struct ReproduceArguments {
   std::string published;  // empty: reference/published of the project
-  std::string ledger;     // empty: reference/baselines/ledger.csv; none: no comparison
+  std::string ledger;     // empty: reference/baselines/ledger.csv; "none": not compared
   std::string format = "table";
   std::vector<std::string> claims, readings, sections;
 };
@@ -78,7 +78,7 @@ std::vector<NamedReading> columns(const Ledger& ledger, const Asked& asked) {
   return chosen;
 }
 
-// Before anything is computed.
+// Refuses unknown claims, before anything is computed.
 void check_claims(const std::string& published, const std::vector<std::string>& asked) {
   if (asked.empty()) return;
   const std::vector<std::string> known = claim_names(read_claims(published + "/claims.tsv"));
@@ -103,7 +103,7 @@ class Sections {
     if (wants("claims")) {
       add({report::verdict_table(ledger_, readings_, claims),
            report::readings_table(ledger_, readings_)});
-      // Unless readings were asked for, the corrected one in detail is enough.
+      // Unless readings were asked for, only the corrected one is shown in detail.
       const std::size_t detailed = arguments_.readings.empty() ? 1 : readings_.size();
       for (std::size_t i = 0; i < detailed; ++i)
         add({report::reading_table(ledger_, readings_[i], claims)});
@@ -131,7 +131,7 @@ class Sections {
   bool wants(std::string_view section) const {
     const std::vector<std::string>& asked = arguments_.sections;
     if (asked.empty()) {
-      // One claim is asked about in depth: what it says, and what would have to be true.
+      // Claims that were asked for are shown in depth: statements, and what would make them true.
       if (!arguments_.claims.empty())
         return section == "claims" || section == "statements" || section == "requirements";
       return section == "claims" || section == "ranking";
@@ -183,8 +183,8 @@ int compare(const Ledger& ledger, const std::vector<NamedReading>& readings,
   return changes.verdicts.empty() ? exit_done : exit_failed;
 }
 
-// JSON and CSV have no sections to choose from; of the sections only some are about claims, and
-// fewer about readings.
+// JSON and CSV have no sections to choose from. Only some sections are about claims, and fewer
+// about readings.
 std::vector<Ignored> ignored_by(const ReproduceArguments& arguments) {
   const std::vector<std::string>& sections = arguments.sections;
   const auto has_any = [&](std::initializer_list<std::string_view> names) {

@@ -24,7 +24,7 @@ void load_scene(const std::string& path, SceneUse use, LoadedScenes& loaded) {
   loaded.scenes.push_back(std::move(*reading.scene));
 }
 
-// A folder that examples name, where it is.
+// A folder that examples name, at the place where it is.
 std::string found(std::string_view usual,
                   std::filesystem::path (*place)(const report::ReportPlaces&)) {
   std::error_code ignored;
@@ -32,7 +32,7 @@ std::string found(std::string_view usual,
   try {
     return place(report::find_places({})).string();
   } catch (const report::ReportError&) {
-    return std::string(usual);  // there are no scenes to name
+    return std::string(usual);  // there are no scenes
   }
 }
 

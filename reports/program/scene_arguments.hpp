@@ -28,7 +28,7 @@ struct LoadedScenes {
 LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use);
 
 // The footer of a help text. Where the current folder has no reference/published, or no
-// reference/scenes, that is replaced by the full path of the project's or the installed program's.
+// reference/scenes, the full path of the project's or the installed folder replaces it.
 std::function<std::string()> footer_with_scenes(std::string text);
 
 }  // namespace tribo::cli

@@ -19,8 +19,8 @@ bool is_plain(char c) {
          std::string_view("_-./+,:@%=").find(c) != std::string_view::npos;
 }
 
-// Takes one word off the front of a command line. Nothing where the shell would put something else
-// in its place.
+// Takes one word off the front of a command line. Empty where the shell would replace the word by
+// another text.
 std::optional<std::string> take_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\n"), line.size()));
   std::string word;
@@ -68,7 +68,7 @@ std::string shell_word(const std::string& text) {
 std::string found_by_shell(const std::string& program) {
   const conformance::ChildEnd found =
       conformance::run_child({"/bin/sh", "-c", "command -v -- \"$1\"", "sh", program});
-  if (found.start_error != 0) return program;  // to start the program will say why
+  if (found.start_error != 0) return program;  // starting the program will tell the error
   return found.text.substr(0, found.text.find('\n'));
 }
 

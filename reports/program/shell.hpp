@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words and commands of /bin/sh, which starts subjects and is what a user copies a line into.
+// Words and commands of /bin/sh, which starts subjects, and into which users copy lines.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@ namespace tribo::cli {
 // A text as one word of a command line; in quotes only where it needs them.
 std::string shell_word(const std::string& text);
 
-// Where the shell finds a program: its path, or the name itself of what is built into the shell.
-// Empty where it finds none.
+// The path at which the shell finds a program; the name itself of a command that is built into the
+// shell. Empty where it finds none.
 std::string found_by_shell(const std::string& program);
 
 // Why the program at the start of a command line cannot be started, and what to do. Empty if it can

@@ -22,7 +22,7 @@ struct SolveArguments : SceneArguments {
   int threads = 0;
 };
 
-// In chunks: enough for several threads, and flat memory however many speeds.
+// A chunk of speeds is enough for several threads, and keeps memory flat for any number of them.
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
 void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {

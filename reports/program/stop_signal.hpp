@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Being stopped: by Ctrl-C, by `kill`, or by a terminal that goes away.
+// The signals that stop a command: from Ctrl-C, from `kill`, or from a terminal that is closed.
 #pragma once
 
 namespace tribo::cli {
@@ -8,7 +8,7 @@ namespace tribo::cli {
 // file at its limit shows as a failed write.
 void watch_for_stop();
 
-// From here on these signals end the process at once again: what is left to do is soon done anew.
+// From here on these signals end the process at once again: the rest of the work is soon repeated.
 void stop_at_once();
 
 // The signal that was noted, or 0. The exit code of a command that was stopped is 128 and this.

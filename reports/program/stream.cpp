@@ -10,7 +10,7 @@
 namespace tribo::cli {
 namespace {
 
-// A stream may be endless, what it says on stderr may not.
+// Limits the warnings on stderr, because a stream may be endless.
 class LimitedWarnings {
  public:
   void operator()(const InputProblem& warning) {

@@ -73,7 +73,7 @@ sweep::Shard shard_of(const std::string& text) {
                           " is not allowed; allowed: I/N, as 2/8: the second of eight parts");
 }
 
-// --- What a result holds, told.
+// --- Telling the content of a result.
 
 void write_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,
                  const std::string& format, OutputStream& output) {
@@ -109,7 +109,7 @@ bool is_shard_or_part(const std::string& path) {
   }
 }
 
-// Says how many of the films that were to be solved were not. Returns whether all were.
+// Tells how many films could not be solved. Returns whether all were solved.
 bool tell_of_films(const sweep::SweepResult& result) {
   std::uint64_t missing = 0, all = 0;
   for (const sweep::SceneResult& scene : result.scenes)
@@ -126,7 +126,7 @@ bool tell_of_films(const sweep::SweepResult& result) {
   return missing == 0;
 }
 
-// Returns exit_failed where pictures are missing, or, of a result that was made just now, films.
+// Returns exit_failed where pictures are missing, or where a new result lacks films.
 int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, bool is_new,
                 OutputStream& output) {
   const sweep::SweepResult result = file.read();
@@ -145,7 +145,7 @@ int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, 
   return drawn.undrawn.empty() ? code : exit_failed;
 }
 
-// The result at -o: of this process, or as it was there.
+// Shows the result at -o, which this process has written or has found there.
 int show_written(const SweepArguments& arguments, std::optional<sweep::Descriptor> written,
                  OutputStream& output) {
   return show_result(arguments,
@@ -187,13 +187,13 @@ sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& p
   return settings;
 }
 
-// To compute on the best instruction set without fused multiply-add.
+// Makes this process compute on the best instruction set without fused multiply-add.
 void leave_out_fma() {
   for (const std::string_view one : instruction_sets())
     if (use_instruction_set(one) && !is_fused()) return;
 }
 
-// is_over: set once this rank has nothing more to tell the others.
+// is_over is set once this rank has nothing more to tell the others.
 int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, OutputStream& output,
                 bool& is_over) {
   const bool first = ranks.rank() == 0;
@@ -266,7 +266,7 @@ std::string subcommand_meant(const SweepArguments& arguments) {
   return meant.empty() ? "" : "sweep " + std::string(meant);
 }
 
-// More threads than this are of no use, and each takes memory.
+// Limits the threads: more are of no use, and each takes memory.
 void cap_threads(int& threads) {
   const int most = 16 * thread_count(0);
   if (threads <= most) return;
@@ -296,7 +296,7 @@ int run_sweep(SweepArguments& arguments, OutputStream& output) {
     } catch (const std::exception& failure) {
       if (ranks.count() == 1 || is_over) throw;
       complain(failure.what());
-      ranks.end_all();  // who waits for this rank would wait for ever
+      ranks.end_all();  // ranks that wait for this rank would wait for ever
     }
   });
 }

@@ -12,8 +12,7 @@
 
 namespace tribo::cli {
 
-// Whatever the text holds, it becomes one line, with its line end. Cells and titles are made so,
-// too.
+// Appends any text as one line with its line end. Cells and titles become one line, too.
 void append_line(Text& to, std::string_view text);
 
 // Spaces and the text, `width` wide; two spaces before it keep the columns apart.
@@ -31,7 +30,7 @@ class ColumnHead {
 
   std::size_t width() const { return width_; }
   std::size_t line_count() const { return lines_.size(); }
-  // The line-th of `of` lines, with the blank ones on top.
+  // Line number `line` of `of` lines; the blank lines are on top.
   std::string_view line(std::size_t line, std::size_t of) const;
 
  private:

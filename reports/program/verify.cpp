@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck verify: this model against the certified tables of reference/exact, or somebody
-// else's.
+// tribocheck verify: this model, or somebody else's, against the certified tables of
+// reference/exact.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -131,8 +131,8 @@ int verify(const VerifyArguments& arguments, OutputStream& output) {
   });
 }
 
-// The forms: our own model; a subject judged; cases of --show, of a subject or by themselves; and
-// --save-cases without a subject.
+// The forms of the command: our own model; a subject judged; cases of --show, with or without a
+// subject; and --save-cases without a subject.
 std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
   const bool has_subject = !asked.command.empty() || !asked.plugin.empty();
   const bool shows = !asked.shown.empty(), saves = !asked.saved_cases.empty();

@@ -20,10 +20,10 @@ namespace {
 
 using namespace conformance;
 
-// Who is asked, and how.
+// The solver that is asked, and the way to start it.
 struct Subject {
   std::string name;    // as it was given
-  const char* option;  // by which it was given
+  const char* option;  // the option that gave it
   std::string command;
   Limits limits;
 
@@ -41,7 +41,7 @@ void check_startable(const SubjectArguments& given) {
   }
 }
 
-// Nobody where neither --subject nor --plugin is given. A plug-in is asked through a process of its
+// Empty where neither --subject nor --plugin is given. A plug-in is asked through a process of its
 // own, so that it cannot take the run with it.
 std::optional<Subject> subject_of(const SubjectArguments& given) {
   if (given.command.empty() && given.plugin.empty()) return std::nullopt;
@@ -85,8 +85,8 @@ void complain_of_errors(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) complain_more(line);
 }
 
-// These are in their usual place, or else beside the folder of --reference, as in a copy of
-// reference/.
+// Files of reference/: in their usual place, or else beside the folder of --reference, as in a copy
+// of reference/.
 struct ReferenceFiles {
   CaseSources cases;
   std::string mistakes;
@@ -147,7 +147,7 @@ void write(Text& to, const SubjectVerdict& verdict, const std::string& format) {
     append_subject_table(to, verdict);
 }
 
-// The line that makes the baseline anew.
+// The command line that makes the baseline anew.
 std::string renewal(const SubjectArguments& arguments) {
   std::string line = "tribocheck verify ";
   const auto add = [&](const char* option, const std::string& value) {
@@ -168,7 +168,7 @@ std::runtime_error no_baseline(const SubjectArguments& arguments, const std::exc
 }
 
 // The content of the file of --baseline, read before anybody is asked; null where it is to be
-// written. A file that cannot be compared with is refused, or with --force taken for none.
+// written. A file that cannot be compared with is refused; with --force it counts as absent.
 nlohmann::json usable_baseline(const SubjectArguments& arguments, const Tolerance& tolerance) {
   if (arguments.baseline.empty()) return nullptr;
   nlohmann::json before;
@@ -222,7 +222,7 @@ std::vector<TestCase> shown_of(const std::vector<std::string>& ids,
   return cases;
 }
 
-// Each case is asked and judged alone, as a quantity's verdict is one on all of its cases.
+// Each case is asked and judged alone: a quantity's verdict is about all of its cases.
 int show(const std::optional<Subject>& subject, const std::vector<TestCase>& cases,
          const Tolerance& tolerance, OutputStream& output) {
   bool any_failed = false;
@@ -253,7 +253,7 @@ void save_cases(const std::string& path, const std::vector<TestCase>& cases, Out
   output.flush();
 }
 
-// A subject of which no case has an answer is not judged: what is wrong is one thing.
+// A subject that answered no case is not judged: it has one fault, which is told.
 int complain_of_silence(const std::string& subject, const Conversation& conversation) {
   complain(fmt::format("{} never answered: {}", subject, conversation.never_answered));
   complain_of_errors(last_error_lines(conversation));

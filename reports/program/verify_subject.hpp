@@ -26,7 +26,7 @@ struct SubjectArguments {
   std::vector<std::string> required;  // quantities that have to be held
   std::size_t sample = 0;             // cases of each function at most; 0: all
   double case_timeout = 10, start_timeout = 60, timeout = 600;  // s
-  std::vector<std::string> shown;  // cases that are to be shown; empty: all are judged
+  std::vector<std::string> shown;  // the cases to show; empty: all cases are judged
   std::string saved_cases;         // the file of --save-cases; empty: none, "-": stdout
 };
 
@@ -39,7 +39,7 @@ struct SubjectVerdict {
   conformance::ConformanceResult result;
   std::vector<conformance::Diagnosis> diagnoses;
   std::vector<conformance::Example> examples;           // the worst of each failed quantity
-  std::vector<std::string> notes;                       // on the answers
+  std::vector<std::string> notes;                       // remarks on the answers
   std::vector<std::string> last_errors;                 // lines of stderr
   std::string baseline;                                 // the file of --baseline
   std::optional<conformance::BaselineChanges> changes;  // changes against that file
@@ -47,8 +47,8 @@ struct SubjectVerdict {
 };
 
 // The reasons for exit code 1. With a baseline: all that is worse than the baseline. Without one:
-// all that failed, or that nothing is offered. In both cases also all that is missing. All formats
-// report the same reasons.
+// all that failed, or that nothing is offered. In both cases also all required quantities that are
+// missing. All formats report the same reasons.
 std::vector<conformance::QuantityNote> failures(const SubjectVerdict& verdict);
 
 void append_subject_table(Text& to, const SubjectVerdict& verdict);
@@ -56,8 +56,8 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict);
 void append_subject_markdown(Text& to, const SubjectVerdict& verdict);
 std::string subject_junit(const SubjectVerdict& verdict);
 
-// One case of --show: the line that asks, what is expected, the answer, and how far off it is. The
-// first is for a case that nobody is asked.
+// One case of --show: the line that asks, what is expected, the answer, and how far off it is.
+// append_request() alone is for a case that no subject is asked.
 void append_request(Text& to, const conformance::TestCase& asked,
                     const conformance::Tolerance& tolerance);
 void append_shown_case(Text& to, const conformance::TestCase& asked,

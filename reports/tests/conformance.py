@@ -32,7 +32,7 @@ for text in sys.stdin:
 
 
 def altered(folder, change, end="pass"):
-    """The command of such a solver; its file stands in the folder."""
+    """The command of an altered solver, whose file stands in the folder."""
     path = folder.write("altered.py", ALTERED.format(folder=str(SUBJECTS / "python_stdlib"), change=change, end=end))
     return f"{PYTHON} -B {path}"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Puts every fake, alone and together, to `tribocheck verify --subject`, and keeps what was said of it.
+"""Puts every fake, alone and together with others, to `tribocheck verify --subject`, and keeps the diagnoses.
 
   make diagnosis    calls it; writes reference/baselines/diagnosis.json
 
@@ -24,7 +24,7 @@ import plant  # noqa: E402
 
 
 def asked(one):
-    """A row of the ledger: a function, its fakes, and what was said."""
+    """A row of the ledger: a function, its fakes, and the diagnosis."""
     function, fakes = one
     expected = {NAMED[fake] for fake in fakes.split("+")}
     diagnoses = verify("--subject", subject("fakes/fake.py", "--mistake", fakes, "--only", function)).json()["diagnoses"]
@@ -34,7 +34,7 @@ def asked(one):
 
 
 def tries_of_right_solvers(program):
-    """How many reformulations the C++ test asked of right solvers, and whether one was accused."""
+    """The number of right solvers that the C++ test judged, and whether one was accused."""
     done = subprocess.run([program, "--gtest_filter=Said.OfRightSolversIsNothingInAThousandTries"],
                           capture_output=True, text=True, check=False)
     tries = re.search(r"Ran (\d+) cases", done.stdout)

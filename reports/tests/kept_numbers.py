@@ -54,7 +54,7 @@ def told(value):
 
 
 def numbers_of(path):
-    """All numbers of a result's cases and Sobol indices, by the paths of their datasets. Histograms and quantiles are made of the cases."""
+    """All numbers of a result's cases and Sobol indices, by the paths of their datasets. Histograms and quantiles follow from the cases."""
     found = {}
     with opened(path) as file:
         def keep(name, one):

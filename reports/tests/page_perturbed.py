@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""report.json with other numbers: each part of a whole also at its limits and beside them, each yes also as no.
+"""report.json with other numbers: parts of a whole at their limits and beside them, too, and each yes as a no, too.
 
-A page that is made of it shows which field stands in which cell where the real numbers are alike, and takes the
-ways that they do not.
+A page that is made of it shows which field stands in which cell, even where real numbers are equal, and takes branches
+of the templates that the real numbers do not take.
 """
 import random
 
-# Names that others refer to, and what a picture of the page is made of.
+# Names to which other values refer, and values that a picture of the page is made of.
 KEPT = {"level", "edges", "digits", "least_load_number", "is_over_speeds", "is_counted", "counts"}
 DIVISORS = {"value", "reported", "computed", "ns"}  # never 0
 PARTS = (0.0, 1.0, 0.9996, 0.99951, 0.0004, 0.001, 0.05, 0.9, 0.91)
@@ -15,7 +15,7 @@ WORDS = ("verdict", "reported_lies", "standing")
 
 
 def named(value, name=None):
-    """All values that are no group of others, with their names."""
+    """All values that are neither dictionaries nor lists, with their names."""
     if isinstance(value, dict):
         for key, one in value.items():
             yield from named(one, key)
@@ -27,7 +27,7 @@ def named(value, name=None):
 
 
 def changed(value, draw, words=(), name=None):
-    """The value with other numbers in it; of names in `words` another of their words."""
+    """The value with other numbers in it. A name in `words` gets another of its words."""
     if isinstance(value, dict):
         made = {key: changed(one, draw, words, key) for key, one in value.items()}
         if made.keys() == {"value", "error"} and value["error"]:
@@ -52,9 +52,9 @@ def changed(value, draw, words=(), name=None):
 
 
 def perturbed(report, seed):
-    """A report whose groups fit together: none, one and two findings fail, the last ones, by the seed.
+    """A report whose groups fit together. The seed decides whether none, one or two findings fail, the last ones.
 
-    It always tells something that was not run: a page that is made without gnuplot has that table in any case.
+    It always names a part that was not run, because a page that is made without gnuplot always has that table.
     """
     draw = random.Random(seed)
     made = changed(report, draw, {name: sorted({value for key, value in named(report) if key == name and value}) for name in WORDS})

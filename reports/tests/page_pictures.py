@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The contents that each picture of the report's page has to draw, by the names of the columns of its data and by report.json.
+"""The contents that each picture of the report's page has to draw, from the columns of its data and from report.json.
 
-A picture is a list of panels: is the x axis logarithmic, is the y axis (or which values its ends have, where it has no
-ticks), the series in the order of the plot, and whether they may leave the panel. A series: its name in the legend, its colour or None, its points, and whether
-gnuplot adds strokes of its own to them (caps of error bars, corners of boxes).
+A picture is a list of panels. A panel tells whether its x axis and its y axis are logarithmic (or the values at the ends of a y axis
+without ticks), has its series in the order of the plot, and tells whether they may leave the panel. A series has its name in the legend,
+its colour or None, its points, and whether gnuplot adds strokes of its own (caps of error bars, corners of boxes).
 """
 import itertools
 import math
@@ -51,7 +51,7 @@ def column(rows, x, y, factor=1):
 
 
 def blocks(path):
-    """Rows of each block under the names of the commented line, by the block's own name."""
+    """The rows of each block, under the names in the commented line, by the name of the block."""
     names = [line for line in path.read_text().splitlines() if line.startswith("# ")][-1][2:].split("\t")
     names = [name.split(" [")[0] for name in names]
     for block in re.split(r"\n\n\n", path.read_text()):
@@ -209,7 +209,7 @@ class Data:
         return [(True, True, bars + [series(title, None, points(rows)) for title, rows in shown] +
                  [series("no number in some cases", 0, points(failing))], False)]
 
-    # --- Of the sweep, by report.json alone.
+    # --- The sweep's, by report.json alone.
 
     def sensitivity_onset_film_maximum_speed(self):
         found = self.report["onset_uncertainty"]
@@ -274,7 +274,7 @@ def map_differences(path, data):
         across, up = Axis({one: x for one, x in plot.labels["x"].items() if number(one) and "+" not in one}, True), Axis(plot.labels["y"], True)
 
         def around(load, material):
-            """The errors at the corners of the cell, which is a little larger for the roundings."""
+            """The errors at the corners of the cell, which is a little larger than its place because places are rounded."""
             some = [[one for low, one, high in zip([0, *grid], grid, [*grid[1:], math.inf]) if low / 1.002 <= value <= high * 1.002]
                     for grid, value in ((loads, load), (materials, material))]
             return [float(at[place][name]) for place in itertools.product(*some)]
@@ -325,7 +325,7 @@ def differing(plot, box, across, up, wanted, leaves):
 
 
 def differences(path, name, data):
-    """The departures of a picture from what it has to have, each as one line."""
+    """The differences of a picture from its required contents, each as one line."""
     written = texts(path)
     said = [f"no axis is named {one}" for one in AXES.get(name, ("evaluations a point", "true error (ulp), greatest") if "_evaluations" in name else WORK)
             if one not in [text for text, _, _ in written]]
@@ -345,7 +345,7 @@ def differences(path, name, data):
             said.append(f"panel {at}: ticks stand elsewhere than in the panel below")
         said += [f"panel {at}: a tick's label is {axis.far:.2f} px from its place" for axis in (across, up) if axis.far > 0.05]
         said += [f"panel {at}: {label!r} has a hyphen for a minus" for ticks in plot.labels.values() for label in ticks if "-" in label]
-        for text, x, y in data.words.get(name, ()):  # beside their points, up to 95 px to the side where x is given
+        for text, x, y in data.words.get(name, ()):  # texts beside their points, up to 95 px to the side where x is given
             if not any(text == one and (x is None or abs(a - across.place(x)) < 95) and abs(b - up.place(y)) < 25 for one, a, b in written):
                 said.append(f"panel {at}: {text!r} is not written at {x}, {y}")
         said += [f"panel {at}: {one}" for one in differing(plot, (left, right, top, bottom), across, up, wanted, leaves)]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The sentences that the prose of the report's page has to say of report.json; page_tables.py has the same for its tables.
 
-A pair says what must not stand there: ("not", words).
+A pair ("not", words) names words that must not stand there.
 """
 from page_tables import CHOICES, SURFACES, against, commit, computed, ends, many, percent, sig, whole
 

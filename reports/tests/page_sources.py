@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The groups of report.json that are made of reference/baselines, made of them a second time."""
+"""Makes the groups of report.json that come from reference/baselines a second time."""
 RUN = ("commit", "date", "seconds")
 
 

@@ -24,7 +24,7 @@ EXACT = decimal.Context(prec=1200)
 
 
 def sig(value, digits):
-    """The decimal number with so many significant digits that is nearest to the double, half to even."""
+    """The number with so many significant digits that is nearest to the double; a half is rounded to even."""
     if value is None or not math.isfinite(value):
         return DASH
     number = abs(decimal.Decimal(value))
@@ -41,7 +41,7 @@ def sig(value, digits):
 
 
 def whole(value):
-    """As few digits as read back the same."""
+    """The fewest digits that read back to the same number."""
     if value is None:
         return DASH
     return sig(value, len(decimal.Decimal(repr(float(value))).normalize().as_tuple().digits))
@@ -52,7 +52,7 @@ def many(count):
 
 
 def percent(part, digits=3):
-    """Exactly 0 % and 100 % at the ends, and only there."""
+    """A part in per cent: 0 % and 100 % at the ends, and only there."""
     if part is None:
         return DASH
     if part in (0, 1):
@@ -83,7 +83,7 @@ def commit(text):
 
 
 def plain(text):
-    """A text of the data without its marks, which is also what a cell shows without those of HTML."""
+    """A text of the data without its marks. A cell without the marks of HTML shows the same text."""
     return re.sub(r"[`~^_*\\]", "", str(text)).strip()
 
 
@@ -100,13 +100,13 @@ def shown(page):
         yield re.sub(r" \(\d+ rows\)$", "", read(caption)), head, rows
 
 
-# --- The ledger's items, as they are told in several tables.
+# --- The ledger's items, which several tables tell.
 
 NUMBER = re.compile(r"−?(\d[\d\u202f]*(?:\.\d+)?)(?:e(-?\d+)| × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
 
 def alike(one, other):
-    """The same words, with the same numbers to the last digit of the coarser one."""
+    """Whether two texts have the same words, and the same numbers to the last digit of the coarser one."""
     def split(text):
         found = []
         for match in NUMBER.finditer(text):
@@ -339,7 +339,7 @@ def misprints(report):
 
 
 def model(report):
-    yield "The model's equations", ["what", "equation", "source"], None  # no data of report.json
+    yield "The model's equations", ["what", "equation", "source"], None  # not from report.json
     errata = {one["erratum"]: one["printed"] for one in report["ledger"]["errata"]}
 
     def value(one, name):

@@ -12,11 +12,11 @@ PROGRAM = os.environ["TRIBOCHECK"]
 TIMEOUT = 120  # seconds; against hanging, not a measure of speed
 
 ENVIRONMENT = dict(os.environ)
-# Under nohup, or started in the background by a shell, a process ignores these, and so would the programs it starts.
+# Under nohup, or in the background of a shell, a process ignores these signals, and so would the programs that it starts.
 for one, way in ((signal.SIGINT, signal.default_int_handler), (signal.SIGHUP, signal.SIG_DFL), (signal.SIGQUIT, signal.SIG_DFL)):
     signal.signal(one, way)
 
-# AddressSanitizer keeps 256 MB of freed memory, which has nothing to do with the program's use.
+# AddressSanitizer keeps 256 MB of freed memory, which the program itself does not use.
 ENVIRONMENT["ASAN_OPTIONS"] = ":".join(
     filter(None, [os.environ.get("ASAN_OPTIONS"), "quarantine_size_mb=1"]))
 
@@ -25,7 +25,7 @@ SURFACES = {"rough": (5e10, 1e-7), "medium": (1e11, 5e-8), "smooth": (2e11, 2.5e
 
 
 class Literal(str):
-    """Written into a scene as it is, without quotes."""
+    """A text that is written into a scene as it is, without quotes."""
 
 
 def scene(surface="rough", **changes):
@@ -78,7 +78,7 @@ def json_value(value):
 
 
 def toml(tree):
-    """Scalars and lists of it before the tables, as TOML wants it."""
+    """A tree as TOML, with scalars and lists before the tables, as TOML wants them."""
     def line(key, value):
         return f"{key} = {json_value(value)}\n"
     text = "".join(line(k, v) for k, v in tree.items() if not isinstance(v, dict))
@@ -88,11 +88,11 @@ def toml(tree):
     return text
 
 
-OF_SUMMITS = "of every isotropic Gaussian face"  # in the warning on each scene of the paper
+OF_SUMMITS = "of every isotropic Gaussian face"  # words of the warning on each scene of the paper
 
 
 class Result:
-    """`err` is without the warning of the paper's summits, `said` is all of it."""
+    """`said` is all of stderr, `err` leaves out the warning about the paper's summits."""
 
     def __init__(self, code, out, err):
         self.code, self.out, self.said = code, out, err
@@ -107,7 +107,7 @@ class Result:
 
 
 def strict_json(text):
-    """Python's reader lets NaN and Infinity through; a strict one does not."""
+    """Reads JSON strictly: Python's own reader lets NaN and Infinity through."""
     def refuse(name):
         raise ValueError(f"{name} is not JSON")
     return json.loads(text, parse_constant=refuse)

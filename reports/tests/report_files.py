@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs `tribocheck report`, and what it has to write."""
+"""Runs `tribocheck report`, and lists the files that it has to write."""
 
 import html.parser
 import json
@@ -28,7 +28,7 @@ DATA = sorted([f"data/curve_{scene}.tsv" for scene in SCENES] + [f"data/scenes/{
               ["data/ellipse_fits.blocks.tsv", "data/figure_11_ratio.tsv", "data/marks.tsv", "data/comparison.tsv"])
 JOBS = ["moment_5_2", "moment_2", "root_wide", "root_one_surface", "curve_200", "points_1e6", "hertz_ellipse"]
 COUNTED = ["moment_5_2", "root_wide", "root_one_surface", "hertz_ellipse"]
-FITS_FIGURES = ["ellipse_fits"]  # behind those of work, and made without a baseline
+FITS_FIGURES = ["ellipse_fits"]  # after the figures of work; made without a baseline
 WORK_DATA = sorted(f"data/work_precision/{name}.blocks.tsv"
                    for name in JOBS + ["line_film", "line_film_growth", "line_film_exponents"])
 WORK_FIGURES = [f"work_{name}" for name in JOBS + [f"{job}_evaluations" for job in COUNTED] +
@@ -86,7 +86,7 @@ def table(path):
 
 
 class PageReader(html.parser.HTMLParser):
-    """Are all elements closed in order? Which figures, identifiers and links are there?"""
+    """Checks that all elements are closed in order, and collects figures, identifiers and links."""
     VOID = {"meta", "img", "br", "link", "wbr"}
 
     def __init__(self, text):
@@ -119,7 +119,7 @@ class PageReader(html.parser.HTMLParser):
 
 class WrittenReport(unittest.TestCase):
     """One report for all the tests that only look at it."""
-    sections = ()  # all of the page
+    sections = ()  # empty: all sections
 
     @classmethod
     def setUpClass(cls):

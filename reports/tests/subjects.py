@@ -75,7 +75,7 @@ def load_sharings():
 
 
 def examples():
-    """The example of each function that no list above has, with each word, and with larger numbers."""
+    """The example of each function that is in no list above, with each word, and with larger numbers."""
     asked = {line["function"] for line in (moments() + effective_moduli() + reduced_radii() + hertz_points()
                                            + films() + starvation_ratios() + load_sharings())}
     lines = []
@@ -150,7 +150,7 @@ def is_close(found, expected, relative):
 
 
 def assert_agree(test, command, lines, relative):
-    """Every answer is a skip or agrees with ours; gives the lines that were answered."""
+    """Asserts that every answer is a skip or agrees with ours. Returns the lines with other answers than a skip."""
     answered = []
     found = answers_of(command, lines)
     for line, mine, theirs in zip(lines, reference_answers(lines), found, strict=True):
@@ -167,7 +167,7 @@ def assert_agree(test, command, lines, relative):
 
 
 def assert_lockstep(test, command):
-    """Each answer is there before the next question."""
+    """Asserts that each answer comes before the next question."""
     with subprocess.Popen(list(map(str, command)), stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         try:
             for line in numbered(hertz_points() + operating_points()[:3]):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The plots of an SVG that gnuplot drew, read back: where the ticks of the axes stand and what each series has."""
+"""Reads the plots of an SVG that gnuplot drew: the places of the axes' ticks, and the strokes of each series."""
 import math
 import re
 import typing
@@ -15,7 +15,7 @@ NEAR = 0.08  # px: coordinates have two digits
 class Series(typing.NamedTuple):
     title: str
     colours: set
-    lines: list  # ends of strokes, and corners of what is filled: [(x, y)] in px
+    lines: list  # ends of strokes, and corners of filled shapes: [(x, y)] in px
     points: list
 
 
@@ -33,7 +33,7 @@ class Plot:
 
 
 def number(label):
-    """The number that a tick's label says, or None: 10⁻³ stands as 10 and −3, 25 (smooth) is 25."""
+    """The number of a tick's label, or None. 10⁻³ is written as 10 and −3; 25 (smooth) is 25."""
     label = label.replace("−", "-").strip()
     power = re.fullmatch(r"(?:([\d.]+)×)?10\|(-?\d+)\|?", label)
     if power:
@@ -79,7 +79,7 @@ def canvas_of(root):
 
 
 def read(path):
-    """The panels of a picture in their order, and what its element says of the axes of the last one."""
+    """The panels of a picture in their order, and the axes of the last one by the attribute of its element."""
     root = xml.parse(path).getroot()
     axes = {name: float(value) for name, value in re.findall(r"(\w+)=([-+.\de]+)", root.get("data-axes"))}
     plots = [Plot()]
@@ -126,13 +126,13 @@ class Axis:
 
 
 def texts(path):
-    """Each text of a picture, and where it begins or has its middle or end, in px."""
+    """Each text of a picture, and the place of its start, middle or end in px."""
     return [(whole_text(one), *pairs(one.get("transform"))[0]) for one in xml.parse(path).getroot().iter(SVG + "g")
             if one.find(SVG + "text") is not None and one.get("transform")]
 
 
 def absent(these, among):
-    """Those places that none of the others is near to."""
+    """The places that have none of the other places near them."""
     cells = {(round(x * 10) + i, round(y * 10) + j) for x, y in among for i in (-1, 0, 1) for j in (-1, 0, 1)}
     return [(x, y) for x, y in these if (round(x * 10), round(y * 10)) not in cells]
 

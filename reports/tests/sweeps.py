@@ -25,7 +25,7 @@ NORMAL = '{ distribution = "normal", mean = 0.0202, sd = 0.001 }'
 
 
 def sweep(changes=None, **settings):
-    """A sweep's text: fields by their paths, as TOML, None without; settings of [sweep] likewise."""
+    """A sweep's text: fields by their paths, and settings of [sweep], as TOML; None leaves one out."""
     fields = {"id": '"smooth"', **ONE_LINE, **(changes or {})}
     lines = {"": []}
     for path, value in fields.items():
@@ -38,7 +38,7 @@ def sweep(changes=None, **settings):
     return text + "[sweep]\n" + "".join(f"{k} = {v}\n" for k, v in settings.items())
 
 
-# Parts of some chunks each, so that short sweeps have several too: SHORT sweeps of ten chunks have three.
+# Parts of few chunks, so that short sweeps have several parts: SHORT sweeps of ten chunks have three.
 ENVIRONMENT["TRIBOCHECK_PART_CHUNKS"] = "4"
 
 # Some tenths of a second of work, in many chunks.
@@ -46,7 +46,7 @@ LONG = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
               "surface.summit_height_sd": '{ printed = "2.5e-8" }'},
              onset='["film_maximum", "film_departure"]', draws=150000, sensitivity="true")
 
-# A chunk of it takes minutes, and all of it days.
+# A chunk of this sweep takes minutes, and the whole sweep days.
 DAYS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
                "speed": "{ from = 1e-3, to = 3, count = 20 }"}, onset='["friction_minimum"]',
               keep='"summaries"', draws=2000000000)
@@ -58,7 +58,7 @@ MINI = sweep({"lubricant.viscosity": UNIFORM}, onset='["film_maximum"]', draws=3
 
 class SweepTest(unittest.TestCase):
     def check_kills(self, kills, begin, end, pick):
-        """Kills at random moments: begin(*options) starts processes on MINI, pick() gives the process to be killed of
+        """Kills at random moments: begin(*options) starts processes on MINI, pick() gives the process to kill for each
         one, end() goes on with what is left, until out.h5 is there."""
         whole = self.whole_mini()
         draw = random.Random(7)
@@ -74,14 +74,14 @@ class SweepTest(unittest.TestCase):
                 if name not in ("sweep.toml", "whole.h5"):
                     os.remove(self.path(name))
             processes = begin()
-            for _ in range(1 + (draw.random() < 0.3)):  # and once more while it goes on
-                if draw.random() < 0.8:  # else before it begins to compute, too
+            for _ in range(1 + (draw.random() < 0.3)):  # sometimes a second kill, after the run was resumed
+                if draw.random() < 0.8:  # else the kill may come before it computes
                     self.wait_until(lambda: self.locks() or all(process.poll() is not None for process in processes))
                 time.sleep(draw.uniform(0, seconds))
                 for process in processes:
                     try:
                         os.kill(pick(process, draw), signal.SIGKILL)
-                    except ProcessLookupError:  # it was done
+                    except ProcessLookupError:  # it had ended
                         pass
                     process.wait()
                 kept.append(len([name for name in self.names() if re.search(r"\.part-[\d-]+$", name)]))
@@ -127,7 +127,7 @@ class SweepTest(unittest.TestCase):
             return file.read()
 
     def sweep(self, text, *options, name="sweep.toml", out="out.h5", **more):
-        """Writes it, runs it, and gives what the program said."""
+        """Writes a sweep and runs it; returns the program's result."""
         return run("sweep", self.folder.write(name, text), "-o", self.path(out), *options, **more)
 
     def swept(self, text, *options, out="out.h5", **more):
@@ -148,17 +148,17 @@ XXHASH.XXH3_64bits.argtypes = [ctypes.c_char_p, ctypes.c_size_t]
 
 
 def sealed(content):
-    """With the checksum that a result and a part end in."""
+    """The content with the checksum that ends a result or a part."""
     return content + b"\x93TBSR1\r\n" + struct.pack("<QQ", len(content), XXHASH.XXH3_64bits(content, len(content)))
 
 
 def opened(path):
-    import h5py  # not where it is not needed: a tenth of a second
+    import h5py  # imported only here, as this takes a tenth of a second
     return h5py.File(path)
 
 
 def preloadable(name):
-    """The library of a C source beside this file."""
+    """The library that is built from a C source beside this file."""
     library = os.path.join(os.path.dirname(os.path.abspath(PROGRAM)), f"{name}.so")
     source = os.path.join(os.path.dirname(os.path.abspath(__file__)), f"{name}.c")
     unfinished = f"{library}.{os.getpid()}"
@@ -173,5 +173,5 @@ def mpirun(ranks):
 
 
 def mpi_environment():
-    # Root is refused otherwise, and containers often have nobody else.
+    # Open MPI refuses root without these, and containers often have no other user.
     return dict(ENVIRONMENT, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")

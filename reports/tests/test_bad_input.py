@@ -262,7 +262,7 @@ class Files(BadInputTest):
             self.assert_refused(run(*command, shard), f"{shard}: this is a shard or part of a sweep",
                                 "`tribocheck sweep merge`", "--resume")
         with open(result, "ab") as file:
-            file.write(bytes(1 << 20))  # its kind is told before its size
+            file.write(bytes(1 << 20))  # the message is about its kind, not its size
         self.assert_refused(run("solve", result), "this is an HDF5 file")
 
     def test_broken_toml(self):

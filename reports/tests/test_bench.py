@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck bench: its rows in every format, and what is said when it cannot run."""
+"""tribocheck bench: its rows in every format, and the message when it cannot run."""
 import json
 import os
 import pathlib

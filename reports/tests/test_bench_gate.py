@@ -17,8 +17,8 @@ MINE = "moment_5_2/plugin/mine"
 OTHER = "moment_2/plugin/mine"
 OURS = "moment_5_2/tribocheck/scalar"
 
-# Gives the rows of a file, of the first run and of the second, as Google Benchmark does; and in another
-# file the filters that it was asked for.
+# Gives the rows that a file has for the first run and for the second, as Google Benchmark does, and writes the
+# filters that it was asked for into another file.
 STAND_IN = r"""#!/usr/bin/env python3
 import json, os, pathlib, re, sys, time
 here = pathlib.Path(__file__).parent
@@ -132,8 +132,8 @@ class Gate(unittest.TestCase):
         slow = self.with_row(median=150.0)
         self.assert_passes(self.gate(slow, self.rows), "measuring once more")
         self.assert_fails(self.gate(slow, slow))
-        self.assert_passes(self.gate(slow, self.with_row(OTHER, median=150.0)))  # another row the second time
-        # All is told over the control, whose machine may be slower.
+        self.assert_passes(self.gate(slow, self.with_row(OTHER, median=150.0)))  # another row is slow in the second run
+        # All times are divided by the control's, so that the machine may be slower.
         rows = {name: {**one, "median": 3 * one["median"], "least": 3 * one["least"]} for name, one in self.rows.items()}
         self.assert_passes(self.gate(rows))
 
@@ -255,7 +255,7 @@ class Gate(unittest.TestCase):
         for broken in (1, {}, {**baseline["rows"][MINE], "max_ulp": "x", "judged": []}):
             self.path.write_text(json.dumps({**baseline, "rows": {**baseline["rows"], MINE: broken}}))
             done = self.gate(self.rows)
-            if done.code != 0:  # a text in place of a number is none
+            if done.code != 0:  # a text in place of a number
                 self.assertEqual((done.code, len(done.error_lines)), (2, 1), done.err)
 
     def test_a_run_that_ends_without_results_is_one_line(self):

@@ -19,7 +19,7 @@ class RightSolvers(unittest.TestCase):
             result = verify(*way, "--tolerance", "strict")
             self.assertEqual((result.code, result.err), (0, ""), way)
             verdict = result.json()
-            # The header of plug-ins has no words for other contacts than the usual circle.
+            # Plug-ins can only be asked about the usual circle: their header has no other contacts.
             left = {one["quantity"] for one in verdict["quantities"] if one["status"] != "held"}
             self.assertEqual(verdict["starts"], 1, way)
             self.assertEqual(verdict["overall"], "partial" if left else "complete", way)
@@ -55,7 +55,7 @@ class RightSolvers(unittest.TestCase):
                          "^FAILED: .*; required, but not held: operating_point.film [(]")
 
     def test_what_is_required_is_held_in_every_case(self):
-        # Each way in which one case of a quantity may fall short, but for the first, which is none.
+        # The ways in which one case of a quantity may fail; the first one does not fail.
         for change, held, status in (("pass", True, "held"),
                                      ("if case == 'e0003': answer = {'id': case, 'skip': 'no'}", False, "held in part"),
                                      ("if name == 'effective_modulus': answer = {'id': case, 'skip': 'no'}", False,
@@ -73,7 +73,7 @@ class RightSolvers(unittest.TestCase):
                 self.assertNotIn("hertz_point", result.err)
 
     def modulus_case(self):
-        """The last case of the sample, so that others of it are held."""
+        """The last case of the sample, so that other cases of its quantity hold."""
         lines = run("verify", "--save-cases", "-", "--sample", "9").json_lines()
         return [one["id"] for one in lines if one.get("function") == "effective_modulus"][-1]
 
@@ -148,7 +148,7 @@ class Baselines(unittest.TestCase):
 
     def test_what_failed_before_may_fail_and_nothing_else(self):
         small = ("small_python/my_solver.py",)
-        self.assertEqual(self.gate(small, "--update-baseline").code, 1)  # it fails, and is written
+        self.assertEqual(self.gate(small, "--update-baseline").code, 1)  # the subject fails, but its baseline is written
         self.assertEqual(self.gate(small).code, 0)
         worse = self.gate(("fakes/fake.py", "--mistake", "hertz_peak_without_3_2"))
         self.assertEqual(worse.code, 1)
@@ -159,7 +159,7 @@ class Baselines(unittest.TestCase):
         self.assertTrue(better.json()["baseline"]["better"])
 
     def told(self, script):
-        """The words of each format on a gate: exit code, last line, head, JSON, JUnit."""
+        """The verdict of a gate in each format: exit code, last line, head, JSON, JUnit."""
         junit = self.folder.path("junit.xml")
         told = [run("verify", "--subject", subject(*script), "--sample", "60", "--baseline", self.path,
                     "--format", format, "--junit", junit) for format in ("table", "markdown", "json")]
@@ -195,7 +195,7 @@ class Baselines(unittest.TestCase):
         red = [case.get("name") for case in junit if case.find("failure") is not None]
         self.assertEqual(red, [line.split(":")[0] for line in told["baseline"]["worse"]])
         self.assertEqual(int(junit.get("failures")), len(red))
-        self.assertIn("load_sharing", red)  # held then, not offered now
+        self.assertIn("load_sharing", red)  # held in the baseline, not offered now
         self.assertNotIn("hamrock_dowson_central", red)
 
     def test_update_takes_what_is_better_and_force_what_is_worse(self):

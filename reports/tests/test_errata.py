@@ -53,7 +53,7 @@ def flooded_film_parameter(speed, density, sd, prefactor=1, summit=SUMMIT, offse
 
 
 def slow_share(**changes):
-    """The rough surface's share at the lowest speed, at the starved film; 1 where the asperities alone carry more than the load."""
+    """The asperities' share on the rough surface at the lowest speed, at the starved film; 1 where they alone would carry more than the load."""
     surface = {**ROUGH, **changes}
     return min(1, asperity_share(OIL * starved(flooded_film_parameter(1e-4, **surface) / OIL), **surface))
 
@@ -72,12 +72,12 @@ def wolveridge(ratio, gap=2 * math.sqrt(2) / 3):
 
 
 def starved(flooded, gap=2 * math.sqrt(2) / 3):
-    """The film over that of the oil, from the flooded one over it."""
+    """The film over the oil's, from the flooded film over the oil's."""
     return flooded * wolveridge(flooded, gap)
 
 
 def starved_as_printed():
-    """The film over that of the oil where Wolveridge's function is of that ratio: a fixed point, whatever the flooded film."""
+    """The film over the oil's, where Wolveridge's function is taken of this ratio itself: a fixed point for any flooded film."""
     low, high = 1e-6, 1 - 1e-6
     for _ in range(60):
         middle = (low + high) / 2
@@ -103,7 +103,7 @@ def friction(law=math.asinh, barus=BARUS, speed=0.1):
     return BOUNDARY * share + EYRING * law(viscosity * speed / (ratio * sd) / EYRING) * area * (1 - real) / LOAD
 
 
-# The right share and the right film stand beside all that change them.
+# The right share and the right film, with which changed ones are compared.
 SHARE, FILM = slow_share(), fast_film()
 COMPLIANCE = (1 - 0.3**2) / 210e9
 TWO = {
@@ -144,7 +144,7 @@ class Errata(unittest.TestCase):
         for name, numbers in TWO.items():
             for key, expected in zip(("as_printed", "as_corrected"), numbers):
                 with self.subTest(erratum=name, which=key, expected=expected, got=self.rows[name][key]):
-                    self.assertAlmostEqual(self.rows[name][key], expected, delta=1e-6 * abs(expected))  # of the quadrature here
+                    self.assertAlmostEqual(self.rows[name][key], expected, delta=1e-6 * abs(expected))  # the error of the quadrature in this file
 
     def test_each_number_stands_beside_what_decides_it(self):
         decided = {"C4: 0.82": ("E3", "E4", "E9", "E15", "E17"), "1.22: 1.899": ("E14", "E25"), "C2: 1.4": ("E13",),

@@ -25,7 +25,7 @@ def commands():
 
 
 def examples(*command, **options):
-    """The lines under "Example:"; what goes on in the next line belongs to the one before it."""
+    """The lines under "Example:". A line that goes on is joined with the next one."""
     _, _, text = run(*command, "--help", **options).out.partition("\nExample:\n")
     block = re.match(r"(?:  .*\n)*", text)[0]
     return re.findall(r"(?m)^  (\S.*(?:\n    .*)*)", block)
@@ -59,7 +59,7 @@ class Examples(unittest.TestCase):
         found = commands()
         self.assertIn(["sweep", "merge"], found)
         for command in found:
-            if command == ["plugin-host"]:  # `verify` starts it
+            if command == ["plugin-host"]:  # only `verify` starts it
                 continue
             with self.subTest(command=command):
                 words = "\n".join(" ".join(line.split()) for line in examples(*command))
@@ -95,7 +95,7 @@ class Examples(unittest.TestCase):
     def test_of_report(self):
         self.run_examples("report")
 
-    # These two commands start the reader's own: the solver that `init` writes, and a plug-in. The
+    # These two commands start a solver of the reader: the one that `init` writes, and a plug-in. The
     # fresh solver offers nothing yet, and the plug-in may fall short of the strict tolerance.
     def test_of_init_and_verify(self):
         self.run_examples("init", codes=(0, 1))
@@ -110,10 +110,10 @@ class Examples(unittest.TestCase):
     def test_of_bench(self):
         shutil.copy(plugin("c_plugin"), self.folder.path("libsolver.so"))
         for line in examples("bench"):
-            quick = line if "--quick" in line else line + " --quick"  # else a minute
+            quick = line if "--quick" in line else line + " --quick"  # without --quick it takes a minute
             with self.subTest(line=line):
                 done = self.run_line(quick)
-                if "--baseline" in line and "--update-baseline" not in line:  # a gate of times, and so short
+                if "--baseline" in line and "--update-baseline" not in line:  # a gate of times measured so shortly
                     self.assertIn(done.returncode, (0, 1), done.stderr)
                     self.assertRegex(done.stderr, "(PASSED, no|FAILED,) worse than speed.json")
                 else:
@@ -157,7 +157,7 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def has_fma():
-    """Without fused multiply-add last digits may be others."""
+    """Without fused multiply-add last digits may differ."""
     off = os.environ.get("GLIBC_TUNABLES", "")
     flags = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8")
     return " fma " in flags and "-FMA" not in off and "-AVX2" not in off

@@ -8,7 +8,7 @@ from conformance import SUBJECTS, subject, verify
 from program import run
 from test_fakes import listed
 
-# A fake's mistake, and what the diagnosis may call it. The numbers do not tell some apart.
+# A fake's mistake, and the names that the diagnosis may give it. Numbers do not tell some mistakes apart.
 NAMED = {
     "point_ellipse_as_circle": "point-ellipse-as-circle",
     "point_film_of_circle": "point-film-of-circle",
@@ -138,7 +138,7 @@ class Fakes(unittest.TestCase):
         self.assertEqual(sorted(NAMED), sorted(name for name, _, _ in listed()))
 
     def test_each_mistake_is_named(self):
-        # The first fake of each function answers all of them, so that what rests on it is wrong too; the others answer theirs alone.
+        # The first fake of each function answers all functions, so that functions that rest on it are wrong, too; others answer their own alone.
         functions = {name: function for name, _, function in listed()}
         first = {function: name for name, function in reversed(functions.items())}
 
@@ -150,7 +150,7 @@ class Fakes(unittest.TestCase):
         for fake, mistake in NAMED.items():
             with self.subTest(fake):
                 result = results[fake]
-                # The physical range ends where this one goes wrong.
+                # This fake is wrong only beyond the physical range.
                 self.assertEqual(result.code, 0 if fake == "moment_zero_beyond_10" else 1)
                 diagnoses = result.json()["diagnoses"]
                 self.assertIn(mistake, sum((one["mistakes"] for one in diagnoses), []),

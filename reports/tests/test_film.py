@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""film: solved line contacts, their errors, each formula beside them, and what goes wrong."""
+"""film: solved line contacts, their errors, each formula beside them, and failures."""
 
 import csv
 import io
@@ -29,7 +29,7 @@ MODULUS, RADIUS, VISCOSITY, LENGTH = 1.1e11, 0.01, 0.01, 0.02
 
 
 def line(load_number, material_number, **changes):
-    """A scene with these numbers of Moes and nothing but what is needed, at 1 m/s."""
+    """A scene with these numbers of Moes and no field that is not needed, at 1 m/s."""
     twice_u = VISCOSITY/(MODULUS*RADIUS)
     tree = {"id": "line", "speed": 1,
             "load": load_number*2*MODULUS*RADIUS*LENGTH*math.sqrt(twice_u),
@@ -132,7 +132,7 @@ class Numbers(FilmTest):
                 self.assertEqual(self.film(tree, "--viscosity", option)["assumptions"]["viscosity"], option)
         self.assertLess(films["roelands"][0], 0.99*films["barus"][0])
         self.assertEqual(films["roelands"][1], "roelands")
-        # `ambient` is said of friction alone.
+        # `ambient` is meant for friction alone.
         self.assertEqual([films[law] for law in ("ambient", None)], 2*[films["barus"]])
 
     def test_formulas_are_those_of_the_catalogue(self):
@@ -165,7 +165,7 @@ class Numbers(FilmTest):
 
     def test_a_spike_is_told_up_to_an_error_of_2_percent(self):
         told, untold = [], []
-        for material in (5.88, 5.9, 5.94, 5.96, 5.97):  # where it sharpens beyond that
+        for material in (5.88, 5.9, 5.94, 5.96, 5.97):  # where the spike becomes too sharp for that
             found = self.film(line(10, material))
             if found["spike_pressure"]:
                 told.append(found["spike_pressure"]["error"] / found["spike_pressure"]["value"])
@@ -221,7 +221,7 @@ class Formats(FilmTest):
         x, pressure, film = (found["profile"][name] for name in ("x", "pressure", "film"))
         carried = sum((b - a)*(p + q)/2 for a, b, p, q in zip(x, x[1:], pressure, pressure[1:]))
         self.assertAlmostEqual(carried/(tree["load"]/LENGTH), 1, delta=1e-9)
-        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # the profile is of one grid
+        self.assertAlmostEqual(min(film)/found["minimum_film"]["value"], 1, delta=5e-4)  # a profile is the film of one grid
         self.assertEqual([round(pressure[end], 9) for end in (0, -1)], [0, 0])
         self.assertGreaterEqual(min(pressure), 0)
         self.assertEqual(len(x), found["cells"] + 1)
@@ -281,7 +281,7 @@ class Scenes(FilmTest):
         tree = line(10, 0)
         self.assertEqual(tree["lubricant"]["pressure_viscosity"], 0)
         found = self.film(tree)
-        for more in [(), ("--viscosity", "roelands")]:  # which has no z here, and nothing to warn of
+        for more in [(), ("--viscosity", "roelands")]:  # Roelands' law has no z at α = 0, and so no warning
             result = run("film", self.write(tree), *more, "--format", "json")
             self.assertEqual((result.code, result.err), (0, ""))
             self.assertEqual(result.json()[0]["central_film"], found["central_film"])
@@ -299,7 +299,7 @@ class Scenes(FilmTest):
             if z:
                 self.assertIn(f"line: lubricant.pressure_viscosity: {alpha:g} 1/Pa with a viscosity of {viscosity:g} Pa·s "
                               f"gives Roelands' z = {z}, which is implausible", result.err)
-            self.assertEqual(run("film", self.write(tree), "--tolerance", "1e-2").err, "")  # Barus has none
+            self.assertEqual(run("film", self.write(tree), "--tolerance", "1e-2").err, "")  # Barus' law has no z
 
     def test_a_z_is_implausible_beyond_its_limits_and_not_at_them(self):
         def at(limit):

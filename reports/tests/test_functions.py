@@ -67,7 +67,7 @@ def value(function, **arguments):
 
 
 class Listed(unittest.TestCase):
-    """`tribocheck functions`: what it lists is what `stream` answers."""
+    """`tribocheck functions` lists the functions that `stream` answers."""
 
     def test_each_function_has_a_line(self):
         listed = run("functions")
@@ -90,7 +90,7 @@ class Listed(unittest.TestCase):
             for one in entry["parameters"]:
                 least, greatest = one.get("physical", (0, 1))
                 self.assertLess(least, greatest, (name, one["name"]))
-                if one["name"] != "order":  # rough: numbers of one digit
+                if one["name"] != "order":  # limits are rough: numbers of one digit
                     self.assertEqual([float(f"{end:.0e}") for end in (least, greatest)], [least, greatest])
 
     def test_one_is_told_with_its_source_and_an_example_that_is_answered(self):
@@ -253,7 +253,7 @@ class Mistakes(unittest.TestCase):
                     self.assertIn(words, answer["error"]["message"])
 
     def wrong_lines(self, function, arguments, name):
-        """Each with the field that is named, and what is said."""
+        """Each bad call, with the field that is named and the message."""
         def replaced(text):
             return call(function, {**arguments, name: "@"}).replace('"@"', text)
         if name not in OPTIONAL:

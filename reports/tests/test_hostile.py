@@ -36,7 +36,7 @@ class Hostile(unittest.TestCase):
                 verdict = result.json()
                 for one in verdict["quantities"]:
                     self.assertEqual(one["asked"], one["held"] + one["failed"] + one["skipped"], one)
-                if result.code == 0:  # only what does no harm to the protocol
+                if result.code == 0:  # only behaviour that does the protocol no harm
                     self.assertIn(verdict["overall"], ("complete", "partial"), behaviour)
                     self.assertTrue(re.search("stderr|slow|SIGTERM|sigterm", behaviour), behaviour)
 
@@ -76,7 +76,7 @@ class Hostile(unittest.TestCase):
         self.assertIn("signal", of["gaussian_moment"]["reason"])
         radius = of["hertz_point.radius"]
         self.assertEqual(radius["skipped"], 0)
-        self.assertNotIn("signal", radius["reason"])  # the other functions are asked all the same
+        self.assertNotIn("signal", radius["reason"])  # the other functions are asked nevertheless
 
 
 if __name__ == "__main__":

@@ -18,8 +18,8 @@ for line in sys.stdin:
 
 
 class Memory(unittest.TestCase):
-    """Lines of nearly 1 MiB, a line without an end, and lines without an end to them: nothing is kept of them."""
-    MOST = 150  # MB; it takes some 30, and what the answers would take is thousands
+    """Lines of nearly 1 MiB, a line that never ends, and endlessly many lines: none of them is kept in memory."""
+    MOST = 150  # MB; the program takes some 30, and keeping the answers would take thousands
 
     def test_is_bounded(self):
         folder = Folder()

@@ -28,7 +28,7 @@ pressure_viscosity = 2e-8
 draws = 8192
 """
 
-# Each form: the command, what makes this form of it, and the options that are of the form itself.
+# Each form: the command, the arguments that make this form of it, and the options that belong to the form itself.
 FORMS = [
     ("solve", ["SCENE"], ()), ("curve", ["SCENE"], ()), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
     ("onset", ["SCENE"], ()), ("onset", ["SCENE", "--criterion", "film_maximum"], {"--criterion"}),
@@ -55,7 +55,7 @@ FORMS = [
     ("reproduce", ["--format", "csv", "--ledger", "none"], {"--format", "--ledger"}),
 ]
 
-# A value that shows: where it is used something changes.
+# Values with a visible effect: where an option is used, something changes.
 VALUES = {
     "--format": ["json"], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
@@ -69,7 +69,7 @@ VALUES = {
     "--published": ["/nowhere"], "--ledger": ["/nowhere.csv"], "--scenes": ["/nowhere"], "--commit": ["abc"],
     "--quick": [], "--filter": ["no such contender"],
 }
-# Here the option has nothing to do, and the reason why it is not ignored all the same.
+# Options without an effect in these tests, and the reason why they are nevertheless not ignored.
 UNSEEN = {
     ("solve", "--threads"): "the results are the same bits for any number",
     ("sweep", "--without-fma"): "it changes last digits, and estimated times; test_sweep holds the bits",
@@ -113,7 +113,7 @@ class Ignored(unittest.TestCase):
             assert done.code == 0, done.err
 
     def outcome(self, command, arguments):
-        """All that can be seen of a run: exit code, stdout, stderr, files."""
+        """All visible effects of a run: exit code, stdout, stderr, files."""
         path = self.folder.path("run")
         shutil.rmtree(path, ignore_errors=True)
         os.mkdir(path)
@@ -144,7 +144,7 @@ class Ignored(unittest.TestCase):
                 if (command, option) in UNSEEN and ("--estimate" not in of_form or option == "--without-fma"):
                     continue
                 if "--plugin" in base and option.endswith("-timeout"):
-                    continue  # the plug-in is too quick for it to show
+                    continue  # the plug-in is too quick for an effect
                 with self.subTest(command=command, form=base, option=option):
                     outcome = self.outcome(command, [*base, option, *VALUES[option]])
                     if self.is_refused(outcome, option):
@@ -156,7 +156,7 @@ class Ignored(unittest.TestCase):
             self.assertIn(one, refused)
 
     def test_every_command_and_each_of_its_options_is_in_the_table(self):
-        elsewhere = {"bench", "report"}  # every option of theirs is used in their one form
+        elsewhere = {"bench", "report"}  # in their only form every option is used
         commands = {form[0].split()[0] for form in FORMS} | elsewhere
         self.assertEqual(commands, {*COMMANDS, "plugin-host"})
         for command in [*sorted({form[0] for form in FORMS} | elsewhere)]:

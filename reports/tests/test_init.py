@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""init: a solver to start from, that runs and skips everything, and nothing of the user's overwritten."""
+"""init: writes a solver to start from, which runs and skips everything, and overwrites no file of the user."""
 
 import json
 import os
@@ -37,7 +37,7 @@ class Init(unittest.TestCase):
             self.assertIn(word, line)
 
     def assert_all_functions(self, text):
-        """Each function, its arguments and results are there, and no mark of the template."""
+        """Each function with its arguments and results is there, and no mark of the template is left."""
         functions = json.loads(run("functions", "--format", "json").out)
         self.assertGreaterEqual(len(functions), 5)
         for function in functions:

@@ -10,7 +10,7 @@ import kept_numbers
 
 
 def difference(expected, got):
-    """In words: both as decimal and hexfloat, and how many units in the last place lie between."""
+    """The difference in words: both numbers as decimal and hexfloat, and the units in the last place between them."""
     if not all(isinstance(one, float) for one in (expected, got)):
         return f"expected {expected}, got {got}"
     return (f"expected {expected!r} ({expected.hex()}), got {got!r} ({got.hex()}), "

@@ -14,7 +14,7 @@ GIGABYTE = 1000 * (1 << 20)
 
 
 def feed(process, parts):
-    """Writes to the program from a thread of its own, until it has had enough."""
+    """Writes to the program from a thread, until the program reads no more."""
     def write():
         with contextlib.suppress(BrokenPipeError):
             for part in parts:

@@ -31,7 +31,7 @@ NAN = {"python": "{'radius': float('nan')}", "octave": "struct ('radius', NaN)",
        "fortran": "radius = sqrt(-abs(load)); status = done"}
 SKIP = {"python": "None", "octave": "[]", "c": "return TRIBOCHECK_NOT_OFFERED;", "cpp": "return not_offered;",
         "fortran": "status = not_offered"}
-# Done, but nothing of it is set.
+# Status done, but no result is set.
 NOTHING = {"c": "return TRIBOCHECK_DONE;", "cpp": "return hertz_point_result{};", "fortran": "status = done",
            "python": "{'x': 1}", "octave": "struct ('x', 1)"}
 LIMITS = {"some": "load < 10", "no": "load < 0", "all": "load > 0"}
@@ -44,7 +44,7 @@ class EveryLanguage(unittest.TestCase):
         assert {row[0] for row in cls.languages} >= {"python", "c", "cpp"}
 
     def radius(self, row, small, beyond):
-        """Exit code, and what is said of the radius."""
+        """The exit code, and the verdict on the radius."""
         language, name = row[:2]
         with Folder() as folder:
             path = pathlib.Path(folder) / name

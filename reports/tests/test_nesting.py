@@ -15,7 +15,7 @@ ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 MOST, FAR = 16, 100_000
 SENTENCE = "lists and tables are nested more than 16 deep"
 
-# A value so many brackets deep.
+# Values with so many brackets around them.
 JSON_NESTS = {
     "lists": lambda depth: "[" * depth + "]" * depth,
     "objects": lambda depth: '{"a": ' * (depth - 1) + "{}" + "}" * (depth - 1),
@@ -24,7 +24,7 @@ JSON_NESTS = {
     "open objects": lambda depth: '{"a": ' * depth,
 }
 CLOSED = [name for name in JSON_NESTS if not name.startswith("open")]
-# Lines of TOML: a field of so many levels.
+# Lines of TOML for a field with so many levels.
 TOML_NESTS = {
     "lists": lambda depth: "x = " + "[" * depth + "]" * depth,
     "tables": lambda depth: "x = " + "{a = " * (depth - 1) + "{}" + "}" * (depth - 1),
@@ -56,7 +56,7 @@ class Deep(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def assert_refused(self, result, depth, code=2):
-        """By the sentence, once the brackets pair up or not; at the allowed depth by anything else."""
+        """Asserts the sentence on nesting beyond the allowed depth, whether or not brackets pair up, and another refusal at that depth."""
         self.assertEqual(result.code, code, result.said[:500])
         said = result.said + result.out
         self.assertEqual(SENTENCE in said, depth > MOST, said[:500])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify --subject: what people trip over with a first solver of theirs, and what they are told."""
+"""verify --subject: faults that people's first solvers have, and the messages on them."""
 
 import json
 import pathlib
@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 from conformance import PYTHON, subject
 from program import ENVIRONMENT, PROGRAM, TIMEOUT, Folder, Result, run
 
-# Answers radius and skips the rest; {before} is done first, {each} for each question.
+# A solver that answers radius and skips all else. {before} is run first, {each} for each question.
 SOLVER = """
 import json, sys, time
 {before}
@@ -26,7 +26,7 @@ for line in sys.stdin:
 
 
 def questions(sample):
-    """So many of each function, and of the four kinds of operating points."""
+    """The number of questions with so many of each function, and of each of the four kinds of operating points."""
     return sample * (len(run("functions").out.splitlines()) + 4)
 
 
@@ -95,7 +95,7 @@ class Silence(Trips):
 
 class Prints(Trips):
     def test_prints_to_stdout_are_one_note_and_do_no_harm(self):
-        for each in ("print('debug', name)",            # Python's buffer holds it until the answer
+        for each in ("print('debug', name)",            # Python's buffer holds the text until the answer
                      "print('asked', line, end='')",    # with the id of the case in it
                      "print(line, end='')"):            # an object with the id of the case
             with self.subTest(each):

@@ -24,7 +24,7 @@ class Numbers(unittest.TestCase):
     def setUp(self):
         draw = random.Random(20261123)
         self.values = [sign * draw.uniform(1, 10) * 10**draw.randint(-12, 12) for _ in range(2000) for sign in (1, -1)]
-        for power in range(-9, 10):  # where the number of digits, or the way of writing them, changes
+        for power in range(-9, 10):  # powers at which the number of digits, or the notation, changes
             for times in (1, 9.995, 9.9995, 9.5, 9.95):
                 self.values += beside(times * 10.0**power)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""onset: the four criteria, and saying why there is none."""
+"""onset: the four criteria, and the reasons where there is no onset."""
 
 import csv
 import io

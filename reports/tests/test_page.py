@@ -23,7 +23,7 @@ SWITCHES = ("--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run",
             "--disable-background-networking", "--disable-component-update", "--disable-sync",
             "--disable-dev-shm-usage", "--hide-scrollbars")
 
-# Texts that stick out of the window, or out of a box that clips them, where nothing scrolls.
+# Texts that stick out of the window, or out of a box that clips them and does not scroll.
 CLIPPED = """
 const found = [], walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
 const scrolls = (style) => /auto|scroll/.test(style.overflowX);
@@ -45,7 +45,7 @@ for (let node; (node = walker.nextNode()); ) {
 return found;
 """
 
-# The least contrast of texts against what is painted behind them, by WCAG 2: [ratio, text].
+# The least contrast of a text against the colour behind it, by WCAG 2: [ratio, text].
 CONTRAST = """
 const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
 const channels = (colour) => {
@@ -78,7 +78,7 @@ for (let node; (node = walker.nextNode()); ) {
 return least;
 """
 
-# The texts of each figure, those that stick out of it, and the pairs of which one is over the other.
+# The texts of each figure, the texts that stick out of it, and the pairs of texts that overlap.
 FIGURE_TEXTS = """
 return [...document.querySelectorAll('figure svg')].map((svg) => {
   const paper = svg.getBoundingClientRect();
@@ -245,7 +245,7 @@ class Page(WrittenReport):
 
         seen = set()
         for path in sorted((self.out / "figures").glob("*.svg")):
-            if "film_map" in path.name or path.name == "line_film_errors.svg":  # fields of colour
+            if "film_map" in path.name or path.name == "line_film_errors.svg":  # maps have fields of colour
                 continue
             for found in re.findall(r"(?:<path stroke|color)='rgb\(([^)]+)\)'", path.read_text()):
                 numbers = re.findall(r"\d+", found)
@@ -259,7 +259,7 @@ class Page(WrittenReport):
         self.assertGreaterEqual(len(seen), 5)
 
     def test_the_first_screen_has_the_table_of_the_papers_numbers(self):
-        """On a phone too, and without scrolling sideways."""
+        """On a phone, too, and without scrolling sideways."""
         for width, height in ((390, 844), (1400, 900)):
             self.show(width=width, is_open=False)
             box = self.run_script(
@@ -337,7 +337,7 @@ class Page(WrittenReport):
             ".split(' ').some((id) => !document.getElementById(id).textContent)).length"), 0)
 
     def test_on_paper(self):
-        """Dark too: paper is white, all columns are there, and what only a screen needs is not."""
+        """In dark mode, too: paper is white, all columns are there, and controls of a screen are not."""
         self.show(width=700, scheme="dark", media="print")
         self.assertEqual(self.run_script("return getComputedStyle(document.body).backgroundColor"),
                          "rgb(255, 255, 255)")

@@ -32,7 +32,7 @@ class Uncertainty(unittest.TestCase):
     LEVELS = ((0.025, "low"), (0.5, "median"), (0.975, "high"))
 
     def compared(self, distances, count=300, draws=100):
-        """Quantiles of 1 with intervals of ± 0.196, that is one deviation of 0.1, beside others that are so far away."""
+        """Quantiles of 1 with intervals of ± 0.196, a standard deviation of 0.1, and others at this distance."""
         columns = {surface: {onset_uncertainty.COMPARED: {
             "count": count, "quantiles": [{"level": level, "value": 1.0, "low": 0.804, "high": 1.196} for level, _ in self.LEVELS]}}
             for surface in ledger.SURFACES}
@@ -44,7 +44,7 @@ class Uncertainty(unittest.TestCase):
             for _, end in self.LEVELS:
                 for distance in (0.5, -0.25):
                     found = self.compared({(surface, end): distance})
-                    # Four times as many draws in all as in the other sample: deviations of both are twice that of ours.
+                    # Ours has four times as many draws as the other sample, whose deviation is twice ours.
                     self.assertAlmostEqual(found["in_deviations"], abs(distance) / (0.1 * math.sqrt(1 + 3)), places=12)
                     self.assertAlmostEqual(found["farthest"], abs(distance) / (1 + distance), places=12)
         self.assertEqual((found["ledger_draws"], found["column"]), (100, "onset.film_maximum.speed"))

@@ -14,7 +14,7 @@ from program import ENVIRONMENT, PROGRAM, TIMEOUT, run, start
 CLOSURES = ["flooded_inlet", "starved_inlet", "printed_exponents", "damiens"]
 ASPERITIES = ["greenwood_tripp", "greenwood_williamson"]
 
-# Some questions of each kind, with undefined ones, ones out of range and lines that are no question.
+# Some questions of each kind; among them undefined ones, ones out of range, and lines that are no question.
 FUNCTIONS = [
     *(moment(d, n) for n in [0, 0.5, 1, 1.5, 2, 2.5] for d in [-1e300, -30, -1.146, 0, 0.3, 7, 36, 50]),
     *(hertz(load) for load in [1e-3, 50, 1e300]),
@@ -39,7 +39,7 @@ POINTS = [
 
 
 class OwnModel(unittest.TestCase):
-    """Through the C header and through registration it answers as without, byte for byte."""
+    """Through the C header and through registration the model gives the answers of `stream`, byte for byte."""
 
     def same(self, asked):
         expected = run("stream", stdin=lines(asked))

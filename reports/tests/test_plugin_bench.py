@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck bench --plugin: a plug-in in the same table as everybody."""
+"""tribocheck bench --plugin: a plug-in in the table of all contenders."""
 import unittest
 
 from plugins import plugin

@@ -15,9 +15,9 @@ from program import ENVIRONMENT, PROGRAM, Folder, quiet_scene
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 PYTHON = sys.executable
-SOON = 10  # seconds; it takes some milliseconds, but machines are busy, and what is left runs for 60 or more
+SOON = 10  # seconds; an end takes some milliseconds, more on a busy machine; processes that are left would run for 60 or more
 
-# Leaves a child in its group, one in a session of its own, and one whose parent is gone; all ignore what can be ignored.
+# Leaves a child in its group, one in a session of its own, and one whose parent has ended; all ignore the signals that can be ignored.
 LEAVER = f'''
 import os, signal, sys, time
 def leave(prepare):
@@ -88,7 +88,7 @@ class Left(unittest.TestCase):
     def verify(self, how, *options):
         self.pids().mkdir(exist_ok=True)
         command = shlex.join([PYTHON, "-B", self.script, str(self.pids()), how])
-        # AddressSanitizer would make an exit code of SIGSEGV.
+        # AddressSanitizer would turn SIGSEGV into an exit code.
         return subprocess.Popen([PROGRAM, "verify", "--subject", command, "--sample", "1", *options],
                                 env={**ENVIRONMENT, "ASAN_OPTIONS": ENVIRONMENT["ASAN_OPTIONS"] + ":handle_segv=0"},
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -140,7 +140,7 @@ class Stopping(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def fake(self, name):
-        """A program of that name that says that it runs, and then takes for ever; a folder for PATH."""
+        """A folder for PATH with a program of that name, which tells that it runs and then never ends."""
         path = pathlib.Path(self.folder.write(name, f"#!/bin/sh\necho $$ > {self.folder.path('pid')}\n"
                                                     "trap '' INT TERM\nwhile :; do sleep 1; done\n"))
         path.chmod(path.stat().st_mode | stat.S_IXUSR)
@@ -158,7 +158,7 @@ class Stopping(unittest.TestCase):
                         (os.killpg if of_group else os.kill)(process.pid, number)
                         process.wait(SOON)
                         self.assertIn(process.returncode, (-number, 128 + number))
-                        process.stdout.read()  # nobody holds it any longer
+                        process.stdout.read()  # ends, because no process holds it any longer
 
     def says_pid(self):
         path = pathlib.Path(self.folder.path("pid"))
@@ -180,7 +180,7 @@ class Stopping(unittest.TestCase):
 
     def test_bench_while_its_child_runs(self):
         bench = pathlib.Path(PROGRAM).parent / "tribocheck_bench"
-        if not bench.exists():  # not built with sanitizers
+        if not bench.exists():  # a build with sanitizers has none
             return
 
         def ready():

@@ -37,7 +37,7 @@ def solved(folder, speeds, scene, **changes):
 
 
 def without_environment(name, text):
-    """A page without the one part that depends on when and where it was made."""
+    """A page without the only part that depends on the time and the place at which it was made."""
     if name == "index.html":
         text = re.sub(r'<section id="environment".*?</section>', "", text, flags=re.DOTALL)
     if name == "report.md":
@@ -130,8 +130,8 @@ class Numbers(WrittenReport):
         self.assertLessEqual(abs(mine - other), tolerance * abs(other), f"{mine!r} {other!r}")
 
     def assert_points_agree(self, rows, others):
-        """Close to its collapse a film h* depends on u as on 1 − r: the tolerance follows. A share
-        is one of the load: where the other is nearly all of it, it has fewer digits."""
+        """The tolerance follows the conditions: close to its collapse a film h* goes with 1 − r, and a share has fewer
+        digits where the other share is nearly the whole load."""
         numbers = ["film_flooded", "film", "film_parameter", "asperity_load_share",
                    "fluid_load_share", "real_area_ratio", "summit_count", "friction"]
         self.assertEqual(len(rows), len(others))
@@ -142,7 +142,7 @@ class Numbers(WrittenReport):
                 if float(row["film"]) else 4
             condition = 1 / abs(1 - lambda_flooded / 4) if lambda_flooded != 4 else 1
             for name in numbers:
-                if other[name] == "":  # except at the marks, where the shares are the limits as printed
+                if other[name] == "":  # at the marks the shares are the limits that the paper prints
                     self.assertEqual((row["regime"], row["inlet"]), ("collapsed", "collapsed"))
                     self.assertEqual(row[name] == "NaN", "event" not in row or name == "friction")
                     continue
@@ -183,7 +183,7 @@ class Numbers(WrittenReport):
             self.assert_close(profile["spike_place"][end], value / film["half_width"])
 
     def test_scenes_of_the_json_are_those_of_solve(self):
-        """Their points, where half the load is the asperities', the least friction and the share of faces in contact."""
+        """Points of the scenes: half the load on the asperities, the least friction, and the share of faces in contact."""
         scenes = json.loads((self.out / "report.json").read_text())["paper"]["scenes"]
         marks = {(row["event"], row["surface"], row["model"]): row for row in table(self.out / "data/marks.tsv")}
         for name, one in scenes.items():
@@ -353,7 +353,7 @@ class Numbers(WrittenReport):
             self.assertEqual(row["friction_minimum"], speeds[row["surface"]])
 
     def test_inputs_are_those_of_the_scenes(self):
-        """All of them, with the ones that the reader sets where the file is silent."""
+        """All inputs, with the defaults for fields that the file does not have."""
         inputs = {one["field"]: one for one in json.loads((self.out / "report.json").read_text())["paper"]["inputs"]}
         for scene in SCENES:
             self.assertEqual((self.out / f"data/scenes/{scene}.toml").read_bytes(),
@@ -476,7 +476,7 @@ class Failures(unittest.TestCase):
         self.assert_refused(done, "rough_gw.toml", "greenwood_williamson")
 
     def test_scenes_of_ellipses_and_lines_are_listed_with_their_own_inputs(self):
-        """The ledger, which is of the paper's circle, says what it needs."""
+        """The ledger, which is about the paper's circle, refuses other contacts with a reason."""
         for fields, film in (({"radius_x": 9.5e-3, "radius_y": 19e-3}, "hamrock_dowson_central"),
                              ({"radius_x": 9.5e-3, "length": 5e-4}, "dowson_toyoda_central")):
             with self.subTest(film):
@@ -524,7 +524,7 @@ class Failures(unittest.TestCase):
                 (scenes / "claims.tsv").touch()
 
     def test_scenes_that_never_starve_have_no_onset(self):
-        """Nothing is marked, nothing is made up, and gnuplot copes with it."""
+        """No mark is drawn, no number is made up, and gnuplot draws the figures."""
         scenes = self.scenes()
         for scene in SCENES:
             path = scenes / f"{scene}.toml"
@@ -536,7 +536,7 @@ class Failures(unittest.TestCase):
         self.assertNotIn("onset\trough", (out / "data/marks.tsv").read_text())
 
     def test_folder_outside_the_project(self):
-        """The program lies in the project, or else says where it has looked."""
+        """The program finds the project above itself, or tells where it has looked."""
         done = report("--out", self.path / "out", "--section", "environment", cwd=self.path)
         self.assertIn(done.returncode, (0, 2))
         if done.returncode == 2:

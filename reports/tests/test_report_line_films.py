@@ -13,7 +13,7 @@ import unittest
 from report_files import LINE_DATA, LINE_FIGURES, ROOT, WrittenReport, files_below, report, table
 
 TABLES = {"barus": ROOT / "reference/ehl/line_films.csv", "compressible": ROOT / "reference/ehl/line_films_compressible.csv"}
-U = 1e-11  # as the page tells
+U = 1e-11  # as on the page
 
 
 def solved_films(liquid):
@@ -123,7 +123,7 @@ class LineFilms(WrittenReport):
         rows = table(self.out / "data/line_film_profile.tsv")
         x, p, hertz, film = ([float(row[name]) for row in rows] for name in ("x/b", "p/p0", "Hertz' p/p0", "film"))
         load = sum((b - a) * (p[i] + p[i + 1]) / 2 for i, (a, b) in enumerate(zip(x, x[1:])))
-        self.assertAlmostEqual(load, math.pi / 2, delta=0.03)  # a part of it is carried before x = −3
+        self.assertAlmostEqual(load, math.pi / 2, delta=0.03)  # a part of the load is carried before x = −3
         self.assertLessEqual(max(hertz), 1)
         profile = self.told["profile"]
         self.assertAlmostEqual(1e-6 * min(film) / profile["minimum"]["value"], 1, delta=0.005)

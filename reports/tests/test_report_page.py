@@ -39,7 +39,7 @@ class Page(WrittenReport):
             self.assertLessEqual(below, above + 1)
 
     def test_picture_in_the_page_is_the_svg_file(self):
-        """With identifiers of its own, and each that is used is set."""
+        """The pictures have different identifiers, and each identifier that is used is defined."""
         text = (self.out / "index.html").read_text()
         used = set(re.findall(r"(?:href=['\"]|url\()#([^'\")]+)", text))
         self.assertGreater(len(used), 100)
@@ -87,8 +87,8 @@ class Page(WrittenReport):
         self.assertNotIn("It has no data.", text)
 
     def assert_tells(self, page, told):
-        """Each cell of each table is its number of the JSON, in the order of the page, with the digits that its column
-        has, under its heading, and nothing else; and the prose has the numbers of the JSON."""
+        """Asserts that each cell of each table has its number of the JSON with the digits of its column, under its heading, in the order
+        of the page, and that no other cell is there; and that the prose has the numbers of the JSON."""
         shown, promised = list(page_tables.shown(page)), list(page_tables.promised(told))
         self.assertEqual([caption for caption, _, _ in shown], [caption for caption, _, _ in promised])
         for (caption, head, rows), (_, names, cells) in zip(shown, promised):
@@ -113,7 +113,7 @@ class Page(WrittenReport):
         self.assert_tells((self.out / "index.html").read_text(), json.loads((self.out / "report.json").read_text()))
 
     def test_so_are_those_of_other_numbers(self):
-        """Where the real ones are alike, or never at a limit, exchanged fields and wrong thresholds would not show."""
+        """Real numbers that are equal, or never at a limit, would not show exchanged fields and wrong thresholds."""
         out = pathlib.Path(self.folder.name) / "other"
         out.mkdir()
         for seed in (1, 2, 3):
@@ -125,7 +125,7 @@ class Page(WrittenReport):
                 self.assert_tells((out / "index.html").read_text(), told)
 
     def test_summaries_are_of_their_rows(self):
-        """The fits' greatest errors are those of their table, to both ratios; what work is skipped adds up."""
+        """The fits' greatest errors are those of their table, up to both ratios; the numbers of skipped work add up."""
         told = json.loads((self.out / "report.json").read_text())
         fits = told["ellipse_fits"]
         names = {"ellipticity": "ellipticity", "semi_axis_x": "semi-axis a_x", "peak_pressure": "peak pressure", "approach": "approach"}
@@ -157,7 +157,7 @@ class Page(WrittenReport):
                 self.assertEqual(page_pictures.differences(self.out / f"figures/{figure}.svg", figure, data), [])
 
     def test_no_template_leaves_its_marks(self):
-        """Neither Jinja's nor those of indices, nor a cell with a name of Python, nor a number with all its digits."""
+        """No mark of Jinja or of indices is left, no cell has a word of Python, and no number has all its digits."""
         for name in ("index.html", "report.md"):
             text = re.sub(r"<(?:svg|script|style).*?</(?:svg|script|style)>|`[^`]*`|<code>.*?</code>", "",
                           (self.out / name).read_text(), flags=re.DOTALL)

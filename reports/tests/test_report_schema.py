@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""report.json is what report.schema.json beside it says, and each of its values is described."""
+"""report.json agrees with report.schema.json beside it, which describes each of its values."""
 
 import copy
 import json
@@ -13,7 +13,7 @@ COMMON = {"tribocheck", "sections", "findings", "not_run", "files"}
 
 
 def values(schema, path="report"):
-    """Each schema of a value within a schema, with where it is; not those that only choose between others."""
+    """Each schema of a value within a schema, with its path; without schemas that only choose between others."""
     yield path, schema
     for name, one in schema.get("properties", {}).items():
         yield from values(one, f"{path}.{name}")

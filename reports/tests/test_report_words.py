@@ -36,7 +36,7 @@ class Live(html.parser.HTMLParser):
 
 
 def changed(value, keys, word):
-    """With the word behind each text that has one of these names, at any depth; keys None: behind all, names too."""
+    """The value with the word behind each text that has one of these names, at any depth. keys None: behind all texts and names."""
     if isinstance(value, list):
         return [changed(one, keys, word) for one in value]
     if not isinstance(value, dict):
@@ -92,7 +92,7 @@ class Baselines(unittest.TestCase):
         return Live(page), json.loads((self.out / "report.json").read_text(encoding="utf-8"))
 
     def assert_dead(self, live, good):
-        self.assertLessEqual(set(live.tags), set(good.tags) | {"em"})  # "not drawn", where names are not what gnuplot looks for
+        self.assertLessEqual(set(live.tags), set(good.tags) | {"em"})  # of "not drawn": gnuplot does not find changed names
         self.assertEqual(live.tags["script"], good.tags["script"])
         self.assertEqual(live.tags.get("img", 0), good.tags.get("img", 0))
         self.assertEqual(live.tags["h1"], good.tags["h1"])
@@ -113,12 +113,12 @@ class Baselines(unittest.TestCase):
         drawn, made = self.page()
         good, _ = self.page(pictures=False)
         none_missing = self.missing(made)
-        self.write(None, WORD)  # nothing can be read any more
+        self.write(None, WORD)  # no baseline can be read any more
         live, _ = self.page(pictures=False)
         self.assert_dead(live, good)
         names = set().union(*map(names_of_texts, self.good.values()))
         self.assertLessEqual({"commit", "date", "cpu", "compiler", "fault", "check", "family", "series", "job"}, names)
-        for key in ("job", "name", "kernel"):  # names of files, and words that are drawn
+        for key in ("job", "name", "kernel"):  # texts that name files, and texts that are drawn
             self.write({key}, "/../../" + WORD)
             live, _ = self.page(pictures=False)
             self.assert_dead(live, good)

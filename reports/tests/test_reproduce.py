@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""reproduce: the ledger of the paper's claims, its formats, and what a changed verdict does."""
+"""reproduce: the ledger of the paper's claims, its formats, and the effect of a changed verdict."""
 
 import csv
 import fcntl
@@ -164,13 +164,13 @@ class ReproduceTest(unittest.TestCase):
                     margin = told["margin"]
                     self.assertEqual((float(row["margin"]), row["margin_of"]), (margin["distance"], margin["of"]))
                     self.assertEqual(told["decided"], margin["distance"] > margin["error"])
-                    # Refined: all but what cannot be told from 0.
+                    # Refined numbers have small errors, but for a number that cannot be told from 0.
                     self.assertLess(told["numerical_error"], 1e-10 * max(1, abs(told["computed"])))
                     self.assertAlmostEqual(float(row["margin_error"]) / (margin["error"] or 1),
                                            1 if margin["error"] else 0, delta=0.06)
 
     def test_a_verdict_that_the_numerical_error_leaves_open_says_so(self):
-        """With the equations as printed the area is one on all surfaces: 1 but for rounding."""
+        """With the equations as printed the area is the same on all surfaces: ratios are 1 but for rounding."""
         told = {row["item"]: row for row in self.rows("--reading", "literal")}
         self.assertEqual([name for name, row in told.items() if row["decided"] == "no"], ["C9"])
         self.assertAlmostEqual(float(told["C9"]["computed"]), 1, delta=float(told["C9"]["numerical_error"]))
@@ -288,7 +288,7 @@ class ReproduceTest(unittest.TestCase):
     def test_a_reading_of_ones_own_is_a_column(self):
         rows = self.rows("--reading", "speed=sum", "--reading", "corrected", "--claim", "C1")
         speed = {(row["reading"], row["item"]): float(row["computed"]) for row in rows}
-        # The sum for the mean doubles U, as doubling the speed would.
+        # The sum in place of the mean doubles U, as twice the speed would.
         for surface in ["rough", "medium", "smooth"]:
             ratio = speed["corrected", f"C1.{surface}"] / speed["speed=sum", f"C1.{surface}"]
             self.assertAlmostEqual(ratio, 2, delta=1e-12)
@@ -336,7 +336,7 @@ class ReproduceTest(unittest.TestCase):
             self.assertIn(text, result.out)
 
     def test_each_cell_of_the_markdown_is_that_of_the_json(self):
-        """By the page's tables, whose columns have other digits: each number is the same to the coarser one."""
+        """Compares with the page's tables, whose columns have other digits: numbers agree to the coarser digits."""
         ledger = reproduced("--format", "json").json()
         text = run("reproduce", "--section", "all", "--format", "markdown").out
         tables = {}

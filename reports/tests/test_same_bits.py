@@ -9,7 +9,7 @@ import unittest
 from program import ENVIRONMENT, PROGRAM, scene
 from sweeps import NORMAL, UNIFORM, SweepTest, sweep
 
-# As on the same processor with fewer instruction sets; those without fused multiply-add have bits of
+# Settings as on a processor with fewer instruction sets. Sets without fused multiply-add have bits of
 # their own.
 HWCAPS = "glibc.cpu.hwcaps="
 KINDS = {"all": "", "no AVX-512": "-AVX512F"}
@@ -20,7 +20,7 @@ NUMBERS = ("film_flooded", "film", "separation", "film_parameter", "asperity_loa
 def asked(kind, *arguments, stdin=""):
     environment = dict(ENVIRONMENT)
     if KINDS[kind]:
-        # Sets that are switched off already stay off: the last of several settings alone would count.
+        # Sets that are off already stay off: of several settings only the last would count.
         already = environment.get("GLIBC_TUNABLES", "")
         off = already.removeprefix(HWCAPS).split(",") if already.startswith(HWCAPS) else []
         environment["GLIBC_TUNABLES"] = HWCAPS + ",".join([*off, KINDS[kind]])

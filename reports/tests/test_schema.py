@@ -21,7 +21,7 @@ PROGRAM = os.environ["TRIBOCHECK"]
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 SCHEMA = json.loads((ROOT / "reference/scene.schema.json").read_text(encoding="utf-8"))
 
-# `solve` cannot do without speeds, `onset` can; the schema is of scenes for either.
+# `solve` needs speeds, `onset` does not; the schema is for scenes of both.
 SOLVABLE = {"allOf": [SCHEMA], "required": ["speed"]}
 
 GOOD = {
@@ -126,7 +126,7 @@ def is_valid(scene):
 
 
 def is_reversed(scene):
-    """A range that the schema takes, since it cannot compare two fields."""
+    """A range that is bad only for the program: the schema cannot compare two fields."""
     speed = scene.get("speed")
     return isinstance(speed, dict) and not speed["from"] < speed["to"]
 
@@ -142,7 +142,7 @@ class SchemaTest(unittest.TestCase):
         return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
 
     def refused_files(self, texts):
-        """Which of these files get an error line, from one call with all of them."""
+        """Those of these files that get an error line, from one call with all of them."""
         paths = []
         for name, text in texts.items():
             paths.append(self.folder / name)

@@ -52,7 +52,7 @@ class Numbers(SolveTest):
                          [2, 0.1, 0.5])
 
     def test_each_of_many_points_is_that_of_its_speed_alone(self):
-        # More than two of the chunks in which the program solves, and more than each thread's part.
+        # The speeds are more than two of the program's chunks, and more than each thread's part.
         tree = scene(speed={"from": 1e-4, "to": 3, "count": 140_000}, outputs=["film", "friction"])
         texts = [self.solved(tree, "--format", "csv", "--threads", str(count)).out for count in (1, 3)]
         self.assertTrue(texts[0] == texts[1])

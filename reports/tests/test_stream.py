@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""stream: one answer a line, in order, at once, and whatever comes."""
+"""stream: one answer a line, in order, at once, for any input."""
 
 import select
 import subprocess
@@ -133,7 +133,7 @@ class Lines(unittest.TestCase):
 
 
 class CoProcess(unittest.TestCase):
-    """Somebody writes a line, waits for its answer, and only then writes the next."""
+    """A user writes a line, waits for its answer, and only then writes the next line."""
 
     def setUp(self):
         self.process = start("stream", stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0)

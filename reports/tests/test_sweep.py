@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep: what it reads, computes and leaves, held against the program's other commands."""
+"""tribocheck sweep: its reading, its numbers and its files, compared with the program's other commands."""
 
 import json
 import math
@@ -16,7 +16,7 @@ from sweeps import NORMAL, UNIFORM, SweepTest, opened, sweep
 
 ROOT = os.environ["TRIBOCHECK_ROOT"]
 with open(PROGRAM, "rb") as program:
-    SANITIZED = b"__asan_init" in program.read()  # it has memory of its own
+    SANITIZED = b"__asan_init" in program.read()  # sanitizers take memory of their own
 SHIPPED = os.path.join(ROOT, "reference", "published", "sweeps")
 
 
@@ -46,7 +46,7 @@ class Results(SweepTest):
             self.assertEqual(words[got], expected, name)
         elif expected is None:
             self.assertTrue(math.isnan(got), name)
-        else:  # two batch kernels: surfaces, and one surface; each within its own bound
+        else:  # sweeps and `solve` use two batch kernels, each within its own bound
             self.assertLessEqual(abs(got - expected), 1e-13 * abs(expected), (name, got, expected))
 
     def test_curves_of_many_speeds_are_those_of_solve_to_the_bit(self):
@@ -110,7 +110,7 @@ class Results(SweepTest):
             self.assertAlmostEqual(load.mean(), 50, delta=1e-3)
             radius = inputs["bodies.reduced_radius"][:]
             self.assertLessEqual(radius.max(), 1e-2)
-            self.assertGreater((radius < 9.5e-3).mean(), 0.7)  # the median of what is cut off
+            self.assertGreater((radius < 9.5e-3).mean(), 0.7)  # most of the distribution lies below its median, as its upper part is cut off
 
     def test_correlated_draws(self):
         import numpy
@@ -147,8 +147,8 @@ class Results(SweepTest):
         self.assertEqual(json.loads(result.out)["scenes"][0]["id"], "smooth")
 
     def test_sensitivities_of_a_power_law_are_those_of_its_exponents(self):
-        # By C-numbers of the flooded inlet the onset speed goes with viscosity to the power −1 and
-        # load hardly at all: nearly all variance is the viscosity's.
+        # The onset speed of a flooded inlet goes as viscosity to the power −1, and hardly depends on
+        # load: nearly all variance comes from viscosity.
         self.swept(sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }'},
                          onset='["film_maximum"]', draws=2048, sensitivity="true"))
         with opened(self.path("out.h5")) as file:
@@ -264,7 +264,7 @@ class Files(SweepTest):
                               text=True, timeout=120)
         with opened(self.path("out.h5")) as file:
             first = float(file["smooth/outputs/film"][0][0])
-        self.assertEqual(said.stdout.split()[:2], ["2", "3000"], said.stderr)  # its columns first
+        self.assertEqual(said.stdout.split()[:2], ["2", "3000"], said.stderr)  # Octave has columns first
         self.assertEqual(float(said.stdout.split()[2]), first)
 
     @unittest.skipUnless(shutil.which("h5dump"), "h5dump is not installed")
@@ -314,7 +314,7 @@ class Estimates(SweepTest):
         self.assertLess(abs(estimated - size), 0.1 * size, said.out)
 
     SPEEDS = "{ from = 1e-3, to = 3, count = %d }"
-    # Sweeps of unlike shape: points that are kept, many speeds, summaries alone, indices, grids.
+    # Sweeps of different kinds: kept points, many speeds, summaries alone, indices, grids.
     SHAPES = [
         sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS % 20}, draws=4000),
         sweep({"lubricant.viscosity": UNIFORM, "speed": SPEEDS % 2000, "outputs": '["film"]'}, draws=64),
@@ -326,7 +326,7 @@ class Estimates(SweepTest):
     ]
 
     def estimate(self, text):
-        """In bytes: memory, file and parts; and the memory that it took itself."""
+        """In bytes: the estimated memory, file and parts; and the memory that the estimate itself took."""
         path = self.folder.write("sweep.toml", text)
         process = start("sweep", path, "--estimate", stdout=subprocess.PIPE)
         said = process.stdout.read().decode()
@@ -391,7 +391,7 @@ class Progress(SweepTest):
         os.close(writer)
         said = read_terminal(reader)
         self.assertRegex(said, rb"\rcomputed [0-9.]+ %, .* points, .* a second, .* left")
-        for line in re.findall(rb"\r(computed [^\r\x1b]+)", said):  # what is left is not known while nothing is done
+        for line in re.findall(rb"\r(computed [^\r\x1b]+)", said):  # no time left is told before the first points are done
             self.assertRegex(line, rb"^computed [0-9.]+ %, (0 of [^,]+, 0 a second|[1-9][^,]*, [^,]+, [0-9.]+ (s|min|h) left)$")
         self.assertNotIn(b"\n", said)
         self.assertTrue(said.endswith(b"\r\x1b[K"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep, built without MPI: started by mpirun it says so, instead of doing all work n times."""
+"""tribocheck sweep, built without MPI: mpirun gets a message, and the work is not done n times."""
 
 import subprocess
 import unittest

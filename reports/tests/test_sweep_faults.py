@@ -166,7 +166,7 @@ class Killed(SweepTest):
             process.communicate()
             self.assertEqual(process.returncode, 130)
         os.replace(self.path("out.h5"), self.path("old.h5"))
-        shutil.copy(self.path("old.h5"), self.path("out.h5"))  # another file than --force was to replace
+        shutil.copy(self.path("old.h5"), self.path("out.h5"))  # not the file that --force was to replace
         self.assert_refused(self.sweep(DAYS, "--resume"), "out.h5", "--force")
 
 
@@ -247,7 +247,7 @@ class Damage(SweepTest):
                 if result.code == 0:
                     self.assertIn("is computed anew", result.err)
                     self.assert_whole(result)
-                else:  # not even its mark is whole
+                else:  # the cut is within its mark
                     self.assertEqual(result.code, 2, result.err)
                     self.assertLess(cut, 3000)
                     self.assertEqual(self.bytes_of("out.h5.part-0-9"), self.part[:cut])
@@ -338,7 +338,7 @@ class Damage(SweepTest):
         merge = ["sweep", "merge", self.path("1.shard"), self.path("2.shard"), "-o",
                  self.path("merged.h5")]
         own = self.set_of("whole.h5")
-        if own.startswith("no FMA"):  # and so is every other set of this machine
+        if own.startswith("no FMA"):  # then all sets of this machine have no FMA
             self.assertEqual(run(*merge).code, 0)
             return
         other = "no FMA"
@@ -348,7 +348,7 @@ class Damage(SweepTest):
         self.assert_refused(self.sweep(SHORT, "--resume"), other, "--mixed-fma")
         went_on = self.sweep(SHORT, "--resume", "--mixed-fma")
         self.assertEqual(went_on.code, 0, went_on.err)
-        # All on which it was computed are told: by what was gone on with, merged, or both.
+        # A result tells all arithmetics by which it was computed, whether parts were resumed, merged, or both.
         self.assertNotEqual(own, self.set_of("out.h5"))
         self.assertEqual(self.set_of("out.h5"), self.set_of("merged.h5"))
         for name in (own, other):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep in a folder that others write to as well: what is not its own it neither follows nor replaces
-nor removes; and it ends soon where it is stopped or its folder goes away. TRIBOCHECK_ATTACKS asks for more attacks
-than four."""
+"""tribocheck sweep in a folder that others write to: it neither follows nor replaces nor removes files that are not its
+own, and it ends soon when it is stopped or its folder is removed. TRIBOCHECK_ATTACKS asks for more attacks than
+four."""
 
 import os
 import random
@@ -51,7 +51,7 @@ class Shared(SweepTest):
             for kind, make in kinds.items():
                 for command in commands:
                     if "merge" in command and ending == ".part-0-3.lock":
-                        continue  # it computes nothing
+                        continue  # a merge computes no cases
                     with self.subTest(ending=ending, kind=kind, command=command):
                         path = self.path("out.h5" + ending)
                         make(path)
@@ -66,7 +66,7 @@ class Shared(SweepTest):
                         (os.rmdir if kind == "folder" else os.remove)(path)
 
     def of_days(self, out, **options):
-        """A sweep that would compute for days is told at once that it cannot be kept."""
+        """A sweep of days is refused at once where its result cannot be kept."""
         path = self.folder.write("sweep.toml", DAYS)
         names = self.names()
         done = subprocess.run([PROGRAM, "sweep", path, "-o", out, *options.pop("arguments", [])], capture_output=True,
@@ -125,7 +125,7 @@ class Shared(SweepTest):
                     os.remove(self.path("out.h5"))
 
     def test_no_file_of_others_is_touched_however_links_are_put_in_its_way(self):
-        """By another user where this is root, else by another process."""
+        """Another process makes the links; if the test runs as root, that process is of another user."""
         os.chmod(self.folder.name, 0o755)
         os.mkdir(self.path("shared"))
         os.chmod(self.path("shared"), 0o777)
@@ -156,7 +156,7 @@ class Shared(SweepTest):
         print(f"{ATTACKS} attacks, {refused} of them told", flush=True)
 
     def attack(self, places, seed):
-        """Until it is killed: the places become links again and again, from moment to moment."""
+        """Makes links at the places again and again, until the process is killed."""
         try:
             if os.geteuid() == 0:
                 os.setgid(NOBODY)
@@ -178,7 +178,7 @@ class Shared(SweepTest):
 
     def test_a_link_of_another_user_at_the_output_is_not_followed(self):
         if os.geteuid() != 0:
-            return  # nobody else can make one here
+            return  # another user cannot make files here
         os.symlink(self.path("nothing"), self.path("out.h5"))
         os.chown(self.path("out.h5"), NOBODY, NOBODY, follow_symlinks=False)
         for options in ((), ("--force",)):
@@ -226,7 +226,7 @@ class Meanwhile(SweepTest):
         self.assert_refused(self.sweep(LONG, "--resume"), "out.h5", "move it away")
         self.assertEqual(self.bytes_of("out.h5"), b"of somebody")
         os.remove(self.path("out.h5"))
-        resumed = self.sweep(LONG, "--resume")  # and nothing was lost
+        resumed = self.sweep(LONG, "--resume")  # and no computed part is lost
         self.assertIn("going on", resumed.err)
         self.assertEqual((resumed.code, self.bytes_of("out.h5")), (0, whole), resumed.err)
         process = self.stopped_in_the_middle("--force")
@@ -287,7 +287,7 @@ class Meanwhile(SweepTest):
                     stopped += 1
                     self.assertIn(b"stopped: ", said)
                     self.assertEqual(names, [] if command is merge else self.parts())
-                else:  # it was done, and had only to tell it
+                else:  # the sweep had ended, and only told it
                     self.assertIn(process.returncode, (0, -signal.SIGINT), said)
                     self.assertTrue(os.path.exists(self.path("out.h5")))
                 if stopped == 2:
@@ -300,7 +300,7 @@ class Meanwhile(SweepTest):
 
 @unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
 class Threads(SweepTest):
-    """Where the system allows fewer threads than are asked for."""
+    """A sweep where the system allows fewer threads than are asked for."""
 
     def run_with(self, most, *arguments):
         environment = dict(ENVIRONMENT, LD_PRELOAD=preloadable("few_threads"), MOST_THREADS=str(most))

@@ -29,7 +29,7 @@ class SolvedFilms(SweepTest):
     solved_once = {}
 
     def solved(self):
-        """What the program said of SWEEP, its result's bytes and its columns. Films take long: all tests share these."""
+        """The program's output on SWEEP, the bytes of its result, and its columns. Films take long, so that all tests share them."""
         if not self.solved_once:
             said = self.sweep(SWEEP, "--threads", "2", out="once.h5")
             with opened(self.path("once.h5")) as file:
@@ -66,11 +66,11 @@ class SolvedFilms(SweepTest):
             self.assertTrue(math.isclose(l[2][at], 7.5 * l[0][at], rel_tol=1e-12))
 
     def test_a_film_that_is_not_solved_is_told_with_its_place(self):
-        # At the lowest speed the film is below what grids resolve.
+        # At the lowest speed the film is too thin for the grids.
         text = SWEEP.replace("speed = [0.5, 2]", "speed = [1e-20, 0.5]")
         result = self.sweep(text)
         self.assertEqual(result.code, 1)
-        _, told = result.error_lines  # the first warns of the speed
+        _, told = result.error_lines  # the first line warns of the speed
         self.assertIn("4 of 8 films were not solved", told)
         with opened(self.path("out.h5")) as file:
             films = file["lines/outputs/solved_film"]

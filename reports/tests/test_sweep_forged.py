@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep show of results that somebody has forged, with the right checksum at the end: each is refused in
+"""tribocheck sweep show of forged results, with the right checksum at the end: each is refused in
 a line, or gives the numbers that h5dump shows, and no other file is read. TRIBOCHECK_FORGED asks for more of them
 than forty, TRIBOCHECK_FORGED_FIRST for another first one."""
 
@@ -106,7 +106,7 @@ def forge_attribute(item, name, draw):
 
 
 def forged_by_h5py(content, draw, folder):
-    """Runs in a process of its own: libhdf5 may crash on what was made before."""
+    """Runs in a process of its own, because libhdf5 may crash on a file that was forged before."""
     import h5py
     path = os.path.join(folder, "forging.h5")
     with open(path, "wb") as file:
@@ -159,7 +159,7 @@ def lookup3(content):
 
 
 def forged_header(content, draw):
-    """An object's header with other bytes and the right checksum."""
+    """The header of an object with changed bytes and the right checksum."""
     changed = bytearray(content)
     start = draw.choice([found.start() for found in re.finditer(rb"OHDR\x02", content)])
     flags = content[start + 5]
@@ -196,7 +196,7 @@ def forged_bytes(content, draw):
 # --- What other programs read in it.
 
 def close(a, b):
-    if b is None:  # JSON has no number for it
+    if b is None:  # JSON has no NaN and no infinity
         return a != a or a in (float("inf"), float("-inf"))
     return b in ("inf", "-inf") and str(a) == b or float(a) == float(b)
 
@@ -206,7 +206,7 @@ def text(value):
 
 
 def compare(path, said, cases):
-    """Raises AssertionError where the program did not tell what h5py, and so h5dump, reads."""
+    """Raises AssertionError where the program's numbers are not those that h5py, and so h5dump, reads."""
     import h5py
     with h5py.File(path) as file:
         for scene in said["scenes"]:
@@ -281,15 +281,15 @@ class Forged(SweepTest):
         done.stderr = self.REFUSED_MEMORY.sub("", self.OF_HDF5.sub("", done.stderr))
         return done, time.monotonic() - start
 
-    # Messages of AddressSanitizer about libhdf5's own mistakes, in the child process that reads: 1.10.8 copies a text of
-    # the length that a forged heap says. Those of this program stay, and fail the test.
+    # Messages of AddressSanitizer about libhdf5's own mistakes, in the child process that reads: 1.10.8 copies a text with
+    # the length that a forged heap tells. Messages about this program stay, and fail the test.
     OF_HDF5 = re.compile(r"=+\n==\d+==ERROR: AddressSanitizer(?:(?!#1 ).*\n)*.*#1 .* \(\S*libhdf5.*\n(?:(?!tribocheck: ).*\n)*")
 
-    # AddressSanitizer tells of memory that it refuses; without it the refusal is silent.
+    # AddressSanitizer prints a message on memory that it refuses.
     REFUSED_MEMORY = re.compile(r"(?m)^==\d+==WARNING: AddressSanitizer failed to allocate \w+ bytes\n")
 
     def check(self, kinds):
-        """Whether it was refused, and how long that took."""
+        """Whether the result was refused, and the seconds that this took."""
         told, seconds = self.show()
         points, more = self.show("--cases")
         for done in (told, points):

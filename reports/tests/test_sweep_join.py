@@ -141,7 +141,7 @@ class Join(SweepTest):
                                       **more)
                 out, said = helper.communicate(timeout=20)
                 self.assertEqual((helper.returncode, out, len(said.splitlines())), (2, "", 1), said)
-                self.assertIn("another s", said)  # sweep or shard
+                self.assertIn("another s", said)  # "another sweep" or "another shard"
             owner.kill()
             owner.wait()
             self.assertEqual(self.parts(), [])
@@ -155,7 +155,7 @@ class Join(SweepTest):
             self.wait_until(lambda: owner.poll() is not None or self.results_begun())
             owner.send_signal(signal.SIGSTOP)
             begun = self.results_begun()
-            if begun:  # what the owner itself writes is left to it
+            if begun:  # a helper leaves the owner's file alone
                 helper = self.started("--join")
                 time.sleep(0.3)
                 self.assertEqual(self.results_begun(), begun)
@@ -177,7 +177,7 @@ class Join(SweepTest):
         self.wait_for_parts()
         first.kill()
         first.wait()
-        for said in ("going on", ""):  # then the result is there
+        for said in ("going on", ""):  # at the second time the result is there
             again = self.sweep(LONG, "--join", "--format", "csv")
             self.assertEqual((again.code, again.out), (0, self.told), again.err)
             self.assertIn(said, again.err)

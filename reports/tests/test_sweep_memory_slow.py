@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""sweep over a hundred million points of which summaries are kept: memory stays flat, and what the parts
-take is printed. TRIBOCHECK_POINTS asks for another number."""
+"""sweep over a hundred million points of which summaries are kept: memory stays flat; the memory of each step is
+printed. TRIBOCHECK_POINTS asks for another number."""
 
 import os
 import subprocess
@@ -18,7 +18,7 @@ class LongSweep(SweepTest):
     def test_memory_is_flat(self):
         text = sweep({"speed": SPEED, "outputs": '["film"]'}, draws=POINTS, keep='"summaries"',
                      design='"monte_carlo"')
-        # A shard is a part: merging it is what a run ends with.
+        # A shard is a part: merging it is the last step of a run.
         computed = self.memory_of("sweep", self.folder.write("long.toml", text), "--shard", "1/1",
                                   "-o", self.path("long.shard"))
         merged = self.memory_of("sweep", "merge", self.path("long.shard"), "-o", self.path("long.h5"))

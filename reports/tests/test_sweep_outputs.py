@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep: what -o may lead to, and what is closed when the program starts."""
+"""tribocheck sweep: files that -o may lead to, and streams that are closed when the program starts."""
 
 import os
 import shutil
@@ -30,7 +30,7 @@ class Closed(SweepTest):
                 shutil.copy(self.path("half.shard"), self.path("out.h5.part-0-8"))
                 done = self.run_without(streams, "sweep", self.path("sweep.toml"), "--resume", "-o",
                                         self.path("out.h5"))
-                # Results that cannot be told are a failure; the file is there all the same.
+                # That results cannot be printed is a failure, but the file is there.
                 self.assertEqual(done.returncode, 1 if 1 in streams else 0, done.stderr)
                 self.assertEqual(done.stdout, b"" if 1 in streams else whole.out.encode())
                 self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
@@ -75,7 +75,7 @@ class Outputs(SweepTest):
         os.mkdir(self.path("elsewhere"))
         os.symlink("elsewhere/behind.h5", self.path("out.h5"))
         os.symlink("out.h5", self.path("more.h5"))
-        for out in ("out.h5", "more.h5"):  # to nothing yet, then to a result
+        for out in ("out.h5", "more.h5"):  # the link leads to no file, then to a result
             self.swept(SHORT, "--force", out=out)
             self.assertTrue(os.path.islink(self.path(out)))
             self.assertEqual(self.bytes_of("elsewhere/behind.h5"), self.bytes_of("whole.h5"))

@@ -52,7 +52,7 @@ class Pairs(SweepTest):
                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
     def check(self, state, ended):
-        """ended: of each process its sweep, its exit code and what it said."""
+        """ended: the sweep, exit code, stdout and stderr of each process."""
         for name, code, out, error in ended:
             self.assertIn(code, (0, 2), error)
             if code == 0:
@@ -67,7 +67,7 @@ class Pairs(SweepTest):
         elif state.startswith("parts"):
             self.assertEqual(left, ["out.h5.part-0-98"])
             self.assertEqual(self.bytes_of("out.h5.part-0-98"), self.part)
-        else:  # there was a result, which both refused to replace
+        else:  # both processes refused to replace a result
             self.assertEqual(left, ["out.h5"])
             self.assertEqual(self.bytes_of("out.h5"), self.whole[state[-1]])
 

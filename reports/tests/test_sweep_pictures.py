@@ -198,7 +198,7 @@ class Pictures(SweepTest):
         self.assertRegex(told["legend"], r"^smooth: no film and no value in up to 100 % of the cases, from [\d.]+ m/s on$")
         self.assertAlmostEqual(float(told["legend"].split()[-3]) / min(missing), 1, delta=6e-3)
         self.assertIn(told["legend"], self.svg_text("curve_band_friction"))
-        self.assertEqual(self.blocks("curve_band_film")[1][0]["legend"], "smooth")  # it is 0 there, not missing
+        self.assertEqual(self.blocks("curve_band_film")[1][0]["legend"], "smooth")  # its film is 0 there, not missing
 
     def test_bands_are_drawn_at_the_quantiles(self):
         changes = {"lubricant.viscosity": UNIFORM, "speed": SPEEDS, "outputs": '["film", "friction"]'}
@@ -253,7 +253,7 @@ class Pictures(SweepTest):
             case = sweep({"surface.summit_height_sd": repr(field * 1e-9)}).replace("[sweep]\n", "")
             onset = run("onset", self.folder.write("case.toml", case), "--format", "json").json()
             told = next(one for one in onset if one["criterion"] == "film_maximum")
-            self.assertLess(abs(math.log(speed / told["speed"])), 0.05)  # a fifth of the grid
+            self.assertLess(abs(math.log(speed / told["speed"])), 0.05)  # a fifth of a step of the grid
 
     def test_a_film_map_marks_where_the_film_is_a_floor(self):
         grid = "{ from = 2e-8, to = 2e-7, count = 10 }"
@@ -261,7 +261,7 @@ class Pictures(SweepTest):
         _, film, _, floor = self.blocks("film_map")
         rows = [tuple(map(float, row.values())) for row in floor]
         ends = [end for end, field in rows if not math.isnan(end)]
-        self.assertTrue(3 <= len(ends) < 10 and ends == sorted(ends), rows)  # the rougher, the longer
+        self.assertTrue(3 <= len(ends) < 10 and ends == sorted(ends), rows)  # rougher surfaces have a longer plateau
         self.assertRegex(self.svg_text("film_map"), r"left of black, \d+ %: a floor, asperities carry the load")
         with opened(self.path("out.h5")) as file:
             share = file["smooth/outputs/asperity_load_share"][:]

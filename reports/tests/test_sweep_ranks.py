@@ -49,7 +49,7 @@ class Ranks(SweepTest):
     def assert_resumes_with(self, ranks):
         self.swept(LONG, out="whole.h5")
         deadline = time.monotonic() + 30
-        while True:  # a rank that is being ended may hold its lock a moment longer
+        while True:  # a rank that ends may hold its lock for a moment
             done = self.with_ranks(ranks, LONG, "--resume")
             if done.returncode == 0 or time.monotonic() > deadline:
                 break
@@ -119,7 +119,7 @@ class Ranks(SweepTest):
         self.assertEqual(self.names(), ["out.h5", "sweep.toml", "whole.h5"])
 
     def check_failures(self, environments, first):
-        """One rank fails, and the other goes on or ends: nothing is lost, and what is told is told by a line."""
+        """One rank fails, and the other one goes on or ends: no computed part is lost, and a failure is told by a line."""
         whole = self.whole_mini()
         ends = collections.Counter()
         for environment in environments:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """tribocheck sweep of ellipses, lines, two bodies and spectral moments: its cases are those of `stream`, `solve` and
-`onset`, and what no contact is made of is refused before it starts."""
+`onset`, and fields that make no contact are refused before the sweep starts."""
 
 import json
 import math
@@ -86,7 +86,7 @@ class Shapes(SweepTest):
             self.assertEqual(words[int(got)], expected, name)
         elif expected is None:
             self.assertTrue(math.isnan(got), name)
-        else:  # two batch kernels: surfaces, and one surface; each within its own bound
+        else:  # sweeps and `solve` use two batch kernels, each within its own bound
             self.assertLessEqual(abs(got - expected), 1e-13 * abs(expected), (name, got, expected))
 
     def test_points_are_those_of_stream(self):
@@ -173,13 +173,13 @@ class Shapes(SweepTest):
           "the faces do not meet at a point; allowed: 1/first_radius_y + 1/second_radius_y above 0"]),
         (FACES, {"bodies.first_radius_x": "[4.7625e-3, 20e-3, 40e-3]"},
          ["bodies.first_radius_x: a value of its grid: 0.04 is not allowed beside second_radius_x", "do not meet"]),
-        # The nearest below 0 is neither the least nor the greatest.
+        # The radius nearest below 0 is neither the least nor the greatest of the grid.
         (FACES, {"bodies.second_radius_x": "[-30e-3, -4e-3, -27.7625e-3, 0.1, 1]"},
          ["where bodies.second_radius_x is -0.004: ", "do not meet"]),
         (FACES, {"bodies.second_radius_x": "[0, -27.7625e-3, 0.1]"}, ["bodies.second_radius_x: a value of its grid: 0 is"]),
         (FACES, {"bodies.second_radius_x": "{ from = -1, to = 1, count = 3, spacing = \"lin\" }"},
          ["bodies.second_radius_x: 0 is not allowed"]),
-        # Each value meets the other's middle one, but not all meet all.
+        # Each face meets the other's middle one, but not every face meets every other.
         (FACES, {"bodies.first_radius_x": "[4e-3, 5e-3, 25e-3]", "bodies.second_radius_x": "[-60e-3, -30e-3, -20e-3]"},
          ["bodies.first_radius_x: where bodies.first_radius_x is 0.025 and bodies.second_radius_x is -0.02: ",
           "do not meet"]),
@@ -187,7 +187,7 @@ class Shapes(SweepTest):
          ["where bodies.second_radius_x is -0.01397: ", "do not meet"]),
         (FACES, {"bodies.second_radius_x": "[-30e-3, -4e-3, 0.1]"},
          ["bodies.first_radius_x: 0.0047625 is not allowed beside second_radius_x, which is -0.004: the faces do not meet"]),
-        # An ellipse beyond double, of radii that are legal one by one.
+        # An ellipse that double cannot hold, of radii that are legal one by one.
         (ELLIPSE, {"bodies.radius_x": "[1e-250, 9.5e-3, 1]", "bodies.radius_y": "[1e-3, 19e-3, 1e250]"},
          ["bodies.radius_y: where bodies.radius_x is 1e-250 and bodies.radius_y is 1e+250: "]),
         # Distributions that reach a value that is refused.
@@ -216,10 +216,10 @@ class Shapes(SweepTest):
         (CIRCLE | MOMENTS, {"surface.m2": uniform(1e-4, 4e-4)}, ["surface.m4: where surface.m2 reaches 0.0004: "]),
         (CIRCLE | MOMENTS, {"surface.m4": uniform(3e6, 4e7)},
          ["surface.m4: where surface.m4 reaches 3e+06: 3000000", " is not allowed: m0 · m4/m2² = "]),
-        # Roelands' law, which a word chooses.
+        # Roelands' law, where a varied word chooses it.
         (CIRCLE, {"lubricant.viscosity": "[5e-5, 1e-3, 1e-2]", "friction.viscosity": '["roelands", "barus"]'},
          ["lubricant.viscosity: where lubricant.viscosity is 5e-5 and friction.viscosity is roelands: "]),
-        # One number out of its own range, and fields that are not this scene's.
+        # A number outside its own range, and fields that do not belong to this scene.
         (ELLIPSE, {"bodies.radius_y": "[19e-3, -19e-3]"}, ["bodies.radius_y: -0.019 is not allowed"]),
         (LINE, {"bodies.length": uniform(-1e-3, 1e-2)},
          ["bodies.length: this uniform distribution reaches −0.001; length must be a number above 0"]),
@@ -238,7 +238,7 @@ class Shapes(SweepTest):
                 self.assertNotIn("out.h5", self.names())
 
     def test_faces_at_the_rim_of_meeting_are_taken(self):
-        """All pairs meet, though the least of one beside the greatest of the other is near the rim."""
+        """All pairs of faces meet, though the least of one with the greatest of the other nearly does not."""
         self.swept(sweep({**FACES, "bodies.first_radius_x": "[4e-3, 5e-3, 19.9e-3]",
                           "bodies.second_radius_x": "[-60e-3, -30e-3, -20e-3, 0.5]", "speed": "0.1"}))
         with opened(self.path("out.h5")) as file:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""tribocheck sweep with one write, sync, rename or close that fails, each in turn, HDF5's own among them: the
-right result, or exit code 1 and nothing lost. TRIBOCHECK_FAILED_WRITES asks for larger sweeps."""
+"""tribocheck sweep with one write, sync, rename or close that fails, each in turn, HDF5's own among them: the right
+result, or exit code 1 and no computed part lost. TRIBOCHECK_FAILED_WRITES asks for larger sweeps."""
 
 import os
 import shutil
@@ -40,7 +40,7 @@ class FailingWrites(SweepTest):
                               env=environment)
 
     def calls(self):
-        """The call that failed last, and a letter for each call: w for a write, o for another."""
+        """The call that failed last, and a letter for each call: w for a write, o for another call."""
         with open(self.path("count"), encoding="ascii") as file:
             _, failed, kinds = file.read().split()
             return failed, kinds
@@ -75,7 +75,7 @@ class FailingWrites(SweepTest):
                         # No harm: leftovers that cannot be removed, closes of what is on the disk, and
                         # HDF5's look whether there is a file already.
                         failed = self.calls()[0]
-                        if failed == "openat":  # a part to be removed is looked at first
+                        if failed == "openat":  # a part is opened and checked before it is removed
                             self.assertIn("needs it no more", done.stderr)
                         else:
                             self.assertIn(failed, ("unlinkat", "close", "open", "open64"))

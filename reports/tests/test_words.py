@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Words of others, in ids, names of files, arguments and answers: on a terminal and in files they are but words."""
+"""Texts of others in ids, names of files, arguments and answers have no effect on a terminal, and in files are plain text."""
 
 import csv
 import io
@@ -16,7 +16,7 @@ import xml.etree.ElementTree
 from program import ENVIRONMENT, PROGRAM, Folder, quiet_scene, run, strict_json
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
-# Escape sequences of both kinds, what turns the text around, what ends a line, a cell, a quotation or an element, formulas.
+# Escape sequences of both kinds, signs that turn the text around, that end a line, a cell, a quotation or an element, and formulas.
 HOSTILE = ["\x1b[2J\x1b]0;owned\x07", "a\u009b31mred", "a\u202egpj.exe", "a\u2066b\u2069", "two\nlines", "a\rb", "tab\tbed",
            "del\x7f", 'a,"b",c', "=cmd|' /C calc'!A0", "+1+cmd|'x'!A1", "-2+3", "@SUM(1)", "-1e-5", "<script>alert(1)</script>",
            "<img src=x onerror=alert(1)>", "a|b`c`*d*_e_[f](g)", "&amp;&#27;", "{/Symbol a}_b^c@~", "' \" \\ $(touch x) `y`"]
@@ -93,7 +93,7 @@ class Ids(Words):
                 path = self.folder.write("sweep.toml", toml)
                 done = run("sweep", path, "-o", self.folder.path("out.h5"), "--force", "--format", "csv")
                 self.assert_dead(done)
-                if done.code == 2:  # some ids name no group of a file
+                if done.code == 2:  # some ids cannot name a group of a file
                     continue
                 self.assertEqual(done.code, 0, done.said)
                 shown = LIVE.sub(lambda sign: f"\\u{ord(sign[0]):04x}", word)
@@ -237,7 +237,7 @@ class Subjects(Words):
 
 class Terminal(Words):
     def test_progress(self):
-        """Where a person watches, names of files stand in a line that is overwritten."""
+        """On a terminal, names of files stand in a line that is overwritten."""
         reader, writer = os.openpty()
         name = "a\u009b31m\x1b]0;b\x07.toml"
         paths = [self.folder.write(name, quiet_scene(id="c\x1bd", speed={"from": 1e-4, "to": 3, "count": 20000}))]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model in double against the certified tables: per quantity, how many cases, how far off, what
-// is allowed, and the verdict. |error| ≤ max(n ulp, k·condition·ε), n and k declared beside the
-// function.
+// The model in double against the certified tables: for each quantity the number of cases, the
+// errors, the allowed errors and the verdict. |error| ≤ max(n ulp, k·condition·ε), n and k declared
+// beside the function.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct QuantityResult {
   double allowed_ulp = 0;                // n
   double allowed_ulp_per_condition = 0;  // k; 0: the condition does not count
   double worst_part_of_bound = 0;  // the greatest error/bound; above 1 the quantity has failed
-  std::string worst_row;           // id of that row
+  std::string worst_row;           // id of the row with that error
 
   bool passed() const { return cases > 0 && worst_part_of_bound <= 1; }
 };

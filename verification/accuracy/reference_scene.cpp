@@ -11,8 +11,7 @@
 namespace tribo::verification {
 namespace {
 
-// The column of a field, which has its name; but radii, and the number of a supply, are told by
-// other columns.
+// The column of a field: the one with its name, but for radii and the number of a supply.
 std::string_view column_of(const ReferenceRow& row, std::string_view path) {
   const std::string& shape = row.text("shape");
   if (path == (shape == "circle" ? "bodies.reduced_radius" : "bodies.radius_x")) return "radius_x";

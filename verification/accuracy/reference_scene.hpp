@@ -11,11 +11,11 @@
 
 namespace tribo::verification {
 
-// Hands each field that the row's scene has to `take`: its place in scene_fields(), and its number
-// or the place of its word. Throws std::runtime_error where a column or a word is not known.
+// Calls `take` for each field of the row's scene: its place in scene_fields(), and its number or
+// the place of its word. Throws std::runtime_error where a column or a word is not known.
 void for_each_field(const ReferenceRow& row, const std::function<void(std::size_t, double)>& take);
 
-// The place of a word among some. Throws std::runtime_error where it is none of them.
+// The place of a word in `words`. Throws std::runtime_error where it is none of them.
 double place_of(std::string_view word, std::span<const std::string_view> words);
 
 }  // namespace tribo::verification

@@ -39,7 +39,7 @@ def rows_of_part(program, seed, first, end, folder):
 
 
 def summary(rows):
-    """One entry a tolerance, from the coarsest; a film counts where the finer one is known three times as well."""
+    """One entry a tolerance, from the coarsest. A film counts where the error of the finer film is at most a third of its own."""
     tolerances = []
     contacts = {}
     for row in rows:

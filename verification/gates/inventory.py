@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The inventory gate: what the manifest lists is what ran, each on no fewer cases than listed.
+"""The inventory gate: the checks that the manifest lists are those that ran, each on no fewer cases than listed.
 
 Reads the JUnit file that `ctest --output-junit` wrote (`make test` does) and gates/manifest.tsv. Red:
 a check that is listed and did not run, or was skipped; one that ran on no case or on fewer than listed;
@@ -24,7 +24,7 @@ MANIFEST = HERE / "manifest.tsv"
 RAN_LINE = re.compile(r"^Ran (\d+) (?:cases|tests?)\b(?:, the nearest at (\S+) of its bound)?", re.MULTILINE)
 
 
-# GoogleTest's word on one test: when it begins, and how it ended.
+# GoogleTest's lines on one test: where it begins, and how it ended.
 TEST_LINE = re.compile(r"^\[ RUN      \] (\S+)$(.*?)(?:^\[ +(OK|SKIPPED|FAILED) +\] \1|\Z)", re.MULTILINE | re.DOTALL)
 
 TYPE_LINE = re.compile(r"^\[-+\] \d+ tests? from ((\S+)/\d+), where TypeParam = (.+)$", re.MULTILINE)
@@ -36,7 +36,7 @@ class Ran(typing.NamedTuple):
 
 
 def ran_on(output):
-    """The cases that a check says it ran on; where it says nothing, one case."""
+    """The cases that a check says it ran on; one case where it does not say."""
     counts = RAN_LINE.findall(output)
     if not counts:
         return Ran(1, 0)
@@ -54,7 +54,7 @@ def endings(junit):
         types = {match[1]: match for match in TYPE_LINE.finditer(output)}
         for suite_and_test, printed, ended in tests:
             suite, one = suite_and_test.split(".")
-            if suite in types:  # as CTest calls it
+            if suite in types:  # the name that CTest has for it
                 _, suite, kind = types[suite].groups()
                 one += f"<{kind}>"
             yield f"{name.split('.')[0]}.{suite}.{one}", printed, ended or "FAILED"  # a crash has no end
@@ -64,7 +64,7 @@ def endings(junit):
 
 def checks_that_ran(junit):
     """Name → Ran of each check; no cases where it was skipped or not run."""
-    # A failed test ran: that it failed is for CTest to say.
+    # A failed test ran. CTest says that it failed.
     return {name: Ran(0, 0) if ended == "SKIPPED" else ran_on(output) for name, output, ended in endings(junit)}
 
 

@@ -9,6 +9,6 @@ def copy_tree(root, to):
     listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=root,
                             stdout=subprocess.PIPE, text=True, check=True).stdout
     for name in filter(None, listed.split("\0")):
-        if (root / name).is_file():  # a file that is deleted is listed until that is committed
+        if (root / name).is_file():  # git lists a deleted file until the deletion is committed
             (to / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(root / name, to / name)

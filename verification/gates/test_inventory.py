@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The inventory gate: what it reads from CTest's file, and each thing that turns it red."""
+"""The inventory gate: its reading of CTest's file, and each fault that turns it red."""
 import contextlib
 import io
 import pathlib
@@ -25,7 +25,7 @@ class Folder(unittest.TestCase):
         self.junit.write_text(f"<testsuite>{rows}</testsuite>")
 
     def gate(self, *arguments):
-        """Exit code and what is said."""
+        """The exit code and the output."""
         said = io.StringIO()
         with mock.patch.object(sys, "argv", ["inventory.py", str(self.junit), "--manifest", str(self.manifest),
                                              *arguments]), \

@@ -26,8 +26,8 @@ inline constexpr std::string_view beyond_double = "outside the range of double p
 inline constexpr std::string_view film_collapsed =
     "the film has collapsed: nothing balances the load";
 
-// An output of an operating point as every format shows it. It is exactly one of the three: a
-// reason why there is none, a word, or else a finite number.
+// An output of an operating point as every format shows it. It is one of three: a reason why it is
+// undefined, a word, or a finite number.
 struct OutputValue {
   std::string_view undefined;
   std::string_view word;
@@ -50,7 +50,7 @@ void append_number(Text& to, double number);
 
 class AnswerObject {
  public:
-  // Without an id: null.
+  // The id is null where there is none.
   AnswerObject(Text& to, std::optional<std::string_view> id);
 
   // Members in the order of the calls. Names and reasons must outlive the object.
@@ -75,7 +75,7 @@ class AnswerObject {
 };
 
 // Appends the answer, always one whole line with its line end, whatever the input is. `number` is
-// the line's, for warnings, which are added to the list.
+// the number of the line, for warnings, which are added to the list.
 void append_answer(Text& to, std::string_view line, std::size_t number,
                    std::vector<InputProblem>& warnings);
 
@@ -93,9 +93,9 @@ void append_point(Text& to, const Scene& scene, std::optional<std::string_view> 
 // The model's {"id": …, "value": …} to a call, or what is wrong with the call.
 void append_function_answer(Text& to, const FunctionCall& call);
 
-// `stream` without its descriptors and its stderr. Answers all lines but blank ones, in order,
-// until the input ends. A program that waits for each answer gets it before it must ask again: the
-// output is flushed whenever no complete line is waiting.
+// The work of `stream`, but for descriptors and stderr. Answers all lines that are not blank, in
+// order, until the input ends. A program that waits for each answer gets it before it must ask
+// again: the output is flushed whenever no complete line is waiting.
 void answer_lines(LineReader& lines, OutputStream& output,
                   const std::function<void(const InputProblem&)>& warn);
 

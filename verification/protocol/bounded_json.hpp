@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON of somebody else as a tree, whatever it is: a baseline, an answer, what a program printed.
+// Reads any JSON of others as a tree: a baseline, an answer, a program's output.
 #pragma once
 
 #include <istream>
@@ -21,7 +21,7 @@ Json parse_bounded_json(std::string_view text) {
   return Json::parse(text, nullptr, false);
 }
 
-// The rest of a stream.
+// The same of the rest of a stream.
 template <class Json = nlohmann::json>
 Json read_bounded_json(std::istream& stream) {
   return parse_bounded_json<Json>(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// simdjson in the place of the model's JSON parser; entries and binder are the model's.
+// simdjson in place of the model's JSON parser. Entries and binder are the model's own.
 #include "protocol/ordinary_scene.hpp"
 
 #include <simdjson.h>
@@ -21,10 +21,10 @@ using scene_detail::ValueKind;
 constexpr std::size_t most_bytes = 4096;
 constexpr std::size_t most_entries = 64;
 
-// Might a number be nearer to 0 than 4.9e-324? It has an exponent of three digits then, or well
-// over a hundred digits before it.
+// Might a number be nearer to 0 than 4.9e-324? Then it has an exponent of three digits, or far over
+// a hundred digits.
 bool may_underflow(std::string_view line) {
-  std::size_t digits = 0;  // in a row, with their point
+  std::size_t digits = 0;  // in a row, with the point
   bool negative_exponent = false;
   for (std::size_t at = 0; at < line.size(); ++at) {
     const char c = line[at];
@@ -59,7 +59,7 @@ class OrdinaryReader {
  private:
   bool take(std::string_view name, const dom::element& element) {
     dom::object section;
-    // "surface.summit_radius" is no name, and a name in quotes is written in another way.
+    // "surface.summit_radius" is not the name of one member, and quotes in a name are escaped.
     if (name.find_first_of(".\"") != std::string_view::npos) return false;
     if (element.get(section) != simdjson::SUCCESS) return take_field("", name, element);
     if (!is_of_scenes_ || !scene_detail::is_section(name)) return false;
@@ -86,8 +86,8 @@ class OrdinaryReader {
     return true;
   }
 
-  // Lines of one program have the same names in the same order: mostly this path and its field are
-  // there from the line before.
+  // Lines of one program have the same names in the same order: mostly the entry still has this
+  // path and its field from the line before.
   void set_path(Entry& entry, std::string_view section, std::string_view name) const {
     const std::string_view path = entry.path;
     const std::size_t start = section.empty() ? 0 : section.size() + 1;
@@ -131,8 +131,8 @@ class OrdinaryReader {
 
   bool is_of_scenes_;
   dom::parser parser_;
-  std::array<Entry, most_entries> entries_;  // with the memory of their texts and lists
-  std::size_t count_ = 0;                    // of those that this line has
+  std::array<Entry, most_entries> entries_;  // their texts and lists keep their memory
+  std::size_t count_ = 0;                    // entries of this line
   bool zero_ = false;                        // is there a 0.0 among them?
 };
 

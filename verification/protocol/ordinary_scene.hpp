@@ -11,12 +11,12 @@
 namespace tribo::protocol {
 
 // The result of parse_scene_json() for one speed, to the last bit and word, in a third of the time.
-// Empty if the same result is not certain: the line is no JSON, a name is unknown, a number may be
-// outside its type, a list or table is in a wrong place, or the line holds far more than a scene.
+// Empty if that is not certain: the line is no JSON, a name is unknown, a number may be outside its
+// type, a list or table is in a wrong place, or the line holds far more than a scene.
 std::optional<SceneReading> read_ordinary_scene(std::string_view line, std::string_view source);
 
-// The members of an object that holds no lists and objects, as json_entries() gives them, in a
-// third of the time; good until this thread's next call. Empty if the same is not certain.
+// The members of an object without lists and objects, as json_entries() gives them, in a third of
+// the time; valid until this thread's next call. Empty if they may differ.
 std::optional<std::span<const scene_detail::Entry>> ordinary_members(std::string_view line);
 
 }  // namespace tribo::protocol

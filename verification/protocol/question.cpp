@@ -23,7 +23,7 @@ const Entry* find(Members members, std::string_view name) {
   return nullptr;
 }
 
-// The name as it was given, printable: a path has odd ones in quotes.
+// The name as it was given, in printable signs: paths have odd names in quotes.
 std::string name_of(const Entry& member) {
   const std::string& path = member.path;
   return path.starts_with('"') ? path.substr(1, path.size() - 2) : path;
@@ -150,14 +150,14 @@ std::optional<FunctionCall> call_of(Members members) {
   return call;
 }
 
-// Nothing where the line is no JSON object with a member "function".
+// The call that a line asks for; nullopt where it is no JSON object with a member "function".
 std::optional<FunctionCall> read_function_call(std::string_view line) {
   if (const auto members = ordinary_members(line)) return call_of(*members);
   SceneReading unused;
   scene_detail::Problems problems(unused, "");
   auto members = scene_detail::json_entries(line, problems, line.size());
   if (!members) return std::nullopt;
-  // Fields of a table that a scene knows, and a function does not: the table itself is left.
+  // A scene's tables have entries for their fields, too; for a function the table itself is enough.
   std::erase_if(*members, [](const Entry& one) {
     return !one.path.starts_with('"') && one.path.find('.') != std::string::npos;
   });

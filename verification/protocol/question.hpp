@@ -21,22 +21,22 @@ struct CallFault {
 };
 
 struct FunctionCall {
-  std::optional<std::string> id;                  // not set: not given, or no text
-  const catalogue::Function* function = nullptr;  // these two where there is no fault,
-  catalogue::Arguments arguments{};               // all in range, defaults filled in
+  std::optional<std::string> id;                  // empty: not given, or no text
+  const catalogue::Function* function = nullptr;  // this and the next are set without a fault:
+  catalogue::Arguments arguments{};               // in range, with defaults filled in
   std::optional<CallFault> fault;                 // the first one in the line
 };
 
-// Either may hold faults instead of a question. A line that is no JSON is a scene with a fault.
+// Either may hold faults in place of a question. A line that is no JSON is a scene with a fault.
 using Question = std::variant<SceneReading, FunctionCall>;
 
-// `number` is the line's, for messages.
+// `number` is the number of the line, for messages.
 Question read_question(std::string_view line, std::size_t number);
 
-// The answer to a line that the reader did not keep.
+// The message of the answer to a line that was too long to keep.
 inline constexpr std::string_view line_too_long = "the line is over 1 MiB";
 
-// Is there nothing in the line? Such lines get no answer.
+// Is the line blank? Blank lines get no answer.
 bool is_blank(std::string_view line);
 
 }  // namespace tribo::protocol

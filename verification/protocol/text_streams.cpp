@@ -14,7 +14,7 @@
 namespace tribo::protocol {
 namespace {
 
-// After a failed call: is it worth trying again? Waits until it is.
+// After a failed call: may the call be tried again? Waits until it may.
 bool try_again(int descriptor, short event) {
   if (errno == EINTR) return true;
   if (errno != EAGAIN) return false;
@@ -25,7 +25,7 @@ bool try_again(int descriptor, short event) {
 
 constexpr std::size_t block_bytes = std::size_t{1} << 16;
 
-// Without a branch, as it is asked of each block.
+// Written without a branch, because it is called for each block.
 bool is_plain(const Text& text) {
   unsigned odd = 0;
   for (const char sign : text) {
@@ -56,7 +56,7 @@ ssize_t write_some(int descriptor, const char* from, std::size_t count) {
 
 std::string system_message(int code) { return std::generic_category().message(code); }
 
-// Room for the longest line with its "\r\n", and a block more.
+// The buffer has room for the longest line with its "\r\n", and for one more block.
 LineReader::LineReader(int descriptor, std::size_t longest)
     : descriptor_(descriptor), longest_(longest), buffer_(longest + 2 + block_bytes) {}
 

@@ -14,8 +14,8 @@
 
 namespace tribo::protocol {
 
-// read(2) and write(2) that see through interruptions and descriptors somebody made non-blocking.
-// They return −1 and set errno at an error that is to be reported.
+// read(2) and write(2), repeated after interruptions and on descriptors that somebody made
+// non-blocking. They return −1 and set errno at an error that is to be reported.
 ssize_t read_some(int descriptor, char* to, std::size_t most);
 ssize_t write_some(int descriptor, const char* from, std::size_t count);
 
@@ -29,10 +29,10 @@ struct InputFailed : std::runtime_error {
 struct Line {
   enum class Kind : std::uint8_t { whole, too_long, end_of_input };
   Kind kind = Kind::whole;
-  std::string_view text;  // without its line end, "\n" or "\r\n"; good until the next call
+  std::string_view text;  // without its line end, "\n" or "\r\n"; valid until the next call
 };
 
-// Lines in bounded memory whatever comes: a line that is too long is skipped without being stored.
+// Reads lines in bounded memory: a line that is too long is skipped and not stored.
 class LineReader {
  public:
   LineReader(int descriptor, std::size_t longest);
@@ -51,7 +51,7 @@ class LineReader {
   int descriptor_;
   std::size_t longest_;
   std::vector<char> buffer_;
-  std::size_t begin_ = 0;  // what is held and not yet handed out: [begin_, end_)
+  std::size_t begin_ = 0;  // [begin_, end_): text that was not handed out yet
   std::size_t end_ = 0;
   std::size_t searched_ = 0;  // no line end in [begin_, searched_)
 };
@@ -62,10 +62,10 @@ inline void append(Text& text, std::string_view part) {
   text.append(part.data(), part.data() + part.size());
 }
 
-// The reader has gone (`| head -1`): no error, but nothing more to do. Needs SIGPIPE to be ignored.
+// The output's reader has ended (`| head -1`): no error, but the end. SIGPIPE has to be ignored.
 struct OutputClosed {};
 
-// Any other failed write, as on a full disk.
+// Any other write that failed, as on a full disk.
 struct OutputFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -78,10 +78,10 @@ class OutputStream {
   OutputStream(const OutputStream&) = delete;
   OutputStream& operator=(const OutputStream&) = delete;
 
-  // Append to this, then call end_row().
+  // A caller appends a row to this text, then calls end_row().
   Text& text() { return text_; }
 
-  // Writes if a block is full.
+  // Writes the text once a block is full.
   void end_row() {
     if (text_.size() >= block_bytes) flush();
   }

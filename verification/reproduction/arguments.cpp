@@ -137,7 +137,7 @@ Argument summit_radius(const PaperScenes& scenes, const std::vector<Item>& items
   return decided(std::move(argument));
 }
 
-// A criterion on r alone gives the same λ on all surfaces; then u ∝ σ_s^{1/0.67}, but for load
+// A criterion on r alone gives the same λ on all surfaces. Then u ∝ σ_s^{1/0.67}, apart from load
 // sharing.
 Argument onset_spacing(const PaperScenes& scenes, const std::vector<Item>& items,
                        std::string_view above, std::size_t upper, std::string_view below,

@@ -42,8 +42,8 @@ double number_if(bool wanted, const ReferenceRow& row, std::string_view column) 
   return wanted ? row.number(column) : 0;
 }
 
-// A tolerance; of a comparison of two speeds it may be a part of the length of a logarithmic axis,
-// "0.01 of 0.0001 to 3": that factor between them, less 1.
+// A tolerance. For two speeds it may be a part of a logarithmic axis: "0.01 of 0.0001 to 3" is the
+// factor of a hundredth of that axis, less 1.
 double tolerance(const ReferenceRow& row) {
   const std::string& text = row.text("tolerance");
   double part = 0, from = 0, to = 0;
@@ -120,7 +120,7 @@ Verdict judge(const Item& item, const Observed& observed) {
     case Rule::number:
       return judge_number(item, value);
     case Rule::order:
-      // A ratio that is 1 but for its numerical error is not greater than 1.
+      // A ratio that exceeds 1 by no more than its numerical error is not greater than 1.
       return value > 1 + observed.error && observed.part == 1 ? Verdict::reproduced : in_part;
     case Rule::equal:
       if (std::abs(std::log(value)) <= std::log1p(item.tolerance)) return Verdict::reproduced;
@@ -151,7 +151,7 @@ std::optional<double> margin(const Item& item, const Observed& observed) {
 
 namespace {
 
-// |ln(number/threshold)|; a number that is 0 but for its error is as small as that error.
+// |ln(number/threshold)|; a number below its error counts as that error.
 Margin distance(double number, double error, double threshold) {
   const double known = std::max({number, error, std::numeric_limits<double>::min()});
   const double towards =
@@ -159,7 +159,7 @@ Margin distance(double number, double error, double threshold) {
   return {std::abs(std::log(known / threshold)), towards, MarginOf::number};
 }
 
-// The margin to being reproduced, or not.
+// The margin of the verdict `reproduced`.
 Margin first_margin(const Item& item, const Observed& observed) {
   const double value = *observed.value;
   const auto to = [&](double threshold) { return distance(value, observed.error, threshold); };

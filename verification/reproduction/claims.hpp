@@ -49,28 +49,28 @@ struct Item {
   std::string id;     // "C1.rough"
   std::string claim;  // "C1"
   Quantity quantity;
-  PaperSurface surface;  // of those that have one
+  PaperSurface surface;  // of items that have one
   bool has_surface;
   std::string surface_text, model;
   Rule rule;
-  std::string printed;  // as the paper has it
+  std::string printed;  // as the paper prints it
   double reported;      // of rule number
-  double last_digit;    // likewise: the unit of the last printed digit
+  double last_digit;    // of rule number: the unit of the last printed digit
   double tolerance;     // of equal (the factor less 1) and at_least
   std::string unit, place, statement, computed_as;
   std::string label;  // what is computed, in few words
 };
 
-// The result of a reading for an item.
+// A reading's result for an item.
 struct Observed {
-  std::optional<double> value;  // what decides: of a comparison over speeds, its worst
-  double other_end = 0;         // of a comparison over speeds, its best; else the value
-  double part = 1;              // of the compared (logarithmic) speeds, or surfaces: where it holds
+  std::optional<double> value;  // the deciding number: the worst of a comparison over speeds
+  double other_end = 0;         // the best of a comparison over speeds; else the value
+  double part = 1;              // of the compared (logarithmic) speeds, or surfaces, where it holds
   std::string_view none{};      // why there is no value
   // Numerical errors, absolute: the number itself lies within them.
   double error = 0;                    // of value, other_end and middle
   std::optional<double> part_error{};  // of part; none where speeds are not compared
-  // The number that at least half of few compared numbers reach.
+  // Where few numbers are compared: the greatest that at least half of them reach.
   std::optional<double> middle{};
   // Contacts whose numbers lie beyond the collapse of their film; bit i: contact i (ContactName).
   std::uint8_t beyond_collapse = 0;
@@ -90,36 +90,36 @@ bool is_as_printed(double value, double reported, double last_digit);
 
 Verdict judge(const Item& item, const Observed& observed);
 
-// How far a verdict is from another one.
+// The distance of a verdict from the nearest other verdict.
 enum class MarginOf : std::uint8_t {
   number,  // the margin is |ln(number/threshold)|
-  part,    // of the compared speeds, less one half
+  part,    // the margin is the part of the compared speeds, less one half
 };
 std::string_view name(MarginOf of);
 struct Margin {
-  double distance;  // of what decides to the nearest threshold; at least 0
-  double error;     // numerical error of what decides, in the same measure
+  double distance;  // of the deciding number to the nearest threshold; at least 0
+  double error;     // the numerical error of the deciding number, in the same measure
   MarginOf of;
 
   bool is_decided() const { return distance > error; }
 };
 inline constexpr std::string_view undecided_words = "the margin is below the numerical error";
 
-// The distance to the nearest threshold beyond which the verdict would be another one; of several,
-// one that is not decided. None where there is no number.
+// The distance to the nearest threshold beyond which the verdict would change. Of several
+// thresholds, one within the error comes first. No margin where there is no number.
 std::optional<Margin> margin_of_verdict(const Item& item, const Observed& observed);
 
 // Is it sure, whatever the numerical error, whether the item is reproduced?
 bool is_sure(const Item& item, const Observed& observed);
 
-// Above 0 where the rule is met, and continuous in the value; for numbers ln(value/reported), which
-// is 0 at the reported value.
+// The rule as a continuous function of the value, above 0 where the rule is met. For numbers it is
+// ln(value/reported), 0 at the reported value.
 std::optional<double> margin(const Item& item, const Observed& observed);
 
-// Throws std::runtime_error with one line.
+// Reads claims.tsv. Throws std::runtime_error with one line.
 std::vector<Item> read_claims(const std::string& path);
 
-// Each of the claims in a sentence, in their order, from statements.tsv. Throws std::runtime_error
+// A sentence on each of the claims, in their order, from statements.tsv. Throws std::runtime_error
 // with one line.
 std::vector<std::string> read_statements(const std::string& path,
                                          const std::vector<std::string>& claims);

@@ -43,8 +43,8 @@ Reading with_law(std::size_t number) {
   return reading;
 }
 
-// The choices of the film's switches that give one film formula: U doubles either by E* or by the
-// sum of the speeds, and no other part of the model sees which.
+// The choices of the film's switches that give one film formula: U doubles by E* or by the sum of
+// the speeds, and the rest of the model is the same for both.
 struct FilmGroup {
   std::vector<std::size_t> numbers;  // of film_switches
 };
@@ -63,11 +63,11 @@ std::vector<FilmGroup> film_groups() {
   return groups;
 }
 
-// Everything of one contact behind one film formula and one inlet.
+// The results of one contact with one film formula and one inlet.
 struct Branch {
   StarvedCurve starved;
   std::array<FrictionCurve, law_count> friction;
-  std::array<std::optional<OnsetPoint>, onset_choices.size()> onset;  // but friction_minimum
+  std::array<std::optional<OnsetPoint>, onset_choices.size()> onset;  // without friction_minimum
   std::array<std::optional<OnsetPoint>, law_count> friction_minimum;
 };
 
@@ -87,7 +87,7 @@ Branch branch(const FloodedCurve& flooded, const ReadInlet& inlet,
   return made;
 }
 
-// Items that are reproduced, that had to be refined, that are not decided.
+// The items that are reproduced, those that had to be refined, and those that are not decided.
 struct Masks {
   ItemMask reproduced = 0, refined = 0, undecided = 0;
 

@@ -17,8 +17,8 @@ using ItemMask = std::uint32_t;
 
 struct Enumeration {
   std::vector<ItemMask> items;   // of every reading, by index_of()
-  std::vector<ItemMask> claims;  // likewise
-  std::size_t films;             // how many of each stage were computed
+  std::vector<ItemMask> claims;  // of every reading, by index_of()
+  std::size_t films;             // the numbers of computed stages
   std::size_t inlets;
   std::size_t friction_curves;
   // For every reading the items that the grid of speeds left open, and that were therefore computed
@@ -40,10 +40,10 @@ struct RankedGroup {
   ItemMask claims;
   int score;               // how many claims that is
   std::size_t ties;        // how many readings
-  Reading representative;  // of those that reproduce most items, the one with the fewest departures
+  Reading representative;  // of readings that reproduce most items, the one with fewest departures
                            // from the corrected reading
-  std::string fixed;       // "offset_planes=2 …": what all of them share, of what departs
-  std::string free;        // "viscosity, criterion": in what they differ
+  std::string fixed;       // "offset_planes=2 …": departures that all of them share
+  std::string free;        // "viscosity, criterion": switches in which they differ
 };
 
 struct Ranking {
@@ -55,7 +55,7 @@ struct Ranking {
 };
 Ranking rank(const Enumeration& enumeration, const std::vector<Item>& items, std::size_t groups);
 
-// How many readings reproduce more claims than this score, and how many as many.
+// The numbers of readings that reproduce more claims than a score, and exactly as many.
 struct ReadingRank {
   std::size_t above, equal;
 };
@@ -73,7 +73,7 @@ struct ItemStatistics {
   std::size_t readings;                    // that reproduce the item
   double part;                             // of all
   std::size_t undecided;                   // readings whose margin is below the numerical error
-  std::vector<Identification> identified;  // switches of which one choice has 95 % and more
+  std::vector<Identification> identified;  // switches with a choice that 95 % or more share
 };
 // In the order of the items. If all readings reproduce an item, or no reading does, the item
 // identifies no switch.

@@ -32,7 +32,7 @@ Evidence share_under(const PaperScenes& scenes, Switch which) {
                     slow_asperity_share(scenes, corrected_reading(), rough));
 }
 
-// Film at 1 m/s, smooth surface, in m.
+// The film of the smooth surface at a speed, in m.
 double film_at(const PaperScenes& scenes, const Reading& reading, double speed = 1) {
   const Scene& scene = scenes.scene[smooth];
   return ReadContact(scene, reading).flooded_film_parameter(speed) * scene.surface.summit_height_sd;
@@ -84,7 +84,7 @@ Evidence evidence(const std::string& id, const PaperScenes& scenes) {
             gaussian_moment(Order::zero, 0.0), gaussian_moment(Order::one, 2.0),
             "the printed one is so at any λ"};
   if (id == "E6") {
-    // In a unit of length that is 1/scale m.
+    // The area in a unit of length of 1/scale m.
     const auto area = [&](double scale, bool as_printed) {
       const double n = surface.summit_density / (scale * scale);
       const double beta = surface.summit_radius * scale, sd = surface.summit_height_sd * scale;
@@ -104,7 +104,7 @@ Evidence evidence(const std::string& id, const PaperScenes& scenes) {
   if (id == "E8") return {"D_d/σ_s from D_d = 0.82σ", 0.82 / 1.4, 0.82 * 1.4, "Table 1: 1.146"};
   if (id == "E9") return share_under(scenes, Switch::offset_planes);
   if (id == "E10") {
-    // ψ = a^{1/3} x/(2Rh)^exponent, all lengths multiplied.
+    // ψ = a^{1/3} x/(2Rh)^exponent, with all lengths multiplied by `scale`.
     const auto length = [&](double scale, double exponent) {
       const double a = radius_of(scene, scene.bodies.reduced_radius) * scale;
       return std::cbrt(a) * a /

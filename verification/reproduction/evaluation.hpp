@@ -12,26 +12,26 @@ namespace tribo::reproduction {
 struct ItemResult {
   Observed observed;
   Verdict verdict;
-  std::optional<Margin> margin;  // of the verdict; none where there is no number
+  std::optional<Margin> margin;  // of the verdict; empty where there is no number
 
   bool is_decided() const { return !margin || margin->is_decided(); }
 };
 ItemResult judged(const Item& item, const Observed& observed);
 
-// In the order of the items.
+// The results of all items, in their order.
 std::vector<ItemResult> evaluate(const PaperScenes& scenes, const Reading& reading,
                                  const std::vector<Item>& items);
 
-// One item alone: computes only what it rests on.
+// The result of one item; computes only the stages that this item needs.
 Observed evaluate(const PaperScenes& scenes, const Reading& reading, const Item& item);
 
-// The constant in the place of 2.69(1 − 0.61 e^{−0.73}) in a reading, times the scale on it.
+// The constant that a reading has in place of 2.69(1 − 0.61 e^{−0.73}), times film_constant_scale.
 double film_constant(const PaperScenes& scenes, const Reading& reading);
 
 // The asperities' share at the lowest speed in a contact (ContactName).
 double slow_asperity_share(const PaperScenes& scenes, const Reading& reading, std::size_t contact);
 
-// The number that λ divides the film by, over σ_s.
+// λ is the film over this number times σ_s.
 inline double lambda_divisor(const Reading& reading) {
   return reading.is(Switch::lambda_scale, 1) ? 1.4 : 1;
 }

@@ -23,7 +23,7 @@ double digits_of(const std::string& text) {
 }  // namespace
 
 std::vector<IndependentNumber> independent_numbers(const std::string& path) {
-  constexpr double steel = 210e9 / (2 * 0.91);  // E*: 210 GPa and 0.3 on both
+  constexpr double steel = 210e9 / (2 * 0.91);  // E*: 210 GPa and 0.3 for both bodies
   std::vector<IndependentNumber> numbers;
   verification::each_published_row(path, [&](const auto& row) {
     const double load = row.number("load"), radius = row.number("reduced_radius");

@@ -26,7 +26,7 @@ Scene read_one(const std::string& path, AsperityModel model) {
   need(scene.closures.asperity == model, model == AsperityModel::greenwood_tripp
                                              ? "closures.asperity = greenwood_tripp"
                                              : "closures.asperity = greenwood_williamson");
-  // Its readings compute the paper's contact by formulas of their own, and change these inputs.
+  // Readings compute the paper's contact by formulas of their own, and change these inputs.
   need(scene.bodies.shape() == ContactShape::circle && !scene.bodies.has_bodies() &&
            scene.closures.film == FilmFormula::hamrock_dowson_central,
        "bodies.reduced_radius, bodies.effective_modulus and closures.film = "

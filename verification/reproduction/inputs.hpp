@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's scenes, and its inputs one by one: how precisely each is printed, within what it may
-// lie.
+// The paper's scenes, and its inputs one by one, with the precision of the print and the plausible
+// range.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ namespace tribo::reproduction {
 
 struct PaperScenes {
   PerContact<Scene> scene;         // rough, medium, smooth with GT; smooth with GW
-  double film_constant_scale = 1;  // on the film formula
-  double speed_scale = 1;          // on the speed in it
+  double film_constant_scale = 1;  // a factor on the film formula
+  double speed_scale = 1;          // a factor on the speed in it
 
   double film_scale() const;
 };
@@ -53,7 +53,7 @@ struct Input {
 
   bool is_of(std::size_t contact) const;
 };
-// Throws std::runtime_error with one line.
+// Reads inputs.tsv. Throws std::runtime_error with one line.
 std::vector<Input> read_inputs(const std::string& path);
 
 // Multiplies an input of one contact, or of all.

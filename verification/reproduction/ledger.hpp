@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ledger: every claim and erratum of the paper under every reading, and what stands behind each
-// verdict. A source of its own name makes each part.
+// The ledger: every claim and erratum of the paper under every reading, and the evidence for each
+// verdict. Each part has a source, which the comments name.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace tribo::reproduction {
 
-// arguments.cpp: which reading a number of the paper identifies, by the number with its print
-// precision, and what each candidate gives.
+// arguments.cpp: the reading that a number of the paper identifies, by the number with its print
+// precision and the value of each candidate.
 struct Candidate {
   std::string name;
-  std::optional<double> value;  // none: it gives no such number
+  std::optional<double> value;  // empty: it gives no such number
   bool agrees;                  // within the reported interval
 };
 
@@ -32,11 +32,11 @@ struct Argument {
 std::vector<Argument> arguments(const PaperScenes& scenes, const std::vector<Item>& items,
                                 const std::vector<Input>& inputs);
 
-// errata.cpp: the paper's misprints, from reference/published/errata.tsv, with what the printed and
-// the right form give, so that each can be seen to matter, or not to.
+// errata.cpp: the paper's misprints, from reference/published/errata.tsv, with the numbers of the
+// printed and of the right form, which show whether the misprint matters.
 struct Erratum {
   std::string id, place, printed, right, settled_by, kind, switch_or_reason;
-  std::string evidence;  // what is computed; empty where there is nothing to compute
+  std::string evidence;  // the computed quantity; empty where there is none
   std::optional<double> as_printed, as_corrected;
   std::string decided_by;  // the number of the paper, or the bound, that settles it
 };
@@ -55,8 +55,8 @@ struct IndependentNumber {
 };
 std::vector<IndependentNumber> independent_numbers(const std::string& path);
 
-// requirements.cpp: the change of a single input that would make a failing item hold, and what else
-// that change does.
+// requirements.cpp: the change of a single input that would make a failing item hold, and the
+// effects of that change on other claims.
 struct Requirement {
   std::size_t item;  // index
   Field field;
@@ -83,13 +83,13 @@ std::vector<Requirement> requirements(const PaperScenes& scenes, const Reading& 
 struct CommonDeparture {
   std::array<std::optional<double>, surface_count> own;  // ε for rough, medium, smooth
   double best;                                           // ε for all
-  std::array<double, surface_count> factor;              // computed/reported there
+  std::array<double, surface_count> factor;              // computed/reported at that ε
 };
 CommonDeparture common_departure(const PaperScenes& scenes, const Reading& reading,
                                  const std::array<double, surface_count>& reported);
 
-// uncertainty.cpp: how sure the computed numbers are, as the corrected reading with Table 1 varied
-// within its print precision, and within what is plausible. Draws come from a counter (Philox), so
+// uncertainty.cpp: how sure the computed numbers are: the corrected reading with Table 1 varied
+// within its print precision, and within plausible ranges. Draws come from a counter (Philox), so
 // that draw i is the same whatever was drawn before it.
 enum class Spread : std::uint8_t {
   print,      // uniform within half of the last printed digit
@@ -111,7 +111,7 @@ struct Uncertainty {
   std::size_t all_onsets_reported;  // draws in which all three speeds print as reported
 };
 
-// `reported` with the unit of the last digit, for all_onsets_reported.
+// The reported onset speeds with the units of their last digits, for all_onsets_reported.
 struct ReportedOnsets {
   std::array<double, surface_count> speed, last_digit;
 };
@@ -148,7 +148,7 @@ struct Ledger {
 struct LedgerOptions {
   std::string published;       // the folder of claims.tsv and the scenes
   std::vector<Reading> asked;  // further columns
-  std::size_t best = 3;        // how many sets of claims to show of the best
+  std::size_t best = 3;        // how many of the best sets of claims to show
   std::size_t draws = 10000;   // of each uncertainty
 };
 
@@ -165,11 +165,11 @@ std::string ledger_csv(const Ledger& ledger, const std::vector<NamedReading>& re
                        const std::vector<std::string>& claims);
 
 struct LedgerChanges {
-  std::vector<std::string> verdicts;  // one line each; a reading that is another one is among them
+  std::vector<std::string> verdicts;  // one line for each change, of a reading's switches, too
   std::vector<std::string> numbers;   // moved by more than 1e-6 of themselves, verdict unchanged
 };
-// Against the committed ledger: the readings and items that both have. Throws std::runtime_error
-// with one line.
+// The changes since the committed ledger, of the readings and items that both have. Throws
+// std::runtime_error with one line.
 LedgerChanges changes_since(const std::string& path, const Ledger& ledger,
                             const std::vector<NamedReading>& readings,
                             const std::vector<std::string>& claims);

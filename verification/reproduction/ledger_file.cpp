@@ -34,7 +34,7 @@ struct Row {
 
 std::string_view yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
-// Errors are known to their size alone.
+// Only the size of an error is known, so it is printed with two digits.
 std::string error_text(double error) { return fmt::format("{:.2g}", error); }
 
 bool is_moved(const std::string& before, const std::string& now) {

@@ -32,7 +32,7 @@ constexpr std::string_view no_ratio = "a film vanishes within the speeds that ar
 struct Zone {
   std::vector<double> log_speed;  // both ends are among them
   std::size_t first_on_grid = 0;  // index of log_speed[1] in the grid
-  std::string_view none{};        // why there are none
+  std::string_view none{};        // why no speeds are compared; else empty
 };
 Zone zone(const Stages& stages, std::initializer_list<ContactName> compared, bool mixed) {
   const std::vector<ContactPoint>& grid = points(stages, ContactName::smooth);
@@ -130,8 +130,8 @@ Observed over(const Zone& where, const Item& item, std::vector<double> at_speeds
   return {value, other_end, part.value, {}, error, part.error};
 }
 
-// The rounding error of a ratio of two points' numbers over a zone: the separations are greatest at
-// its ends or between them, and at most that of the full inlet.
+// The rounding error of a ratio of two points' numbers over a zone: the greatest rounding of any
+// point of the contacts on the grid, for both numbers.
 double rounding_of_ratio(const Stages& stages, std::initializer_list<ContactName> compared) {
   double greatest = 0;
   for (const ContactName name : compared)
@@ -171,7 +171,7 @@ Observed friction_over(const Stages& stages, const Item& item, Effort effort) {
       rounding_of_ratio(stages, {gt, gw}), effort);
 }
 
-// Successive ratios of what should rise from smooth to medium to rough; errors are relative.
+// Ratios of successive numbers that should rise from smooth to rough; their errors are relative.
 Observed rising(const std::array<std::optional<Estimate>, surface_count>& value,
                 std::string_view none) {
   const auto &rough = value[0], &medium = value[1], &smooth = value[2];
@@ -317,7 +317,7 @@ Observed flooded_slope(const Stages& stages) {
 Observed starved_slope_range(const Stages& stages) {
   const ReadInlet& inlet = *stages.inlet;
   const ReadContact& film = contact(stages, ContactName::smooth);
-  if (!inlet.maximum()) return {1.0, 1.0, 0};  // it never falls
+  if (!inlet.maximum()) return {1.0, 1.0, 0};  // the film never falls
   const double low = std::log(*inlet.maximum());
   const double high = inlet.rule() == InletRule::flooded_inlet ? -1e-12 : std::log(1e6);
   constexpr double width = 1e-14;
@@ -368,7 +368,7 @@ struct QuantityInfo {
   Observed (*observe)(const Stages& stages, const Item& item, Effort effort);
 };
 
-// A number of the points of two contacts, its ratio over all speeds that are compared.
+// The ratio of a number of the points of two contacts, over all compared speeds.
 template <ContactName above, ContactName below, double ContactPoint::*quantity, bool mixed>
 Observed ratio_of(const Stages& stages, const Item& item, Effort effort) {
   return ratio_over(stages, item, above, below, quantity, mixed, effort);
@@ -479,7 +479,7 @@ std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const St
     return flooded.contact.friction(flooded.contact.point(std::exp(x), inlet), law);
   };
   const auto log_speed = [&](std::size_t i) { return std::log(grid[i].speed); };
-  constexpr double margin = 1 + 1e-12;  // what lies within rounding is a plateau
+  constexpr double margin = 1 + 1e-12;  // differences within rounding make a plateau
   std::optional<LeastFriction> lowest;
   const auto look_between = [&](std::size_t from, std::size_t to) {
     const LeastFriction found = least_friction(at, log_speed(from), log_speed(to));

@@ -35,7 +35,7 @@ struct FloodedCurve {
 };
 FloodedCurve flooded_curve(const ReadContact& contact, const std::vector<double>& speeds);
 
-// Behind an inlet.
+// One contact's films behind an inlet.
 struct StarvedCurve {
   std::vector<ContactPoint> points;
   std::optional<OnsetPoint> film_maximum;
@@ -69,8 +69,8 @@ struct Stages {
 enum class Stage : std::uint8_t { films, friction, onsets, constant };
 Stage stage(Quantity quantity);
 
-// By Effort::grid the error is what may lie between the nodes, and the part where a comparison
-// holds is all or none of it; refined, they are those of the numbers themselves.
+// By Effort::grid the error is that of the numbers between the nodes, and a comparison holds over
+// all or none of the speeds; refined, errors and parts are computed between the nodes, too.
 Observed observe(const Item& item, const Stages& stages, Effort effort = Effort::refined);
 
 }  // namespace tribo::reproduction

@@ -83,7 +83,7 @@ std::size_t reading_count();
 Reading reading_at(std::size_t index);
 std::size_t index_of(const Reading& reading);
 
-// "inlet=printed_exponents speed=sum": where it departs from the corrected one, which is
+// "inlet=printed_exponents speed=sum": the departures from the corrected reading, which itself is
 // “corrected”.
 std::string departures(const Reading& reading);
 

@@ -36,7 +36,7 @@ AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading
   return contact;
 }
 
-// The circular contact's gap is greater by 4/π than the line contact's, and c less.
+// The circular contact's gap is greater by 4/π than the line contact's, and c is less.
 InletCurve<double> curve_of(const Reading& reading) {
   const StarvationClosure closure = reading.inlet() == InletRule::as_printed
                                         ? StarvationClosure::flooded_inlet
@@ -181,7 +181,7 @@ std::optional<OnsetPoint> explicit_onset(const ReadContact& contact, const ReadI
   if (!inlet.maximum()) return std::nullopt;
   const std::optional<OnsetPoint> found = contact.onset_at_ratio(*inlet.maximum(), inlet);
   if (!found || choice.rule == OnsetRule::film_maximum) return found;
-  // asperity_minimum: where they carry the whole load at every speed there is none.
+  // asperity_minimum: there is none where the asperities carry the whole load at every speed.
   const double share = contact.point(found->speed, inlet).asperity_share;
   return share < 1 ? found : std::nullopt;
 }

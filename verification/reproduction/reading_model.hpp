@@ -24,11 +24,10 @@ struct FrictionLaw {
 };
 FrictionLaw friction_law(const Reading& reading);
 
-// The film law of a reading: what it takes as E_HD, as u and as the constant.
+// The film law of a reading, by its choices of E_HD, of u and of the constant.
 FilmLaw film_law(const Reading& reading);
 
-// The starved inlet of a reading: the model's, with the reading's gap, or the one that the print
-// has.
+// The starved inlet of a reading: the model's with the reading's gap, or the inlet as printed.
 class ReadInlet {
  public:
   explicit ReadInlet(const Reading& reading);
@@ -37,7 +36,7 @@ class ReadInlet {
   double film_ratio(double flooded_over_inlet) const;
   // d ln y/d ln r.
   double slope(double flooded_over_inlet) const;
-  // The r at which h* is greatest; none where it has no maximum.
+  // The r at which h* is greatest; empty where h* has no maximum.
   std::optional<double> maximum() const { return maximum_; }
   // The r at which y = 1 − ε.
   double departure(double departure) const;
@@ -72,8 +71,8 @@ struct OnsetPoint {
   double error = 1e-13;   // relative, of both
 };
 
-// A scene under a reading. film_scale multiplies the film formula: 1, but to ask what would have to
-// be true.
+// A scene under a reading. film_scale multiplies the film formula. It is 1, except where
+// requirements are sought.
 class ReadContact {
  public:
   ReadContact(const Scene& scene, const Reading& reading, double film_scale = 1);
@@ -87,14 +86,14 @@ class ReadContact {
   // NaN where the faces touch without a floor.
   double friction(const ContactPoint& point, FrictionLaw law) const;
 
-  // The speed at which the flooded film is λ; none at the floor and below.
+  // The speed at which the flooded film is λ; empty at the floor and below.
   std::optional<double> speed_at(double film_parameter) const;
   // Onset at a given r, whatever the criterion.
   std::optional<OnsetPoint> onset_at_ratio(double r, const ReadInlet& inlet) const;
-  // d ln h*/d ln u at r, and of the flooded film at λ, where the inlet changes nothing.
+  // d ln h*/d ln u at r, and the slope of the flooded film at λ.
   double film_slope(double r, const ReadInlet& inlet) const;
   double flooded_slope(double film_parameter) const;
-  // From this speed on the film has collapsed: infinite where it never does, 0 where it always has.
+  // The film has collapsed from this speed on: ∞ where it never does, 0 where it has at all speeds.
   double collapse_speed(const ReadInlet& inlet) const;
   double inlet_film_ratio() const { return inlet_film_ratio_; }
   double film_at_unit_speed() const { return film_at_unit_speed_; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extremes, parts and crossings of a function that is known at nodes and can be computed anywhere
 // between them, each with its numerical error. The nodes alone bound what lies between them: beyond
-// a node the function keeps to the side of the line through its two neighbours that its curvature
-// says. Only the cells where such a bound leaves something open are looked into.
+// a node the function stays on that side of the line through two neighbouring nodes to which it
+// curves. Only cells in which such bounds leave a question open are searched.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct Estimate {
 };
 
 enum class Effort : std::uint8_t {
-  grid,     // from the nodes alone, with what lies between them as the error
+  grid,     // from the nodes alone; the error covers values between them
   refined,  // to rounding
 };
 
@@ -123,8 +123,8 @@ class SampledCurve {
     return {best, noise_ + (effort == Effort::grid ? best - bound : flatness(best_x, best, sign))};
   }
 
-  // How far below its value at x the function may lie near by: by what it rises to both sides, or,
-  // at an end, by its curvature.
+  // How far below its value at x the function may lie close to x: by its rise to both sides, or, at
+  // an end, by its curvature.
   double flatness(double x, double y, double sign) const {
     const double step = std::ldexp(2 + 2 * std::abs(x), -minimum_bits);
     const auto rise = [&](double to) { return sign * at_(to) - y; };
@@ -134,11 +134,11 @@ class SampledCurve {
     return std::max({rise(x - step), rise(x + step), 0.0});
   }
 
-  // The place where the function passes a level; its error is that of both over the slope there.
+  // The place where the function passes a level; the errors of both, over the slope, are its error.
   Estimate root_between(double from, double to, Estimate level) const {
     const double x = bracketed_root([&](double where) { return at_(where) - level.value; }, from,
                                     to, root_width);
-    // Within the noise of its ends there is no telling where.
+    // Where the ends are within the noise, the place in the cell is unknown.
     if (std::isnan(x)) return {(from + to) / 2, (to - from) / 2};
     const double step = std::min(1e-5, (to - from) / 4);
     const double left = std::max(x - step, from), right = std::min(x + step, to);

@@ -39,7 +39,7 @@ PaperScenes drawn(const PaperScenes& scenes, const std::vector<Input>& inputs, S
                   std::size_t draw) {
   PaperScenes changed = scenes;
   for (std::size_t k = 0; k < inputs.size(); ++k) {
-    // The conventions are readings, not precision.
+    // These two inputs are conventions that a reading chooses: they are printed without error.
     if (inputs[k].field == Field::film_constant || inputs[k].field == Field::speed) continue;
     const double by = factor(inputs[k], spread, uniform(spread, draw, k));
     for (std::size_t i = 0; i < surface_count; ++i)

@@ -12,7 +12,7 @@ namespace tribo {
 
 struct Contract {
   double ulp;
-  double ulp_per_condition;  // 0: the condition earns nothing
+  double ulp_per_condition;  // 0: the bound does not depend on the condition
 };
 
 }  // namespace tribo

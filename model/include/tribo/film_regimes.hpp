@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Minimum films of point contacts in the regimes of lubrication, by dimensionless numbers that do
-// not hold the speed twice (model/README.md, section 5): with U, G and W of film_thickness.hpp,
+// Minimum films of point contacts in the regimes of lubrication, by three dimensionless numbers,
+// made from U, G and W of film_thickness.hpp (model/README.md, section 5):
 //
 //   Ĥ = (h_min/R_x) (W/U)²,   g_V = G W³/U²,   g_E = W^{8/3}/U².
 //
 // Sources: B. J. Hamrock, D. Dowson: Minimum film thickness in elliptical contacts for different
 // regimes of fluid-film lubrication. NASA TP-1342 (1978); B. J. Hamrock: Fundamentals of Fluid Film
-// Lubrication. NASA RP-1255 (1991), chapter on regimes; of viscous_rigid_roelands Y.-R. Jeng, B. J.
+// Lubrication. NASA RP-1255 (1991), chapter on regimes; viscous_rigid_roelands: Y.-R. Jeng, B. J.
 // Hamrock, D. E. Brewe: Piezoviscous effects in nonconformal contacts lubricated hydrodynamically.
 // ASLE Trans. 30 (1987) 452.
 #pragma once
@@ -39,7 +39,7 @@ inline constexpr std::array<std::string_view, 5> film_regime_words{
 //   isoviscous_elastic      8.70 g_E^{0.67} (1 − 0.85 e^{−0.31k})
 //   viscous_elastic         3.42 g_V^{0.49} g_E^{0.17} (1 − e^{−0.68k})
 // viscosity_parameter g_V, elasticity_parameter g_E, radius_ratio α = R_y/R_x and ellipticity k of
-// the contact's ellipse; all > 0, and what a regime does not have is not looked at. Error:
+// the contact's ellipse; all > 0; a regime reads only the numbers of its own formula. Error:
 // film_contract.
 template <class T>
 T regime_film(FilmRegime regime, const T& viscosity_parameter, const T& elasticity_parameter,

@@ -246,7 +246,7 @@ T unscaled_product(const T& c, const T& scaled, const T& d) {
   return product.first * product.second;
 }
 
-// c·F_n(d), likewise.
+// c·F_n(d) from d, without such an underflow.
 template <class T>
 T moment_product(const T& c, Order n, const T& d) {
   return unscaled_product(c, scaled_gaussian_moment(n, d), d);

@@ -24,7 +24,7 @@ struct HertzPoint {
 // reduced_radius R > 0 in m. Error: hertz_contract; overflow gives ∞ or NaN, underflow 0.
 template <class T>
 HertzPoint<T> hertz_point(const T& load, const T& effective_modulus, const T& reduced_radius) {
-  using Wide = WiderType<T>;  // whose roundings do not add up to one of T
+  using Wide = WiderType<T>;  // all its roundings together are less than one of T
   const Wide wide_load = load;
   const Wide radius =
       cube_root(Wide(3 * wide_load * reduced_radius / (4 * Wide(effective_modulus))));

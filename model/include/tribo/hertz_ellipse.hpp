@@ -69,8 +69,8 @@ T log_slope(const T& k, const T& b, const T& d) {
   return 1 + c / d + c / b / k / k;  // k² may overflow
 }
 
-// The shape for T, in a wider type, as the roundings of what follows from it would add up. By
-// Newton's method on α(k), which is increasing and convex, so that it cannot fail.
+// The shape in a type wider than T, because roundings of T would add up in what follows from it.
+// Newton's method on α(k), which is increasing and convex, cannot fail.
 template <class T>
 EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   using std::abs;
@@ -81,18 +81,18 @@ EllipseShape<WiderType<T>> wide_shape(const WiderType<T>& radius_ratio) {
   if (!is_finite(alpha)) return {alpha, alpha, Wide(1)};
   // The loop ends at a step of this size at most: one more leaves no error but roundings.
   const T accuracy = sqrt(sqrt(epsilon<T>())) / 8;
-  // To 1.5 % for α up to 1e4, the same bits on every machine.
+  // A start within 1.5 % for α up to 1e4, with the same bits on every machine.
   const T root = sqrt(alpha), fourth_root = sqrt(root), above = sqrt(fourth_root) - 1;
   T k = root * fourth_root / (1 + above * (ratio<T>(2, 3) + above * ratio<T>(9, 25)));
   for (;;) {
     const auto [b, d] = associated_integrals(k);
     const T step = (alpha / k * (d / b) / k - 1) / log_slope(k, b, d);
-    // α(k) is convex: no step goes below its root, and the first may go far above it.
+    // α(k) is convex: no step leads below the root, and the first step may lead far above it.
     k += k * step;
     if (!(k > 1)) k = 1;
     if (!(abs(step) > accuracy)) break;
   }
-  // One more step takes away what these have rounded; dK/d ln k = B, dE/d ln k = −D/k².
+  // One more step removes the rounding errors of these steps; dK/d ln k = B, dE/d ln k = −D/k².
   const Wide near = k;
   const auto [b, d] = associated_integrals(near);
   const Wide step = (radius_ratio / near * (d / b) / near - 1) / log_slope(k, T(b), T(d));
@@ -109,13 +109,13 @@ EllipseShape<T> ellipse_shape(const T& radius_ratio) {
   return {T(shape.ellipticity), T(shape.first_integral), T(shape.second_integral)};
 }
 
-// An ellipse of contact against the circle that two balls with the ellipse's R_x in both directions
-// make under the same load: it follows from R_x and R_y alone.
+// An ellipse of contact over a circle of contact: that of two balls with the ellipse's R_x in both
+// directions, under the same load. It follows from R_x and R_y alone.
 template <class T>
 struct EllipseOfCircle {
   T axis_cube;   // (a_x/a)³, a³ = 3FR_x/(4E*)
   T axes_ratio;  // k = a_y/a_x, below 1 where R_y < R_x
-  T approach;    // of the approach over a_x²/R_x, which is the circle's
+  T approach;    // the approach over a_x²/R_x: 1 for a circle
 };
 
 namespace detail {

@@ -19,7 +19,7 @@ struct HertzLine {
   T peak_shear;     // the greatest shear stress, Pa: below the surface, at a depth of 0.786 b
 };
 
-// The greatest shear stress below a line contact over p₀, where Poisson's ratio is of no matter:
+// The greatest shear stress below a line contact over p₀, for any Poisson's ratio:
 // g − g²/√(1+g²) = 0.300283… at the depth g b, g = √((√5 − 1)/2) = 0.786151…
 template <class T>
 T line_peak_shear_ratio() {
@@ -34,7 +34,7 @@ template <class T>
 HertzLine<T> hertz_line(const T& load_per_length, const T& effective_modulus,
                         const T& reduced_radius) {
   using std::sqrt;
-  using Wide = WiderType<T>;  // whose roundings do not add up to one of T
+  using Wide = WiderType<T>;  // all its roundings together are less than one of T
   const Wide load = load_per_length;
   const Wide half_width = sqrt(Wide(4 * load * reduced_radius / (pi<Wide>() * effective_modulus)));
   const Wide peak_pressure = two_over_pi<Wide>() * (load / half_width);

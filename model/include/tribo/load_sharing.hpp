@@ -209,7 +209,7 @@ class LoadSharing {
       power *= distance;
       const T term = current * power;
       change += term;
-      // Two in a row: one may be small because its coefficient changes sign.
+      // One small term does not end the sum: its coefficient may be changing sign.
       if (abs(term) + abs(last) < epsilon<T>() / 8 * abs(change)) break;
       last = term;
     }

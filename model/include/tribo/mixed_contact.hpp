@@ -45,7 +45,7 @@ class MixedContact {
       : MixedContact(detail::words_of(scene, film), detail::numbers_of<T>(scene)) {}
   MixedContact(const Scene&, FilmLaw&&) = delete;
 
-  // From what a scene says.
+  // From a scene's words and numbers.
   MixedContact(const detail::ContactWords& words, const detail::SceneNumbers<T>& scene)
       : load_(scene.load),
         summit_height_sd_(scene.summit_height_sd),
@@ -208,7 +208,7 @@ class MixedContact {
            (scaled_gaussian_moment(n, d) / scaled_gaussian_moment(p, d));
   }
 
-  // Without a film and a floor A(0) < 1 is not what balances the load: nothing does.
+  // Without a film and a floor nothing balances the load: A(0) < 1 is not a load share then.
   static void add_shares(OperatingPoint<T>& point, const LoadShares<T>& shares,
                          bool has_collapsed) {
     if (has_collapsed) {
@@ -259,9 +259,9 @@ class MixedContact {
 };
 
 // In double the numbers come from the engine (src/engine.hpp): a point has the same bits alone and
-// in a batch of any size, on every x86-64 with fused multiply-add. Where its own range might not do
-// (src/sharing_method.hpp) they are those of the formula text in long double, rounded. Error:
-// operating_point_contract; next to 0, where doubles are subnormal, their spacing.
+// in a batch of any size, on every x86-64 with fused multiply-add. Where its range might not be
+// enough (src/sharing_method.hpp) they are those of the formula text in long double, rounded.
+// Error: operating_point_contract; next to 0, where doubles are subnormal, the spacing of doubles.
 template <>
 class MixedContact<double> {
  public:

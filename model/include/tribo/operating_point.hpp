@@ -31,7 +31,7 @@ constexpr std::string_view name(Inlet inlet) {
   return inlet == Inlet::flooded ? "flooded" : inlet == Inlet::starved ? "starved" : "collapsed";
 }
 
-// From the load shares of asperities and film, where the load is balanced.
+// The regime where the load is balanced, from the load shares of asperities and film.
 template <class T>
 Regime regime_of(const T& asperity_share, const T& fluid_share) {
   const T little = ratio<T>(1, 100);
@@ -60,7 +60,7 @@ struct OperatingPoint {
   Inlet inlet = Inlet::flooded;
 };
 
-// Its numbers, in the order of Output, which has the words last.
+// The numbers of a point, in the order of Output, in which the words come last.
 inline constexpr std::size_t number_count = 9;
 template <class T>
 std::array<T, number_count> numbers_of(const OperatingPoint<T>& point) {
@@ -77,7 +77,7 @@ std::array<T, number_count> numbers_of(const OperatingPoint<T>& point) {
 
 namespace detail {
 
-// Rounded to double.
+// The point with its numbers rounded to double.
 template <class T>
 OperatingPoint<double> in_double(const OperatingPoint<T>& p) {
   const auto to_double = [](const T& x) { return static_cast<double>(x); };

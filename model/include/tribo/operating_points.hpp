@@ -29,9 +29,9 @@ struct OperatingPoints {
   std::vector<Inlet> inlet;
 
   std::size_t size() const { return speed.size(); }
-  // Room for so many points with these outputs; what room there is already is kept.
+  // Makes room for `count` points with these outputs. Room that is there already is kept.
   void resize(std::size_t count, OutputSet outputs);
-  // One of them; what was not asked for is 0.
+  // Point i; an output that was not asked for is 0.
   OperatingPoint<double> operator[](std::size_t i) const;
 };
 

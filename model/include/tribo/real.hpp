@@ -111,8 +111,8 @@ T decimal_power(const T& x, const Fraction& exponent) {
   }
 }
 
-// An exponent p/q, q below 2000, with the numbers that the engine's powers take of it: so
-// they are computed once for all points.
+// An exponent p/q, q below 2000, with numbers of it that the engine's powers need, so that they are
+// computed once for all points.
 struct Exponent {
   double p, q;
   double value, residual;  // p/q rounded, and what the rounding has left out

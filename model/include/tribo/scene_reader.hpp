@@ -30,7 +30,7 @@ struct FieldInfo {
   bool is_radius_of_face = false;      // any number but 0, and ±∞ in TOML: a flat face
   std::span<const std::string_view> choices = {};  // choice: the legal words
   std::string_view default_text = "";              // empty: no default
-  bool required = false;                 // by every output; of `speed`'s table, where there is one
+  bool required = false;                 // by all outputs; of a table `speed`: in that table
   std::optional<Output> needed_by = {};  // by this output alone
   double plausible_minimum = 0;          // legal numbers beyond these two get a warning
   double plausible_maximum = std::numeric_limits<double>::infinity();
@@ -56,13 +56,13 @@ struct Fault {
     unknown,      // a field or table that is not known; what: "field" or "table"
     once,         // a field that is given twice
     presence,     // a field that is missing; what: why it is needed
-    absence,      // a field beside another one; what: that one
-    kind,         // what: what came, "a text"
+    absence,      // a field that another field excludes; what: the other field
+    kind,         // a value of the wrong kind; what: its kind, "a text"
     word,         // a word that is not known
     repetition,   // a value that a list has twice
     emptiness,    // a list without elements
     overflow,     // a number too large for double
-    underflow,    // or too small
+    underflow,    // a number too small for double
     finiteness,   // ∞ or NaN
     wholeness,    // a fraction where a whole number is wanted
     range,        // a number beyond the limits of its field; what: the word that sets them
@@ -73,10 +73,10 @@ struct Fault {
   };
   Rule rule = other;
   std::string value = {};    // as messages show it; empty: a list or a table, or nothing
-  std::string what = {};     // what the rule says more
-  std::string allowed = {};  // of an unknown one: the known ones
+  std::string what = {};     // more about the fault, as the comment of its rule says
+  std::string allowed = {};  // of an unknown name: the known names
   std::string nearest = {};  // the known name or word that is probably meant
-  std::string where = {};    // under which circumstances, before all the rest
+  std::string where = {};    // in which circumstances; stands before all the rest
 };
 
 // One thing wrong (or odd) with an input. `line()` is what a person reads. All texts are valid

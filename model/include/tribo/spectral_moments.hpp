@@ -32,8 +32,8 @@ struct Summits {
   T summit_plane_offset;  // from the mean plane to the mean of the summits, 4√(m₀/(πα)), over σ_s
 };
 
-// Moments of the profile: m0 of its heights, m², m2 of its slopes, m4 of its curvatures, 1/m²:
-// their mean squares; all > 0. Five NaN where the bandwidth is not above 0.8968, as σ_s² would not
+// Moments of the profile, all > 0: m0, m2 and m4 are the mean squares of its heights (m²), slopes
+// and curvatures (1/m²). Five NaN where the bandwidth is not above 0.8968, because σ_s² would not
 // be above 0. Error: spectral_moments_contract.
 //
 // Whatever the moments, summit_plane_offset · nβσ_s = offset_times_roughness.

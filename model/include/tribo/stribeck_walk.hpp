@@ -266,7 +266,7 @@ void stribeck_curve(const MixedContact<T>& contact, const T& from, const T& to, 
   }
 }
 
-// In double at the speeds of the logarithmic grid themselves, which are those of a scene's range.
+// In double the points are at the speeds of the logarithmic grid itself, those of a scene's range.
 template <class Visitor>
 void stribeck_curve(const MixedContact<double>& contact, double from, double to, std::size_t count,
                     OutputSet outputs, Visitor&& visit) {

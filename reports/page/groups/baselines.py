@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results that the slow targets of make left in reference/baselines, with commit, date and machine."""
+"""Results of the slow targets of make, from reference/baselines, with commit, date and machine."""
 import json
 import math
 import re
 
 from group import Missing, not_run
 
-# File: the target of make that writes it, and what it is.
+# File: the target of make that writes it, and its content.
 BASELINES = {
     "accuracy.json": ("baseline", "accuracy that later versions have to keep"),
     "stress.json": ("stress", "random points against long double"),
@@ -21,7 +21,7 @@ MOST_NESTED = 16  # lists and tables within each other, as in scenes
 
 
 def nests_too_deep(text):
-    """To be asked before a parser, which may take a level of its own stack for each."""
+    """Whether a text is nested too deep. Ask this before a parser, which may take a level of its own stack for each level."""
     depth = 0
     for sign in re.findall(r'"(?:[^"\\]|\\.)*"|[\[{\]}]', text, re.DOTALL):
         depth += sign in "[{"
@@ -39,7 +39,7 @@ def finite(text):
 
 
 def read_baseline(places, file):
-    """Raises Missing where the file is not there or not JSON."""
+    """The content of a baseline. Raises Missing where the file is not there or not JSON."""
     path = places.reference / "baselines" / file
     shown = places.shown(path)
     try:
@@ -47,7 +47,7 @@ def read_baseline(places, file):
         if nests_too_deep(text):
             raise Missing(f"`{shown}`: lists and tables are nested more than {MOST_NESTED} deep")
         content = json.loads(text, parse_float=finite, parse_constant=finite)
-        json.dumps(content, ensure_ascii=False).encode("utf-8")  # halves of signs are none
+        json.dumps(content, ensure_ascii=False).encode("utf-8")  # half of a surrogate pair is no sign
         return content
     except OSError as error:
         raise Missing(f"`{shown}` is not there") from error
@@ -56,7 +56,7 @@ def read_baseline(places, file):
 
 
 def from_baseline(places, file, make):
-    """make(baseline). Raises Missing where the file is not there, not JSON, or of a shape that `make` cannot read."""
+    """The result of make(baseline). Raises Missing where the file is not there, not JSON, or of a shape that `make` cannot read."""
     baseline = read_baseline(places, file)
     try:
         return make(baseline)
@@ -66,7 +66,7 @@ def from_baseline(places, file, make):
 
 
 def part(places, file, what, make):
-    """A part of a group that it can do without, and a list of what is not run: make(baseline), or why it is missing."""
+    """A part that its group does not need, make(baseline) or why it is missing; and the list of parts that were not run."""
     try:
         return from_baseline(places, file, make), []
     except Missing as missing:
@@ -100,7 +100,7 @@ def number(value):
 
 
 def number_or_none(value):
-    """Infinity, and what was not measured, is null in JSON."""
+    """A number; None for null, which stands for infinity and for a number that was not measured."""
     return None if value is None else number(value)
 
 

@@ -4,7 +4,7 @@ import curves
 import scenes
 from group import Group
 
-TOLD_SPEED = 1.0  # m/s, at which the page tells films
+TOLD_SPEED = 1.0  # m/s; the page tells films at this speed
 TOLD = ("speed", "film", "film_parameter", "asperity_load_share", "friction")
 
 
@@ -13,7 +13,7 @@ def told(point):
 
 
 def contacts(asked):
-    facts = asked.facts_of("contacts")  # of the dry contacts, with the speeds of the scenes
+    facts = asked.facts_of("contacts")  # facts of the dry contacts, with the speeds of the scenes
     paths = {stem: asked.places.reference / f"scenes/{stem}.toml" for stem in facts}
     found = curves.solved([curves.Contact(asked.program, scenes.read(paths[stem]), *fact["speeds"])
                            for stem, fact in facts.items()], ["friction_minimum"])

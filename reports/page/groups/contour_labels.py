@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the labels of a map's contours stand. A place is a pair, each from 0 to 1 along an axis of the map."""
+"""Places for the labels of a map's contours. A place is a pair of numbers from 0 to 1, along the axes of the map."""
 import math
 
-# The ones that should have a label first come first, in per cent.
+# Levels in per cent; those that should get a label first come first.
 LEVELS = (0.0, -10.0, 10.0, -20.0, 20.0, -5.0, 5.0, -30.0, 30.0, -50.0, 50.0, -2.0, 2.0, -70.0, 70.0)
 WIDTH, HEIGHT = 0.15, 0.085  # the room of a label
-LEAST_ROOM = 1.2  # how far from others its middle stays, in such labels
+LEAST_ROOM = 1.2  # how far from other labels its middle stays, in sizes of a label
 EDGE_WIDTH, EDGE_HEIGHT = 0.09, 0.06  # how far its middle stays from the map's edge
 
 
 def crossings(values, level):
-    """Where lines between neighbouring places cross the level."""
+    """The places where lines between neighbouring places cross the level."""
     across, up = len(values) - 1, len(values[0]) - 1
     for i in range(across + 1):
         for j in range(up + 1):
@@ -24,7 +24,7 @@ def crossings(values, level):
 
 
 def distance(a, b):
-    """In labels: below 1 they would touch."""
+    """The distance of two places in sizes of a label: below 1 their labels would touch."""
     return max(abs(a[0] - b[0]) / WIDTH, abs(a[1] - b[1]) / HEIGHT)
 
 

@@ -23,7 +23,7 @@ def first_speed(low, high, holds):
     while True:
         middle = math.sqrt(low) * math.sqrt(high)
         if not low < middle < high:
-            middle = low + (high - low) / 2  # its own rounding is some units
+            middle = low + (high - low) / 2  # rounding makes this off by some units
         if not low < middle < high:
             return high
         low, high = (low, middle) if holds(middle) else (middle, high)
@@ -33,7 +33,7 @@ def first_speed(low, high, holds):
 class Contact:
     """A scene and its speeds, which the program is asked for."""
     program: object
-    scene: dict  # as in its file
+    scene: dict  # as the scene's file has it
     low: float  # m/s
     high: float
 
@@ -70,7 +70,7 @@ def before_collapse(contact, collapse):
 
 
 def solved(contacts, criteria=CRITERIA):
-    """Each contact solved."""
+    """Solves each contact."""
     program = contacts[0].program
     with scenes.files_of([{name: one for name, one in contact.scene.items() if name != "outputs"} |
                           {"speed": {"from": contact.low, "to": contact.high, "count": POINTS}} for contact in contacts]) as paths:
@@ -90,7 +90,7 @@ def solved(contacts, criteria=CRITERIA):
 
 
 class Tables:
-    """The files of points. `outputs` are the name, unit and meaning of each column behind the speed."""
+    """Writes the files of points. `outputs`: name, unit and meaning of each column after the speed."""
 
     def __init__(self, version, outputs):
         self.version, self.outputs = version, outputs
@@ -110,6 +110,6 @@ class Tables:
         return self.header(what, made_from) + f"{self.notes}# {self.columns}\n{lines}"
 
     def named(self, what, made_from, points, name="name"):
-        """Points with a name each; None is left out."""
+        """A file of points with names; points that are None are left out."""
         lines = "".join(f"{title}\t{self.cells(point)}\n" for title, point in points if point)
         return self.header(what, made_from) + f"# {name}\t{self.columns}\n{lines}"

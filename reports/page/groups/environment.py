@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""When and where the page was made, and how old the results are that it shows."""
+"""The time, commit and machine of the page, and the age of the results that it shows."""
 import datetime
 import os
 import re
@@ -33,7 +33,7 @@ def text_of(of, key):
 
 
 def baseline_of(places, file, now):
-    """The baseline that a slow target left, and its age in days; or why its file cannot be read."""
+    """A row on the baseline of a slow target with its age in days, or with the reason why its file cannot be read."""
     target, what = BASELINES[file]
     row = {"file": file, "what": what, "target": target}
     try:

@@ -7,19 +7,19 @@ import typing
 
 
 class Missing(Exception):
-    """Why a group, or a part of one, cannot be made: the page says so in its place."""
+    """The reason why a group, or a part of one, cannot be made. The page tells it in the place of that part."""
 
 
 class Group(typing.NamedTuple):
     data: dict
     findings: list = []
-    not_run: list = []  # what is missing from the page
-    files: list = []  # (path below the report's folder, text): what figures are drawn from
+    not_run: list = []  # parts that are missing from the page
+    files: list = []  # (path below the report's folder, text): data of the figures
 
 
 def finding(name, section, about, standing, why=""):
     """A line at the top of the page, about the `paper` or the `software`. Its sentence stands in the section's template,
-    as finding_<name>; `why` is one where the template has none.
+    as finding_<name>; where the template has none, `why` is the sentence.
 
     holds: agrees, within what is declared; differs: does not agree with the paper, or in part; fails: a promise of this
     software is broken; missed: a target that it sets itself is not reached; measured: neither good nor bad; absent: not
@@ -30,19 +30,19 @@ def finding(name, section, about, standing, why=""):
 
 
 def promise(name, section, held, count):
-    """It is kept where all are held, and there is one at least."""
+    """The finding on a promise, which holds where there is a case and all cases are held."""
     if 0 < count == held:
         return finding(name, section, "software", "holds")
     return finding(name, section, "software", "fails", f"{count - held} of {count} are not held.")
 
 
 def not_run(what, why, how_to):
-    """`how_to` is Markdown: the command that gives it."""
+    """An entry on a part that was not run. `how_to` is Markdown: the command that gives the part."""
     return {"what": what, "why": why, "how_to": how_to}
 
 
 def exact(value):
-    """Reads back to the same double; NaN for what is undefined."""
+    """A text that reads back to the same double; NaN for an undefined number."""
     return "NaN" if math.isnan(value) else repr(float(value)).removesuffix(".0")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The paper's claims under each reading, as `tribocheck reproduce` judges them, and what its figures are drawn from."""
+"""The paper's claims under each reading, as `tribocheck reproduce` judges them, and the data of their figures."""
 import csv
 import json
 import math
@@ -11,13 +11,13 @@ SURFACES = ("rough", "medium", "smooth")
 
 
 def claims_of(places):
-    """The rows of claims.tsv: each item as it is printed."""
+    """The rows of claims.tsv: each item as the paper prints it."""
     with (places.scenes / "claims.tsv").open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader((line for line in file if not line.startswith("#")), delimiter="\t", quoting=csv.QUOTE_NONE))
 
 
 def reported(places, quantity, surface):
-    """The first number that is printed of it, with half of its last digit down and up; None where there is none."""
+    """The first printed number of a quantity, with half of its last digit down and up; None where none is printed."""
     for row in claims_of(places):
         if (row["quantity"], row["surface"], row["rule"]) == (quantity, surface, "number"):
             value, half = float(row["value"]), float(row["last_digit"]) / 2
@@ -26,7 +26,7 @@ def reported(places, quantity, surface):
 
 
 def reproduced(program, places):
-    """What `tribocheck reproduce` answers, and what has changed since the committed ledger, or why that is not known."""
+    """The answer of `tribocheck reproduce`, and the changes since the committed ledger, or why these are not known."""
     arguments = ("reproduce", "--published", places.scenes, "--format", "json", "--ledger")
     try:
         answer, complaints = program.said(*arguments, places.reference / "baselines/ledger.csv")
@@ -39,7 +39,7 @@ def reproduced(program, places):
 
 
 def comparison(committed):
-    """Did a verdict change? And what is missing to know it."""
+    """The finding on changed verdicts, and the entry on a ledger that is missing."""
     if "missing" in committed:
         why = committed["missing"]
         return (finding("committed_ledger", "claims", "software", "absent", why),
@@ -82,7 +82,7 @@ def surfaces_data(asked, told, contacts):
 
 
 def law_data(asked, smooth):
-    """Onsets and shares where n·β·σ_s stays what it is and σ_s goes from 20 to 125 nm."""
+    """Onsets and shares at constant n·β·σ_s, with σ_s from 20 to 125 nm."""
     surface = smooth["surface"]
     factors = [0.8 * math.pow(6.25, i / 60) for i in range(61)]
     contacts = [smooth | {"surface": surface | {"summit_height_sd": surface["summit_height_sd"] * factor,
@@ -130,7 +130,7 @@ def csv_number(value):
 
 
 def csv_error(value):
-    """Errors are known to their size alone."""
+    """An error with two digits: only its size is known."""
     return "" if value is None else f"{value:.2g}"
 
 

@@ -14,7 +14,7 @@ import scenes
 from group import Group, Missing, exact, finding
 
 QUANTITIES = ("central", "minimum", "at_greatest_pressure")
-SPEED_NUMBER = 1e-11  # U: for the exponents that leave some of it
+SPEED_NUMBER = 1e-11  # U, on which some formulas depend a little
 LOAD_STEPS, MATERIAL_STEPS = 60, 45
 HEAVY_FROM = 2.0  # below this M the central film has a kink: the front of the stiffened liquid passes the contact's middle
 PROFILE_SCENE, PROFILE_SPEED, PROFILE_FROM = "gear_flank", 1.0, -3  # m/s, x/b
@@ -23,8 +23,8 @@ PROFILE_SCENE, PROFILE_SPEED, PROFILE_FROM = "gear_flank", 1.0, -3  # m/s, x/b
 class Formula(typing.NamedTuple):
     name: str  # as in scenes and in the catalogue of functions
     authors: str
-    quantity: str  # the number of the solved film that it stands for
-    liquid: str  # of the films that it was fitted to
+    quantity: str  # the number of the solved film that the formula stands for
+    liquid: str  # the liquid of the films that the formula was fitted to
 
     @property
     def is_compressible(self):
@@ -40,7 +40,7 @@ FORMULAS = (Formula("moes_line", "Moes", "at_greatest_pressure", "barus, incompr
 
 
 class Numbers(typing.NamedTuple):
-    """A solved contact: film numbers (h/R)(2U)^(−1/2) and what each may be off by, in the order of QUANTITIES."""
+    """A solved contact: film numbers (h/R)(2U)^(−1/2) and the error of each, in the order of QUANTITIES."""
     load: float
     material: float
     film: tuple
@@ -83,7 +83,7 @@ class Axis:
         self.inverse = inverse_of([self.basis(place) for place in places])
 
     def place(self, number):
-        """From 0 at the first number to 1 at the last; a liquid of constant viscosity has L = 0."""
+        """The place of a number, from 0 at the first number to 1 at the last. L = 0 is a liquid of constant viscosity."""
         return math.log(number / self.numbers[0]) / math.log(self.numbers[-1] / self.numbers[0]) if number > 0 else -math.inf
 
     def at(self, place):
@@ -101,14 +101,14 @@ class Axis:
         return row
 
     def weights(self, number):
-        """What each of the values counts in the spline's value at a number."""
+        """The weight of each of the values in the spline's value at a number."""
         values = self.basis(min(max(self.place(number), 0.0), 1.0))
         parts = [(value, row) for value, row in zip(values, self.inverse) if value]
         return [sum(value * row[i] for value, row in parts) for i in range(len(self.numbers))]
 
 
 def inverse_of(matrix):
-    """By Gauss and Jordan without pivots: splines' matrices are totally positive."""
+    """The inverse of a matrix, by Gauss and Jordan without pivots: splines' matrices are totally positive."""
     size = len(matrix)
     rows = [row + [float(i == j) for j in range(size)] for i, row in enumerate(matrix)]
     for i, row in enumerate(rows):
@@ -137,7 +137,7 @@ class Films:
                 raise Missing(f"neither line_films.csv nor line_films_between.csv has the film of M = {load:g}, L = {material:g}")
         moes = self.formula("moes_line", list(itertools.product(loads, materials)))
         moes = {at: film for at, film in zip(itertools.product(loads, materials), moes)}
-        # The maps are smooth in the film over Moes'.
+        # The maps interpolate the film over Moes' film, which is smooth.
         self.logs = [[[math.log(known[load, material][i] / moes[load, material]) for load in loads] for material in materials]
                      for i in range(len(QUANTITIES))]
 
@@ -163,8 +163,8 @@ class Films:
 
 
 def films_of(program, folder):
-    """Those of Barus' incompressible liquid, where M and L fix the film and U is chosen, and those of a compressible one, which
-    is one liquid between bodies of one material: U grows with L⁴. Pan and Hamrock's formulas are held to the latter."""
+    """Films of Barus' incompressible liquid, where M and L fix the film and U is chosen, and films of a compressible liquid between
+    bodies of one material, where U grows with L⁴. Pan and Hamrock's formulas are compared with the latter."""
     path = folder / "line_films.csv"
     table, between = numbers_of(rows_of(path)), rows_of(folder / "line_films_between.csv")
     if not table:
@@ -185,7 +185,7 @@ def place_of(error, at):
 
 
 def formula_data(formula, films):
-    """A formula over the rows of the table with L > 0."""
+    """The errors of a formula over the rows of the table with L > 0."""
     table = [one for one in films.table if one.material > 0]
     if not table:
         raise Missing("line_films.csv has no films with L > 0")
@@ -205,7 +205,7 @@ def solved_data(table):
 
 
 def interpolation_data(barus, compressible):
-    """The greatest errors of the maps that formulas are held to, against films that are solved between their nodes."""
+    """The greatest errors of the maps with which formulas are compared, against films that are solved between their nodes."""
     greatest, light = (dict.fromkeys(QUANTITIES, 0.0) for _ in range(2))
     for films in (barus, compressible):
         used = {formula.quantity for formula in FORMULAS if formula.is_compressible == (films is compressible)}
@@ -255,7 +255,7 @@ def map_files(barus, compressible, taken):
 # --- The line contacts among the scenes.
 
 class Track:
-    """A scene's way over the map with its speed."""
+    """The line that a scene draws over the map as its speed grows."""
 
     def __init__(self, program, path, scene, file, is_of_report):
         self.path, self.name, self.file, self.is_of_report, self.is_on_map = path, path.stem, file, is_of_report, False
@@ -266,7 +266,7 @@ class Track:
         self.slowest, self.fastest = map(float, (min(speeds), max(speeds)))
 
     def at(self, speed):
-        """M and L, which at 1 m/s are known."""
+        """M and L at a speed, from M and L at 1 m/s."""
         return self.load / math.sqrt(speed), self.material * math.sqrt(math.sqrt(speed))
 
     @property
@@ -289,8 +289,8 @@ def tracks_of(asked):
 
 
 def tracks_file(barus, tracks, taken):
-    """Blocks: each track, its name first; whole powers of ten of the speed have it in a fourth column, with a label to their
-    right where there is room."""
+    """Blocks: each track, its name first. Points at whole powers of ten of the speed have the speed in a fourth column, with a label
+    to their right where there is room."""
     def place_at(load, material):
         return barus.loads.place(load), barus.materials.place(material)
 
@@ -325,7 +325,7 @@ def over(measured, unit):
 
 
 def profile(program, tracks):
-    """Pressure and film across a contact, and what is read off them."""
+    """Pressure and film across a contact, and the numbers that are read off them."""
     found = next((one for one in tracks if one.name == PROFILE_SCENE and not one.is_of_report), None)
     if found is None:
         raise Missing(f"reference/scenes has no line contact {PROFILE_SCENE}")
@@ -334,7 +334,7 @@ def profile(program, tracks):
         raise Missing(one["reason"])
     text = (f"# pressure and film across the line contact of {found.file} at {exact(PROFILE_SPEED)} m/s\n"
             "# x/b\tp/p0\tHertz' p/p0\tfilm [µm]\n")
-    last_x, last_pressure = 0.0, -1.0  # no two nodes that a picture does not tell apart
+    last_x, last_pressure = 0.0, -1.0  # leaves out nodes that a picture does not tell apart
     for x, pressure, film in zip(*(one["profile"][name] for name in ("x", "pressure", "film"))):
         x, pressure = x / one["half_width"], pressure / one["peak_pressure"]
         if x >= PROFILE_FROM and (abs(x - last_x) >= 0.005 or abs(pressure - last_pressure) >= 0.01):

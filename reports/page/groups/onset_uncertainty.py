@@ -12,7 +12,7 @@ MOST_DEVIATIONS = 3.5  # nine comparisons exceed it by chance once in 200 times
 
 
 def as_printed(table, path=""):
-    """A sweep's table as that of a scene, with the numbers that are printed."""
+    """The tables of a sweep as those of a scene, with the printed numbers."""
     made = {}
     for name, one in table.items():
         field = f"{path}{name}"
@@ -37,7 +37,7 @@ def read_sweep(places, surface):
 
 
 def run_sweeps(asked):
-    """What `tribocheck sweep` answers, with the speed of each onset alone."""
+    """The answer of `tribocheck sweep`, with only the speed of each onset."""
     paths = [asked.places.scenes / f"sweeps/onset_{surface}.toml" for surface in ledger.SURFACES]
     result = asked.places.out / RESULT
     result.parent.mkdir(parents=True, exist_ok=True)
@@ -49,7 +49,7 @@ def run_sweeps(asked):
 
 
 def quantile(value, level):
-    """Its ends are infinite where too few values bound them."""
+    """A quantile with its interval, whose ends are infinite where too few values bound them."""
     found = next(one for one in value["quantiles"] if one["level"] == level)
     return tuple(math.inf if found[name] is None else found[name] for name in ("value", "low", "high"))
 

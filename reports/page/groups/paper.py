@@ -14,8 +14,8 @@ QUANTITIES = ("onset_speed", "onset_film_parameter", "slow_asperity_share")
 
 class Case(typing.NamedTuple):
     """One of the six scenes: a surface with the contact of Greenwood and Tripp (GT), or Greenwood and Williamson (GW)."""
-    stem: str  # "smooth_gw": of the scene and of its data
-    fact: dict  # what the program says of the scene before it is solved
+    stem: str  # "smooth_gw": the name of the scene's file and of its data
+    fact: dict  # the program's facts of the scene before it is solved
     solved: curves.Solved
 
     @property
@@ -27,7 +27,7 @@ class Case(typing.NamedTuple):
         return self.fact["model"]
 
     def reported(self, claims, quantity):
-        """The number that the paper prints of it, as a row of claims.tsv; None where it prints none."""
+        """The paper's printed number for the quantity, as a row of claims.tsv; None where none is printed."""
         return next((row for row in claims if (row["rule"], row["quantity"], row["surface"]) == ("number", quantity, self.surface)
                      and row["model"] in (self.model, "both")), None)
 
@@ -48,7 +48,7 @@ def equal_share_speed(case):
 
 
 def least_friction(case):
-    """Between the points of the curve it is at the interior minimum."""
+    """The least friction: at the interior minimum, which lies between points of the curve."""
     frictions = [point["friction"] for point in case.solved.curve if point["friction"] is not None]
     interior = case.solved.onsets["friction_minimum"]["speed"]
     if frictions and interior is not None:
@@ -96,7 +96,7 @@ def rows_of(cases, claims, quantity):
 
 
 def comparison(quantity, rows):
-    """The criterion film_maximum counts alone of several onset criteria."""
+    """The finding on the compared numbers. Of several onset criteria only film_maximum counts."""
     counted = [row for row in rows if row["verdict"] and row["criterion"] in (None, "film_maximum")]
     agreeing = sum(row["verdict"] == "reproduced" for row in counted)
     factors = [row["factor"] for row in counted]
@@ -109,7 +109,7 @@ def comparison(quantity, rows):
 # supply that is carried in at a constant rate, and a closure with h* → h_oil.
 
 class SlopeCurve(typing.NamedTuple):
-    change: str  # the difference from the scene file
+    change: str  # the difference from the scene's file
     solved: curves.Solved
 
     def slope(self, low, high):
@@ -166,10 +166,10 @@ def slope_files(tables, slopes, file):
     return files
 
 
-# --- What figures are drawn from.
+# --- The data of the figures.
 
 def ratio_file(tables, gt, gw):
-    """Where neither film has collapsed."""
+    """The ratio of the films at the speeds where neither film has collapsed."""
     text = tables.header("Film with GW over film with GT, up to the collapse", f"{gw.fact['file']} and {gt.fact['file']}")
     text += "# speed [m/s]\tfilm with GW/film with GT\n"
     others = gt.solved.contact.solve(*(point["speed"] for point in gw.solved.curve))
@@ -181,7 +181,7 @@ def ratio_file(tables, gt, gw):
 
 
 def as_printed(case, point):
-    """Past a collapse without a floor: the limits A(0) and 1 − A(0), which the paper draws as shares."""
+    """The point beyond a collapse without a floor, with the limits A(0) and 1 − A(0), which the paper draws as shares."""
     if point is None or point["regime"] != "collapsed":
         return point
     share = case.fact["share_without_film"]
@@ -192,7 +192,7 @@ def marks_of(case, claims):
     reported, one = case.reported(claims, "onset_speed"), case.solved
     marks = [("slowest", one.slowest), ("reported", one.contact.at(float(reported["value"])) if reported else None),
              ("onset", one.at_onset), ("collapse", as_printed(case, one.at_collapse))]
-    if one.curve[-1]["regime"] == "collapsed":  # the ends of the line that a curve as printed follows past its collapse
+    if one.curve[-1]["regime"] == "collapsed":  # the ends of the line that a printed curve follows beyond its collapse
         marks += [("printed", as_printed(case, one.at_collapse)), ("printed", as_printed(case, one.curve[-1]))]
     return [(event, point) for event, point in marks if point]
 

@@ -23,7 +23,7 @@ class Program:
             self.stream.communicate()
 
     def said(self, *arguments):
-        """What a command says: its output, and the lines that it complains of. Raises Missing, with the first of these,
+        """A command's output, and its complaints. Raises Missing, with the first complaint,
         where it has no output or refuses what it is given."""
         done = subprocess.run([self.path, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
                               errors="replace")
@@ -34,11 +34,11 @@ class Program:
         return done.stdout, complaints
 
     def answer(self, *arguments, whole=int):
-        """What a command answers as JSON. `whole` makes its whole numbers: float where all numbers are."""
+        """A command's answer as JSON. `whole` converts its whole numbers: float where no number is a count."""
         return json.loads(self.said(*arguments, "--format", "json")[0], parse_int=whole)
 
     def ask(self, *lines):
-        """What `tribocheck stream` answers to each of these lines of JSON. Raises Missing where one of them is refused."""
+        """The answers of `tribocheck stream` to these lines of JSON. Raises Missing where one of them is refused."""
         if self.stream is None:
             self.stream = subprocess.Popen([self.path, "stream"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                            stderr=subprocess.DEVNULL, encoding="utf-8")
@@ -53,6 +53,6 @@ class Program:
         return answers
 
     def write(self, lines):
-        with contextlib.suppress(BrokenPipeError):  # the reader tells that the stream has ended
+        with contextlib.suppress(BrokenPipeError):  # the reader below tells that the stream has ended
             self.stream.stdin.write("".join(f"{line}\n" for line in lines))
             self.stream.stdin.flush()

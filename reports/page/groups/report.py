@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the report's data, report.json, data/*.tsv and the schema of the first. It needs no package of Python.
+"""Makes the report's data: report.json with its schema, and data/*.tsv. It needs no package of Python.
 
 `tribocheck report` calls this with a request on stdin: which sections are asked for, and what only the program itself makes
 of scenes. Prints what was written and the verdict in short as JSON; or `failed`, why a file cannot be
@@ -37,12 +37,12 @@ from section_table import SECTIONS  # noqa: E402
 
 class Maker(typing.NamedTuple):
     make: typing.Callable
-    how_to: str = ""  # Markdown: what gives the group where it is missing
+    how_to: str = ""  # Markdown: the command that gives the group where it is missing
     step: str = ""  # for the progress line; empty: it takes no time
 
 
 def solved_by_program(name, section=None):
-    """A group that the program has made, with the section that tells what was measured."""
+    """A group that the program has made, with the section that tells its measured numbers."""
     def make(asked):
         facts = asked.facts_of(name)
         found = [finding(name, section, "software", "measured")] if section else []
@@ -81,13 +81,13 @@ class Places(typing.NamedTuple):
     root: pathlib.Path  # the project's folder; "." where there is none
 
     def shown(self, file):
-        """A file as provenance names it: from the project's root if it lies below it."""
+        """A file as provenance names it: relative to the project's root if it lies below."""
         return str(file.relative_to(self.root) if file.is_relative_to(self.root) else file)
 
 
 @dataclasses.dataclass(frozen=True)
 class Asked:
-    """What the groups are made from."""
+    """The request, and the data that groups share."""
     places: Places
     program: Program
     version: str
@@ -97,7 +97,7 @@ class Asked:
     instruction_set: str
     tables: curves.Tables
     facts: dict  # what the program makes of scenes, by the names of groups
-    ledger: concurrent.futures.Future | None  # which takes some seconds, and two groups read
+    ledger: concurrent.futures.Future | None  # takes some seconds; two groups read it
 
     def facts_of(self, group):
         facts = self.facts[group]
@@ -123,7 +123,7 @@ def sections_of(names):
 
 
 def section_of(group):
-    """Rather where the group comes first."""
+    """The section of a group: rather one in which the group comes first."""
     return next(name for place in (0, 1) for name, section in SECTIONS.items() if section.groups[place:place + 1] == (group,))
 
 
@@ -139,7 +139,7 @@ def group_of(name, asked):
 
 
 def without_nan(value):
-    """JSON has no NaN and no infinity: they are null."""
+    """The value as JSON can hold it: NaN and infinity become None."""
     if isinstance(value, dict):
         return {name: without_nan(one) for name, one in value.items()}
     if isinstance(value, (list, tuple)):
@@ -148,7 +148,7 @@ def without_nan(value):
 
 
 def legible(text):
-    """The text without bytes of file names that are no UTF-8."""
+    """The text, in which a replacement sign stands for each byte of file names that is no UTF-8."""
     return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
 
@@ -166,14 +166,14 @@ def make_folder(folder):
 
 
 def write(out, path, text):
-    """Replaces the file that is there, or the one that a link there leads to."""
+    """Writes a file, in place of the one that is there, or to which a link there leads."""
     make_folder((out / path).parent)
     with writing(out / path):
         drawing.write_text(pathlib.Path(os.path.realpath(out / path)), legible(text))
 
 
 def make(request, places, program, beside):
-    """`beside` takes work that goes on beside the rest."""
+    """Makes the report. `beside` runs work beside the rest."""
     sections = sections_of(request["sections"])
     needed = {group for name in sections for group in SECTIONS[name].groups}
     for folder in ("data", "figures"):

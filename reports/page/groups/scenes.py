@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scenes, changed and asked."""
+"""Reads scenes, changes them and asks the program about them."""
 import contextlib
 import json
 import math
@@ -22,12 +22,12 @@ def read(path):
 
 
 def file_text(path):
-    """All of a file, with its own line ends."""
+    """The text of a file, with its own line ends."""
     return path.read_bytes().decode("utf-8")
 
 
 def text_of(scene):
-    """A scene as JSON, which has no infinity: there it is a word."""
+    """A scene as JSON, which has no infinity: a word stands for it."""
     def told(value):
         if isinstance(value, dict):
             return {name: told(one) for name, one in value.items()}

@@ -27,7 +27,7 @@ def proved_gates(baseline):
 
 
 def workload(name, instructions, interval):
-    """None where it is not counted or not timed."""
+    """The row of a workload; None stands for counts and times that were not measured."""
     least, median = (None, None) if interval is None else map(number, interval[:2])
     return {"workload": name, "instructions": None if instructions is None else count(instructions),
             "least_time": least, "median_time": median, "band": None if interval is None else median / least - 1}
@@ -49,7 +49,7 @@ def gates(asked):
 
 
 def sweep_ratios(name, times):
-    """Times of a point of a sweep beside those of its scenes and roots alone."""
+    """The time of a point of a sweep beside the time of its scenes and roots alone."""
     alone, summaries, points = (number(times[key]) for key in ("alone", "summaries", "points"))
     return {"sweep": name, "alone_ns": alone, "summaries_ns": summaries, "summaries_times_alone": summaries / alone,
             "points_ns": points, "points_times_alone": points / alone, "drawing_ns": number(times["stage: draw"])}

@@ -13,7 +13,7 @@ def with_unit(number, unit):
 
 
 def headline_row(item):
-    """A number of the paper beside what comes out, under the corrected reading."""
+    """A number of the paper beside the computed one, under the corrected reading."""
     result = item["readings"]["corrected"]
     factor = result.get("factor")
     verdict = result["verdict"] + (f": {result['none']}" if result.get("none") else "")

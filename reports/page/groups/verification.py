@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Certified values, random points, planted faults and wrong solvers: each is held, or a promise is broken; random changes have a goal."""
+"""Certified values, random points, planted faults and wrong solvers, where each failure breaks a promise; and random changes, which have a goal."""
 from baselines import copied, count, flag, from_baseline, number, number_or_none, part, run_of, text, texts
 from group import Group, finding, not_run, promise
 
 
 def held_quantity(answer):
-    """A quantity as `verify` answers."""
+    """A quantity of the answer of `verify`."""
     return (copied(answer, text, "quantity") | copied(answer, count, "cases") |
             copied(answer, number_or_none, "worst_ulp", "worst_ulp_per_condition", "allowed_ulp", "allowed_ulp_per_condition",
                    "worst_part_of_bound") | copied(answer, text, "worst_row") | {"held": flag(answer["passed"])})
@@ -75,7 +75,7 @@ def noticed(baseline):
 
 
 def diagnosed(baseline):
-    """Answers of `verify --subject` on wrong solvers, and whether it accused right ones."""
+    """The answers of `verify --subject` on wrong solvers, and whether it accused right solvers."""
     solvers = [copied(one, text, "function", "said") | copied(one, texts, "fakes") | copied(one, flag, "named")
                for one in baseline["wrong_solvers"]]
     named = sum(solver["named"] for solver in solvers)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ways of doing a job, timed and judged: which is the fastest, and the tables for gnuplot."""
+"""Ways of doing a job, timed and judged: the fastest ones, and the tables for gnuplot."""
 import re
 
 from baselines import copied, count, from_baseline, number, number_or_none, run_of, text
@@ -26,7 +26,7 @@ def jobs_of(baseline):
 
 
 def fastest_ways(rows):
-    """The fastest of each family's ways that were judged and failed nowhere, as the file orders them."""
+    """The fastest way of each family, among ways that were judged and failed nowhere, in the order of the file."""
     ways = {}
     for row in rows:
         if number(row["failures"]) > 0 or row["max_ulp"] is None:
@@ -58,7 +58,7 @@ def contest(jobs):
 
 
 def line_film(baseline):
-    """Films of line contacts: every way, and how ours and a dense matrix grow."""
+    """Films of line contacts: every way, and the growth of time and memory with our solver and with a dense matrix."""
     return run_of(baseline["line_film_run"]) | {
         "ways": [copied(row, text, "family", "name") | copied(row, number, "ns") |
                  copied(row, number_or_none, "steps", "max_relative", "mean_relative") |
@@ -66,11 +66,11 @@ def line_film(baseline):
         "exponents": [copied(row, text, "solver", "quantity") | copied(row, number, "exponent", "uncertainty") |
                       copied(row, count, "from_cells", "to_cells") for row in baseline["line_film_exponents"]],
         "largest": [copied(rows[-1], text, "solver") | copied(rows[-1], number, "cells", "kernel_ns", "step_ns", "bytes")
-                    for rows in grouped(baseline["line_film_growth"], "solver").values()]}  # grid of each solver
+                    for rows in grouped(baseline["line_film_growth"], "solver").values()]}  # one grid of each solver
 
 
 def cell(value):
-    """A value of the baseline in a table; a text also fits within quotes."""
+    """A value of the baseline in a table; a text must also fit between quotes."""
     if isinstance(value, str):
         return printable(value).replace('"', "'")
     return exact(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else "NaN"
@@ -88,12 +88,12 @@ def blocks(table, name, key, columns, rows):
             "\n\n".join(f'"{title}"\n{"".join(lines)}' for title, lines in titled.items()))
 
 
-# The columns of each table with their names, which have the units.
+# The columns of each table with their headings, which have the units.
 WAYS = {"job": "job", "family": "family", "series": "series", "name": "way", "ns": "CPU time a point [ns]",
         "evaluations": "evaluations a point", "max_ulp": "greatest error [ulp]",
         "p99_ulp": "99th percentile of the error [ulp]", "mean_ulp": "mean error [ulp]", "failures": "failures",
         "no_numbers": "no numbers", "judged": "cases judged"}
-# Table: the file's name, what each block is of, and the columns.
+# For each table: the file's name, the column by which rows are put into blocks, and the columns.
 TABLES = {
     "line_film": ("line_film", "series", {
         "job": "job", "family": "family", "series": "series", "name": "way", "ns": "CPU time a contact [ns]",

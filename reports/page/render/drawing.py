@@ -14,12 +14,12 @@ SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "gnuplot"
 NO_GNUPLOT = "gnuplot was not found in PATH"
 
 
-# Signs that no page and no SVG may hold, or that turn the text around them: controls, and Unicode's for the direction.
+# Signs that no page and no SVG may hold, or that turn the text around them: controls, and Unicode's signs of direction.
 CONTROLS = re.compile("[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufffe\uffff\ud800-\udfff]+")
 
 
 def read_data(path):
-    """JSON whose texts, names of members too, have blanks in place of control signs."""
+    """JSON in which texts and names of members have blanks in place of control signs."""
     def cleaned(value):
         if isinstance(value, str):
             return CONTROLS.sub(" ", value)
@@ -32,13 +32,13 @@ def read_data(path):
 
 
 def show_step(step):
-    """One line on stderr that each step overwrites, where a person watches."""
+    """Writes a line on stderr that each step overwrites, on a terminal only."""
     if sys.stderr.isatty():
         print(f"\r{step}\033[K", end="", file=sys.stderr, flush=True)
 
 
 def enhanced(text):
-    """A text of the data for gnuplot's enhanced text, which takes these signs for orders."""
+    """A text of the data for gnuplot's enhanced text, in which these signs are commands."""
     return re.sub(r"([\\_^{}@&~])", r"\\\1", text)
 
 
@@ -53,30 +53,30 @@ def run_gnuplot(frame, *arguments):
         return f"gnuplot cannot be started: {error.strerror}"
     if done.returncode < 0:
         return f"gnuplot ended by signal {-done.returncode}"
-    if done.returncode:  # it repeats the whole command before the reason
+    if done.returncode:  # gnuplot repeats the whole command before the reason
         said = " ".join(done.stderr.split())
         return "gnuplot: " + (said if len(said) <= 300 else "…" + said[-300:].split(" ", 1)[-1])
     return ""
 
 
-# Traces of gnuplot's `mousing`: its script's name, calls of it, and where the axes of the last plot lie.
+# Traces of gnuplot's `mousing`: the name of its script, calls of the script, and the places of the last plot's axes.
 MOUSING = re.compile(r"""\s+id="\w+_keyentry" visibility="visible"|<script.*?(?:/>|</script>)\s*|\s+on(?:load|click|mousemove)="[^"]*"|"""
                      r"""<text id="coord_text".*(?=</svg>)|(?<=fill="#ffffff") stroke="black" stroke-width="1"(?=/>)""",
                      re.DOTALL)
-UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # its commands, as the name of a line that has none
-INITIAL = ' stroke-linecap="butt" stroke-linejoin="miter"'  # which SVG has without being told
+UNNAMED = re.compile(r"<title>[^<]* using [^<]*</title>")  # gnuplot's command, which names a line without a name
+INITIAL = ' stroke-linecap="butt" stroke-linejoin="miter"'  # the defaults of SVG
 EMPTY_GROUP = re.compile(r"<g\b[^>]*>\s*</g>\s*")
 AXES = re.compile(r"gnuplot_svg\.plot_(xmin|xmax|ybot|ytop|axis_xmin|axis_xmax|axis_ymin|axis_ymax|logaxis_x|logaxis_y)"
                   r" = ([-+.0-9e]+);")
 
 
 def without_scripts(svg):
-    """The picture alone. Its element says in data-axes which values the edges of the (last) plot have, so that the
-    page can show those under the pointer."""
+    """The picture without these traces. The attribute data-axes of its element has the values at the edges of the (last)
+    plot, so that the page can show the values under the pointer."""
     axes = " ".join(f"{name}={value}" for name, value in AXES.findall(svg))
     svg = UNNAMED.sub("", MOUSING.sub("", svg)).replace(INITIAL, "").replace("<svg", f'<svg data-axes="{axes}"', 1)
     more = 1
-    while more:  # a tenth of each file is groups with nothing in them
+    while more:  # a tenth of each file is empty groups
         svg, more = EMPTY_GROUP.subn("", svg)
     return re.sub(r"\n\s+", "\n", svg)
 
@@ -96,8 +96,8 @@ def draw(drawing, data, target):
 
 @contextlib.contextmanager
 def whole_file(target):
-    """A path to write to: the file there takes the target's name at the end, if it is there. It lies in a folder that
-    is this user's alone, so that nobody puts a link to another file in its place."""
+    """A path to write to. At the end a file that was written there takes the target's name. The path lies in a folder that
+    belongs to this user alone, so that nobody can put a link to another file there."""
     with tempfile.TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
         unfinished = pathlib.Path(folder, target.name)
         yield unfinished
@@ -106,7 +106,7 @@ def whole_file(target):
 
 
 def write_text(target, text):
-    """A file, whole or not at all."""
+    """Writes a file, whole or not at all."""
     with whole_file(target) as unfinished:
         unfinished.write_text(text, encoding="utf-8")
 

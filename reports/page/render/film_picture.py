@@ -23,7 +23,7 @@ LAWS = {"barus": "Barus", "roelands": "Roelands", "incompressible": "incompressi
 
 
 def window(contact):
-    """Where the pressure is, and a little beside it, in half-widths."""
+    """The ends of the picture's axis in half-widths: the pressure, and a little room beside it."""
     width, peak = contact["half_width"], max(contact["profile"]["pressure"])
     pressed = [x/width for x, p in zip(contact["profile"]["x"], contact["profile"]["pressure"]) if p > 0.02*peak]
     margin = 0.06*(pressed[-1] - pressed[0])
@@ -31,7 +31,7 @@ def window(contact):
 
 
 def spread(labels, low, high, gap):
-    """Places for labels as near to those they have as they can be without overlap: [(place, label)]."""
+    """Labels at places as near to their own as possible without overlap: [(place, label)]."""
     placed = []  # clusters: [mean place, labels]
     for place, label in sorted(labels, key=lambda pair: pair[0]):
         placed.append([place, [(place, label)]])
@@ -47,7 +47,7 @@ def spread(labels, low, high, gap):
 
 
 def spike_note(contact):
-    """Where the spike is, in m and Pa, and what is to be said of it."""
+    """The place and pressure of the spike, in m and Pa, and its label."""
     if contact["spike_pressure"] is not None or contact["spike_place"] is None:
         return 0.0, 0.0, " "
     place = contact["spike_place"]["value"]
@@ -76,7 +76,7 @@ def row(*cells):
 
 
 def formula_text(contact, formula):
-    """Its name and how far it is from the film that is drawn; a star where that liquid is not its own."""
+    """The formula's name and its difference from the drawn film; a star where the formula was fitted to another liquid."""
     liquid = contact["assumptions"]
     own = f"{liquid['viscosity']}, {'in' if liquid['density'] == 'incompressible' else ''}compressible"
     star = "" if formula["fitted_to"] == own else "*"

@@ -26,7 +26,7 @@ def marked(text):
 
 
 def code(text):
-    """In as many backticks as the text needs; nothing where there is no text, as two backticks begin a code of two."""
+    """The text as code, in as many backticks as it needs. An empty text gives "": Markdown has no empty code."""
     if not text:
         return Markdown("")
     fence = "`" * (1 + max(map(len, re.findall("`+", text)), default=0))
@@ -66,12 +66,12 @@ def indices(text):
 
 
 def plain(markdown):
-    """The text alone, for labels and descriptions."""
+    """The plain text of Markdown, for labels and descriptions."""
     return html.unescape(re.sub(r"<[^>]*>", "", to_html(indices(markdown)))).strip()
 
 
 def to_html(markdown):
-    """HTML with GitHub's additions to Markdown but no links made of bare addresses, which may be anybody's words."""
+    """HTML, with GitHub's additions to Markdown, but without links made of bare addresses, which may stand in texts of others."""
     return cmarkgfm.markdown_to_html_with_extensions(str(markdown), Options.CMARK_OPT_UNSAFE,
                                                      ["table", "strikethrough", "tagfilter"])
 

@@ -23,7 +23,7 @@ def rounded(value, digits):
 
 
 def unrounded(value):
-    """As many digits as it takes to read back the same double."""
+    """The number with as many digits as it takes to read back the same double."""
     if value is None or not math.isfinite(value):
         return NO_ENTRY
     return rounded(value, next(digits for digits in range(1, 18) if float(f"{value:.{digits - 1}e}") == value))

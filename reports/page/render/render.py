@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the report's page of its data: draws the figures, and writes report.md and index.html.
+"""Makes the report's page from its data: draws the figures, and writes report.md and index.html.
 
 `tribocheck report` writes report.json and data/*.tsv, and calls this. The prose stands in templates/*.md, a file a
 section; the page's frame in layout.html and style.css. Prints what was written and what could not be drawn, as JSON.
@@ -31,7 +31,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 class Figures:
-    """The figures that the templates ask for; each is drawn where it stands."""
+    """The figures that the templates ask for; each is drawn when a template asks for it."""
 
     def __init__(self, out, files):
         self.out = out
@@ -40,7 +40,7 @@ class Figures:
         self.gnuplot_is_there = True
 
     def pictures(self, name, drawn):
-        """Both pictures, or neither: why not."""
+        """Draws both pictures or neither. Returns why not."""
         paths = [f"figures/{name}.{kind}" for kind in ("svg", "png")]
         why = "" if self.gnuplot_is_there else drawing.NO_GNUPLOT
         for path in paths:
@@ -118,7 +118,7 @@ def shown(value):
 
 
 def as_markdown(function):
-    """A filter whose text is Markdown already."""
+    """A filter whose result is Markdown already."""
     return lambda *values, **named: markup.Markdown(function(*values, **named))
 
 

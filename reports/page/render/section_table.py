@@ -10,7 +10,7 @@ class Section(typing.NamedTuple):
     further: tuple = ()  # more templates; each is left out alone where its data is missing
 
 
-# The paper first, then this software. templates/<id>.md says what each shows.
+# The paper first, then this software. templates/<id>.md is the text of each.
 SECTIONS = {
     "figures": Section("The paper's figures, redrawn", ("paper", "ledger")),
     "comparison": Section("The paper's numbers by each criterion and model", ("paper",)),

@@ -62,7 +62,7 @@ class Page:
         return self.without_dead_links(markup.indices(str(module))), module
 
     def without_dead_links(self, text):
-        """A link to a section that was not asked for is its text alone."""
+        """The text, in which a link to a section that was not asked for is plain text."""
         there = (*self.report["sections"], "not-run", "data")
         return re.sub(r"\[([^\[\]]*)\]\(#([a-z-]+)\)", lambda m: m[0] if m[2] in there else m[1], text)
 
@@ -94,7 +94,7 @@ class Page:
         return text
 
     def findings(self, about):
-        """Those about the paper, or about the software; broken promises first, then missed targets."""
+        """The findings about the paper, or about the software; broken promises first, then missed targets."""
         ours = [one for one in self.report["findings"] if one["about"] == about]
         ours.sort(key=lambda one: (one["standing"] != "fails", one["standing"] != "missed"))
         for one in ours:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of a sweep's result: which of them there are follows from what the sweep holds.
+"""Pictures of a sweep's result. The content of the result decides which pictures there are.
 
   onset_distribution    histograms of the onset speed by each criterion, a lane each
   sensitivity_<column>  Sobol indices of a scalar column, the greatest on top
@@ -22,7 +22,7 @@ import drawing
 from numbers_text import NO_ENTRY, grouped, percent, rounded
 
 OKABE_ITO = (0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x8C6D00, 0x000000)
-OF_SURFACES = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2}  # as colour() of style.gp
+OF_SURFACES = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2}  # the colours of colour() in style.gp
 NAN, INFINITY = math.nan, math.inf
 
 
@@ -32,7 +32,7 @@ class Picture(typing.NamedTuple):
     heading: str
     subtitle: str
     height: int
-    blocks: str  # all that it shows: blocks of tab-separated rows
+    blocks: str  # the picture's data: blocks of tab-separated rows
 
     def drawn(self, folder="."):
         return {"frame": "sweep.gp", "script": self.script, "data": folder, "name": self.stem, "height": self.height,
@@ -42,7 +42,7 @@ class Picture(typing.NamedTuple):
 # --- Texts and numbers of the data files.
 
 def exact(value):
-    """Reads back to the same double; NaN for what is undefined."""
+    """A text that reads back to the same double; NaN for an undefined number."""
     if value is None or math.isnan(value):
         return "NaN"
     return repr(value).removesuffix(".0")
@@ -56,7 +56,7 @@ def cell(text, longest=40):
     """A text of the user's on one line, at most `longest` signs."""
     text = "".join(" " if ord(sign) < 0x20 or ord(sign) == 0x7f else "'" if sign == '"' else sign for sign in text)
     text = text if len(text) <= longest else text[:longest] + "…"
-    return text if text.strip(" ") else "–"  # gnuplot takes an empty cell for that of the row before
+    return text if text.strip(" ") else "–"  # gnuplot would repeat the row before in an empty cell
 
 
 def in_words(name):
@@ -100,7 +100,7 @@ def pale(colour):
 
 
 def readable_unit(unit, values):
-    """A unit that leaves few zeros, and the factor of a number in it: nm where all values are films."""
+    """A unit in which numbers have few zeros, and its factor: nm where all values are films."""
     greatest = max((abs(value) for value in values if value is not None), default=0)
     if unit != "m" or greatest == 0 or greatest >= 1e-2:
         return unit, 1
@@ -126,13 +126,13 @@ def column_of(scene, name):
     return next((column for column in scene["columns"] if column["name"] == name), None)
 
 
-# --- How onset speeds scatter.
+# --- The spread of onset speeds.
 
 NAME_ROOM, GAP, PEAK = 0.55, 0.15, 0.82  # in units of a lane: a scene's name, and the room below its lanes
 
 
 def bins_of(value):
-    """Low end, high end and density over the logarithm. Half as many bins as the result has: the shape is seen."""
+    """Low end, high end and density over the logarithm, in half as many bins as the result has, so that the shape shows."""
     edges, counts = value["histogram"]["edges"], value["histogram"]["counts"]
     for i in range(0, len(counts), 2):
         low, high = edges[i], edges[min(i + 2, len(counts))]
@@ -171,7 +171,7 @@ def no_onset_in(value):
 
 
 def onset_distribution(result, reported=()):
-    """`reported`: onset speeds to hold those of a scene against, as printed, with the ends of what rounds to them."""
+    """`reported`: printed onset speeds beside those of a scene, with the ends of the numbers that round to them."""
     colour = colours(result)
     base, lanes, scenes, outlines, ends, cases = 0, [], [], [], [], 0
     for scene, own in reversed(list(zip(result["scenes"], colour))):
@@ -209,7 +209,7 @@ def onset_distribution(result, reported=()):
                    round(78 + 92 + 50 * (top + 0.12)), blocks)
 
 
-# --- What carries the variance.
+# --- The fields that cause the variance.
 
 DRAWN_FROM = 0.005
 BAR, BETWEEN = 18, 14  # points
@@ -297,7 +297,7 @@ def is_band(scene, column):
 
 
 def without_value(values):
-    """For the legend: how many cases have no value, as friction without a film, at the speed with most of them."""
+    """For the legend: the part of cases without a value, such as friction without a film, at the speed with most of them."""
     missing = [value["undefined"] / (value["count"] + value["undefined"]) for value in values]
     if not any(missing):
         return ""
@@ -306,7 +306,7 @@ def without_value(values):
 
 
 def linear_range(low, high):
-    """A linear axis that holds all of it, from 0 where that is not far."""
+    """The range of a linear axis that holds low and high, from 0 where 0 is not far."""
     low = 0 if 0 <= low < high / 2 else low
     room = 0.04 * (high - low)
     return low - room if low else 0, high + (room if room > 0 else 1)
@@ -348,7 +348,7 @@ def curve_band(result, name):
 
 # --- The film over speed and one field.
 
-MOST_COLUMNS, MOST_ROWS = 120, 90  # so many polygons are still an SVG that opens
+MOST_COLUMNS, MOST_ROWS = 120, 90  # an SVG with so many polygons still opens
 
 
 def thinned(count, most):
@@ -377,8 +377,8 @@ FLAT = 0.01
 
 
 def end_of_floor(speeds, films):
-    """Up to this speed the film is what it is at the least speed, for asperities carry all of the load; NaN: it follows
-    the speed at once."""
+    """The speed up to which the film stays that of the least speed, because asperities carry all of the load; NaN: the film
+    changes at once."""
     flat = 0
     while flat + 1 < len(films) and films[0] > 0 and abs(films[flat + 1] / films[0] - 1) < FLAT:
         flat += 1
@@ -407,7 +407,7 @@ def film_map(scene, number=1):
     for i in thinned(len(grid), MOST_ROWS):
         at, films = factor * grid[i][0], grid[i][1]
         for j in thinned(len(speeds), MOST_COLUMNS):
-            here = 1e9 * films[j] if films[j] > 0 else NAN  # it has collapsed: a hole, as on any logarithmic scale
+            here = 1e9 * films[j] if films[j] > 0 else NAN  # a collapsed film is a hole, as on any logarithmic scale
             has_gaps = has_gaps or math.isnan(here)
             shown += [] if math.isnan(here) else [here]
             table += row(speeds[j], at, here)
@@ -453,7 +453,7 @@ def write_blocks(picture, folder):
 
 
 def draw_all(result, folder):
-    """Paths of what was drawn, and why the others were not."""
+    """The paths of drawn pictures, and why the others were not drawn."""
     written, undrawn = [], []
     for picture in pictures(result):
         write_blocks(picture, folder)

@@ -47,16 +47,16 @@ CATALOGUE = pathlib.Path(__file__).with_name("catalogue.toml")
 MUTANTS = ROOT / "reference/baselines/mutants.json"
 FIELDS = {"id", "fault", "file", "find", "replace", "check"}
 INVENTORY = "inventory:"
-# The engine is compiled anew for nearly each fault of the model: here for AVX2, SSE4 and the plain processor
-# alone, so for four lanes, two and one.
+# Nearly each fault of the model makes the engine compile anew. Here it is compiled only for AVX2, SSE4 and the plain
+# processor: for four lanes, two and one.
 LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
-# A sample of mutants may take so many seconds of processors, as its steps and tests took without a mutant; a file that a
-# cache compiled counts as the second number, and one that was not built before as the third.
+# The first number: seconds of processors that a sample of mutants may take, by the times that its steps and tests took without
+# a mutant. A file that a cache compiled counts as the second number, and a file that was not built before as the third.
 MOST_SECONDS, COMPILED_AT_LEAST, COMPILED_AT_MOST = 300, 5, 60
 NO_LAYER = 3  # exit code
 # The instruction sets that the kernels are compiled for, the best one first, with what the C library has to switch off so that they run.
 INSTRUCTION_SETS = {"HWY_AVX3": "", "HWY_AVX2": "-AVX512F", "HWY_SSE4": "-AVX512F,-AVX2,-FMA"}
-CHECK_SECONDS = 180  # a check that a fault makes run longer has caught it
+CHECK_SECONDS = 180  # a check that runs longer than this because of a fault has caught it
 
 
 class Red(Exception):
@@ -79,7 +79,7 @@ def read_catalogue():
 
 
 def caught_mutants(text):
-    """The mutants of a ledger that a check caught, as faults; the targets of the check have to be known."""
+    """The mutants of a ledger that a check caught, as faults; without those whose check has no known targets."""
     rows = [row for one in json.loads(text)["samples"] for row in one["mutants"] if row.get("verdict") == "caught"
             and (row["by"].startswith(("program.", "gates.")) or row["by"].count(".") == 2)]
     return [{"id": row["id"], "fault": f"{row['operator']}: {row['original']} → {row['replacement']}", "file": row["file"],
@@ -87,7 +87,7 @@ def caught_mutants(text):
 
 
 def digest(fault):
-    """The digest of the patch and the check that a verdict is on: another patch or check has another digest."""
+    """The digest of a fault's patch and check. A verdict holds for one digest."""
     text = json.dumps([fault[field] for field in ("file", "find", "replace", "check")])
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
@@ -102,7 +102,7 @@ def stale(fault):
 
 
 def runs_on(text, place, instruction_set):
-    """Whether the text at the place is compiled for the instruction set, as far as the lines #if, #elif and #else before it say."""
+    """Whether the text at the place is compiled for the instruction set, by the lines #if, #elif and #else before it."""
     def holds(condition):
         if not re.search("HWY_TARGET [!=]=|HWY_NATIVE_FMA", condition):
             return True
@@ -110,7 +110,7 @@ def runs_on(text, place, instruction_set):
         return any(term in (f"HWY_TARGET == {instruction_set}", "HWY_NATIVE_FMA" if instruction_set != "HWY_SSE4" else "")
                    or re.fullmatch(rf"HWY_TARGET != (?!{instruction_set}$)\w+", term) for term in terms)
 
-    open_ones = []  # whether a branch was taken before, and whether this one is
+    open_ones = []  # for each open #if: was an earlier branch taken, and is this one?
     for line in text[:place].splitlines():
         word, _, rest = line.removeprefix("#").partition(" ") if line.startswith("#") else ("", "", "")
         if word in ("if", "ifdef", "ifndef"):
@@ -148,7 +148,7 @@ def test_of(check):
 def targets_of(check):
     """The build targets that a check needs; empty: it runs Python alone."""
     if test_of(check).startswith("program."):
-        return ["tribocheck", "verification/conformance/subjects/all"]  # the plug-ins, without which a test is red too
+        return ["tribocheck", "verification/conformance/subjects/all"]  # and the plug-ins, without which a test is red
     if test_of(check).startswith("gates."):
         return ["tribocheck_gate_kernels"] if test_of(check) == "gates.work_counters" else []
     if test_of(check) == "stress.model_against_long_double":
@@ -179,13 +179,13 @@ def seconds_of(junit):
 
 
 class Built:
-    """A built tree: what has to be compiled again for a change, and how long that took."""
+    """A built tree: the files that have to be compiled again for a change, and the time that they took."""
 
     def __init__(self, build):
         self.build = build
         lines = [line.split("\t") for line in (build / ".ninja_log").read_text().splitlines() if not line.startswith("#")]
         self.took = {output: (int(end) - int(start)) / 1000 for start, end, _, output, *_ in lines}
-        # A compiler cache may have written the texts' names from the build folder on.
+        # A compiler cache may have written the names of texts relative to the build folder.
         self.reads = {block.split(":")[0]: {os.path.normpath(build / name) for name in block.split("\n    ")[1:]}
                       for block in self.ask("deps").split("\n\n")}
 
@@ -200,7 +200,7 @@ class Built:
         return done.stdout
 
     def seconds(self, file, targets):
-        """Seconds to compile what reads the file, as far as the targets need it. Tests share a header that is compiled first."""
+        """Seconds to compile the sources of the targets that read the file. Tests share a header that is compiled first."""
         needed = self.needed(*targets)
         again = {one for one in needed if str(file) in self.reads.get(one, ())}
         if any(one.endswith(".gch") for one in again):
@@ -209,7 +209,7 @@ class Built:
 
 
 def whole_test(check):
-    """The CTest test that has a check, in a build that does not part the programs of GoogleTest."""
+    """The CTest test that runs a check, where a program of GoogleTest is one test."""
     whole = check.startswith(("program.", "gates.", "stress.model_"))
     return check if whole else f"{check.split('.')[0]}.{targets_of(check)[0]}"
 
@@ -279,8 +279,8 @@ def targets_above(fault):
 
 
 class Above:
-    """The built tree with a layer above it, which takes what a mutant changes: only what it touches is built again, and the
-    tree stays as it is. Nobody but the commands that are started so sees the layer."""
+    """The built tree with a layer above it. A mutant changes the layer alone, and only files that read the changed text are built
+    again; the tree stays as it is. Only commands that are started through this class see the layer."""
     MOUNT = 'mount -t overlay overlay -o "lowerdir=$1,upperdir=$2/upper,workdir=$2/work" "$1" && cd "$1" && shift 2 && exec "$@"'
 
     def __init__(self, folder):
@@ -303,7 +303,7 @@ class Above:
 
     @contextlib.contextmanager
     def planted(self, fault):
-        """The mutant in the layer, whose commands run on the best instruction set that runs the mutant's text; there has to be one."""
+        """The mutant in the layer. Commands run on the best instruction set that runs the mutant's text; there has to be one."""
         self.switched_off = INSTRUCTION_SETS[instruction_set_for(fault)]
         path = self.folder / "upper" / fault["file"]
         path.parent.mkdir(parents=True)
@@ -340,8 +340,8 @@ class Above:
 
 
 def plant_above(faults, count, seed, folder, seconds, workers, built):
-    """The first `count` mutants, in an order that the seed gives, that can be met within a sample's time: none takes more than
-    twice its share of what is left of that."""
+    """The first `count` mutants, in an order that the seed gives, that fit into a sample's time: none takes more than twice its
+    share of the time that is left."""
     order = iter(random.Random(seed).sample(faults, len(faults)))
     lock, rows, left, taken = threading.Lock(), [], MOST_SECONDS, 0
 
@@ -398,7 +398,7 @@ def commit():
 
 
 class Ledger:
-    """The last verdict on each fault, in a file; without one nothing is kept."""
+    """The last verdict on each fault, in a file. Without a file no verdict is kept."""
 
     def __init__(self, path, catalogue):
         self.path = path
@@ -410,7 +410,7 @@ class Ledger:
             self.rows = {row["id"]: row for row in kept if row["digest"] == self.digests.get(row["id"])}
 
     def oldest(self, faults, count):
-        """Those that were never planted first."""
+        """The faults that were planted longest ago; those that were never planted come first."""
         return sorted(faults, key=lambda fault: self.rows.get(fault["id"], {"date": ""})["date"])[:count]
 
     def add(self, row, commit_now):
@@ -420,7 +420,7 @@ class Ledger:
         self.rows[row["id"]] = {**row, "digest": self.digests[row["id"]], "commit": commit_now, "date": now}
         rows = [self.rows[one] for one in self.digests if one in self.rows]
         first = min(rows, key=lambda one: one["date"])
-        # The machine of this run; other rows may be from others.
+        # The machine of this run; rows of earlier runs may be from other machines.
         ledger = {"commit": first["commit"], "date": first["date"][:10], "environment": self.environment,
                   "catalogue": len(self.digests), "faults": rows}
         self.path.parent.mkdir(parents=True, exist_ok=True)
@@ -486,7 +486,7 @@ def main():
     red = [f"{fault['id']}: {why}" for fault in faults if (why := stale(fault))]
     red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"
             for fault in faults if test_of(fault["check"]) not in green]
-    if arguments.mutants is not None:  # what changed since it was caught says nothing of today's tests
+    if arguments.mutants is not None:  # a text that has changed since it was caught says nothing about today's tests
         gone = {line.split(":")[0] for line in red}
         faults = [fault for fault in faults if fault["id"] not in gone and instruction_set_for(fault) is not None]
         print(f"{len(catalogue) - len(faults)} of {len(catalogue)} caught mutants do not apply to today's text, their check is not there, "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""plant.py on a catalogue of its own: what cannot be planted, what survives, and what counts as caught."""
+"""plant.py on a catalogue of its own: faults that cannot be planted, faults that survive, and faults that count as caught."""
 import contextlib
 import io
 import json
@@ -49,7 +49,7 @@ class Stale(Tree):
 
 
 class Targets(unittest.TestCase):
-    """Which build targets a check needs, in the real tree."""
+    """The build targets that a check needs, in the real tree."""
 
     def test_of_each_kind_of_check(self):
         for check, targets in (("program.test_solve", ["tribocheck", "verification/conformance/subjects/all"]),
@@ -128,7 +128,7 @@ class OfMutants(Tree):
             self.above((0, ""), (1, "unshare: operation not permitted"))
 
     def planted(self, compiled, tested):
-        """How many of ten are planted, where each takes so long."""
+        """How many of ten mutants are planted, where each takes so long."""
         built = mock.Mock(seconds=lambda file, targets: compiled)
         faults = [FAULT | {"id": str(i), "file": "formula.hpp"} for i in range(30)]
         with mock.patch.object(plant.Above, "try_fault", lambda *_: "failed"), contextlib.redirect_stdout(io.StringIO()):
@@ -170,7 +170,7 @@ class OfMutants(Tree):
 
 
 class InstructionSets(unittest.TestCase):
-    """A kernel's text that one instruction set has for itself is met on that one."""
+    """A kernel's text for one instruction set alone is tested on that set."""
     TEXT = """#if defined(X) == defined(HWY_TARGET_TOGGLE)
 #else
 #endif
@@ -242,7 +242,7 @@ class Try(Tree):
 
 
 class Ledger(Tree):
-    """The ledger keeps the last verdict on each fault, whatever becomes of the run."""
+    """The ledger keeps the last verdict on each fault, however the run ends."""
     CATALOGUE = [FAULT, FAULT | {"id": "two"}, FAULT | {"id": "three"}]
 
     def ledger(self):
@@ -299,7 +299,7 @@ class Ledger(Tree):
 
 
 class Main(Tree):
-    """The exit code, without building anything."""
+    """The exit code of plant.py, which builds nothing here."""
 
     def main(self, said, *faults):
         def row(fault):

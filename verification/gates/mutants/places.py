@@ -13,7 +13,7 @@ import random
 import re
 import shlex
 
-# Room → folders and files; the longest that fits a file counts. None: never mutated (tests, what judges mutants, samples of users).
+# Folder → room; the longest folder that holds a file counts. None: never mutated (tests, the tools that judge mutants, users' samples).
 ROOMS = {"model/include/tribo": "formulas", "model/src": "engine", "model/scene": "scene", "model/catalogue": "catalogue",
          "model/ehl": "film", "model/sweep": "sweep", "verification/conformance": "judging",
          "verification/reproduction": "judging", "verification/accuracy": "judging", "verification/protocol": "judging",
@@ -30,7 +30,7 @@ OTHER = {"<": ("boundary", "<="), "<=": ("boundary", "<"), ">": ("boundary", ">=
 TURNED = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 # Functions whose first two arguments may change places.
 ORDER_FREE = {"Mul", "Add", "Max", "Min", "And", "Or", "MulAdd", "MulSub", "NegMulAdd", "max", "min", "fmax", "fmin", "hypot"}
-# Highway's operations on vectors.
+# Highway's operations on vectors, each with the one that takes its place.
 VECTOR = {"Add": "Sub", "Sub": "Add", "Mul": "Div", "Div": "Mul", "Min": "Max", "Max": "Min", "MulAdd": "NegMulAdd",
           "NegMulAdd": "MulAdd", "MulSub": "MulAdd", "Lt": "Le", "Le": "Lt", "Gt": "Ge", "Ge": "Gt", "And": "Or", "Or": "And"}
 IMPURE = re.compile(rb"\w\s*\(|\)\s*\(|\+\+|--|[^=!<>]=[^=]|\[|\bnew\b|\bthrow\b|\bco_")
@@ -42,7 +42,7 @@ def room_of(file):
 
 
 def changed_number(text, dice):
-    """A literal of C++ or Python with another value; the suffix stays. None where it is no plain number."""
+    """A literal of C++ or Python with another value; the suffix stays. None where the text is no plain number."""
     if re.fullmatch(r"(0|[1-9][0-9']*)([uUlLzZ]*)", text):
         digits, suffix = re.fullmatch(r"([0-9']+)(\w*)", text).groups()
         value = int(digits.replace("'", ""))
@@ -101,7 +101,7 @@ class Cpp:
         return self.text[slice(*span)].decode()
 
     def add(self, operator, begin, end, replacement, *edits, variable=None):
-        """`variable`: the declaration whose initial value holds the place: it must not be made while compiling."""
+        """Adds a place. `variable`: the declaration whose initial value holds the place, and may then not be computed while compiling."""
         if b".reserve(" in self.text[self.text.rfind(b"\n", 0, begin) + 1:begin]:
             return  # a list grows by itself beyond what was reserved
         if variable is not None:
@@ -114,7 +114,7 @@ class Cpp:
                             "operator": operator, "edits": edits})
 
     def constant(self, variable):
-        """The edit that makes of a constexpr variable a const one; None: none is needed, False: it cannot be told."""
+        """The edit that makes a constexpr variable a const one. None: no edit is needed; False: the text of the variable is not known."""
         span = self.span(variable)
         if span is None:
             return False
@@ -126,7 +126,7 @@ class Cpp:
         return span[0] + found.start(), span[0] + found.end(), "inline const" if inline else "const"
 
     def choice(self, operator, span, original, changed, kind, variable, whole=None):
-        """One expression or the other. Both are evaluated, and compared, where that is cheap and cannot be seen."""
+        """Chooses one expression or the other. Both are evaluated, and compared, where that is cheap and has no other effect."""
         pure = kind in ARITHMETIC and not IMPURE.search(self.text[slice(*span)]) and not (whole and kind in WHOLE)
         if pure:
             text = f"::tribocheck_mutants::choose({{n}}, ({original}), ({changed}))"
@@ -152,7 +152,7 @@ class Cpp:
             variable = None
         if span is not None:
             parent = above[-1] if above else None
-            # It hangs on nothing but the text: a place has the same mutants in every run.
+            # The seed depends on the text alone: a place has the same mutants in every run.
             self.dice = random.Random(f"{self.file}:{span}:{self.cut(span)}")
             if kind == kinds.BINARY_OPERATOR and len(children) == 2:
                 self.binary(cursor, span, children, above, variable)
@@ -202,7 +202,7 @@ class Cpp:
         before, after = self.text[max(0, span[0] - 60):span[0]].decode(errors="replace"), self.text[span[1]:span[1] + 40].decode(errors="replace")
         if re.search(r"\w<[^<>;(){}]*$", before) and re.match(r"[^<>;(){}]*>", after) or re.search(r"\w\[$", before) and \
                 parent is not None and parent.kind in (self.kinds.VAR_DECL, self.kinds.FIELD_DECL):
-            return  # of a type
+            return  # part of a type
         changed = changed_number(text, self.dice)
         if changed is None:
             return
@@ -237,7 +237,7 @@ class Cpp:
             if not a or not b or a[1] > b[0] or types[i].spelling.removeprefix("const ") != types[i + 1].spelling.removeprefix("const "):
                 continue
             if "=" in re.sub(rb"[=!<>]=", b"", self.text[a[1]:b[0]]).decode():
-                continue  # an assignment to what would be a copy
+                continue  # one argument holds an assignment, which would go to a copy
             one, two = self.cut(a), self.cut(b)
             if one == two or " = " in one + two or re.match(r'["{\[]', one) or re.match(r'["{\[]', two) or "lambda" in types[i].spelling:
                 continue
@@ -381,11 +381,11 @@ def python_places(file, text):
 
 
 def template_places(file, text):
-    """Places of Markdown with Jinja: cells of tables, and what stands between braces."""
+    """Places of Markdown with Jinja: cells of tables, and expressions between braces."""
     import jinja2
     places, tokens, at = [], [], 0
     for _, kind, value in jinja2.Environment(keep_trailing_newline=True).lex(text):
-        at = text.index(value, at)  # it leaves out what {%- takes away
+        at = text.index(value, at)  # the lexer leaves out blanks that {%- removes
         tokens.append((kind, value, at))
         at += len(value)
     byte = lambda place: len(text[:place].encode())  # noqa: E731
@@ -449,7 +449,7 @@ def text_places(file, text):
 
 
 def decides_while_compiling(text, begin):
-    """Whether a place stands in the brackets of what is decided while compiling: there no switch is on."""
+    """Whether a place stands in the brackets of an expression that the compiler evaluates: no switch is on there."""
     for found in re.finditer(r"\b(if constexpr|requires|static_assert|noexcept|sizeof|alignas)\s*\(", text[max(0, begin - 300):begin].decode(errors="replace")):
         after = found.string[found.end():]
         if after.count("(") >= after.count(")") and all(after[:i].count("(") >= after[:i].count(")") for i in range(len(after))):
@@ -469,7 +469,7 @@ def planted_places(root):
 
 
 def all_places(root, build):
-    """Cached in the build folder for one state of the files."""
+    """All places; they are cached in the build folder for one state of the files."""
     files = sorted(path for path in root.glob("**/*") if path.suffix in (".cpp", ".hpp", ".py", ".md", ".gp", ".js")
                    and room_of(path.relative_to(root).as_posix()) and path.is_file())
     state = hashlib.sha256(pathlib.Path(__file__).read_bytes() + b"".join(str(path).encode() + path.read_bytes() for path in files)).hexdigest()

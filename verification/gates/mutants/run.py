@@ -65,7 +65,7 @@ def write(path, content):
 
 
 def scores(ledger):
-    """The score of each room in its last sample. A room has none before all its mutants ran: the last ones are those that survive longest."""
+    """The score of each room in its last sample. A room has no score before all its mutants ran, because those that survive run longest."""
     last = {}
     for one in ledger["samples"]:
         for room in one["rooms"]:
@@ -82,7 +82,7 @@ def scores(ledger):
 
 
 def noticed(table):
-    """The noticed mutants of all rooms of the table that ran to their end, of how many, and the interval of the share."""
+    """Over all rooms of the table that ran to their end: the noticed mutants, all mutants, and the interval of the share."""
     table = [row for row in table if row["ran"] == row["drawn"]]
     part, of = sum(row["caught"] + row["hung"] for row in table), sum(row["ran"] - row["equivalent"] for row in table)
     return part, of, *wilson(part, of)
@@ -131,7 +131,7 @@ def print_scores(ledger):
 
 
 class Prepared:
-    """The drawn mutants, the built copy, and which test reaches which mutant, in a folder."""
+    """A folder with the drawn mutants, the built copy, and the tests that reach each mutant."""
 
     def __init__(self, folder, seed, sizes, workers, left_out):
         self.folder, self.workers, self.lock = folder, workers, threading.Lock()
@@ -139,7 +139,7 @@ class Prepared:
         kept = json.loads(self.file.read_text()) if self.file.is_file() else {}
         if kept.get("seed") not in (None, seed):
             sys.exit(f"{folder} holds the copy of seed {kept['seed']}; remove it, or name another folder with --work")
-        # The text that the sample is of: the tree may change while it runs.
+        # The texts that the sample was drawn from: the tree may change while the sample runs.
         self.base = folder / "base"
         self.copy = schemata.Copy(self.base, folder / "tree", folder / "tree/build/release")
         if not kept:
@@ -212,7 +212,7 @@ class Prepared:
             with self.lock:
                 self.kept["coverage"][unit["name"]] = {**unit, **row}
                 if row["seconds"] > 3:
-                    self.save()  # what took long is not run again
+                    self.save()  # so that long steps are not run again
 
         with concurrent.futures.ThreadPoolExecutor(self.workers) as pool:
             list(pool.map(one, units))
@@ -283,7 +283,7 @@ class Verdicts:
             write_ledger(self.path, self.ledger)
 
     def run(self, unit, mutants, tree):
-        """How a part of the tests ends with all these mutants, its check, and the part cut down to the test at which it ended."""
+        """How a part of the tests ends with all these mutants, the check at which it ended, and the part cut down to that test."""
         with tree.planted(mutants):
             return tree.run(unit, [self.prepared.numbers[one["id"]] for one in mutants if one["switched"]])
 
@@ -307,7 +307,7 @@ class Verdicts:
         self.say(mutant, "survived" if able or reach else "not reached", time.monotonic() - start)
 
     def most_likely(self, mutant):
-        """Of the tests that the mutant did not meet, the few that noticed most others of its file, then of its room, in all samples."""
+        """The few tests, not yet run on this mutant, that noticed most other mutants of its file, then of its room, in all samples."""
         test_of = {tests.check_named(unit["test"], unit.get("case")): unit["test"] for unit in self.prepared.kept["coverage"].values()}
         hits = {key: collections.Counter(test_of.get(row.get("by")) for one in self.ledger["samples"] for row in one["mutants"]
                                          if row[key] == mutant[key]) for key in ("file", "room")}
@@ -331,7 +331,7 @@ class Verdicts:
             self.note_outlived(mutant, [*self.rows[mutant["id"]]["outlived"], unit["name"]])
 
     def wait_for_others(self, workers):
-        """Each other test meets all mutants that wait for it together. Those that none notices survive."""
+        """Each other test meets together all mutants that wait for it. Mutants that no test notices survive."""
         waiting, awaited = self.waiting(), {}
         for mutant in waiting:
             outlived = self.rows[mutant["id"]]["outlived"]
@@ -359,14 +359,14 @@ class Verdicts:
                 self.say(mutant, "survived", 0)
 
     def noticed_by(self, unit, mutants, tree):
-        """Which of these mutants the part notices, with its end and its check. Mutants that hide each other survive here, which makes
-        the score no better."""
+        """The mutants among these that the part notices, each with its end and its check. Mutants that hide each other survive here, so that the
+        score is never too high."""
         found = []
         while mutants := [one for one in mutants if "verdict" not in self.rows[one["id"]] and one not in [row[0] for row in found]]:
             end, check, part = self.run(unit, mutants, tree)
             if end == "green":
                 break
-            # The one test that is red says of each half whether it is red with it; a mutant that it is not red with alone waits on.
+            # The test that is red meets each half alone, and each half of a red half. A mutant with which alone it is not red waits on.
             now = self.halved(part or unit, mutants, tree, (end, check) if part is None else None)
             found += now
             if not now:
@@ -375,7 +375,7 @@ class Verdicts:
         return found
 
     def halved(self, unit, mutants, tree, known=None):
-        """The mutants that the part is red with alone. `known` is how it ends with all of them, where that is known."""
+        """The mutants with each of which alone the part is red. `known` is how the part ends with all of them, where that is known."""
         end, check = known or self.run(unit, mutants, tree)[:2]
         if end == "green":
             return []
@@ -404,7 +404,7 @@ def take_sample(arguments):
     return 0
 
 
-# Which tests can read what is not compiled, by its folder; the longest that fits counts.
+# The tests that can read texts that are not compiled, by the text's folder; the longest folder that fits counts.
 READERS = {"reports/page": r"program\.test_(report|page|sweep_pictures)", "benchmarks/gates": r"gates\.", "": r"program\."}
 
 
@@ -426,7 +426,7 @@ def readers_of(row, built, names):
 
 def meet_alone(row, built, seconds, folder, minutes):
     """A verdict on one mutant of the ledger from the tests above the built tree: first those that share a word with the name of its
-    file, and of these and the others the quickest, with what each has to compile; none that it has outlived. None where the time
+    file, and of these and the others the quickest, compiling included; without tests that did not notice it before. None where the time
     ends before the tests do."""
     readers = {name: targets for name, targets in readers_of(row, built, seconds).items() if name not in row.get("outlived", ())}
     words = set(pathlib.Path(row["file"]).stem.replace("-", "_").split("_")) - {"test"}
@@ -515,7 +515,7 @@ def main():
         return 0
     rows = [row for one in ledger["samples"] for row in one["mutants"] if row["id"] == arguments.id]
     is_held = arguments.command == "held"
-    # One that waits can be read, too: no test can notice what changes nothing.
+    # A mutant that waits can be told equivalent, too: no test can notice a change without effect.
     allowed = ("survived", "not reached", "equivalent", *(() if is_held else (None,)))
     if not rows or any(row.get("verdict") not in allowed for row in rows) or not is_held and len(arguments.reason) < 20:
         print(f"run.py: {arguments.id} is no survivor of the ledger, or the reason is no sentence", file=sys.stderr)

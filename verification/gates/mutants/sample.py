@@ -5,7 +5,7 @@ import hashlib
 
 ROOMS = {"formulas": 60, "engine": 60, "judging": 60, "page's data": 40, "page's templates and pictures": 40, "film": 40,
          "sweep": 40, "scene": 40, "catalogue": 40, "program": 40, "benchmarks": 40}
-CONTEXT = 30  # characters on each side that a patch has at least
+CONTEXT = 30  # a patch has at least so many characters on each side
 
 
 def name_of(place):
@@ -14,17 +14,17 @@ def name_of(place):
 
 
 def overlap(one, two):
-    """Whether two mutants of one file change the same text; an edit that both share (of a declaration) counts too."""
+    """Whether two mutants of one file change the same text. An edit of a declaration that both share counts, too."""
     spans = [[(place["begin"], place["end"]), *((a, b) for a, b, _ in place.get("edits", ()))] for place in (one, two)]
     return any(a <= d and c <= b for a, b in spans[0] for c, d in spans[1])
 
 
 def draw(places, sizes, seed, dropped=()):
-    """The mutants of each room, in an order that hangs on the seed alone. Where a room has five operators
-    or more, none gives more than a fifth. A mutant that was dropped leaves its place to the next ones."""
+    """The mutants of each room, in an order that depends on the seed alone. Where a room has five operators or more, no operator
+    gives more than a fifth. The place of a dropped mutant goes to the next one."""
     drawn, by_file = [], collections.defaultdict(list)
     for room, size in sizes.items():
-        # By a hash, so that a place that comes or goes moves no other.
+        # A hash gives the order, so that a place that comes or goes moves no other place.
         rows = sorted((place for place in places if place["room"] == room),
                       key=lambda place: hashlib.sha256(f"{seed} {name_of(place)}".encode()).digest())
         operators = {place["operator"] for place in rows}

@@ -13,11 +13,11 @@ LEFT_OUT = "HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL"
 
 
 def switched(text, mutants, numbers):
-    """The text with the mutants behind switches. Edits that several share are made once."""
+    """The text with the mutants behind switches. An edit that several mutants share is made once."""
     edits = {(begin, end, new.replace("{n}", str(numbers[one["id"]]))) for one in mutants for begin, end, new in one["edits"]}
     whole = text.encode()
     for begin, end, new in sorted(edits, reverse=True):
-        # Text that is put before a statement leaves the statement where it is.
+        # An inserted text stands before a statement, which stays where it is.
         whole = whole[:begin] + new.encode() + whole[end:]
     return f'#include "{SWITCH}"\n' + whole.decode()
 
@@ -27,7 +27,7 @@ class Copy:
         self.root, self.tree, self.build = root, tree, build
 
     def write(self, mutants, numbers):
-        """Only files whose text is another are written, so that a build after a draw anew is short."""
+        """Writes the copy. Only files whose text differs are written, so that a build after a new draw is short."""
         by_file = collections.defaultdict(list)
         for one in mutants:
             if one.get("edits"):
@@ -67,12 +67,12 @@ class Copy:
         return (self.build / file).resolve()
 
     def no_constants(self, lines):
-        """Mutants that made a constexpr variable of these files a const one, which something else needs while compiling."""
+        """Mutants that made a constexpr variable of these files a const one, although other code needs it while compiling."""
         texts = [path.read_text() for path in {self.path_of(file) for file, _ in lines} if self.tree in path.parents]
         return {int(number) for text in texts for number in re.findall(r"::late_\w+(?:<[^()]*?>)?\((\d+)", text)}
 
     def blamed(self, lines, around):
-        """Mutants that stand on the lines told of, or near them."""
+        """Mutants that stand on the lines that the compiler names, or near them."""
         found = set()
         for file, line in lines:
             path = self.path_of(file)
@@ -87,7 +87,7 @@ class Copy:
 
 
 def with_history(root, tree):
-    """Gives a copy the commits of the tree: some tests compare what the program says of its commit."""
+    """Gives a copy the commits of the tree: some tests compare the commit that the program tells."""
     subprocess.run(["git", "clone", "--quiet", "--shared", "--no-checkout", root, tree / "history"], check=True)
     (tree / "history/.git").rename(tree / ".git")
     (tree / "history").rmdir()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Switches of mutants, in generated copies of the tree only. TRIBOCHECK_MUTANT has the numbers of
-// those that are on, with commas between; TRIBOCHECK_MUTANTS_REACHED names a file in which byte n
-// becomes 1 where mutant n is reached, and 2 where it would change a value.
+// the mutants that are on, with commas between; TRIBOCHECK_MUTANTS_REACHED names a file in which
+// byte n becomes 1 where mutant n is reached, and 2 where it would change a value.
 #ifndef TRIBOCHECK_MUTANTS_SWITCH_HPP
 #define TRIBOCHECK_MUTANTS_SWITCH_HPP
 #include <fcntl.h>

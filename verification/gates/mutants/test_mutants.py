@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tool that makes mutants, on a tree of its own: what it finds, draws, switches, and what its verdicts mean."""
+"""The tool that makes mutants, on a tree of its own: the places that it finds, its draws, switches and verdicts."""
 import collections
 import contextlib
 import io
@@ -105,7 +105,7 @@ class Cpp(Folder):
                                "  return vec::MulAdd(a, b, c) + vec::Div(a, c) + (u + v).x;\n}\n")
         found = {one["replacement"] for one in places.cpp_part(self.folder, [(f"c++ -std=c++20 -c {self.source}", str(self.source))])
                  if one["operator"] == "arguments"}
-        self.assertEqual(found, {"c, b", "c, a", "v + u"})  # a sum of texts or a product of matrices is not free
+        self.assertEqual(found, {"c, b", "c, a", "v + u"})  # a sum of texts or a product of matrices depends on the order
 
     def test_room_that_is_reserved_changes_nothing(self):
         self.source.write_text("struct List { void reserve(int); void resize(int); };\nvoid f(List& a, int n) {\n  a.reserve(n + 1);\n  a.resize(n + 2);\n}\n")
@@ -271,11 +271,11 @@ class Verdicts(Folder):
 
 
 class Alone(Folder):
-    """A mutant above the built tree: which tests it meets, in which order, and what they say of it."""
+    """A mutant above the built tree: the tests that it meets, their order, and their verdicts."""
     SECONDS = {"film.slow_test": 40.0, "film.quick_test": 2.0, "film.other_test": 1.0, "program.test_film": 20.0, "gates.test_rules": 1.0}
 
     def meet(self, said, minutes=5, file="model/ehl/a.cpp", made=(0, ""), **row):
-        """The verdict, and the tests that were met; `said`: how a test ends that is not green."""
+        """The verdict, and the tests that the mutant met. `said`: how each test ends that is not green."""
         met = []
 
         def look(_, name, seconds):

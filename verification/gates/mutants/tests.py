@@ -16,7 +16,7 @@ import uuid
 import schemata
 from plant import scratch
 
-LEAST_SECONDS = 15  # that any test may take: other work on the machine is not the mutant's
+LEAST_SECONDS = 15  # that any test may take, because of other work on the machine
 RUNNING = set()  # marks of tests that run
 CLASSES = """
 import sys, unittest
@@ -68,7 +68,7 @@ def cases_of(program):
 
 
 def together(units):
-    """TESTs of one program as one part; what is quick first."""
+    """TESTs of one program joined to one part, the quickest first."""
     joined = {}
     for unit in units:
         if "case" not in unit:
@@ -89,13 +89,13 @@ def check_of(unit, said):
     """The check, as the manifest calls it, at which the part ended."""
     if "cases" not in unit:
         return unit["test"]
-    # After a TEST that failed, others are told as begun and skipped.
+    # After a TEST that failed, the next ones are listed as begun and skipped.
     first = re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE) or re.findall(r"^\[ RUN      \] (\S+)$", said, re.MULTILINE)[-1:]
     return check_named(unit["test"], first[0] if first else None)
 
 
 def narrowed(unit, said):
-    """The part cut down to the test at which it ended, or None where what was said does not tell."""
+    """The part cut down to the test at which it ended, or None where the output does not tell that."""
     if "cases" in unit or "case" in unit:
         last = re.findall(r"^\[  FAILED  \] ([^\s,]+)", said, re.MULTILINE)
         return {**unit, "cases": last[:1]} if last else None
@@ -124,7 +124,7 @@ class Tree:
                 (build / program.name).symlink_to(program)
 
     def moved(self, text):
-        """A path of the built copy as one of this tree; the libraries and programs of tests stay where they were built."""
+        """A path of the built copy as a path of this tree. Libraries and test programs stay where they were built."""
         path = pathlib.Path(text)
         if path.is_absolute() and path.is_relative_to(self.copy.build):
             here = self.folder / "build/release" / path.name
@@ -136,7 +136,7 @@ class Tree:
 
     @contextlib.contextmanager
     def planted(self, mutants):
-        """The mutants in this tree, where no switch has them."""
+        """Writes those mutants that have no switch into this tree."""
         texts = {one["file"]: (self.root / one["file"]).read_bytes() for one in mutants if not one["switched"]}
         for file, text in texts.items():
             for one in sorted((one for one in mutants if one["file"] == file), key=lambda one: one["begin"], reverse=True):
@@ -149,8 +149,8 @@ class Tree:
                 (self.folder / file).write_bytes(text)
 
     def start(self, unit, more, seconds):
-        """green, red or hung, and the last of what was said. Nothing that was started is left."""
-        # A mutant that asks for all memory is ended before anything else is.
+        """green, red or hung, and the end of the output. No process that was started is left."""
+        # When memory runs out, the system ends the mutant before any other process.
         command = ["choom", "-n", "1000", "--", *(self.moved(word) for word in unit["command"])]
         cases = unit.get("cases") or ([unit["case"]] if "case" in unit else [])
         if cases:
@@ -181,7 +181,7 @@ class Tree:
         skipped = any(re.search(one, text) for one in unit["skips"])
         wrong = code != 0 or any(re.search(one, text) for one in unit["fails"])
         if cases and f"[  PASSED  ] {len(cases)} test" not in text and "SKIPPED" not in text:
-            wrong = True  # a program that ended early
+            wrong = True  # the program ended early
         return "red" if wrong and not skipped else "green", text[-20000:]
 
     def run(self, unit, numbers):
@@ -206,14 +206,14 @@ class Tree:
 
 
 def stop(*_):
-    """Ends the run and its tests at once; what was found is in the ledger."""
+    """Ends the run and its tests at once. The ledger has all that was found."""
     for mark in list(RUNNING):
         end_marked(mark)
     os._exit(130)
 
 
 def end_marked(mark):
-    """Ends what a test started in sessions of its own, by id; the test gave each its mark."""
+    """Ends, by their ids, processes that a test started in sessions of their own; each has the test's mark."""
     for folder in pathlib.Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
             if mark.encode() in (folder / "environ").read_bytes():

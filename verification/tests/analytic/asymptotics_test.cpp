@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ends of the ranges: how the film goes with the speed where one term rules. Each limit comes
-// with a bound on the distance to it that is proved in the comment above it, and most with a bound
-// from below too, so that neither is a loose window. Slopes by automatic differentiation in 50
-// digits; those digits are the only allowance made.
+// The ends of the ranges: how the film goes with the speed where one term is far greater than the
+// others. The comment above each limit proves a bound on the distance to the limit, and mostly a
+// bound from below, too, so that no window is loose. Slopes are by automatic differentiation in 50
+// digits, and nothing but the rounding of these digits is allowed for.
 #include <gtest/gtest.h>
 
 #include "support/autodiff.hpp"
@@ -88,7 +88,7 @@ TEST(Asymptotics, FloodedFilmTendsToTheSlope067AsTheAsperitiesLetGo) {
             flooded_slope_deficit(model, sharing.stiffness(), sharing.offset(), lambda);
         EXPECT_TRUE(is_between(bounds.low, film_exponent - film_log_slope(scene, u), bounds.high,
                                {{"d", above}}));
-        // the two meet as 1 − O(1/d²)
+        // the quotient of the two bounds is 1 − O(1/d²)
         if (above > 5) {
           EXPECT_LT(bounds.high, 2 * bounds.low) << describe({{"d", above}});
         }
@@ -130,7 +130,7 @@ TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
   }
 }
 
-// A scene whose inlet film is so thin that r = h_ff/h_oil has about the given value at speed u.
+// A scene whose inlet film makes r = h_ff/h_oil about the given value at speed u.
 Scene starved_scene(StarvationClosure closure, SupplyKind supply, double r, double u) {
   Scene scene = paper_scene(PaperSurface::smooth);
   scene.closures.starvation = closure;
@@ -190,7 +190,7 @@ TEST(Asymptotics, StarvedInletAtConstantFlowTendsToTheSlopeMinus1) {
     const Reference distance = 1 + film_log_slope(scene, Reference(u));
     EXPECT_TRUE(is_between((1 + film_exponent - at.deficit.high) * low, distance,
                            (1 + film_exponent) * high, {{"r", ratio}}));
-    // both are 1.67/2·κ r^{−1/2} in the end
+    // both bounds tend to 1.67/2·κ r^{−1/2}
     EXPECT_LT(high, low * (1 + 10 / (at.r * at.r))) << describe({{"r", ratio}});
     EXPECT_LT(distance, Reference("1.67") / sqrt(at.r));
   }
@@ -267,7 +267,7 @@ TEST(Asymptotics, SlopeAtTheOnsetIs0WithinTheRoundingOfTheSpeed) {
         EXPECT_GT(left, 0) << describe({{"u", found.speed}});
         EXPECT_LT(right, 0) << describe({{"u", found.speed}});
         const Reference curvature = (left - right) / (2 * contract);
-        // of the order of 1, no plateau, and the same on both sides
+        // the curvature is of the order of 1 (no plateau), and the same on both sides
         EXPECT_TRUE(is_between(Reference("0.1"), curvature, 100, {{"u", found.speed}}));
         EXPECT_LT(abs(here), curvature * contract) << describe({{"u", found.speed}});
       }

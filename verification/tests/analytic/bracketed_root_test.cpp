@@ -32,7 +32,7 @@ TEST(BracketedRoot, IsNotANumberWhereTheEndsHaveOneSignOrNone) {
                 true);
 }
 
-// The function has one root and is steep, flat or bent there; either end may be the larger one.
+// Each function has one root and is steep, flat or bent there; either end may be the larger one.
 TEST(BracketedRoot, IsWithinItsWidthInAtMost400Evaluations) {
   Sampler sampler(170);
   for (int i = 0; i < 3000; ++i) {

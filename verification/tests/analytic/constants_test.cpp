@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every constant of the model, as the number type should hold it: equal to the specification's
-// rational number or closed form to the last bit, in each type. Beside the checks of the formulas,
-// which a change of the last digit might pass.
+// rational number or closed form to the last bit, in each type. A wrong last digit might pass the
+// checks of the formulas.
 #include <gtest/gtest.h>
 
 #include "support/judge.hpp"
@@ -69,7 +69,7 @@ TYPED_TEST(Constants, OfRoelandsAreThoseOfTheSpecification) {
 
 TYPED_TEST(Constants, OfTheRoughContactAreThoseOfHertzOnParaboloids) {
   using T = TypeParam;
-  // n = β = σ_s = E* = A_nom = F = 1 leaves the numbers alone.
+  // n = β = σ_s = E* = A_nom = F = 1 leaves only the constant factors.
   const T one = 1;
   const auto gt =
       asperity_contact(AsperityModel::greenwood_tripp, one, one, one, T(0), one, one, one);

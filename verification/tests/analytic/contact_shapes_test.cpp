@@ -34,7 +34,7 @@ Scene line_scene(double length = 5e-4, FilmFormula film = FilmFormula::dowson_to
   return with_bodies(bodies, film);
 }
 
-// Every law on a contact of its shape.
+// A scene for every film law, with a contact of the shape that the law is for.
 std::vector<Scene> scenes_of_all_laws() {
   std::vector<Scene> all;
   for (std::size_t i = 0; i < film_formula_words.size(); ++i) {
@@ -154,8 +154,8 @@ TEST(ContactShapes, FilmsOfEachLawHaveItsExponents) {
   }
 }
 
-// h* of a dense sweep is nowhere greater than at the closed form's speed, but by what lies between
-// two speeds.
+// In a dense sweep h* is nowhere greater than at the closed form's speed, to the error of a finite
+// step.
 TEST(ContactShapes, OnsetsOfEachLawAreThoseOfADenseSweep) {
   int found = 0;
   for (Scene scene : scenes_of_all_laws())

@@ -19,7 +19,7 @@
 namespace tribo::verification {
 namespace {
 
-// Empty where a branch of the text was not certain, or a root not proven.
+// The point in balls; empty where a branch of the text was not certain, or a root not proven.
 std::optional<OperatingPoint<Enclosure>> enclose(const Scene& scene) {
   reference::undecided_comparisons = 0;
   try {
@@ -38,7 +38,7 @@ std::optional<OperatingPoint<Enclosure>> enclose(const Scene& scene) {
 reference::Inputs inputs_of(Scene scene) {
   reference::Inputs inputs;
   const auto numbers = numbers_of(scene);
-  // Its order, which is that of `Inputs`.
+  // The numbers have the order of `Inputs`.
   for (std::size_t i = 0; i < reference::Inputs::count; ++i)
     inputs.value[i] = Enclosure(*numbers[i].second);
   inputs.planes = scene.surface.offset_planes;
@@ -63,7 +63,7 @@ TEST(Enclosure, TheModelsTextOverlapsTheGeneratorsFormulas) {
     for (std::size_t k = 0; k < number_count; ++k) {
       const bool is_balanced = truth->regime != Regime::collapsed;
       if (!is_balanced && balance_outputs().contains(output_infos[k].output)) continue;
-      // Neither excludes the other: none is below the other for certain.
+      // The two overlap: neither is below the other for certain.
       EXPECT_FALSE(enclosures[k] < formulas[k] || enclosures[k] > formulas[k])
           << output_infos[k].name << ": " << enclosures[k].decimal(50) << " or "
           << formulas[k].decimal(50) << describe_scene(scene);

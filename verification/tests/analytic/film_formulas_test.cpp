@@ -38,7 +38,7 @@ TEST(FilmFormulas, TableOneGivesTheHandChecks) {
   EXPECT_TRUE(is_within(moes_line(1.0, 0.0202, 2e-8, 1e5, 107.9e9, 9.5e-3), 216.155e-9, 5e-13));
 }
 
-// That of each argument, by doubling it. A point's F/R is a line's F/L.
+// The exponent of each argument, by doubling the argument. A point's F/R is a line's F/L.
 TEST(FilmFormulas, LinesHaveTheExponentsOfTheirLaw) {
   for (const FilmLaw* const law :
        {&dowson_higginson_minimum_law, &dowson_toyoda_central_law, &pan_hamrock_minimum_law,
@@ -68,7 +68,7 @@ TEST(FilmFormulas, OfErtelAndGrubinAreNotMovedByLoadSharing) {
                 film, 1e-13 * film));
 }
 
-// In each corner the film is the limit there, to the part that the others leave.
+// In each corner the film is that corner's limit, to the part that the other limits add.
 TEST(MoesLine, HasTheFourLimits) {
   const auto power = [](const char* x, int p, int q) {
     return Reference(pow(Reference(x), ratio<Reference>(p, q)));
@@ -101,7 +101,7 @@ TEST(RegimeFilm, OfElasticBodiesIsTheLawInOtherGroups) {
   const double u = 3e-11, g = 4500, w = 2e-6, k = 2.5;
   const double viscosity = g * w * w * w / (u * u), elasticity = std::pow(w, 8.0 / 3) / (u * u);
   const double times = (w / u) * (w / u);
-  // h/R by the laws; the fits in two groups are of two exponents, and stay within some per cent
+  // h/R by the laws. The fits in two groups have two exponents, and agree to some per cent.
   const double hard = 3.63 * std::pow(u, 0.68) * std::pow(g, 0.49) * std::pow(w, -0.073) *
                       (1 - std::exp(-0.68 * k));
   const double soft =
@@ -120,7 +120,7 @@ TEST(RegimeFilm, OfRigidBodiesHasTheHandChecks) {
   // A circle: φ = 3/5
   const double root = 0.6 * (0.131 * std::atan(0.5) + 1.683);
   EXPECT_TRUE(is_within(film(FilmRegime::isoviscous_rigid, 1), 128 * root * root, 1e-11));
-  // Without side leakage φ is 1.
+  // A very long contact has no side leakage, and φ is 1.
   EXPECT_TRUE(is_within(film(FilmRegime::isoviscous_rigid, 1e9) / 1e9,
                         128 * std::pow(0.131 * std::acos(0.0) + 1.683, 2), 1e-5));
   // Jeng, Hamrock and Brewe's own form, h/R = 178 G^0.386 U^1.266 W^−0.880 (1 − e^{−0.0387α}),

@@ -105,7 +105,7 @@ TEST(FilmLaw, RootOfTheMinimumFilmAgreesWithGsl) {
   EXPECT_GT(compared, 40);
 }
 
-// d ln λ₀/d ln(1−A) at a film, from two surfaces of different stiffness, and back from λ₀ to λ.
+// d ln λ₀/d ln(1−A) at one film, from surfaces of different stiffness; and back from λ₀ to λ.
 TEST(FilmLaw, ExponentOfTheFluidShareIsTheLaws) {
   Sampler sampler(75);
   int compared = 0;

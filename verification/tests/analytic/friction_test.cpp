@@ -32,18 +32,18 @@ TEST(Friction, SmallShearIsNewtonianAndLargeShearIsWhatTheLawSays) {
   EXPECT_TRUE(is_within(fluid_shear_stress(eyring, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-15));
   EXPECT_TRUE(is_within(fluid_shear_stress(limiting, 1e6, 1e-3, 0.0, 1.0, 1.0) / 1e-3, 1, 1e-9));
   EXPECT_EQ(fluid_shear_stress(limiting, 1e6, 1.0, 800.0, 1.0, 1.0), 1e6);
-  // past the overflow of x: τ₀(ln 2 + ln x)
+  // beyond the overflow of x: τ₀(ln 2 + ln x)
   EXPECT_TRUE(is_close(fluid_shear_stress(eyring, 2.0, 1.0, 1000.0, 1.0, 1.0),
                        2 * (log(Reference(2)) + 1000 - log(Reference(2))), 1e-15, {}));
   EXPECT_EQ(fluid_shear_stress(eyring, 2.0, 1.0, 1000.0, 0.0, 1.0), 0);
   EXPECT_EQ(fluid_shear_stress(eyring, 2.0, 1.0, 1000.0, 0.0, 1e-320), 0);
-  for (const auto law : {eyring, limiting}) {  // of a vanishing speed
+  for (const auto law : {eyring, limiting}) {  // at speeds that vanish
     EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0.0, 1.0), 0);
     EXPECT_EQ(fluid_shear_stress(law, 1.0, 1.0, 0.0, 0x1p-1074, 1.0), 0x1p-1074);
   }
 }
 
-// x = ηγ̇/τ₀ is 1 or 0x1p-30, of factors whose quotients underflow, overflow or do neither.
+// x = ηγ̇/τ₀ is 1 or 0x1p-30; quotients of its factors underflow, overflow or do neither.
 TEST(Friction, StressOverItsScaleIsThatOfXWhateverItsFactors) {
   constexpr int powers[][5] = {// of 2: τ₀, η₀, S·u, separation, η/η₀
                                {600, -500, 900, -100, 100},  {600, -500, 900, -200, 0},

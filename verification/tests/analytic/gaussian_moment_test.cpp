@@ -21,7 +21,7 @@ constexpr double contract = gaussian_moment_contract.ulp * 0x1p-52;
 class OfEachOrder : public testing::TestWithParam<Order> {};
 
 TEST_P(OfEachOrder, FallsWithItsArgumentAndIsConvexAndLogConcave) {
-  // In steps wide enough that the second differences stand far above rounding.
+  // The steps are so wide that second differences are far above rounding.
   const double h = 0.05;
   for (double d = -39; d < 36; d += h) {
     const double left = gaussian_moment(GetParam(), d - h);
@@ -83,7 +83,7 @@ TEST(GaussianMoment, OrdersObeyTheRecurrence) {
       const double below = value_of<double>(n) * gaussian_moment(lower(n), d);
       // F_{n+1} + dF_n = nF_{n−1}: backward error of each term
       const double scale = above + std::abs(middle) + below;
-      // and the rounding of d F_n and of the sum
+      // twice, for the rounding of d F_n and of the sum, too
       EXPECT_LE(std::abs(above + middle - below), 2 * contract * scale) << describe({{"d", d}});
     }
   }

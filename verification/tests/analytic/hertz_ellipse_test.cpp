@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hertz' elliptical contact: printed numbers, and what the pressure has to do, by quadrature that
-// has no elliptic integral.
+// Hertz' elliptical contact: printed numbers, and the load and the displacement of the pressure, by
+// quadrature that has no elliptic integral.
 #include "tribo/hertz_ellipse.hpp"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(HertzEllipse, PressureCarriesTheLoad) {
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
   for (const double ratio : {1.0, 2.0, 1 / 3.0, 30.0, 1e-2, 1e4}) {
     const HertzEllipse<double> got = hertz_ellipse(50.0, 107.9e9, 9.5e-3, 9.5e-3 * ratio);
-    // x = a_x sin s takes the square root away at the edge, y = chord sin t likewise.
+    // x = a_x sin s and y = chord sin t take the square roots at the edge away.
     const auto strip = [&](double s) {
       const double chord = got.semi_axis_y * std::cos(s);
       const auto pressure = [&](double t) { return std::cos(s) * std::pow(std::cos(t), 2); };
@@ -125,9 +125,9 @@ TEST(HertzEllipse, PressureCarriesTheLoad) {
   }
 }
 
-// The faces touch all over the ellipse: the pressure moves them by δ − x²/(2R_x) − y²/(2R_y). Its
-// displacement by Boussinesq, ∫∫ p ds dφ/(πE*) over rays from the point: along each of them p is
-// the root of a quadratic polynomial, whose integral to the edge is elementary.
+// The faces touch all over the ellipse: the pressure moves them by δ − x²/(2R_x) − y²/(2R_y). By
+// Boussinesq the displacement is ∫∫ p ds dφ/(πE*) over rays from the point. Along a ray p is the
+// root of a quadratic polynomial, whose integral to the edge is elementary.
 TEST(HertzEllipse, PressureClosesTheGap) {
   for (const double ratio : {1.0, 1.001, 2.0, 0.5, 10.0, 0.1, 100.0}) {
     const double modulus = 107.9e9, radius_x = 9.5e-3, radius_y = radius_x * ratio;
@@ -149,7 +149,7 @@ TEST(HertzEllipse, PressureClosesTheGap) {
                 b / std::sqrt(a) * std::sqrt(c)) /
                (2 * std::sqrt(a));
       };
-      // The trapezoidal rule converges geometrically on a period; the tangent spaces long ellipses.
+      // The trapezoidal rule converges geometrically; spacing by the tangent suits long ellipses.
       const int count = 4000;
       const double stretch = got.ellipticity;
       double sum = 0;
@@ -167,7 +167,7 @@ TEST(HertzEllipse, PressureClosesTheGap) {
   }
 }
 
-// Also where C has few digits, by its series or by its difference.
+// This includes shapes at which C = (D − B)/q has few digits, by its series or by its difference.
 TEST(HertzEllipse, SolvesItsEquationInFiftyDigits) {
   for (double above = 1e-16; above < 1e4; above *= 1.7) {
     const Reference ratio = 1 + Reference(above);
@@ -178,7 +178,7 @@ TEST(HertzEllipse, SolvesItsEquationInFiftyDigits) {
 }
 
 // The middle of a long ellipse is a line contact under the load that a metre of it carries there,
-// p₀a_xπ/2. They differ by 1/√B − 1 = (2 ln(4k) − 3)/(8k²) + O(ln²k/k⁴).
+// p₀a_xπ/2. The two differ by 1/√B − 1 = (2 ln(4k) − 3)/(8k²) + O(ln²k/k⁴).
 TEST(HertzEllipse, MiddleOfALongOneIsALine) {
   double before = 1;
   for (const double ratio : {1e2, 1e4, 1e6, 1e8, 1e12}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hertz' line contact: printed numbers, and what the pressure has to do, by quadrature.
+// Hertz' line contact: printed numbers; displacements and stresses by quadrature.
 #include "tribo/hertz_line.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(HertzLine, PressureCarriesTheLoadAndClosesTheGap) {
     EXPECT_TRUE(is_close(carried * got.peak_pressure * got.half_width, load, 8 * ulp, inputs));
     EXPECT_TRUE(is_close(2 * got.mean_pressure * got.half_width, load, 2 * ulp, inputs));
     // Between the strip's middle and its half the faces move by x²/(2R) less:
-    // 2/(πE*) ∫ p ln|s/(s − x)| ds. The logarithms are taken apart from what they multiply.
+    // 2/(πE*) ∫ p ln|s/(s − x)| ds. The logarithms are integrated apart.
     if (i >= 20) continue;
     const double x = 0.5;
     const auto log_at = [&](double at) {

@@ -47,7 +47,7 @@ TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
         const Conditions condition = conditions_at(scene, u);
         EXPECT_TRUE(is_close(p.film, h0, allowed_by(operating_point_contract, h0, condition[1], 1),
                              {{"sd", sd}, {"u", u}}));
-        // All of Hertz' area shears a film under his mean pressure.
+        // All of Hertz' area shears the film, under his mean pressure.
         const HertzPoint<Reference> hertz =
             hertz_point(Reference(scene.load), Reference(scene.bodies.effective_modulus),
                         Reference(scene.bodies.reduced_radius));
@@ -64,8 +64,8 @@ TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
     }
 }
 
-// On the way there 1 ≤ h/h₀ = (1−A)^−0.14 with A ≤ (K F_p(0) e^{−(λ₀−δ)²/2})^q, for e^{−td} ≤ 1 in
-// F_p(d) and λ ≥ λ₀.
+// On the way to this limit 1 ≤ h/h₀ = (1−A)^−0.14 with A ≤ (K F_p(0) e^{−(λ₀−δ)²/2})^q, for e^{−td}
+// ≤ 1 in F_p(d) and λ ≥ λ₀.
 TEST(SmoothLimit, FilmFallsToThatOfSmoothFacesUnderAProvenBound) {
   for (const auto model : models) {
     double previous = 2;
@@ -130,7 +130,7 @@ struct Excess {
   double low, high;
 };
 void expect_excess(double got_over_hertz, const Excess& excess, double depth) {
-  // The moment, the prefactor (asperity_contact.hpp), and the test's own products.
+  // Rounding of the moment, of the prefactor (asperity_contact.hpp), and of this test's products.
   const double rounding = (gaussian_moment_contract.ulp + 10 + 5) * ulp;
   const double tail = std::exp(-depth * depth / 2);
   EXPECT_TRUE(is_within(got_over_hertz - 1, (excess.low + excess.high) / 2,
@@ -175,7 +175,7 @@ TEST(SingleSummit, CarriesHertzLoadOnHertzArea) {
 
 // ---- units
 
-// New units of length, mass and time; factors by which numbers grow.
+// New units of length, mass and time: the factors by which numbers in them are greater.
 struct Units {
   explicit Units(Sampler& sampler)
       : m(sampler.log_uniform(0.01, 100)),
@@ -230,9 +230,9 @@ TEST(Units, RoelandsLawIsTheSameWithItsConstantsRescaled) {
   }
 }
 
-// Friction under Roelands' law: the model in SI; in the other units its shares and area, and this
-// law, the shear laws and the load balance written out. A density in the place of a viscosity, or
-// one of the two constants left in SI, would not survive.
+// Friction under Roelands' law: the model in SI against, in the other units, its shares and area
+// with this law, the shear laws and the load balance written out. A density in place of a
+// viscosity, or a constant left in SI, would be noticed.
 TEST(Units, FrictionUnderRoelandsLawDoesNotDependOnThem) {
   Sampler sampler(72);
   for (int i = 0; i < 200; ++i) {
@@ -268,7 +268,7 @@ TEST(Units, FrictionUnderRoelandsLawDoesNotDependOnThem) {
 }
 
 // This test tells the summit density from the viscosity in eqs 1.19 and 1.32. Roelands' constants
-// have units, and a test of their own.
+// have units; the test above is about them.
 TEST(Units, DimensionlessOutputsDoNotDependOnThem) {
   Sampler sampler(63);
   for (int i = 0; i < 200; ++i) {
@@ -281,7 +281,7 @@ TEST(Units, DimensionlessOutputsDoNotDependOnThem) {
     const auto there = numbers_of(MixedContact<double>(moved).solve(moved.speeds[0]));
     const Conditions condition = conditions_at(scene, u);
     for (auto k = static_cast<std::size_t>(Output::film_parameter); k < number_count; ++k) {
-      EXPECT_EQ(std::isnan(here[k]), std::isnan(there[k]));  // collapsed, or not
+      EXPECT_EQ(std::isnan(here[k]), std::isnan(there[k]));  // NaN where it has collapsed
       if (!(here[k] >= 1e-290)) continue;
       const Reference expected(here[k]);
       // The inputs in other units are rounded once more.
@@ -366,7 +366,7 @@ struct Edge {
 };
 Edge edge_at(double x) { return {std::nextafter(x, -INFINITY), x}; }
 
-// Neighbours between which a predicate changes. It does so between low and high.
+// The neighbouring doubles between which a predicate changes; it changes between low and high.
 template <class Predicate>
 Edge edge_of(double low, double high, Predicate&& predicate) {
   const bool at_low = predicate(low);
@@ -380,8 +380,8 @@ Edge edge_of(double low, double high, Predicate&& predicate) {
   return {low, high};
 }
 
-// f at both neighbours: within the errors that each may have, and the change that the exact
-// function has between neighbours, condition × ε.
+// f at both neighbours differs by no more than the error that each may have, and the change of the
+// exact function between neighbours, condition × ε.
 template <class Function>
 void expect_no_step(const char* where, const Edge& edge, const Contract& contract,
                     Function&& function, double condition = 1) {
@@ -397,7 +397,7 @@ TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
   for (const auto closure : closures) {
     if (closure == flooded_inlet) continue;
     for (const double gamma : {0.5, 3.0, 300.0}) {
-      // r = 1: damiens' two forms, and the ends of the brackets
+      // r = 1, where Damiens' form changes, and where the brackets end
       expect_no_step("y at r = 1", {std::nextafter(1.0, 0.0), 1.0}, starvation_ratio_contract,
                      [&](double r) { return starvation_ratio(closure, r, gamma); });
       expect_no_step("y at r = 1", {1.0, std::nextafter(1.0, 2.0)}, starvation_ratio_contract,
@@ -406,7 +406,7 @@ TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
   }
   for (const auto closure : {starved_inlet, printed_exponents}) {
     const InletCurve<double> curve{closure};
-    // ψ so small that arctan v = v: where the step that refines ψ stops, too
+    // ψ so small that arctan v = v: there the step that refines ψ ends, too
     const double least = std::numeric_limits<double>::min_exponent / 4.0;
     const Edge lengths = edge_at(least);
     const Contract logarithm{20, 0};  // starvation.hpp
@@ -415,13 +415,13 @@ TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
     const double r = std::exp(-curve.log_inverse_r(least));
     const Edge ratios = edge_of(
         r / 2, 2 * r, [&](double x) { return curve.log_inverse_r(least) + std::log(x) < 0; });
-    // its t is good to ε × |t| there, without the refinement
+    // t is good to ε × |t| there, without the refining step
     const double slope = std::abs(starvation_slope(closure, r, 3.0));
     expect_no_step(
         "y", ratios, starvation_ratio_contract,
         [&](double x) { return starvation_ratio(closure, x, 3.0); }, slope);
   }
-  // The two terms of 1/r change places; for printed_exponents one of them always rules.
+  // The two terms of 1/r change places; for printed_exponents one term is always the greater.
   for (const auto closure : {flooded_inlet, starved_inlet}) {
     const InletCurve<double> curve{closure};
     const Edge terms = edge_of(-20, 20, [&](double t) {
@@ -476,7 +476,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
         at_root("lambda0 = lambda/2", edge_of(floor / 100, floor, [&](double lambda0) {
                   return (lambda0 - film(lambda0)) / film(lambda0) > -0.5;
                 }));
-        // A from w, or from the moments
+        // A is computed from w, or from the moments
         const Edge half = edge_of(floor / 2, 2 * floor + 10, [&](double lambda0) {
           return sharing.solve(lambda0).fluid < 0.5;
         });
@@ -485,7 +485,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
         expect_no_step(
             "A at w = 1/2", half, load_sharing_contract,
             [&](double lambda0) { return sharing.solve(lambda0).asperity; }, w_condition);
-        // 1 − A from the Taylor series, or from the difference; 1e-14 stands in load_sharing_test
+        // 1 − A is a Taylor series, or the difference; 1e-14 stands in load_sharing_test
         const Edge series = edge_of(1e-6, 10, [&](double distance) {
           return sharing.shares_above_floor(distance).asperity < 0.75;
         });
@@ -497,7 +497,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
         expect_no_step(
             "A at A = 3/4", series, {45, 45},
             [&](double x) { return sharing.shares_above_floor(x).asperity; }, condition);
-        // and back: the distance at which w is 1/4, from the series
+        // the way back, from the series: the distance at which w is 1/4
         const double quarter = std::nextafter(0.25, 0.0);
         const double distance = sharing.distance_above_floor(quarter);
         EXPECT_TRUE(is_close(1 - sharing.asperity_share(floor + distance), Reference(quarter),
@@ -513,7 +513,7 @@ TEST(Continuity, RootsHaveNoStepWhereAFloorAppears) {
         return LoadSharing<double>(model, stiffness, offset).has_floor();
       });
       EXPECT_EQ(LoadSharing<double>(model, appears.below, offset).floor(), 0);
-      // λ_b = (ln A(0))/|d ln A/dλ|, of the rounding of A(0)
+      // the rounding of A(0) makes λ_b = (ln A(0))/|d ln A/dλ|
       EXPECT_LE(LoadSharing<double>(model, appears.above, offset).floor(),
                 2 * gaussian_moment_contract.ulp * ulp);
       const Edge start = edge_of(1e-3, 1e3, [&](double stiffness) {
@@ -546,7 +546,7 @@ void expect_no_step_of_outputs(const char* where, const Scene& scene, const Edge
     const double worst = std::max(condition[k], other[k]);
     const Reference expected(above[k]);
     if (above[k] == 0 || below[k] == 0) {
-      // of a share that vanishes: no larger than rounding of the other
+      // a share that vanishes may change by the rounding of the other share
       EXPECT_LE(std::abs(below[k] - above[k]), 64 * ulp * worst)
           << where << ' ' << output_infos[k].name;
       continue;
@@ -567,11 +567,11 @@ TEST(Continuity, OperatingPointsHaveNoStepAtAnyBranch) {
       scene.supply.value = 60;
       const MixedContact<double> contact(scene);
       ASSERT_TRUE(contact.sharing().has_floor());
-      // the distance above the floor, from the flooded share or as a difference
+      // the distance above the floor is computed from the flooded share, or as a difference
       expect_no_step_of_outputs("w = 1/4", scene, edge_of(1e-4, 3, [&](double u) {
                                   return contact.flooded(u).shares.fluid < 0.25;
                                 }));
-      // r = 1, or 0.95 of the flooded film: labels alone
+      // at r = 1, or at 0.95 of the flooded film, only the words change
       if (closure != flooded_inlet)
         expect_no_step_of_outputs("r = 1", scene, edge_of(1e-4, 1e5, [&](double u) {
                                     return contact.inlet(contact.flooded(u)).flooded_over_inlet < 1;
@@ -582,7 +582,7 @@ TEST(Continuity, OperatingPointsHaveNoStepAtAnyBranch) {
     }
 }
 
-// λ* falls to the floor: the asperities take the last of the load.
+// λ* falls to the floor: the asperities take the rest of the load.
 TEST(Continuity, OutputsHaveNoStepWhereTheStarvedFilmMeetsTheFloor) {
   for (const auto model : models)
     for (const auto closure : {flooded_inlet, printed_exponents}) {
@@ -615,7 +615,7 @@ TEST(Continuity, OutputsHaveNoStepWhereTheStarvedFilmMeetsTheFloor) {
                              {{"u", edge.above}}))
             << info(output).name;
       }
-      // μ_b A + τA_H/F: τ barely moves, A by what is above
+      // μ_b A + τA_H/F: τ hardly changes, and A changes by the bound above
       EXPECT_TRUE(is_close(before.friction, Reference(after.friction),
                            (rate * lambda_error + 64 * ulp) * (1 + 30 / after.friction),
                            {{"u", edge.above}}));
@@ -634,7 +634,7 @@ TEST(Continuity, SharesHaveNoStepWhereTheInletCollapses) {
     const auto before = contact.solve(edge.below), after = contact.solve(edge.above);
     EXPECT_EQ(after.film, 0);
     EXPECT_GT(before.film, 0);
-    // r is known to its contract: 1 − r to as many ulp
+    // r is known to its contract, and so 1 − r to as many ulp
     const double gap = 64 * ulp * conditions_at(scene, 0.9 * edge.below)[0];
     const double lambda = 4 * 5.4 / M_PI * std::pow(gap * 0.53033008588991064, 2.0 / 3);
     EXPECT_LE(before.film_parameter, lambda);
@@ -673,24 +673,24 @@ TEST(Continuity, WalkHasNoStepAtAnyBranch) {
       const StribeckWalk<long double> walk(contact);
       const auto walk_at = [&](double place) { return walk.at(static_cast<long double>(place)); };
       std::vector<Edge> edges{edge_at(-1), {0, 0x1p-1074}, {-0x1p-1074, 0}};
-      // by fluid share: ε/4, where the film is taken on the floor, and 1/4
+      // at the fluid shares ε/4, below which the film counts as on the floor, and 1/4
       for (const long double share : {epsilon<long double>() / 4, 0.25L}) {
         const Edge edge =
             edge_of(-200, 5, [&](double s) { return walk_at(s).flooded.shares.fluid < share; });
-        // the code compares ln w, and A: some ulp to either side
+        // the code compares ln w and A, so that the place is off by some ulp
         edges.push_back({edge.below - 1e-13, edge.above + 1e-13});
       }
       for (const Edge& edge : edges) {
         const WalkPoint<long double> at = walk_at(edge.above);
         const double step = std::abs(edge.above - edge.below);
         const auto same = [&](const char* what, auto&& quantity, double bound) {
-          // what moves by `rate` e-foldings in u for each e-folding of s, does so here
+          // a change by `rate` e-foldings in u for each e-folding of s is no step
           EXPECT_TRUE(is_close(quantity(walk_at(edge.below)), Reference(quantity(at)),
                                bound + 10 * step * (1 + 1 / static_cast<double>(at.rate)),
                                {{"s", edge.above}}))
               << what << " closure " << static_cast<int>(closure);
         };
-        // coordinates near −40 are logarithms: an ulp of them is 32 ε of what they stand for
+        // coordinates near −40 are logarithms: one ulp of them is 32 ε of the number itself
         const double bound = 2 * (16 + std::abs(edge.above)) * 16 * ulp;
         same(
             "u", [](const auto& p) { return static_cast<double>(p.flooded.speed); }, bound);
@@ -710,8 +710,8 @@ TEST(Continuity, WalkHasNoStepAtAnyBranch) {
     }
 }
 
-// As h_oil falls, the film maximum meets the floor, and there is none any more: its film ends at
-// the floor's, its speed at 0.
+// As h_oil falls, the film maximum comes down to the floor and ends there: its film tends to the
+// floor's, its speed to 0.
 TEST(Continuity, OnsetEndsOnTheFloor) {
   for (const auto model : models)
     for (const auto closure : {flooded_inlet, printed_exponents}) {

@@ -17,7 +17,7 @@ TEST(Density, GoesFromOneTo134) {
   EXPECT_EQ(dowson_higginson_density(0.0), 1);
   EXPECT_TRUE(is_within(dowson_higginson_density(5.9e8), 1.17, 1e-15));
   EXPECT_TRUE(is_within(dowson_higginson_density(1e300), 1.34, 1e-15));
-  // Its other form, of rounded numbers, is denser: by 0.6/1.7 − 0.34 in the end.
+  // The law's other form, with rounded numbers, is denser: by 0.6/1.7 − 0.34 at high pressure.
   for (double p = 1e6; p < 1e12; p *= 1.5) {
     const double more = 1 + 0.6e-9 * p / (1 + 1.7e-9 * p) - dowson_higginson_density(p);
     EXPECT_GT(more, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load-sharing root: the round trip, the floor, and what lies about it. film_law_test.cpp has
-// the signs of the residual; certified and contract hold the root's value.
+// The load-sharing root: from λ₀ to λ and back, the floor, and films near the floor.
+// film_law_test.cpp has the signs of the residual; certified and contract hold the root's value.
 #include "tribo/load_sharing.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(LoadSharing, FilmToFloodedFilmAndBackIsTheSame) {
         sharing.shares_above_floor(sampler.log_uniform(1e-6, 50) * (1 + sharing.floor()));
     if (start.fluid < 1e-12) continue;
     const double lambda0 = sharing.flooded_film_parameter(start.film_parameter, start.fluid);
-    // the way back is as exact as its problem is conditioned
+    // the way back is as exact as its condition allows
     const double condition = root_condition(p.model, p.stiffness, p.offset, lambda0);
     EXPECT_TRUE(is_close(sharing.solve(lambda0).film_parameter, Reference(start.film_parameter),
                          condition < 2 ? contract : contract / 2,
@@ -64,7 +64,7 @@ TEST(LoadSharing, AsperitiesCarryAllAtTheFloorAndLessAbove) {
   EXPECT_GT(floors, 60);
 }
 
-// Taylor series near the floor, the difference 1 − A beyond: no step where they meet.
+// By the Taylor series near the floor, as the difference 1 − A beyond: no step where they meet.
 TEST(LoadSharing, FluidShareAboveTheFloorKeepsItsDigits) {
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
     for (const double stiffness : {2.0, 10.0, 1e6, 1e300}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole operating points: a second implementation on GSL, load balance, selected outputs, states
-// that are not errors.
+// Whole operating points: a second implementation on GSL, load balance, selected outputs, and
+// states without a number that are no errors.
 #include "tribo/mixed_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -121,7 +121,7 @@ TEST(MixedContact, EachOutputAskedAloneIsTheSameToTheLastBit) {
   }
 }
 
-// The state of the contact where h_ff has reached h_oil: by closure, floor, and r = h_ff/h_oil.
+// The state of a contact where h_ff reaches h_oil, by closure, floor, and r = h_ff/h_oil.
 enum class Left { film, floor, nothing };
 
 void expect_left(Left left, const MixedContact<double>& contact, const OperatingPoint<double>& p) {
@@ -199,7 +199,7 @@ TEST(MixedContact, OfEachClosureIsLeftWhatTheTableSays) {
 }
 
 // The lower the floor, the greater the shear rate of the oil that stands beside the summits: just
-// above A(0) = 1 friction is far above μ_b, by no other part than τ(1 − A_r)/p̄.
+// above A(0) = 1 friction is far above μ_b, because of the part τ(1 − A_r)/p̄ alone.
 TEST(MixedContact, FrictionOnALowFloorIsTheShearOfTheOilBesideTheSummits) {
   Scene scene = paper_scene(PaperSurface::rough);
   for (int i = 0; i < 60; ++i) {  // K to where A(0) = 1

@@ -234,7 +234,7 @@ TEST(Onset, FrictionOnAPlateauHasNoMinimum) {
 TEST(Onset, ConstantFlowWithoutAsperitiesHasItsMaximumAtAConstantRatio) {
   Scene scene = paper_scene(PaperSurface::smooth);
   scene.surface.summit_plane_offset = 0;
-  scene.surface.summit_density = 1e5;  // asperities carry nothing
+  scene.surface.summit_density = 1e5;  // so few summits carry nothing
   scene.supply = {SupplyKind::inlet_flow, 1e-7};
   const Onset<double> found = onset_of(scene, film_maximum);
   ASSERT_TRUE(found.exists);
@@ -242,8 +242,8 @@ TEST(Onset, ConstantFlowWithoutAsperitiesHasItsMaximumAtAConstantRatio) {
   EXPECT_TRUE(is_within(solved.film_flooded * found.speed / 1e-7, 0.4326, 0.5e-4));
 }
 
-// The walk in long double, which solves no root, against the engine's roots, of which a film
-// maximum is flat: its speed is known to the root of what the film is.
+// The walk in long double, which solves no root, against the engine's roots. A film maximum is
+// flat: the error of its speed is the root of that of its film.
 TEST(Onset, IsThatOfTheWalkInLongDouble) {
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
     for (const PaperSurface surface : paper_surfaces)

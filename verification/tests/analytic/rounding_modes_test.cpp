@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Loops in the directed rounding modes: a loop that waits for a step to vanish may not wait for
-// ever. Compiled with -frounding-math. contract/contract_test.cpp holds the values in each mode.
+// Loops in the directed rounding modes: a loop that ends when a step vanishes has to end in each
+// mode. Compiled with -frounding-math. contract/contract_test.cpp holds the values in each mode.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -17,7 +17,7 @@ namespace {
 struct Mode {
   int mode;
   const char* name;
-  double multiple;  // of the contracts that it is allowed
+  double multiple;  // of its contract that an error may reach
 };
 constexpr std::array modes{Mode{FE_TONEAREST, "nearest", 1}, Mode{FE_UPWARD, "upward", 2},
                            Mode{FE_DOWNWARD, "downward", 2}, Mode{FE_TOWARDZERO, "toward zero", 2}};
@@ -34,7 +34,7 @@ class RoundingMode {
   int before_;
 };
 
-// A function's value in a mode; whatever it is compared to is made outside.
+// A function's value in a mode. Numbers to compare it with are computed outside of the mode.
 template <class Function>
 auto rounded(const Mode& mode, Function&& f) {
   const RoundingMode in_force(mode.mode);
@@ -43,15 +43,15 @@ auto rounded(const Mode& mode, Function&& f) {
   return value;
 }
 
-// Else the other tests would hold nearest four times: the compiler must not have folded, hoisted or
-// shared what depends on the mode. clang++ folds constants in spite of -frounding-math, hence
-// volatile.
+// Without this the other tests might test rounding to nearest four times: the compiler must not
+// fold, hoist or share what depends on the mode. clang++ folds constants in spite of
+// -frounding-math, hence volatile.
 TEST(RoundingModes, AreInForceInsideTheModelAndEndWithTheirScope) {
   volatile int one = 1, three = 3;
   for (const Mode& mode : modes) {
     const double third = rounded(mode, [&] { return ratio<double>(one, three); });
     const double minus_third = rounded(mode, [&] { return ratio<double>(-one, three); });
-    const double below = 0x1.5555555555555p-2;  // of the neighbours of 1/3 the nearer
+    const double below = 0x1.5555555555555p-2;  // the nearer neighbour of 1/3
     const double above = std::nextafter(below, 1.0);
     EXPECT_EQ(third, mode.mode == FE_UPWARD ? above : below) << mode.name;
     EXPECT_EQ(minus_third, mode.mode == FE_DOWNWARD ? -above : -below) << mode.name;
@@ -62,14 +62,14 @@ TEST(RoundingModes, AreInForceInsideTheModelAndEndWithTheirScope) {
     if (mode.mode == FE_TONEAREST) {
       EXPECT_EQ(different, 0);
     } else {
-      EXPECT_GT(different, 10) << mode.name;  // of 49; about half, were they rounded correctly
+      EXPECT_GT(different, 10) << mode.name;  // of 49; correct rounding would change about half
     }
     EXPECT_EQ(std::fegetround(), FE_TONEAREST) << mode.name;
   }
 }
 
-// Loops end when a step is no longer positive, or small. Rounded to one side a step may never be
-// either: no mode may take many more steps than nearest takes, or end elsewhere.
+// Loops end when a step is not positive, or small. Rounded to one side a step may never be so: no
+// mode may take many more steps than rounding to nearest, or end at another place.
 TEST(RoundingModes, RootsAtTheEndsOfTheRangeTakeNoMoreStepsThanInNearest) {
   for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
     for (const double stiffness : {1e-300, 1e-20, 0.3, 1.0, 7.0, 1e6, 1e300})
@@ -132,7 +132,7 @@ TEST(RoundingModes, CurvesAndOnsetsComeToTheirEnd) {
                   << mode.name << ' ' << name(criterion);
               continue;
             }
-            // A minimum is as flat as its value is uncertain: it is held by the value.
+            // A minimum is flat, so that its place is uncertain: its value is compared.
             const Reference least(MixedContact<double>(scene).solve(nearest.speed).friction);
             const double condition =
                 conditions_at(scene, nearest.speed)[static_cast<std::size_t>(Output::friction)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slopes and exponents by automatic differentiation in 50 digits: of the film in the speed, of h₀
-// in every input, of the onset speed in every input. The same from closed forms derived on paper.
+// in every input, of the onset speed in every input. Closed forms derived on paper give the same.
 #include <gtest/gtest.h>
 
 #include "support/autodiff.hpp"
@@ -70,7 +70,7 @@ TEST(Sensitivity, StarvationSlopeIsTheDerivativeOfTheRatio) {
                                                    : sampler.log_uniform(1e-4, 1e6);
       const Reference gamma = sampler.uniform(0.5, 6);
       const Dual y = starvation_ratio(closure, variable(r), Dual(gamma));
-      // y hangs on ln r by a slope that cancels where the inlet is flooded and y = 1
+      // the slope of y in ln r cancels where the inlet is flooded and y = 1
       const Reference condition = 1 / abs(log_slope(y, r));
       EXPECT_TRUE(agree(log_slope(y, r), starvation_slope(closure, r, gamma), rounding,
                         {{"closure", static_cast<double>(closure)},
@@ -108,8 +108,8 @@ TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
     const double condition = static_cast<double>(1 / (film.shares.fluid * abs(expected)));
     EXPECT_TRUE(
         agree(film_log_slope(scene, u), expected, rounding, inputs, std::max(1.0, condition)));
-    // As the model is called. Newton's loop may end without its last step, and its derivative is
-    // then no better than the square root of ε.
+    // The model as it is called by its users. Newton's loop may end without its last step, and its
+    // derivative is then no better than the square root of ε.
     EXPECT_TRUE(agree(log_slope(MixedContact<Dual>(scene).solve(variable(u)).film, u), expected,
                       1e-22, inputs, std::max(1.0, condition)));
   }
@@ -206,7 +206,7 @@ double onset_ratio(OnsetCriterion criterion, StarvationClosure closure) {
 }
 
 // The chain of closed forms that leads to the onset speed at constant h_oil (model/README.md,
-// section 9), for `onset` itself takes its scene in double.
+// section 9), written out here because `onset` takes its scene in double.
 Dual onset_speed(const Scene& scene, const Variables& v, const Dual& ellipticity, double r) {
   const auto hertz =
       hertz_point(at(v, Variable::load), at(v, Variable::modulus), at(v, Variable::radius));
@@ -224,8 +224,8 @@ Dual onset_speed(const Scene& scene, const Variables& v, const Dual& ellipticity
 
 // With a = d ln A/d ln λ and q of A = (K F_p)^q,
 //   0.67 ∂ln u/∂ln x = ∂ln h − ∂ln h₀ − 0.14 A/(1−A) (q ∂ln K + a ∂ln λ).
-// Neither K nor λ knows η₀, α and k, and u stands in h₀ beside η₀ alone: with asperities or
-// without, η₀ has −1 exactly, and α −0.53/0.67.
+// Neither K nor λ depends on η₀, α and k, and h₀ depends on u by the product η₀u. So with
+// asperities or without, the exponent of η₀ is exactly −1, and that of α −0.53/0.67.
 TEST(Sensitivity, OnsetSpeedHasTheDerivedExponentOfEachInput) {
   Sampler sampler(85);
   for (const auto model : models)
@@ -271,7 +271,7 @@ TEST(Sensitivity, OnsetSpeedHasTheDerivedExponentOfEachInput) {
                 (e.separation - Reference(e.film) / 1000 - weight * share_slope) * 100 / 67;
             const Reference got = log_slope(onset_speed(scene, moved, k, r), value(base[j]));
             // 1 − A loses digits where A is near 1. Without asperities the summits' exponents are
-            // as good as 0.
+            // nearly 0.
             const Reference condition = 1 + abs(weight * share_slope) / (1 - share);
             EXPECT_LT(abs(got - expected), Reference(rounding) * condition)
                 << e.name << " got " << got << " expected " << expected << " condition "
@@ -282,9 +282,9 @@ TEST(Sensitivity, OnsetSpeedHasTheDerivedExponentOfEachInput) {
         }
 }
 
-// The same of `onset` itself in double: a power law stretches x by f and u by f to its exponent. At
-// constant flow h_oil = q/u, and without asperities u^{0.67+1} ~ q/(h₀/u^0.67). 1e-13 is the
-// contract of an onset speed; there are two.
+// `onset` itself in double: if x grows by a factor f, u grows by f to the exponent. At constant
+// flow h_oil = q/u, and without asperities u^{0.67+1} ~ q/(h₀/u^0.67). 1e-13 is the contract of an
+// onset speed, and two speeds are compared.
 TEST(Sensitivity, OnsetItselfFollowsThePowerLaws) {
   Sampler sampler(86);
   const std::array<double* (*)(Scene&), 6> inputs{

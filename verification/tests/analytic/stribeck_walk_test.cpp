@@ -41,7 +41,7 @@ std::string name_of(const Scene& scene) {
                      static_cast<int>(scene.supply.kind), scene.surface.summit_height_sd);
 }
 
-// d ln(1−A)/d ln λ: what the fluid share at a starved film makes of the rounding of that film.
+// d ln(1−A)/d ln λ: the factor by which the rounding of a starved film shows in its fluid share.
 double fluid_condition(const MixedContact<double>& contact, const OperatingPoint<double>& p) {
   if (p.fluid_load_share == 0) return 1;
   const double slope = contact.sharing().asperity_share_slope(p.film_parameter);
@@ -95,7 +95,7 @@ TEST(StribeckCurve, SpeedsAscendFromEndToEndWithoutGaps) {
     }
 }
 
-// In double it is what solve() gives at the speeds of the scene's own logarithmic range.
+// In double the curve has the points of solve() at the speeds of the scene's own logarithmic range.
 TEST(StribeckCurve, InDoubleIsThatOfTheSpeedsOfTheRange) {
   for (const Scene& scene : scenes()) {
     const MixedContact<double> contact(scene);
@@ -126,7 +126,7 @@ TEST(StribeckCurve, AbsurdOffsetsGiveSharesBetweenZeroAndOne) {
     }
 }
 
-// Differences of the 50-digit walk: d ln λ/d ln u and ds/d ln u.
+// d ln λ/d ln u and ds/d ln u against differences of the walk in 50 digits.
 TEST(StribeckWalk, SlopesAreThoseOfTheFilm) {
   for (const Scene& scene : scenes()) {
     if (scene.supply.kind == SupplyKind::inlet_film || scene.surface.summit_height_sd < 5e-8)
@@ -169,7 +169,7 @@ TEST(StribeckWalk, FilmSlopeIsTwoThirdsWhereTheFluidCarriesAllAndNeverMore) {
   }
 }
 
-// The first step reaches the speed but for curvature: it may be 2 in ln u, and ln 6 is less.
+// The first step reaches the speed, but for curvature: a step may be 2 in ln u, and ln 6 is less.
 TEST(StribeckWalk, BeginsBelowTheSpeedAndNoFurtherThanAFactorOfSix) {
   for (const Scene& scene : scenes()) {
     const MixedContact<long double> contact(scene);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certified tables of reference/exact, quantity by quantity, as CTest tests: what `tribocheck
-// verify` prints, here with the count of rows and the greatest part of the bound for the inventory.
-// The ratchet: no quantity may become much worse than it once was, even within its contract. `make
-// baseline` renews reference/baselines/accuracy.json.
+// The certified tables of reference/exact, quantity by quantity, as CTest tests. They judge as
+// `tribocheck verify` does, and print the count of rows and the greatest part of the bound for the
+// inventory. The ratchet: no quantity may become much worse than it once was, even within its
+// contract. `make baseline` renews reference/baselines/accuracy.json.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ const std::vector<QuantityResult>& results() {
 
 }  // namespace
 
-// GoogleTest looks for it beside the type; else it writes bytes.
+// GoogleTest looks for this function beside the type, and without it prints bytes.
 void PrintTo(const QuantityResult& result, std::ostream* to) { *to << result.quantity; }
 
 namespace {
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachQuantity, CertifiedTable, testing::ValuesIn(resul
                            return name;
                          });
 
-// Errors vary with compiler and libm: 4 times the baseline, or 4 ulp, is no news.
+// Errors vary with compiler and libm: they may reach 4 times the baseline, or 4 ulp.
 constexpr double leeway = 4;
 
 testing::AssertionResult is_no_worse(double now, double baseline, const char* unit,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The judge of the model by the certified tables, on tables that are wrong: a value off by a little
-// more than the contract allows is found, and one by a little less is not.
+// The judge of the model, on certified tables that are made wrong: a value that is off by a little
+// more than the contract allows is found, and a value off by a little less is not.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -146,8 +146,8 @@ class ChangedTables : public testing::Test {
   const TemporaryFolder folder;
 };
 
-// A root whose value is moved so many times its bound, up and down: the model's own error is to one
-// side.
+// A root's certified value is moved up and down by so many times its bound, because the model's own
+// error has a sign.
 TEST_F(ChangedTables, AValueBeyondTheContractIsFoundAndOneWithinIsNot) {
   for (const char* const id : {"r0162", "r0160"}) {  // conditions of 1.35 and of 14.9
     const std::vector<ReferenceRow> rows =
@@ -172,7 +172,7 @@ TEST_F(ChangedTables, AValueBeyondTheContractIsFoundAndOneWithinIsNot) {
   }
 }
 
-// An input that is no number makes an answer that is none.
+// An input that is no number makes an answer that is no number.
 TEST_F(ChangedTables, AnAnswerThatIsNoNumberFails) {
   change("gaussian_moment.csv", "\nm0399,0x0p+0,0x1.286acd28p+3,", "\nm0399,0x0p+0,nan,");
   const QuantityResult result = of("gaussian_moment");

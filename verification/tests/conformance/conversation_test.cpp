@@ -71,7 +71,7 @@ TEST(Conversation, TakesABrokenLineForTheAnswerWhereTheNextCaseIsAnsweredAfterIt
   EXPECT_EQ(made.answers[1].outcome, Outcome::answered);
 }
 
-// An end that is not one with exit code 0 breaks the protocol, also after the last answer.
+// An end without exit code 0 breaks the protocol, also after the last answer.
 TEST(Conversation, HoldsASubjectToHowItEnds) {
   const auto after_its_answers = [](const std::string& end) {
     Limits limits;

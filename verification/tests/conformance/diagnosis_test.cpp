@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagnoses of wrong solvers. The formulas of these are written here anew: nothing is shared with
+// Diagnoses of wrong solvers. The solvers' formulas are written here anew and share nothing with
 // the mistakes that the diagnosis knows.
 #include "conformance/diagnosis.hpp"
 
@@ -68,7 +68,7 @@ void expect_said(const std::string& said, const std::vector<std::string>& words)
 struct Law {
   double constant = 2.69, a = 0.67, b = 0.53, c = -0.067, leakage = 0.61, decay = 0.73;
 };
-// A film whose input `changed` was misread.
+// A film formula that takes its input `changed` wrongly.
 Formula film(const Law& law, const std::string& changed = "load", double times = 1,
              double modulus = 2) {
   return [=](const json& inputs) {
@@ -95,7 +95,7 @@ json hertz(const json& inputs, double modulus, double approach_modulus) {
           {"approach", std::pow(radius(approach_modulus), 2) / R}};
 }
 
-double rounded_moment(double order, double d) {  // of whole orders, in double
+double rounded_moment(double order, double d) {  // for whole orders, in double
   const double tail = (1 - std::erf(d / std::sqrt(2.0))) / 2;
   const double density = std::exp(-d * d / 2) / std::sqrt(2 * std::numbers::pi);
   if (order == 0) return tail;
@@ -162,7 +162,7 @@ TEST(Said, OfAnotherModulusInTheApproachIsBoth) {
               {"2E* in place of E* in the radius and the pressures, not in the approach"});
 }
 
-// E′ = 2E* is what this solver means by an effective modulus, and takes it as such.
+// This solver means E′ = 2E* by an effective modulus, and its other functions take it so.
 TEST(Said, OfAConventionIsSaidOnce) {
   const std::string said =
       said_of({{"effective_modulus",
@@ -236,12 +236,12 @@ TEST(Said, OfSinglePrecisionIsThat) {
       {"in single precision"});
 }
 
-// --- Limits, with made cases and made mistakes: films that differ in their speed alone, 1 + i.
+// --- Limits, with cases and mistakes made here: films that differ in their speed alone, 1 + i.
 
 using Times = std::function<double(std::size_t)>;
 
-// The diagnoses of so many films. Number i is answered as its right value times times(i); where it
-// is given, in single precision but for one of them.
+// The diagnoses of `count` films. The answer to film i is its right value times times(i); where it
+// is given, in single precision but for one film.
 std::vector<Diagnosis> told_of(std::size_t count, const Times& times,
                                const std::vector<Mistake>& mistakes = {},
                                const Tolerance& tolerance = engineering_tolerance(),
@@ -273,7 +273,7 @@ bool says(const std::vector<Diagnosis>& told, const std::string& words) {
   });
 }
 
-// A mistake that gives `times` the right value of the films from number `first` to `end`.
+// A mistake that gives `times` the right value for the films from number `first` to `end`.
 Mistake times_of(double times, std::size_t first, std::size_t end, const std::string& name = "m") {
   const auto applies = [=](const Question& question) {
     const double i = question.arguments[0] - 1;
@@ -286,8 +286,8 @@ Mistake times_of(double times, std::size_t first, std::size_t end, const std::st
           .applies = applies,
           .after = [=](const Question&, Numbers& numbers) { numbers[0] *= times; }};
 }
-// The first films twice the right value, then some wrong in a way that nothing explains, no two
-// alike, then right ones.
+// The first films have twice the right value, the next ones are wrong, each in another way that no
+// mistake explains, and the rest are right.
 Times twice_then_odd(std::size_t twice, std::size_t odd_to) {
   return [=](std::size_t i) {
     return i < twice ? 2 : i < odd_to ? 1.3 + 0.01 * static_cast<double>(i * i % 89) : 1;
@@ -300,7 +300,7 @@ TEST(Limits, OfCountsAreWhereTheyArePromised) {
   const auto with_met = [](std::size_t changed, std::size_t met) {
     return named_of(changed + 20, twice_then_odd(met, changed), {times_of(2, 0, changed)}).size();
   };
-  // It has to explain a tenth of what is wrong.
+  // A mistake has to explain a tenth of the wrong answers.
   const auto beside = [](std::size_t explained, std::size_t others) {
     return named_of(400, twice_then_odd(explained, explained + others), {times_of(2, 0, explained)})
         .size();
@@ -312,12 +312,12 @@ TEST(Limits, OfCountsAreWhereTheyArePromised) {
     EXPECT_EQ(beside(10 * i, 90 * i), 1U);
     EXPECT_EQ(beside(10 * i, 90 * i + 1), 0U);
   }
-  // After a named mistake up to 3 in 100 others that are wrong are no news.
+  // After a named mistake, up to 3 in 100 other wrong answers are not told.
   for (const std::size_t rest : {6U, 7U})
     EXPECT_EQ(says(told_of(300, twice_then_odd(200, 200 + rest), {times_of(2, 0, 200)}),
                    "None of the known mistakes gives these others"),
               rest == 7);
-  // Three causes are told, and three choices of each.
+  // Three causes are told, and of each three choices.
   std::vector<Mistake> causes, choices;
   for (std::size_t k = 0; k < 5; ++k) {
     causes.push_back(times_of(2 + static_cast<double>(k), 20 * k, 20 * k + 20, std::to_string(k)));
@@ -327,8 +327,8 @@ TEST(Limits, OfCountsAreWhereTheyArePromised) {
   const Times of_causes = [](std::size_t i) { return 2 + static_cast<double>(i / 20); };
   EXPECT_EQ(named_of(100, of_causes, causes), three);
   EXPECT_EQ(named_of(40, twice_then_odd(20, 20), choices), three);
-  // Where the answers are wrong is told of eight cases, three of them right, with two in a hundred
-  // and a tenth of the fewer on the other side of the border.
+  // The place of the wrong answers is told from eight cases on, three of them right; two in a
+  // hundred, and a tenth of the fewer, may lie on the other side of the border.
   const auto is_place_told = [](std::size_t count, std::size_t right, std::size_t strays) {
     const Times times = [=](std::size_t i) {
       const bool is_stray = i % 10 == 4 && i / 10 < strays;
@@ -376,7 +376,7 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
     add_factor(1 / factors[k], "too small by a factor of " + names[k]);
   }
   add_factor(-1, "another sign convention");
-  // One factor, and one pattern, are those that all answers have.
+  // A factor, or a pattern, is named where all answers have it.
   const auto half_off = [&](double by, const char* words) {
     return [=](double x) {
       return says(told_of(count, [=](std::size_t i) { return i % 2 == 0 ? 2 : 2 + by * x; }),
@@ -404,8 +404,8 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
   };
   limits.push_back(
       {"single precision", 1e-5, below, [&](double x) { return few_digits(x, count); }, 2e-2});
-  // A mistake is met to 1/500 of its change, two together to 1e-5 of it; less than five times what
-  // is allowed is too little to tell.
+  // A mistake is met to 1/500 of its change, two together to 1e-5 of it; a change of less than five
+  // times the allowed error is too small to tell.
   const auto is_met = [&](double of_one, double of_two) {
     return [=](double x) {
       return !named_of(count, all(of_one * of_two * (1 + x)),
@@ -423,7 +423,7 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
   EXPECT_FALSE(few_digits(3e-6, 7));
 }
 
-// Right answers with noise up to 1e-9, in other units and by other formulas inside.
+// Right solvers with noise up to 1e-9, with other units or other formulas inside.
 TEST(Said, OfRightSolversIsNothingInAThousandTries) {
   std::mt19937_64 random(20261123);
   std::uniform_real_distribution<double> noise(-1e-9, 1e-9), exponent(-9, 9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules by which somebody else's solver is judged: what its tolerance allows, what each answer
-// makes of a quantity, what counts as worse than a baseline, and when a known mistake is named.
+// The rules that judge another solver: errors that a tolerance allows, verdicts on a quantity, what
+// counts as worse than a baseline, and when a known mistake is named.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -91,7 +91,7 @@ TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
     EXPECT_TRUE(
         changes_at_its_limit({"of a number", 2e-5, True::up_to,
                               [&](double x) { return holds(expected, 2 + side * x); }, 1e-10}));
-  // Numbers that are 0, or play no part in engineering.
+  // Numbers that are 0, or so small that they do not matter in engineering.
   EXPECT_TRUE(changes_at_its_limit(
       {"of nothing", 1e-30, True::up_to, [&](double x) { return holds(number(0), x); }}));
   EXPECT_TRUE(
@@ -169,7 +169,7 @@ const std::vector<TestCase>& all_cases() {
   return cases;
 }
 
-// The strict tolerance asks all, the others all but what is beyond engineering; in their order.
+// The strict tolerance asks all cases, the others leave out extreme ones; in their order.
 TEST(Cases, AreAllWhereTheToleranceIsStrict) {
   const std::vector<TestCase>& all = all_cases();
   const auto ids = [](const std::vector<TestCase>& cases) {
@@ -280,9 +280,9 @@ TEST(Verdict, TellsAFailureBeyondThePhysicalRangeApart) {
   EXPECT_EQ(judged({inside, beyond}, {wrong, wrong}).overall, Overall::failed);
 }
 
-// --- Results that are worse than a baseline.
+// --- Results that became worse than a baseline.
 
-// The cases that failed are off by a tenth each.
+// A row of so many cases; each failed case is off by a tenth.
 QuantityVerdict row(Verdict status, std::size_t held, std::size_t failed, std::size_t skipped,
                     double worst_held = 1e-10) {
   QuantityVerdict one;
@@ -320,7 +320,7 @@ Way change(const QuantityVerdict& before, const QuantityVerdict& now) {
   EXPECT_LE(of_film, 1U);
   return !changes.worse.empty() ? Way::worse : !changes.better.empty() ? Way::better : Way::same;
 }
-// Whatever is worse one way round is better the other way round.
+// A change that is worse from `before` to `now` is better in the other direction.
 void expect_worse(const QuantityVerdict& before, const QuantityVerdict& now) {
   EXPECT_EQ(change(before, now), Way::worse);
   EXPECT_EQ(change(now, before), Way::better);
@@ -336,7 +336,7 @@ TEST(Baseline, KnowsWhatIsWorse) {
   expect_worse(row(Verdict::failed, 8, 1, 1), row(Verdict::failed, 8, 2, 0));
 }
 
-// Not to answer is better than to be wrong, but what held is not to be lost by it.
+// No answer is better than a wrong one, but a case that held may not lose its answer.
 TEST(Baseline, MissesWhatHeldEvenWhereNothingFailsAnyMore) {
   const QuantityVerdict none = row(Verdict::not_offered, 0, 0, 10, 0);
   QuantityVerdict other = row(Verdict::held, 10, 0, 0);
@@ -380,7 +380,7 @@ TEST(Baseline, HoldsEachCaseThatFailedToFourTimesItsOwnError) {
   for (const double error : {1e-5, 7e-3, 0.25, 3.0, 1e100}) {
     EXPECT_EQ(change(off_by(error, 1e-3), off_by(4 * error, 1e-3)), Way::same);
     expect_worse(off_by(error, 1e-3), off_by(above(4 * error), 1e-3));
-    // One that is worse is not made up for by another one that is better.
+    // A case that became worse is not made good by another case that became better.
     EXPECT_EQ(change(off_by(error, 1e-3), off_by(above(4 * error), 1e-9)), Way::worse);
   }
 }
@@ -429,7 +429,7 @@ TEST(Baseline, IsNotMadeWorseStepByStepByWhatIsBetter) {
             1e-10);
 }
 
-// A case that failed and holds now may be the worst of what holds: that is no loss.
+// A case that failed and now holds may have the greatest error of all that hold: that is no loss.
 TEST(Baseline, ComparesTheErrorsOfWhatHeldBeforeAlone) {
   const QuantityVerdict before = failing({{"a", Failure::number, 0.1}});
   QuantityVerdict mended = row(Verdict::held, 6, 0, 0);
@@ -439,7 +439,7 @@ TEST(Baseline, ComparesTheErrorsOfWhatHeldBeforeAlone) {
   EXPECT_EQ(change(before, mended), Way::worse);
 }
 
-// The doings of a subject in a case, as the judge sees them.
+// A subject's behaviour in a case, as the judge sees it.
 TEST(JudgedCase, ThatFailedIsToldWithItsError) {
   const auto how = [](const Expected& expected, Reply answer) {
     return verdict_on(expected, std::move(answer)).failed_cases.at(0);
@@ -529,7 +529,7 @@ TEST(Baseline, IsOfOneToleranceAlone) {
   EXPECT_TRUE(is_refused(baseline, result));
 }
 
-// Its name, as the path of a file is spelt, says nothing.
+// The tolerance's name, as a path of a file is spelt, does not matter.
 TEST(Baseline, TakesATolerancesContentForIt) {
   ConformanceResult result = result_of({row(Verdict::held, 10, 0, 0)});
   const json baseline = baseline_of(result, nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The mistakes of reference/mistakes.toml: each changes answers, and an entry that means nothing is
+// The mistakes of reference/mistakes.toml: each changes answers. An entry that has no meaning is
 // refused with its name.
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST(Mistakes, ChangeAtLeastThreeAnswersEachAndHaveNamesOfTheirOwn) {
   EXPECT_GE(names.size(), 120U);
 }
 
-// Calls `look` with the numbers of each mistake that is asked for, for each operating point.
+// Calls `look` with the numbers of each asked mistake, for each operating point.
 void for_each_answer(const std::function<bool(const Mistake&)>& is_asked,
                      const std::function<void(const TestCase&, const Question&,
                                               const std::optional<Numbers>&)>& look) {

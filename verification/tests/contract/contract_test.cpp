@@ -22,7 +22,7 @@ using enum StarvationClosure;
 constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
 constexpr std::array closures{flooded_inlet, starved_inlet, printed_exponents, damiens};
 
-// How many points are drawn, and of how many the truth has to be certain.
+// The number of points that are drawn, and the number whose truth has to be certain.
 struct Drawn {
   Kind kind;
   int points, certain;
@@ -71,8 +71,8 @@ void add_sharing(std::vector<Point>& points, AsperityModel model, double k, doub
   point.x = {k, delta, lambda0};
 }
 
-// Where fixed-point iteration, Newton on h − h₀(1−A)^−0.14 and unsplit d² fail; beside the floor;
-// and one surface with many λ₀.
+// Points at which fixed-point iteration, Newton on h − h₀(1−A)^−0.14 and unsplit d² fail; points
+// near the floor; and one surface with many λ₀.
 void add_hard_sharing(std::vector<Point>& points) {
   constexpr std::array<std::array<double, 3>, 9> breaking{{{10, 1.146, 1e-4},
                                                            {10, 1.146, 1.9},
@@ -95,7 +95,7 @@ void add_hard_sharing(std::vector<Point>& points) {
       const double beside = 1 + sampler.pick({-1, 1}) * sampler.log_uniform(1e-15, 0.3);
       if (floor > 0) add_sharing(points, model, k, delta, floor * beside);
     }
-    for (int i = 0; i < 100; ++i) {  // stiff surfaces, and what is beyond the range of the kernels
+    for (int i = 0; i < 100; ++i) {  // stiff surfaces, and surfaces beyond the kernels' range
       const double delta = sampler.uniform(0, 10);
       add_sharing(points, model, sampler.log_uniform(1e-30, 1e300), delta,
                   sampler.log_uniform(1e-3, 60));
@@ -109,8 +109,8 @@ void add_hard_sharing(std::vector<Point>& points) {
   }
 }
 
-// The paper's surfaces with each closure and supply, from the floor to the collapse; and floors so
-// high that area and count come from the shares; little sliding without boundary friction.
+// The paper's surfaces with each closure and supply, from the floor to the collapse; floors so high
+// that area and count come from the shares; and little sliding without boundary friction.
 void add_hard_scenes(std::vector<Point>& points) {
   const auto add = [&](Scene scene, double speed) {
     scene.speeds.list = {speed};
@@ -171,10 +171,10 @@ std::vector<Point> points_of(const Drawn& asked) {
       for (const double r :
            {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0), 1e-300, 1e300})
         add({r, 3}, closure);
-  if (asked.kind == Kind::hertz_ellipse)  // the circle and its neighbours
+  if (asked.kind == Kind::hertz_ellipse)  // circles, and ellipses next to circles
     for (const double ratio : {1.0, 1 + 0x1p-52, 1 + 1e-15, 1 + 1e-10, 1 + 1e-5, 1.001, 1e4})
       add({50, 107.9e9, 0x1p-7, 0x1p-7 * ratio});
-  if (asked.kind == Kind::shear)  // past the overflow of x, and no sliding
+  if (asked.kind == Kind::shear)  // beyond the overflow of x, and without sliding
     for (const double speed : {1.0, 0.0}) add({2, 1, speed, 1, 1000});
   return points;
 }
@@ -185,7 +185,7 @@ struct Case {
   Values<Enclosure> truth;
   std::vector<double> condition;
 };
-// Without the points of which a branch of the text was not certain, or a root not proven.
+// The point with its truth; empty where a branch of the text was not certain, or a root not proven.
 std::optional<Case> case_of(const Point& point) {
   try {
     Case made{point, enclose(point), {}};
@@ -221,13 +221,13 @@ testing::AssertionResult is_kept(const Case& c, std::size_t i, double got, doubl
              c.condition[i], allowed, error / allowed, inputs);
 }
 
-// `multiple` times the contract is allowed.
+// The error may be `multiple` times the contract.
 void hold(const Case& c, const Values<double>& got, double multiple) {
   EXPECT_EQ(got.states, c.truth.states);
   for (std::size_t i = 0; i < got.numbers.size(); ++i) {
     const Contract& contract = rows()[first_row(c.point) + i].contract;
     const Enclosure& truth = c.truth.numbers[i];
-    // In nearest the moments are asked for their subnormal results too, and underflows are not.
+    // In rounding to nearest, subnormal results of moments are judged, too, but no underflows.
     const bool may_underflow =
         multiple > 1 || contract.ulp_per_condition > 0 || c.point.kind == Kind::film_ratio;
     if (may_underflow && is_at_the_ends(got.numbers[i], as_long_double(truth))) continue;
@@ -236,7 +236,7 @@ void hold(const Case& c, const Values<double>& got, double multiple) {
   }
 }
 
-// In ε of the type, relative to the truth; at 0 only 0 is right.
+// The error in ε of the type, relative to the truth; at 0 only 0 is right.
 template <class T>
 double error_in_epsilon(const T& got, const Enclosure& truth) {
   Enclosure number;
@@ -274,8 +274,8 @@ TEST_P(OfEachFunction, KeepsItInDoubleOnEachInstructionSet) {
   });
 }
 
-// In the directed modes twice the contract is allowed. Beyond what can be built the asperities may
-// there leave 1e-31 of a load that they carry all of.
+// In the directed modes twice the contract is allowed. Scenes beyond what can be built may leave
+// 1e-31 of the load to the film there, though the asperities carry all of it.
 class InEachRoundingMode : public OfEachFunction {};
 
 TEST_P(InEachRoundingMode, KeepsItTwice) {
@@ -320,7 +320,7 @@ TEST_P(OfEachFloat, KeepsItsBound) {
     Point point;
     point.kind = asked.kind;
     draw(sampler, point);
-    // Short inlets too, of which the powers underflow in float.
+    // These include short inlets, whose powers underflow in float.
     if (asked.kind == Kind::film_ratio && i % 2 == 0) point.x[0] = sampler.log_uniform(1e-8, 1e25);
     bool is_normal = true;
     const auto narrow = [&](double& number) {

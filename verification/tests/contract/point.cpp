@@ -49,7 +49,7 @@ constexpr std::string_view kind_names[] = {"scene",
                                            "astm_d341",
                                            "spectral_moments"};
 static_assert(std::size(kind_names) == kind_count);
-// The kinds up to moment have these rows.
+// The rows of the kinds up to `moment` are counted here.
 static_assert(stress_rows == 2 * (number_count + 1) + 2 + 4 + 6);
 
 constexpr std::array orders{Order::zero,         Order::half, Order::one,
@@ -93,7 +93,7 @@ Scene extreme_scene(Sampler& sampler) {
   return scene;
 }
 
-double beside(Sampler& sampler, double x) {  // up to four places to either side
+double beside(Sampler& sampler, double x) {  // a neighbour of x, up to four doubles away
   for (int steps = sampler.pick({-4, -3, -2, -1, 0, 1, 2, 3, 4}); steps != 0;
        steps += steps < 0 ? 1 : -1)
     x = std::nextafter(x, steps < 0 ? -1e300 : 1e300);
@@ -115,7 +115,7 @@ void draw_load_sharing(Sampler& sampler, Point& point) {
   if (region == 0) {  // everything
     point.x[0] = sampler.log_uniform(1e-300, 1e300);
     point.x[2] = sampler.log_uniform(1e-300, 1e300);
-  } else if (region == 1) {  // where both sides of the equation matter
+  } else if (region == 1) {  // where neither side of the equation is small
     point.x[0] = sampler.log_uniform(1e-6, 1e6);
     point.x[2] = sampler.log_uniform(1e-4, 100);
   } else {  // A(0) near 1
@@ -138,7 +138,7 @@ void draw_film_ratio(Sampler& sampler, Point& point) {
 
 void draw_moment(Sampler& sampler, Point& point) {
   const int region = sampler.pick({0, 0, 0, 0, 0, 0, 1, 2});
-  // Ends of the series, the fraction and the factor of e^{−d²/2}; where they underflow.
+  // Arguments at which a series, the fraction or the factor of e^{−d²/2} ends, or underflows.
   const double branch = sampler.pick({0.0, 0.0625, 0.5, 1.0, 10.0, 10.845, 25.0, 32.27553, 36.6,
                                       37.0, 37.3, 37.5, 38.0, 38.4, 38.6, 40.0, 45.0});
   const double sign = sampler.pick({-1.0, 1.0});
@@ -197,7 +197,7 @@ void draw_film(Sampler& sampler, Point& point) {
              sampler.log_uniform(0.01, 20)};
 }
 
-// p₀, E*, S, β, η₀, u, k_f, where the numerator is above 0; of some it is near 0.
+// p₀, E*, S, β, η₀, u, k_f, with which the numerator is above 0, for some near 0.
 void draw_heated_inlet(Sampler& sampler, Point& point) {
   auto& x = point.x;
   x = {0,
@@ -214,7 +214,7 @@ void draw_heated_inlet(Sampler& sampler, Point& point) {
 
 bool is_share(double x) { return x >= 0 && x <= 1; }
 
-// d ln/d ln of ln F is 1/ln F, but the error of a logarithm near 0 is one of F: ε at least.
+// d ln/d ln of ln F is 1/ln F, but next to ln F = 0 the logarithm has the error of F, ε at least.
 double logarithm_condition(double value) {
   const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
   return std::max(1.0, std::abs(value)) * 0x1p-52 / ulp;
@@ -308,7 +308,7 @@ std::size_t first_row(const Point& point) {
 Point point_at(std::uint64_t seed, std::uint64_t index) {
   Sampler sampler(mixed(mixed(seed) + index));
   Point point;
-  // A scene costs as much as a dozen of the functions it is made of.
+  // A scene takes as much time as a dozen calls of the functions that make it.
   point.kind =
       sampler.pick({Kind::scene, Kind::scene, Kind::scene, Kind::extreme_scene, Kind::load_sharing,
                     Kind::load_sharing, Kind::film_ratio, Kind::moment});
@@ -509,7 +509,7 @@ Values<T> values_of(const Point& point) {
       Values<T> values;
       for (const Order order : orders) {
         values.numbers.push_back(scaled_gaussian_moment(order, x(0)));
-        if constexpr (std::is_same_v<T, double>) {  // those of the engine
+        if constexpr (std::is_same_v<T, double>) {  // by the engine
           double logarithm = 0;
           log_gaussian_moment(order, std::span(&point.x[0], 1), std::span(&logarithm, 1));
           values.numbers.push_back(logarithm);
@@ -523,7 +523,7 @@ Values<T> values_of(const Point& point) {
       const OperatingPoint<T> solved =
           MixedContact<T>(point.scene).solve(T(point.scene.speeds.list[0]));
       auto numbers = numbers_of(solved);
-      // An undefined number has to be NaN, and 0 stands for it here, which compares.
+      // An undefined number has to be NaN. 0 stands for NaN here, because 0 equals itself.
       if (solved.regime == Regime::collapsed)
         for (const Output undefined :
              {Output::asperity_load_share, Output::fluid_load_share, Output::friction}) {
@@ -546,7 +546,7 @@ template Values<Reference> values_of(const Point& point);
 
 namespace {
 
-// By differences of the text in 50 digits: the sum of |d ln value/d ln input|, at least 1.
+// max(1, Σ|d ln value/d ln input|) for each value, by differences of the text in 50 digits.
 std::vector<double> conditions_by_differences(const Point& point) {
   constexpr double step = 0x1p-26;
   const std::vector<Reference> before = values_of<Reference>(point).numbers;
@@ -628,8 +628,8 @@ Evaluation evaluate(const Point& point) {
 Values<Enclosure> enclose(const Point& point) {
   reference::undecided_comparisons = 0;
   Values<Enclosure> values = values_of<Enclosure>(point);
-  // A root that no ball tells from the floor: whichever of the two the text takes for the greater,
-  // its ball holds both.
+  // A root that no ball tells from the floor: the ball of the one that the text takes for the
+  // greater holds both.
   if (reference::undecided_comparisons != 0 && point.kind <= Kind::extreme_scene &&
       point.scene.supply.kind == SupplyKind::flooded) {
     const MixedContact<Enclosure> contact(point.scene);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table behind all checks of contracts: of each function its domain, from which points are
-// drawn, what the model promises of its results, and its values in any number type, of which ball
-// arithmetic is the truth. A point of `model_stress` follows from seed and index alone, so that any
-// of them can be looked at again, whatever number of threads found it.
+// The table behind all checks of contracts. For each function it has the domain from which points
+// are drawn, the model's promise for the results, and the values in any number type. The values in
+// ball arithmetic are the truth. A point of `model_stress` follows from seed and index alone, so
+// that any of them can be looked at again, whatever number of threads found it.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@
 
 namespace tribo::verification {
 
-// A result: a name, and what the model promises of it.
+// A result: its name, and the contract that the model promises for it.
 struct Row {
   std::string name;
   Contract contract;
 };
 std::span<const Row> rows();
-inline constexpr std::size_t stress_rows = 32;  // the first of them, which model_stress draws
+inline constexpr std::size_t stress_rows = 32;  // the first rows, those that model_stress draws
 
 enum class Kind : std::uint8_t {
   scene,          // of steel, as built
@@ -48,7 +48,7 @@ enum class Kind : std::uint8_t {
   reduced_radius,
   hertz_ellipse,
   hertz_line,
-  film_law,  // all but the central one
+  film_law,  // all film laws but the central one
   moes_line,
   film_regime,
   thermal_reduction,
@@ -63,13 +63,13 @@ std::string_view name(Kind kind);
 
 struct Point {
   Kind kind = Kind::scene;
-  Scene scene;                                        // of a scene; of the others only the words
+  Scene scene;                                        // of a scene; other kinds use only its words
   const FilmLaw* film = &hamrock_dowson_central_law;  // of load_sharing and film_law
   std::array<double, 7> x{};                          // K, δ, λ₀ | r, γ, departure | d | …
 };
 
 Point point_at(std::uint64_t seed, std::uint64_t index);
-// In the domain of this kind; hard ones among them.
+// Draws the numbers of a point of this kind from its domain, hard ones among them.
 void draw(Sampler& sampler, Point& point);
 
 // Names and numbers that define the point.
@@ -98,14 +98,14 @@ struct Measured {
 struct Evaluation {
   std::vector<Measured> numbers;
   bool states_differ = false;  // regime, inlet; a share beyond [0, 1]
-  std::size_t state_row = 0;   // its row, where the point has states
+  std::size_t state_row = 0;   // the row of the states, where the point has any
   // The condition number of one of the numbers, at least 1; costs more than the rest.
   std::function<double(std::size_t)> condition;
 };
 
 Evaluation evaluate(const Point& point);
 
-// As Evaluation::condition, of any point.
+// The condition numbers of any point, as Evaluation::condition gives them.
 std::vector<double> conditions_of(const Point& point);
 
 // The values of values_of(), as enclosures. Throws std::runtime_error where a root has no proof;
@@ -116,7 +116,7 @@ Values<Enclosure> enclose(const Point& point);
 double allowed_ulp(const Contract& contract, double condition);
 
 // Near the ends of the range of double a factor of an operating point may leave it where the output
-// does not: below 1e-290 the output has only to be there too, past 1e280 it may be infinite
+// does not: an output below 1e-290 has only to be below it, and one beyond 1e280 may be infinite
 // (mixed_contact.hpp: an overflow shows).
 bool is_at_the_ends(double got, long double expected);
 

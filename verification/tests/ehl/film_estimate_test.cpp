@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks that the stated errors hold: of sequences that are known; of solved films against finer
-// ones, against those of the second method (generators/line_collocation.hpp), and as the inlet
-// grows.
+// Checks that stated errors hold: for sequences with a known limit; for solved films against films
+// on finer grids, against those of the second method (generators/line_collocation.hpp), and as the
+// inlet grows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,16 +32,16 @@ TEST(EstimateOf, TakesRichardsonsValueOfTheSecondOrder) {
   const Estimate pure = ehl::estimate_of(sequence(4, 3, 1, 0));
   EXPECT_TRUE(is_within(pure.value, 3, 1e-15));
   const ehl::Caution usual;
-  EXPECT_TRUE(is_within(pure.error, usual.of_change * 3. / 64, 1e-15));  // it changed by 3/64
+  EXPECT_TRUE(is_within(pure.error, usual.of_change * 3. / 64, 1e-15));  // the last change is 3/64
   EXPECT_TRUE(is_within(ehl::estimate_of(sequence(4, 3, 1, 0), {.of_change = 0}).error, 0, 1e-15));
   EXPECT_TRUE(is_within(pure.order, 2, 1e-13));
   // 3 + 1/16 + 0.5/256 and 3 + 1/64 + 0.5/4096 give 3 − 4 · 0.5/4096.
   const Estimate mixed = ehl::estimate_of(sequence(4, 3, 1, 0.5));
   EXPECT_TRUE(is_within(mixed.value, 3 - 4 * 0.5 / 4096, 1e-15));
-  // Richardson's values before changed by 15 · 4 · 0.5/256, which counts an eighth of the last
-  // change.
+  // The Richardson's values before changed by 15 · 4 · 0.5/256; this change counts an eighth of the
+  // last one.
   EXPECT_TRUE(is_within(mixed.error, usual.of_last * usual.falling * 15 * 4 * 0.5 / 256, 1e-14));
-  // The change before that counts an eighth again, and no change before that counts.
+  // The change before this one counts an eighth again, and no earlier change counts.
   EXPECT_TRUE(is_within(ehl::estimate_of(sequence(6, 3, 1, 0.5), {1, 0.5, 0}).error,
                         0.25 * 15 * 4 * 0.5 / std::pow(16, 3), 1e-14));
   EXPECT_TRUE(is_within(ehl::estimate_of(sequence(4, 3, 1, 0.5), {1, 0, 0}).error,
@@ -58,10 +58,10 @@ TEST(EstimateOf, GridBesideCountsByWhatItDiffersFromTheSecondOrder) {
     EXPECT_TRUE(is_within(got.value, 3, 1e-15));
     EXPECT_TRUE(is_within(got.error, 8 * std::fabs(off), 1e-13)) << off;
   }
-  // The greatest of the shares is the error: this grid does not make it less.
+  // The greatest of the shares is the error; this grid does not make it smaller.
   EXPECT_EQ(ehl::estimate_of(values, {}, {second_order, 8. / 7}).error,
             ehl::estimate_of(values).error);
-  // Without it, the only change of Richardson's value that three grids show counts three times.
+  // Without that grid, the one change of Richardson's value on three grids counts three times.
   const std::vector<double> three = sequence(3, 3, 1, 0.1);
   const ehl::Caution of_last{.of_last = 1, .of_change = 0};
   EXPECT_EQ(ehl::estimate_of(three, of_last).error,
@@ -113,7 +113,7 @@ using Member = Estimate SolvedFilm::*;
 constexpr std::array<Member, 3> films{&SolvedFilm::central, &SolvedFilm::minimum,
                                       &SolvedFilm::at_greatest_pressure};
 
-// A small sample of what `make film-survey` asks of 300 contacts.
+// A small sample of the questions that `make film-survey` asks of 300 contacts.
 TEST(SolvedFilm, ErrorsHoldAgainstFinerGridsAndAreNotFarTooLarge) {
   ContactSampler sampler(23);
   std::vector<double> cautions;  // error stated over error
@@ -133,7 +133,7 @@ TEST(SolvedFilm, ErrorsHoldAgainstFinerGridsAndAreNotFarTooLarge) {
       }
     }
   }
-  // Errors that are stated far too large would hold too, and be of no use.
+  // Stated errors that are far too large would hold, too, but be of no use.
   ASSERT_GT(cautions.size(), 30U);
   std::nth_element(cautions.begin(), cautions.begin() + static_cast<long>(cautions.size() / 2),
                    cautions.end());
@@ -188,7 +188,7 @@ TEST(CollocatedFilm, SaysThatThereIsNoStart) {
   EXPECT_EQ(film.reason, "there is no pressure to start from");
 }
 
-// A pressure that is 10 % off, and another mesh.
+// The second start has a pressure that is 10 % off, on another mesh.
 TEST(CollocatedFilm, DoesNotDependOnItsStart) {
   const ehl::LineContact contact = ehl::barus_contact(2, 1);
   const ehl::LineFilm solved_film = solved(contact).film;
@@ -212,7 +212,7 @@ TEST(CollocatedFilm, DoesNotDependOnItsStart) {
 TEST(SolvedFilm, LongerInletMovesItByNoMoreThanStated) {
   for (const auto& [m, l] : {std::array<double, 2>{0.01, 0}, {0.1, 0}, {1, 0}, {2, 2}}) {
     const ehl::LineContact contact = ehl::barus_contact(m, l);
-    // Grids so fine that the inlet is what is left of the error.
+    // The grids are so fine that the error left is that of the inlet.
     const SolvedFilm film = solved(contact, {.tolerance = 1e-9});
     ehl::Numbers x = film.film.x;
     const double growth = x[0] / x[1];

@@ -23,8 +23,8 @@ namespace {
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-// ∫ f(s) ln|r − s| ds from a to b. Near r in the distance from it, where the logarithm needs its
-// digits; far from it in s, where f does.
+// ∫ f(s) ln|r − s| ds from a to b. Near r the variable is the distance from r, because the
+// logarithm needs its digits; far from r it is s, because f does.
 template <class Function>
 double with_log(double r, double a, double b, const Function& f) {
   static boost::math::quadrature::tanh_sinh<double> quadrature;
@@ -130,7 +130,7 @@ TEST(FilmKernel, HertzPressureLiftsTheFilmByAParabolaAtSecondOrder) {
   EXPECT_TRUE(is_second_order(errors));
 }
 
-// The second method's element, by the same quadrature.
+// The element of the second method, against the same quadrature.
 TEST(LogElement, WeightsAreTheIntegralsOfItsPolynomials) {
   Sampler sampler(4);
   for (const int degree : {1, 2, 3, 4, 5}) {

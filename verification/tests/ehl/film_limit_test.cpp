@@ -21,8 +21,8 @@ using ehl::SolvedFilm;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Between a plane and a rigid parabola, H = H₀(1 + tan²γ), the pressure falls to 0 with its slope
-// at γ_c, where ∫ [cos²γ − cos⁴γ/cos²γ_c] dγ from −π/2 is 0: 1 + tan²γ_c.
+// The film at the outlet over the least film, 1 + tan²γ_c, between a plane and a rigid parabola, H
+// = H₀(1 + tan²γ). At γ_c pressure and slope are 0: ∫ [cos²γ − cos⁴γ/cos²γ_c] dγ from −π/2 is 0.
 double rigid_film_ratio() {
   const auto pressure = [](double g) {
     const double square = std::cos(g) * std::cos(g);
@@ -62,8 +62,8 @@ TEST(FilmLimits, RigidBodiesAndConstantViscosity) {
   EXPECT_TRUE(tends_to(&SolvedFilm::at_greatest_pressure, 3));
 }
 
-// The constant of a least-squares fit of columns to values, and its error: what the values' own
-// errors can move it by, and the standard error of the fit.
+// The constant of a least-squares fit of columns to values, and its error: the most that the
+// values' errors can move it, and the standard error of the fit.
 ehl::Estimate fitted_constant(const MatrixXd& columns, const VectorXd& values,
                               const VectorXd& errors) {
   const MatrixXd inverse = (columns.transpose() * columns).inverse();
@@ -75,8 +75,8 @@ ehl::Estimate fitted_constant(const MatrixXd& columns, const VectorXd& values,
 }
 
 // The limit of the film number at the greatest pressure over its asymptote's power, M^{of_load}
-// L^{of_material}, where all columns but the first, which is 1, go to 0.
-// columns_of(contact, H): they.
+// L^{of_material}, where all columns but the first, which is 1, go to 0. columns_of(contact, H)
+// gives the columns.
 template <class Columns>
 ehl::Estimate fitted_limit(const std::vector<std::array<double, 2>>& contacts, double of_load,
                            double of_material, double tolerance, const Columns& columns_of) {
@@ -98,8 +98,8 @@ ehl::Estimate fitted_limit(const std::vector<std::array<double, 2>>& contacts, d
   return fitted_constant(columns, values, errors);
 }
 
-// 1.31106 M^{−1/8} L^{3/4} is far: at M = 1e4 and L = 20 the film is 1.6 % off. It is met by what
-// the ratio tends to as 1/(ᾱ√δ) and δ = H^{2/3}, the width of the inlet, go to 0.
+// The limit 1.31106 M^{−1/8} L^{3/4} is far away: at M = 1e4 and L = 20 the film is 1.6 % off. A
+// fit takes the ratio to 1/(ᾱ√δ) = 0 and δ = H^{2/3} = 0, δ the width of the inlet.
 TEST(FilmLimits, ElasticAndPiezoviscous) {
   std::vector<std::array<double, 2>> contacts{{10000, 10}, {10000, 20}};
   for (const double m : {300.0, 1000.0, 3000.0})
@@ -113,8 +113,8 @@ TEST(FilmLimits, ElasticAndPiezoviscous) {
   EXPECT_LT(limit.error, 2e-3);
 }
 
-// 1.28667 L^{2/3}, as ML^{−2/3}, by which the bodies are elastic, and 1/(ML^{2/3}), by which the
-// liquid is not yet as viscous, go to 0.
+// The limit is 1.28667 L^{2/3} as two numbers go to 0: ML^{−2/3}, the effect of elastic bodies, and
+// 1/(ML^{2/3}), that of a liquid that is not viscous enough.
 TEST(FilmLimits, RigidAndPiezoviscous) {
   const ehl::Estimate limit = fitted_limit(
       {{0.25, 200},
@@ -135,8 +135,8 @@ TEST(FilmLimits, RigidAndPiezoviscous) {
   EXPECT_LT(limit.error, 2e-3);
 }
 
-// Inlet and constriction are of the width δ = H^{2/3}, and the pressure there is about its root: so
-// the area between both pressures falls with δ^{3/2}.
+// Inlet and constriction have the width δ = H^{2/3}, and a pressure of about √δ, so that the area
+// between the film's pressure and the dry one falls with δ^{3/2}.
 TEST(FilmLimits, PressureTendsToThatOfDryContact) {
   double before = 0, width_before = 0;
   for (const double m : {10.0, 100.0, 1000.0}) {

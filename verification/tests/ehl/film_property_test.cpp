@@ -38,8 +38,7 @@ TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
         EXPECT_GT(film.film[row], 0);
         if (i == 0) continue;
         if (film.pressure[row] > 0) {
-          // The flow is the difference of the dragged and the driven flow, and is met to their
-          // rounding.
+          // The flow is the dragged flow less the driven one, and is met to the rounding of these.
           const double dragged = film.film[row];
           EXPECT_TRUE(is_within(balance.flow[row], film.mass_flow, 1e-8 * (1 + dragged)))
               << "X = " << film.x[i];
@@ -215,12 +214,12 @@ TEST(SolveLineFilm, SaysThatTheToleranceWasNotMet) {
   EXPECT_GT(film.central.relative_error(), 1e-9);
 }
 
-// By Newton's steps times cells.
+// The work is the number of cells, added up over Newton's steps.
 TEST(SolveLineFilm, SolvesToEachLooserToleranceInNoMoreWork) {
   std::vector<ehl::LineContact> contacts;
   ContactSampler sampler(32);
   for (int i = 0; i < 8; ++i) contacts.push_back(sampler.next().contact);
-  // Steel at 3 and 2 GPa: refused to 1e-2 and solved to 3e-5 once.
+  // Steel at 3 and 2 GPa, once solved to 3e-5, but refused to 1e-2.
   for (const double index : {0.68, 1.0}) {
     ehl::LineContact heavy = ehl::barus_contact(300, 25);
     heavy.fluid.roelands_pressure = 15;
@@ -256,7 +255,7 @@ TEST(SolveLineFilm, SaysOfTheContactItselfWhyThereIsNoFilm) {
       film.reason.starts_with("no film was found at M = 10 and L = 25, αp₀ = 1e+07, from "
                               "coarsest grids of 64 cells; on the grid of "))
       << film.reason;
-  // Too few grids are no silence either.
+  // Too few grids are told with their reason, too.
   const SolvedFilm few = ehl::solve_line_film(ehl::barus_contact(10, 5), {.greatest_cells = 128});
   EXPECT_EQ(few.outcome, ehl::Outcome::not_converged);
   EXPECT_NE(few.reason.find("an error needs three grids, and 128 cells at most leave"),

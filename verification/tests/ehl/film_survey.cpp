@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random line contacts (sampled_contact.hpp) solved to four tolerances, and held to their films to
-// a tolerance of 1e-6: rows for verification/gates/film_survey.py, which judges them. Work is
-// Newton's steps times cells.
+// Random line contacts (sampled_contact.hpp) solved to four tolerances, and compared with their
+// films to a tolerance of 1e-6: rows for verification/gates/film_survey.py, which judges them. Work
+// is Newton's steps times cells.
 #include <fmt/format.h>
 
 #include <array>

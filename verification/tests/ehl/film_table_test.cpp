@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of reference/ehl: line_films.csv has every contact, both keep their errors and come
-// out again; and the formulas that are held to them.
+// The tables of reference/ehl: line_films.csv has every contact; films of both tables are solved
+// again and agree within the errors; and the formulas that are compared with the tables.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -65,8 +65,8 @@ TEST(LineFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
   }
 }
 
-// Its liquid stands in its header and, for the generator, in line_films.cpp: here it is made of the
-// speed number and the peak pressure that each row has.
+// The table's liquid stands in its header and, for the generator, in line_films.cpp. Here it is
+// made of the speed number and the peak pressure of each row.
 TEST(CompressibleFilmTable, SeededRowsComeOutAgainWithinBothErrors) {
   std::mt19937_64 random(20261124);
   const std::vector<ReferenceRow> rows =
@@ -145,7 +145,7 @@ TEST(LineFormulas, AreHeldToTheFilmThatTheirNameSays) {
   }
 }
 
-// The contact by its numbers and the contact by its SI values are one.
+// The contact made of M and L and the contact made of SI values are the same.
 TEST(LineConditions, GiveThePressureExponentOfBothNumbers) {
   const ehl::LineContact contact = ehl::contact_of({.speed = 1.3,
                                                     .viscosity = 0.04,

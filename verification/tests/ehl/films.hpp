@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contacts for the tests, and how an estimate is judged.
+// Contacts for the tests, and the judgement on an estimate.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 namespace tribo::verification {
 
-// Barus; Roelands; compressible. The last two at p₀ of 0.98 and of 0.59 GPa.
+// A Barus liquid, a Roelands liquid at p₀ = 0.98 GPa, and a compressible one at p₀ = 0.59 GPa.
 inline std::array<ehl::LineContact, 3> three_liquids(double load_number, double material_number) {
   std::array<ehl::LineContact, 3> contacts;
   contacts.fill(ehl::barus_contact(load_number, material_number));
@@ -23,7 +23,7 @@ inline std::array<ehl::LineContact, 3> three_liquids(double load_number, double 
   return contacts;
 }
 
-// The truth lies within the error, and within what the truth itself is uncertain by.
+// The truth lies within the error, widened by the uncertainty of the truth.
 inline testing::AssertionResult is_estimated(const ehl::Estimate& got, double truth,
                                              double uncertainty) {
   const double off = std::abs(got.value - truth), bound = got.error + uncertainty;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes for the tests, and what is asked of errors on three grids.
+// Nodes for the tests, and the condition on errors on three grids.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace tribo::verification {
 
-// From first to last, cells random within a factor of 3, between which they change slowly.
+// Nodes from first to last, with random cells that change slowly, within a factor of 3.
 inline std::vector<double> uneven_nodes(int count, double first, double last, Sampler& sampler) {
   const double a = sampler.uniform(0, 6), b = sampler.uniform(1, 5);
   std::vector<double> x{0};
@@ -27,7 +27,7 @@ inline std::vector<double> uneven_nodes(int count, double first, double last, Sa
   return x;
 }
 
-// Errors on grids of which each halves the cells: two orders, both near 2.
+// Errors on three grids, whose cells halve in length: two observed orders, both near 2.
 inline testing::AssertionResult is_second_order(const std::array<double, 3>& errors) {
   for (std::size_t i = 0; i < 2; ++i) {
     const double order = std::log2(errors[i] / errors[i + 1]);

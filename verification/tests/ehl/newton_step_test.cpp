@@ -75,7 +75,7 @@ TEST(Balance, SlopesAreItsDerivatives) {
     for (int trial = 0; trial < 20; ++trial) {
       const std::vector<double> x = uneven_nodes(count, -2, 1.5, sampler);
       VectorXd pressure(count), film(count);
-      // In half of the trials neighbours differ so little that the mean fluidity takes its series.
+      // In half of the trials neighbours differ so little that the mean fluidity is a series.
       const double spread = trial % 2 == 0 ? 1 : 1e-3;
       for (int i = 0; i < count; ++i) {
         pressure[i] = 0.3 + spread * sampler.uniform(0, 0.5);
@@ -123,7 +123,7 @@ TEST(Balance, SurplusIsTheDifferenceOfFlowsAndZeroAtTheEnds) {
     EXPECT_TRUE(is_within(balance.surplus[i], balance.flow[i] - balance.flow[i - 1], 1e-15));
 }
 
-// A pressure and a film that are given, so that the flow is known everywhere; long double.
+// Pressure and film are given functions, so that the flow is known everywhere, in long double.
 TEST(Balance, MeetsAGivenFlowAtSecondOrder) {
   using Long = long double;
   const auto pressure_at = [](Long x) {

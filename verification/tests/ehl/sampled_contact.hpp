@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random line contacts of liquids that there are, for the survey and for its sample in the tests.
+// Random line contacts with liquids that exist, for the survey and for its sample in the tests.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@ struct SampledContact {
 };
 
 // M from 1 to 1000, evenly in its logarithm, L from 0 to 25; half of the liquids Roelands', half of
-// them compressible. M and L fix αp₀ alone: p₀ is drawn from what of 0.2 to 3 GPa leaves α in 5 to
-// 40 /GPa; where nothing does, p₀ is the nearer end, and α follows, up to 59 /GPa, with which
-// Roelands' z is still 1.2 for a viscosity of 1 Pa·s; beyond, p₀ is more than 3 GPa. η₀ is drawn
-// from what of 1e-3 to 1 Pa·s leaves z at most 1.2.
+// them compressible. M and L fix αp₀ alone: p₀ is drawn from the part of 0.2 to 3 GPa that leaves α
+// in 5 to 40 /GPa. Where no part does, p₀ is the nearer end, and α follows, up to 59 /GPa, with
+// which Roelands' z is still 1.2 for a viscosity of 1 Pa·s; beyond, p₀ is more than 3 GPa. η₀ is
+// drawn from the part of 1e-3 to 1 Pa·s that leaves z at most 1.2.
 class ContactSampler {
  public:
   explicit ContactSampler(std::uint64_t seed) : random_(seed) {}

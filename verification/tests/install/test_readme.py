@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The examples in the READMEs are taken out of them and run as they stand, on an installed copy.
 
-Only `make`, `git` and `apt-get` are stood in for: the first installs this build under the PREFIX that it is
-given, in place of building the project once more; all three write down what they were asked.
+Stand-ins take the place of `make`, `git` and `apt-get` alone. That of `make` installs this build under the PREFIX that it
+is given, without building the project again; all three write down their arguments.
 """
 
 import os
@@ -57,7 +57,7 @@ def words(text):
 
 
 def commands(job):
-    """The list items of a CI job in YAML, in order, each with the lines that it goes on over."""
+    """The list items of a CI job in YAML, in order, each with its further lines."""
     items = []
     for line in job.splitlines():
         item = re.match(r" *- (?:run: )?(.*)", line)
@@ -71,7 +71,7 @@ def commands(job):
 class Readme(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory(prefix="tribocheck ")  # as people have them
+        folder = tempfile.TemporaryDirectory(prefix="tribocheck ")  # with a blank, as people's folders have it
         cls.addClassCleanup(folder.cleanup)
         cls.home = pathlib.Path(folder.name)
         stands_in = cls.home / "stands in"
@@ -95,7 +95,7 @@ class Readme(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(dir=self.home))
 
     def sh(self, text, code=0):
-        """stdout of a script; stderr stands in front of it."""
+        """stderr and then stdout of a script."""
         done = subprocess.run(["sh", "-c", text], cwd=self.folder, env=self.environment, capture_output=True,
                               text=True, timeout=100)
         self.assertEqual(done.returncode, code, f"{text}\n{done.stdout}\n{done.stderr}")
@@ -105,7 +105,7 @@ class Readme(unittest.TestCase):
         return self.sh(self.set_up.splitlines()[1] + "\n" + text, code)
 
     def asked(self):
-        """The commands that the stand-ins were given since the last time."""
+        """The commands that the stand-ins were given since the last call."""
         path = self.home / "asked"
         lines = path.read_text().splitlines() if path.exists() else []
         path.unlink(missing_ok=True)
@@ -144,7 +144,7 @@ class Readme(unittest.TestCase):
         rows = (self.home / "tribocheck/share/tribocheck/templates/languages.tsv").read_text().splitlines()[1:]
         self.assertEqual([row.split("\t")[0] for row in rows], ["python", "octave", "c", "fortran", "cpp"])
         verdict = blocks(CONFORMANCE, "In five minutes")[0].strip()
-        built = f"{shlex.quote(str(BUILD))}/"  # not on PATH: the line has to name it
+        built = f"{shlex.quote(str(BUILD))}/"  # the program is not on PATH: the line has to name it
         for row in rows:
             language, template = row.split("\t")[:2]
             for out, sh, found in ((f"my {language}", self.installed, ""), (template, self.sh, built)):

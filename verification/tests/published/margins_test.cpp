@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The errors of the ledger's numbers, and how far its verdicts are from others: extremes,
-// ends of what is compared and parts of it against dense sweeps that share no code with them;
-// margins against a search for the nearest other verdict.
+// The errors of the ledger's numbers, and the margins of its verdicts: extremes, the ends of the
+// compared speeds and parts of these against dense sweeps that share no code with them; margins
+// against a search for the nearest other verdict.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ Reading with(std::initializer_list<const char*> assignments) {
   for (const char* const one : assignments) set_switch(reading, one);
   return reading;
 }
-// The corrected reading, the best ones, and some by chance.
+// The corrected reading, the best ones, and some at random.
 std::vector<Reading> some_readings() {
   std::vector<Reading> readings{
       corrected_reading(),
@@ -60,7 +60,7 @@ std::vector<Reading> some_readings() {
   return readings;
 }
 
-// A function at many speeds between two, both among them.
+// The values of a function at many speeds from `from` to `to`.
 template <class Function>
 std::vector<double> swept(double from, double to, std::size_t count, Function&& at) {
   std::vector<double> values;
@@ -78,7 +78,7 @@ double greatest_of(const std::vector<double>& values) {
   return *std::max_element(values.begin(), values.end());
 }
 
-// By the model's own solver, root by root.
+// These numbers come from the model's own solver, root by root.
 constexpr std::size_t many = 20001;
 struct Models {
   MixedContact<double> smooth{scenes().scene[2]}, smooth_gw{scenes().scene[3]};
@@ -147,8 +147,7 @@ TEST(Extremes, OfTheCorrectedReadingAreThoseOfTheModelToTheOnsetItself) {
   });
 }
 
-// The ends themselves are among what is compared: there a ratio that rises all the way has its
-// extremes.
+// The ends themselves are compared, too: a ratio that rises all the way has its extremes there.
 TEST(Zones, BeginAtTenTimesTheLowestSpeedAndEndAtTheOnset) {
   const Models models;
   const MixedContact<double> rough(scenes().scene[0]);
@@ -161,7 +160,7 @@ TEST(Zones, BeginAtTenTimesTheLowestSpeedAndEndAtTheOnset) {
   const Observed friction = evaluate(scenes(), corrected_reading(), item("C14"));
   EXPECT_TRUE(is_close(*friction.value, frictions(1e-4), 1e-11, {}));
   EXPECT_TRUE(is_close(friction.other_end, frictions(models.onset), 1e-11, {}));
-  // A hundredth of a decade from there it is another number.
+  // A hundredth of a decade away from this end the ratio is another one.
   EXPECT_GT(std::abs(areas(1e-3 * 1.02) / *mixed.value - 1), 1e-5);
   EXPECT_GT(std::abs(frictions(models.onset / 1.02) / friction.other_end - 1), 1e-5);
 }
@@ -182,10 +181,10 @@ TEST(Zones, EndAtTheCollapseOfAFilmThatIsCompared) {
     return gw.solve(u).real_area_ratio / gt.solve(u).real_area_ratio;
   };
   const Observed got = evaluate(changed, corrected_reading(), item("C7"));
-  // The greatest is that of the faces that touch, at the collapse itself.
+  // The ratio is greatest at the collapse itself, where the faces touch.
   EXPECT_TRUE(is_close(std::max(*got.value, got.other_end), ratio(high), 1e-7, {}));
   EXPECT_EQ(got.beyond_collapse, 0);
-  // One film is 0 there: they have no ratio.
+  // One film is 0 there, and the films have no ratio.
   const Observed films = evaluate(changed, corrected_reading(), item("C13"));
   EXPECT_FALSE(films.value.has_value());
   EXPECT_EQ(films.none, "a film vanishes within the speeds that are compared");
@@ -242,7 +241,7 @@ TEST(Extremes, LowestShareBeforeTheLateRiseIsThatAtTheGreatestFilm) {
   for (std::size_t i = 0; i < surface_count; ++i) {
     const Scene& scene = scenes().scene[i];
     const MixedContact<double> model(scene);
-    // The film is greatest there, and so the asperities carry least.
+    // At this onset the film is greatest, and so the asperities carry least.
     const double onset = tribo::onset(model, scene, OnsetCriterion::film_maximum, 0.05).speed;
     const ReadInlet inlet(corrected_reading());
     const double last = ReadContact(scene, corrected_reading()).point(3, inlet).asperity_share;
@@ -252,7 +251,7 @@ TEST(Extremes, LowestShareBeforeTheLateRiseIsThatAtTheGreatestFilm) {
   EXPECT_TRUE(is_close(got.other_end, greatest_of(rises), 1e-10, {}));
 }
 
-// In the readings by chance friction has minima next to the ends of the speeds too.
+// In some of the random readings friction has minima next to the ends of the speeds.
 TEST(Extremes, LowestMinimumOfFrictionIsThatOfADenseSweep) {
   Sampler sampler(32);
   std::size_t found = 0;
@@ -301,7 +300,7 @@ TEST(FloodedSlope, IsThatOfTheFilm) {
   }
 }
 
-// The rounding that errors are made of, against the model in a wider type.
+// The rounding error that errors are computed from, against the model in a wider type.
 TEST(Rounding, OfAPointIsBelowWhatItIsTakenFor) {
   Sampler sampler(33);
   const ReadInlet inlet(corrected_reading());
@@ -330,7 +329,7 @@ TEST(Rounding, OfAPointIsBelowWhatItIsTakenFor) {
   }
 }
 
-// Extremes, parts and falls of a function with several waves, by either effort: the number itself
+// Extremes, parts and falls of a function with several waves, by either effort: the true number
 // lies within the error.
 TEST(SampledCurves, AreWithinTheirErrors) {
   Sampler sampler(34);
@@ -374,8 +373,8 @@ TEST(SampledCurves, AreWithinTheirErrors) {
   EXPECT_GT(told_by_the_grid, 10U);
 }
 
-// Levels just above a minimum, which the function reaches between two nodes alone, and levels of
-// both signs; a level's own error is one of the place.
+// Levels just above a minimum, which the function reaches only between two nodes, and levels of
+// both signs. The error of a level adds to the error of the place.
 TEST(SampledCurves, FallToALevelWhereADenseSweepDoes) {
   Sampler sampler(35);
   std::size_t between_nodes = 0;
@@ -419,8 +418,8 @@ TEST(SampledCurves, FallToALevelWhereADenseSweepDoes) {
   EXPECT_GT(between_nodes, 50U);
 }
 
-// Nodes within the noise say that the function crosses, and it does not: the crossing may be
-// anywhere between them.
+// The function does not cross the level, but nodes within the noise say so: then the crossing may
+// be anywhere between them.
 TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
   const SampledCurve curve(
       std::vector<double>{2.5, 3}, std::vector<double>{1e-15, -1e-15}, [](double) { return 1e-15; },
@@ -434,7 +433,7 @@ TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
   EXPECT_EQ(part.error, 0.5);
 }
 
-// The nearest number at which the verdict is another one, by trying.
+// The nearest number at which the verdict is another one, found by trying.
 double nearest_other_verdict(const Item& one, const Observed& observed) {
   const Verdict here = judge(one, observed);
   constexpr double step = 1e-4;
@@ -493,8 +492,8 @@ TEST(Verdicts, ChangeAtTheLimitsOfTheirRules) {
     EXPECT_TRUE(changes_at_its_limit(one));
 }
 
-// At each threshold of each rule: half a unit of error from it the verdict is not decided, two
-// units from it it is, and the verdicts of the two sides differ.
+// Each threshold of each rule: at half the error from it the verdict is not decided, at twice the
+// error it is, and the verdicts on the two sides differ.
 TEST(Margins, BelowTheNumericalErrorAreNotDecided) {
   struct Place {
     std::string_view id;
@@ -502,7 +501,7 @@ TEST(Margins, BelowTheNumericalErrorAreNotDecided) {
   };
   const Item &speed = item("C1.rough"), &film = item("C2.rough"), &transition = item("C10");
   std::vector<Place> thresholds{{"C14", 1}, {"C6", item("C6").tolerance}};
-  const double half = 0.05 * (1 + 1e-9);  // of the last digit, and of the decimals' rounding
+  const double half = 0.05 * (1 + 1e-9);  // half of the last digit, and the decimals' rounding
   for (const double side : {-1.0, 1.0}) {
     thresholds.push_back({"C2.rough", film.reported + side * half});
     thresholds.push_back({"C2.rough", film.reported * (1 + side * 0.1)});
@@ -541,21 +540,21 @@ TEST(Margins, OfAPartOfTheSpeedsAreFromOneHalf) {
     EXPECT_TRUE(is_within(got.margin->distance, std::abs(part - 0.5), 1e-15));
     EXPECT_EQ(got.is_decided(), std::abs(part - 0.5) > 1e-3);
   }
-  // Where the worst number is nearer to its threshold it is the margin.
+  // Where the worst number is nearer to its threshold, its distance is the margin.
   EXPECT_EQ(margin_of_verdict(item("C14"), {0.99, 1.2, 0.7, {}, 1e-12, 1e-3})->of,
             MarginOf::number);
-  // Among few numbers the one that at least half of them reach decides.
+  // Where numbers are few, the greatest that at least half of them reach decides.
   const Margin middle = *margin_of_verdict(item("C5"), {0.5, 1.01, 0.5, {}, 1e-12, {}, 1.01});
   EXPECT_TRUE(is_close(middle.distance, std::log(1.01), 1e-12, {}));
 }
 
-// A ratio that is 1 by construction is not greater than 1 for a last digit.
+// A ratio that is 1 by construction is not greater than 1 because of its last digit.
 TEST(Margins, ARatioOfOneIsNotGreaterThanOneForItsRounding) {
   const Observed just_above{1 + 1e-15, 1 + 1e-15, 1, {}, 1e-13, 0.0};
   const ItemResult got = judged(item("C9"), just_above);
   EXPECT_NE(got.verdict, Verdict::reproduced);
   EXPECT_FALSE(got.is_decided());
-  // With the printed equations the film is one at all speeds, and the area one on all surfaces.
+  // With the printed equations the film is the same at all speeds, and the area on all surfaces.
   const Observed literal = evaluate(scenes(), literal_reading(), item("C9"));
   EXPECT_TRUE(is_within(*literal.value, 1, literal.error));
   EXPECT_FALSE(judged(item("C9"), literal).is_decided());

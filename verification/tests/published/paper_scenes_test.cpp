@@ -55,7 +55,7 @@ TEST(PaperScenes, ShippedFilesHoldTableOne) {
           read_scene(fmt::format("{}/reference/published/{}.toml", TRIBOCHECK_SOURCE_DIR, id),
                      SceneUse::speeds);
       for (const InputProblem& problem : reading.errors) ADD_FAILURE() << problem.line();
-      // Its summits are of no isotropic Gaussian face (E26), and nothing else is odd.
+      // No isotropic Gaussian face has such summits (E26); no other warning comes.
       for (const InputProblem& problem : reading.warnings) EXPECT_EQ(problem.field, "surface");
       EXPECT_EQ(reading.warnings.size(), 1U);
       ASSERT_TRUE(reading.scene.has_value());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reading model against the model, the enumeration against each reading by itself, the
-// inversions against what they promise, and the ledger against the committed one.
+// The reading model against the model, the enumeration against each reading alone, the inversions
+// against their promises, and the ledger against the committed one.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ TEST(CorrectedReading, IsTheModelAtEverySpeed) {
       };
       EXPECT_EQ(got.collapsed, expected.inlet == Inlet::collapsed);
       if (!got.collapsed) close(got.film_parameter, expected.film_parameter);
-      // Past a collapse without a floor readings go on with A(0), as the paper draws it.
+      // Beyond a collapse without a floor, readings go on with A(0), as the paper draws it.
       const bool is_balanced = expected.regime != Regime::collapsed;
       close(got.asperity_share,
             is_balanced ? expected.asperity_load_share : model.sharing().asperity_share(0));
@@ -95,7 +95,7 @@ TEST(CorrectedReading, HasTheModelsOnsets) {
     }
 }
 
-// Little boundary friction and sliding: the first minimum is the lower one.
+// With little boundary friction and little sliding the first minimum is the lower one.
 TEST(CorrectedReading, HasTheModelsOnsetWhereFrictionHasTwoMinima) {
   Scene scene = scenes().scene[static_cast<std::size_t>(PaperSurface::medium)];
   scene.supply.value = 2;
@@ -156,7 +156,7 @@ TEST(ReadInlets, AsPrintedGivesOneFilmAtEverySpeed) {
 }
 
 TEST(ReadInlets, GapOfACircularContactIsGreaterByFourOverPi) {
-  // ψ at a given film grows with c^{2/3}: y at r with the point's gap is y at another ψ.
+  // ψ at a given film goes as c^{2/3}: with the gap of a point contact, y at r is y at another ψ.
   const ReadInlet line(with(Switch::inlet, 0)), point(with(Switch::gap, 1));
   for (const double r : {0.1, 0.5, 0.9}) {
     const double psi_line = wolveridge_inlet_length(line.film_ratio(r));
@@ -183,8 +183,8 @@ TEST(Readings, AreNumberedOneByOne) {
   EXPECT_THROW(set_switch(reading, "inlet"), std::invalid_argument);
 }
 
-// Two hundred readings at random, and as many of those that the grid of speeds left open: these lie
-// nearest to the thresholds.
+// Two hundred readings at random, and two hundred of those that the grid of speeds left open, which
+// lie nearest to the thresholds.
 std::vector<std::size_t> sampled_readings(const Enumeration& all) {
   const auto at_a_threshold = [&](ItemMask refined, ItemMask undecided) {
     return (refined & ~undecided) != 0;
@@ -207,8 +207,8 @@ TEST(Enumeration, OfAllReadingsIsEachReadingByItself) {
   for (const std::size_t index : sampled_readings(all)) {
     const std::vector<ItemResult> results = evaluate(scenes(), reading_at(index), items());
     ItemMask mask = 0, undecided = 0;
-    std::vector<std::string_view> claims;  // in their order
-    std::set<std::string_view> missed;     // with an item that is not reproduced
+    std::vector<std::string_view> claims;  // in the paper's order
+    std::set<std::string_view> missed;     // claims with an item that is not reproduced
     for (std::size_t k = 0; k < results.size(); ++k) {
       const std::string_view claim = items()[k].claim;
       if (claims.empty() || claims.back() != claim) claims.push_back(claim);
@@ -265,7 +265,7 @@ TEST(Verdicts, ANumberIsAsPrintedToHalfAUnitOfItsLastDigit) {
     EXPECT_EQ(is_as_printed(value, 1.4, 0.1), false) << value;
 }
 
-// By its margin a rule is inverted: it has to be met where the margin is not below 0.
+// Rules are inverted by their margins: a rule has to be met where its margin is not below 0.
 TEST(Verdicts, ARuleIsMetWhereItsMarginIsNotBelowZero) {
   for (const char* const id : {"C14", "C13", "C6"})
     for (double value = 1e-3; value < 10; value *= 1.003) {
@@ -324,7 +324,7 @@ TEST(Ranking, CountsEveryReading) {
   EXPECT_EQ(named_reading(scenes(), items(), "", best.representative).score, best.score);
 }
 
-// Readings of one choice of the inlet alone reproduce the item, but for a few of another one.
+// An item that all readings with one choice of the inlet reproduce, and a few with another choice.
 Enumeration with_one_inlet(double part_of_the_others) {
   const std::vector<ItemMask> none(reading_count());
   Enumeration made{none, none, 0, 0, 0, none, none};
@@ -342,7 +342,7 @@ Enumeration with_one_inlet(double part_of_the_others) {
 }
 
 TEST(Ranking, IdentifiesAChoiceThatNearlyAllReadingsShare) {
-  // 1/1.05 of them is 95.2 %, 1/1.06 is 94.3 %.
+  // The first choice has 1/1.05 of the readings, 95.2 %, or 1/1.06, 94.3 %.
   for (const auto& [others, is_identified] :
        {std::pair{0.0, true}, std::pair{0.05, true}, std::pair{0.06, false}}) {
     const ItemStatistics found = item_statistics(with_one_inlet(others), items()).front();
@@ -409,8 +409,8 @@ TEST(Requirements, SayWhetherTheyArePlausibleAndWhatElseTheyChange) {
   for (const std::size_t count : {too_low, too_high, broken, mended}) EXPECT_GT(count, 0U);
 }
 
-// u ∝ 1/η at a given film: the sensitivity of the onset speed to viscosity is −1, and the inversion
-// the ratio itself.
+// At a given film u ∝ 1/η: the sensitivity of the onset speed to viscosity is −1, and the inversion
+// gives the ratio itself.
 TEST(Requirements, InvertThePowerLawsOfTheFilmFormula) {
   std::size_t found = 0;
   for (const Requirement& one : ledger().requirements) {
@@ -442,7 +442,7 @@ TEST(CommonDepartures, GiveTheReportedSpeedsByTheModelToo) {
     EXPECT_TRUE(is_close(speed(*found.own[i]), reported[i], 1e-9, {}));
     EXPECT_TRUE(is_close(speed(found.best) / reported[i], found.factor[i], 1e-9, {}));
   }
-  // The best common one balances the greatest factors up and down.
+  // The best common ε makes the greatest factors upwards and downwards equal.
   const auto [least, greatest] = std::minmax_element(found.factor.begin(), found.factor.end());
   EXPECT_TRUE(is_close(*least * *greatest, 1, 1e-6, {}));
 }
@@ -471,8 +471,8 @@ TEST(Uncertainties, AreTheSameForTheSameDrawsAndWiderForWiderInputs) {
   }
 }
 
-// u ∝ 1/η at a given film: with viscosity alone uncertain, the draws of u are those of a number
-// that is uniform within half a unit of its last digit.
+// At a given film u ∝ 1/η. With viscosity alone uncertain, 1/u is drawn as a number that is uniform
+// within half a unit of its last digit.
 TEST(Uncertainties, OfTheViscosityAreThoseOfItsLastDigit) {
   constexpr double viscosity = 0.02, last_digit = 0.01;
   const std::vector<Input> inputs{
@@ -499,8 +499,8 @@ TEST(Uncertainties, OfTheViscosityAreThoseOfItsLastDigit) {
     EXPECT_TRUE(is_within(place(speed.low), 0.975, 0.015));
     EXPECT_TRUE(is_within(place(speed.least), 1, 0.005));
   }
-  // No draw has all reported speeds where one surface never has its own; every draw has them where
-  // the last digits are wide.
+  // No draw has all reported speeds where one surface never has its speed. Every draw has them
+  // where the last digits are wide.
   EXPECT_EQ(first.all_onsets_reported, 0U);
   EXPECT_EQ(found({{1, 1, 1}, {100, 100, 100}}).all_onsets_reported, 2000U);
   EXPECT_EQ(found({{never, 1, 1}, {0.1, 100, 100}}).all_onsets_reported, 0U);
@@ -523,7 +523,7 @@ TEST(Errata, AreAllThereAndChangeWhatTheyClaimToChange) {
   }
 }
 
-// Every switch belongs to an erratum that says so, and the other way round.
+// Every switch belongs to an erratum that names it, and every erratum that names a switch has one.
 TEST(Errata, OfTheKindReadingNameTheirSwitches) {
   std::string named;
   for (const Erratum& one : ledger().errata)
@@ -538,8 +538,8 @@ TEST(Errata, OfTheKindReadingNameTheirSwitches) {
 TEST(Arguments, IdentifyTheExponentTheInletAndTheConstant) {
   std::vector<std::size_t> agreeing;
   for (const Argument& one : ledger().arguments) agreeing.push_back(one.agreeing());
-  // q = 1/2 both ways it is computed; the inlet; no criterion, twice; none of the shares; the
-  // constant; neither σ, as 0.82·1.4 = 1.148 does not print as 1.146.
+  // The candidates that agree: q = 1/2 by both its ways; one inlet; no criterion, twice; no share;
+  // one constant; neither σ, because 0.82·1.4 = 1.148 does not print as 1.146.
   EXPECT_EQ(agreeing, (std::vector<std::size_t>{2, 1, 0, 0, 0, 1, 0}));
   EXPECT_TRUE(ledger().arguments[0].candidates[0].agrees);
   EXPECT_TRUE(ledger().arguments[0].candidates[1].agrees);
@@ -558,7 +558,7 @@ TEST(CommittedLedger, HasTheVerdictsAndNumbersThatComeOut) {
   const LedgerChanges changes = changes_since(committed, ledger(), ledger().readings, {});
   for (const std::string& line : changes.verdicts) ADD_FAILURE() << "verdict changed: " << line;
   for (const std::string& line : changes.numbers) ADD_FAILURE() << "number moved: " << line;
-  // All of it: no reading or item is missing there.
+  // The whole file is compared: no reading or item is missing in it.
   std::ifstream file(committed);
   const auto lines = std::count(std::istreambuf_iterator<char>(file), {}, '\n');
   EXPECT_EQ(static_cast<std::size_t>(lines), 1 + ledger().readings.size() * items().size());
@@ -584,8 +584,8 @@ TEST(CommittedLedger, ChangesAreNamed) {
   EXPECT_TRUE(changes.numbers[0].starts_with("C1.rough, corrected: was 2.1")) << changes.numbers[0];
 }
 
-// A number has moved from a millionth of it on; and an item that the committed ledger lacks is
-// told.
+// A number counts as moved if it changed by a millionth or more. An item that the committed ledger
+// lacks is told.
 TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
   const TemporaryFolder folder;
   const std::string path = folder.file("ledger_moved.csv");

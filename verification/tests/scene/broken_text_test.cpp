@@ -218,7 +218,7 @@ TEST(WideNumbers, AreFoundAfterALongStringThatEndsInQuotes) {
 }
 
 // Up to two quotes after the three that begin a long string, or before the three that end it,
-// belong to it; one more before the end begins a string.
+// belong to the string; one more before the end begins another string.
 TEST(BrokenToml, LongStringsBeginAndEndWithAtMostFiveQuotes) {
   for (const char quote : {'"', '\''})
     for (const std::size_t opening : {3U, 4U, 5U})
@@ -250,7 +250,7 @@ TEST(WideNumbers, InUnknownFieldsNeverHideTheRest) {
   }
 }
 
-// A short walk; the fuzz targets go further. Under the sanitizers this is what looks for crashes.
+// A short random walk; the fuzz targets go further. With sanitizers this finds crashes.
 TEST(BrokenText, RandomChangesNeverCrashAndNeverGiveBothSceneAndError) {
   std::mt19937 random(20240607);
   const std::string signs = "\"'[]{}=.,#\n\r\t\\+-_0123456789eExinfatrue \xc3\xa9\xff\x01";
@@ -283,7 +283,7 @@ TEST(BrokenText, RandomChangesNeverCrashAndNeverGiveBothSceneAndError) {
   }
 }
 
-// All signs are shown as they are but those that move the cursor, hide, or turn the text around.
+// Signs are shown as they are, but for those that move the cursor, hide, or turn text around.
 TEST(Printable, IsEachSignButForTheRangesThatWouldHarm) {
   const auto utf8 = [](unsigned code) {
     std::string text;

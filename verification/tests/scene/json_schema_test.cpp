@@ -20,7 +20,7 @@
 namespace tribo {
 namespace {
 
-// Lists and objects of one are named as such: compilers differ on what {{a, b}} is.
+// Lists and objects of one element are named as such: compilers differ on what {{a, b}} means.
 using Json = nlohmann::ordered_json;
 
 const char* const schema_file = TRIBOCHECK_SOURCE_DIR "/reference/scene.schema.json";
@@ -105,7 +105,7 @@ std::string section_of(std::string_view path) {
 }
 std::string name_of(std::string_view path) { return std::string(path.substr(path.find('.') + 1)); }
 
-// Exactly one of the group's sets is there, whole, and no field of the others.
+// All fields of exactly one of the group's sets are there, and no field of the other sets.
 Json group_rule(FieldGroup group) {
   Json sets = Json::array();
   for (const FieldSet& set : group) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every field of the schema, spoilt in every way, in TOML and in JSON: what is legal follows from
-// the row of the table alone, so a new row is tested by being there.
+// Every field of the schema, spoilt in every way, in TOML and in JSON: the legal values follow from
+// the row of the table alone, so that a new row is tested as soon as it is there.
 #include <cmath>
 
 #include "scene/scene_text.hpp"
@@ -33,9 +33,8 @@ void expect_judged(const FieldInfo& field, const std::string& value, bool legal,
                    const char* part = "not allowed") {
   for (const Format format : formats) {
     const SceneText text = SceneText::good_with(field).set(field.path, value);
-    // Moments that are legal alone may be those of no face together.
-    // So may radii be whose ratio double cannot hold, and moduli next to 0, whose E* it cannot
-    // hold.
+    // Moments that are legal one by one may together belong to no face. Double may be unable to
+    // hold the ratio of legal radii, or the E* of moduli next to 0.
     const bool is_least_modulus =
         (field.path == "bodies.first_modulus" || field.path == "bodies.second_modulus") &&
         std::strtod(value.c_str(), nullptr) < std::numeric_limits<double>::min();
@@ -80,7 +79,7 @@ TEST(SceneFields, MisspeltOneIsNamedWithTheRightName) {
   for (const FieldInfo& field : scene_fields()) {
     const std::string misspelt(field.path.substr(0, field.path.size() - 1));
     std::string meant(field.path);
-    // As near, and named first.
+    // This name is as near, and comes first.
     if (meant.ends_with("_y")) meant.back() = 'x';
     if (meant == "surface.m2" || meant == "surface.m4") meant.back() = '0';
     const std::string hint = "did you mean " + meant + "?";
@@ -95,7 +94,7 @@ TEST(SceneFields, OneInAWrongTableIsNamedWithTheRightPlace) {
   for (const FieldInfo& field : scene_fields()) {
     if (field.path.find('.') == std::string_view::npos || field.path.starts_with("speed."))
       continue;
-    if (field.path == "friction.viscosity") continue;  // lubricant.viscosity is as near
+    if (field.path == "friction.viscosity") continue;  // the name lubricant.viscosity is as near
     const std::string name(field.path.substr(field.path.find('.') + 1));
     for (const Format format : formats) {
       const SceneText text = SceneText::good_with(field).rename(field.path, name);
@@ -188,7 +187,7 @@ TEST(SceneFields, EndsOfTheRangeAreJudgedToTheLastBit) {
       expect_judged(field, decimal(*field.maximum + 1), false);
     } else {
       const double least = std::nextafter(field.minimum, 1);
-      if (field.path != "speed.to")  // has to be above speed.from
+      if (field.path != "speed.to")  // which has to be above speed.from
         expect_judged(field, decimal(least), true);
       const double greatest = field.maximum.value_or(std::numeric_limits<double>::max());
       if (field.path != "speed.from") expect_judged(field, decimal(greatest), true);
@@ -214,7 +213,7 @@ TEST(SceneFields, NanAndInfinityAreRefused) {
     SceneText text = SceneText::good_with(field);
     for (const char* value : {"nan", "-nan"})
       EXPECT_TRUE(refused(Format::toml, text.set(field.path, value), field.path, "must be finite"));
-    if (field.is_radius_of_face) continue;  // ∞ is flat
+    if (field.is_radius_of_face) continue;  // ∞ is a flat face
     for (const char* value : {"inf", "+inf", "-inf"})
       EXPECT_TRUE(refused(Format::toml, text.set(field.path, value), field.path, "must be finite"));
     for (const char* value : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"})
@@ -308,7 +307,7 @@ TEST(SceneFields, PlausibleRangesLieWithinTheLegalOnes) {
     if (field.type == FieldType::integer) continue;
     EXPECT_LE(field.minimum, field.plausible_minimum) << field.path;
     EXPECT_LE(field.plausible_minimum, field.plausible_maximum) << field.path;
-    // They are rough: a power of ten, twice one, or half of one.
+    // The ends are rough: a power of ten, twice a power of ten, or half of one.
     for (const double end : {field.plausible_minimum, field.plausible_maximum}) {
       if (end == 0 || std::isinf(end)) continue;
       const auto is_power_of_ten = [](double number) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes as files: what is read, what is refused before it is read.
+// Scenes as files: which files are read, and which are refused before they are read.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -100,7 +100,7 @@ TEST_F(SceneFile, IsRefusedIfItCannotBeRead) {
   expect_refused(path("missing/missing.toml"), "No such file or directory");
   EXPECT_EQ(read_scene("", SceneUse::speeds).errors.size(), 1u);
   EXPECT_EQ(read_scene(std::string(10'000, 'x'), SceneUse::speeds).errors.size(), 1u);
-  if (::geteuid() == 0) return;  // root reads everything
+  if (::geteuid() == 0) return;  // root may read every file
   std::filesystem::permissions(write("closed.toml", "x"), std::filesystem::perms::none);
   expect_refused(path("closed.toml"), "Permission denied");
 }

@@ -272,7 +272,7 @@ TEST(SceneSpeeds, ElementsOfAListAreJudgedOneByOne) {
 TEST(SceneSpeeds, ImplausibleListGetsOneWarning) {
   for (const Format format : formats) {
     const SceneReading reading = read(format, good().set("speed", "[1, 2e5, 3e5, 4e5]"));
-    ASSERT_EQ(reading.warnings.size(), 2u);  // and one of the summits
+    ASSERT_EQ(reading.warnings.size(), 2u);  // the other warning is about the summits
     EXPECT_EQ(reading.warnings[0].field, "speed[1]");
   }
 }
@@ -443,7 +443,7 @@ TEST(SceneRoelands, NeedsAViscosityAboveItsPole) {
       EXPECT_TRUE(refused(format, text.set("lubricant.viscosity", viscosity), "lubricant.viscosity",
                           "friction.viscosity = \"roelands\""));
     EXPECT_TRUE(accepted(format, text.set("lubricant.viscosity", "6.3151e-5")));
-    // One error, and no second one of the law.
+    // There is one error, and no second one about the law.
     for (const char* wrong : {"0", "-1"})
       EXPECT_TRUE(refused(format, text.set("lubricant.viscosity", wrong), "lubricant.viscosity",
                           "is not allowed; allowed: a number above 0"));
@@ -577,7 +577,7 @@ TEST(SceneShapes, OfAProfileGiveTheSummits) {
   }
 }
 
-// Each rule on more than one field, asked with numbers that make what it judges the one asked at.
+// Each rule on several fields. The other numbers make the judged quantity the number under test.
 TEST(SceneThresholds, ChangeTheVerdictAtTheirLimit) {
   using enum verification::True;
   struct Rule {
@@ -676,7 +676,7 @@ TEST(SceneWarnings, OfThePublishedScenesAreOfTheirSummitsAlone) {
     if (file.path().extension() != ".toml") continue;
     const SceneReading reading = read_scene(file.path().string(), SceneUse::speeds);
     EXPECT_TRUE(reading.scene) << lines_of(reading.errors);
-    // Table 1's summits are of no isotropic Gaussian face, and nothing else is odd.
+    // No isotropic Gaussian face has the summits of Table 1; no other warning comes.
     ASSERT_EQ(reading.warnings.size(), 1U) << lines_of(reading.warnings);
     EXPECT_EQ(has_problem(reading.warnings, "surface", "= 0.0573 is legal, but 0.0459"), true);
     ++scenes;

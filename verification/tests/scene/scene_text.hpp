@@ -33,7 +33,7 @@ class SceneText {
     return text;
   }
 
-  // A good scene that has this field too, and room for it: one supply, a speed of one kind.
+  // A good scene with this field, too, and without fields that exclude it.
   static SceneText good_with(const FieldInfo& field) {
     SceneText text = good();
     if (field.path.starts_with("supply.")) text.remove_section("supply");
@@ -46,7 +46,7 @@ class SceneText {
     return text.set(field.path, good_value(field));
   }
 
-  // The fields of the group's first set that has this field, in place of the others.
+  // Puts the group's first set that has this field in place of the group's other fields.
   void take_set_with(FieldGroup group, std::string_view path) {
     const auto has = [&](const FieldSet& set) {
       return std::find(set.fields.begin(), set.fields.end(), path) != set.fields.end();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The batches of F_n, S_n and ln F_n on each instruction set: the bits of each number alone,
-// whatever the place and size.
+// The batches of F_n, S_n and ln F_n on each instruction set: a number has the bits that it has
+// alone, at any place of a batch of any size.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -31,7 +31,7 @@ class BatchMoment : public testing::TestWithParam<Order> {};
 TEST_P(BatchMoment, GivesWhatTheHeaderSaysAtTheEndsOfTheLine) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double far_below = GetParam() == Order::zero ? 1 : infinity;
-  // Between ordinary points, which they must leave alone.
+  // The ends stand between ordinary points, whose results they must not change.
   const std::vector<double> d{1, infinity, -2, -infinity, 3, nan, 0.0, -0.0, -44, infinity, nan};
   on_each_instruction_set([&] {
     for (const Batch batch : batches) {
@@ -53,7 +53,7 @@ TEST_P(BatchMoment, GivesWhatTheHeaderSaysAtTheEndsOfTheLine) {
   });
 }
 
-// All kinds of points side by side, each of which takes a way of its own.
+// Points of all kinds side by side; each kind is computed in another way.
 std::vector<double> mixed_arguments() {
   Sampler sampler(142);
   std::vector<double> d;

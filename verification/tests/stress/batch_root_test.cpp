@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches of roots of load sharing on each instruction set: few steps, which are skipped where the
-// bounds say without harm, and the same bits whatever the place and size.
+// Batches of roots of load sharing on each instruction set: few steps, steps skipped without harm
+// where the bounds allow it, and the same bits at any place of a batch of any size.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -58,7 +58,7 @@ double uniform_offset(Sampler& sampler) {
   return sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
 }
 
-// In batches, of one surface and of many. Single roots of each law are the contract test's.
+// Batches of one surface and of many. The contract test has the single roots of each law.
 TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
   Sampler sampler(77);
   for (const FilmLaw* const film : other_film_laws)
@@ -67,7 +67,7 @@ TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
       for (int i = 0; i < 300; ++i)
         points.add(sampler.log_uniform(1e-6, 100), sampler.uniform(0, 4),
                    sampler.log_uniform(1e-6, 100));
-      for (int i = 0; i < 100; ++i) {  // about film_from and floor_up_to
+      for (int i = 0; i < 100; ++i) {  // points near film_from and floor_up_to
         const double k = sampler.log_uniform(1, 1e20), delta = sampler.uniform(0, 4);
         const auto surface = LoadSharing<double>(model, k, delta, *film).surface();
         points.add(
@@ -100,7 +100,7 @@ TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
     }
 }
 
-// Steps are few, and Newton's method is not needed where anybody computes.
+// Steps are few, and no point that anybody computes needs Newton's method.
 TEST(BatchRoot, TakesFewStepsAndNoneOfNewtons) {
   Sampler sampler(157);
   for (const AsperityModel model : models) {
@@ -227,7 +227,7 @@ TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
   }
 }
 
-// Rounding takes no place of a batch below the floor, the first one and the last of any length too.
+// No root of a batch is rounded to below the floor, at any place, for any length of the batch.
 TEST(BatchRoot, IsNeverBelowTheFloor) {
   on_each_instruction_set([] {
     Sampler sampler(161);
@@ -249,7 +249,7 @@ TEST(BatchRoot, IsNeverBelowTheFloor) {
   });
 }
 
-// λ = λ_b to half an ulp up to floor_up_to, beside the floor's own error; no step is taken there.
+// λ = λ_b to half an ulp up to floor_up_to, but for the floor's own error; no step is taken there.
 TEST(BatchRoot, IsTheFloorWhereTheBoundSaysSo) {
   Sampler sampler(160);
   std::size_t far_up = 0;
@@ -282,7 +282,7 @@ TEST(BatchRoot, IsTheFloorWhereTheBoundSaysSo) {
   EXPECT_GT(far_up, 500u);
 }
 
-// Beside one another: roots of one step and of many, skipped ones, and what is left to Newton.
+// Side by side: roots of one step, of many steps and of none, and roots left to Newton's method.
 Points mixed_points(std::size_t count) {
   Sampler sampler(161);
   Points points;
@@ -317,7 +317,7 @@ TEST(BatchRoot, BitsDoNotDependOnPlaceOrSize) {
   });
 }
 
-// Beyond one block of the batch, and its edges.
+// Batches of more than one block, and the edges of blocks.
 TEST(BatchRoot, BitsAndWorkDoNotDependOnTheBlocks) {
   const Points points = mixed_points(2100);
   const LoadSharing<double> surface(AsperityModel::greenwood_tripp, 1.5, 1.146);

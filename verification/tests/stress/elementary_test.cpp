@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // e^x and ln x of many numbers on each instruction set: against long double, at the ends of the
-// line, and with the same bits whatever the place and size.
+// line, and with the same bits at any place of a batch of any size.
 #include "tribo/elementary.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<double> of(Batch batch, const std::vector<double>& x) {
   return result;
 }
 
-// Where e^x is a normal number; small ones, at which it is next to 1.
+// Exponents x at which e^x is a normal number, and small ones, at which it is next to 1.
 std::vector<double> exponents() {
   std::vector<double> all{0, -0.0, 1, -1, 709.78, -708.39};
   Sampler sampler(71);
@@ -36,7 +36,7 @@ std::vector<double> exponents() {
   return all;
 }
 
-// Numbers of all sizes, and next to 1, where the logarithm vanishes.
+// Numbers of all sizes, and numbers next to 1, where the logarithm vanishes.
 std::vector<double> positive_numbers() {
   std::vector<double> all{1, 2, 0x1p-1022, 0x1p-1074, 1.7e308};
   Sampler sampler(72);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes whose numbers lie anywhere in the range of double: what a point is computed from then
-// overflows a double, or comes so near to 0 that it loses its digits. Every output keeps the
+// Scenes whose numbers lie anywhere in the range of double: numbers on the way to a point may then
+// overflow a double, or come so near to 0 that they lose their digits. Every output keeps the
 // contract, or is beyond double itself.
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ void judge(const Scene& scene, const OperatingPoint<double>& got, Judged& judged
     const double allowed =
         allowed_by(operating_point_contract, nearest == 0 ? Reference(DBL_MIN) : expected[k],
                    std::isfinite(conditions[k]) ? conditions[k] : 1e300, 1);
-    if (allowed > 1e-3 && nearest != 0) {  // the inputs do not tell any digit
+    if (allowed > 1e-3 && nearest != 0) {  // the inputs do not determine any digit
       ++judged.ill_conditioned;
       continue;
     }
@@ -94,7 +94,7 @@ TEST(ExtremeScenes, AreRightOrBeyondDouble) {
     judged.by_engine +=
         std::isnan(MixedContact<double>(scene).numbers().surface.film_at_unit_speed) ? 0 : 1;
     MixedContacts contacts;
-    Scene flooded = scene;  // prepared together with one that has a supply
+    Scene flooded = scene;  // is prepared together with a scene that has a supply
     flooded.supply = {};
     contacts.add(flooded);
     contacts.add(scene);

@@ -25,7 +25,7 @@ TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
         describe({{"K", stiffness}, {"delta", offset}, {"lambda0", lambda0}});
     ASSERT_TRUE(std::isfinite(got.film_parameter)) << inputs;
     ASSERT_GE(got.film_parameter, std::max(lambda0, sharing.floor())) << inputs;
-    // model.md, section 6: the upper end of the bracket
+    // At `upper` A ≤ 1/2, as F_p(d) ≤ F_p(0) e^{−d²/2}, and w ≤ 1/2: the root lies below.
     const double load = stiffness * gaussian_moment(load_order(model), 0.0) *
                         (model == AsperityModel::greenwood_tripp ? 4 : 2);
     const double upper = std::max(offset + std::sqrt(2 * std::max(0.0, std::log(load))),
@@ -33,8 +33,8 @@ TEST(LoadSharingStress, ExtremeInputsGiveAFilmBetweenItsBounds) {
     ASSERT_LE(got.film_parameter, upper * (1 + 1e-13)) << inputs;
     ASSERT_TRUE(is_within(got.asperity, 0.5, 0.5)) << inputs;
     ASSERT_TRUE(is_within(got.fluid, 0.5, 0.5)) << inputs;
-    // Next to K F_p(−δ) = 1 the rounding of A may keep the kernels from an end: then it is
-    // Newton's.
+    // Next to K F_p(−δ) = 1 the rounding of A may keep the kernels from converging: then Newton's
+    // method gives the root.
     const bool is_critical =
         std::abs(stiffness * gaussian_moment(load_order(model), -offset) - 1) < 1e-6;
     const bool is_in_range = lambda0 >= 1e-280 && lambda0 <= 1e280;

@@ -44,7 +44,7 @@ void run_threads(unsigned threads, const std::function<void(unsigned)>& work) {
   for (unsigned t = 1; t < threads; ++t)
     running.emplace_back([&work, t] {
       work(t);
-      flint_cleanup();  // what Arb keeps for each thread
+      flint_cleanup();  // memory that Arb keeps for each thread
     });
   work(0);
   for (std::thread& thread : running) thread.join();
@@ -119,7 +119,7 @@ Json as_json(const Arguments& arguments, const Worst& worst) {
   return {{"index", worst.index}, {"inputs", inputs}};
 }
 
-// No infinity in JSON.
+// JSON has no infinity: null stands for it.
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 #ifdef __clang__
@@ -179,7 +179,7 @@ Json as_json(const Arguments& arguments, const Tally& tally, const std::vector<P
           {"outputs", table}};
 }
 
-// Everything about one point, to look into a worst or a broken one.
+// Prints everything about one point, for a look at a worst or a broken one.
 void show(const Arguments& arguments) {
   const Point point = point_at(arguments.seed, arguments.first);
   for (const auto& [name, value] : inputs_of(point))

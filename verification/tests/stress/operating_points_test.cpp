@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operating points in batches, on each instruction set: the same bits whatever else is asked beside
-// them, and the work that this takes.
+// Operating points in batches, on each instruction set: outputs have the same bits whatever other
+// outputs are asked for, and the work is counted.
 #include "tribo/operating_points.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ std::vector<Scene> paper_scenes() {
   return scenes;
 }
 
-// Smoother and rougher, stiffer and softer: λ₀ on the floor, mixed, and free of asperities.
+// Smoother and rougher, stiffer and softer: films on the floor, mixed, and free of asperities.
 std::vector<Scene> random_scenes(int count) {
   Sampler sampler(181);
   std::vector<Scene> scenes;
@@ -91,8 +91,8 @@ std::vector<Scene> random_scenes(int count) {
   return scenes;
 }
 
-// Each output alone, and each with another, gives the bits that it has among all; where 1 − A is 1
-// by a bound, half an ulp of 1.
+// Each output alone, and with each other output, has the bits that it has among all outputs; to
+// half an ulp of 1 where 1 − A is set to 1 by a bound.
 TEST(OperatingPoints, OfAPartOfTheOutputsHaveTheBitsOfAll) {
   const std::vector<double> speeds = speeds_between(1e-4, 30, 41);
   std::vector<Scene> scenes = paper_scenes();
@@ -141,15 +141,15 @@ TEST(OperatingPoints, ThatWereNotAskedForReadAsNothing) {
   EXPECT_EQ(none.size(), 0u);
 }
 
-// Parts of one structure, filled in any order, in sizes about the engine's blocks of 512, and one
-// point in a call of its own. Every 37th point is beyond the engine's range.
+// Points solved one by one, and in parts of sizes near the engine's blocks of 512, the last part
+// first, are those solved in one call. Every 37th point is beyond the engine's range.
 TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
   std::vector<double> speeds = speeds_between(1e-5, 100, 2100);
   for (std::size_t i = 0; i < speeds.size(); i += 37) speeds[i] = i % 2 == 0 ? 1e-70 : 1e70;
   std::size_t left_to_newton = 0;
   std::vector<Scene> scenes{paper_scene(PaperSurface::rough), paper_scene(PaperSurface::smooth),
                             random_scenes(9).back(), paper_scene(PaperSurface::rough)};
-  scenes.back().surface.summit_plane_offset = 50;  // all points are beyond
+  scenes.back().surface.summit_plane_offset = 50;  // all its points are beyond the range
   for (const Scene& scene : scenes) {
     const MixedContact<double> contact(scene);
     const bool is_beyond = scene.surface.summit_plane_offset == 50;
@@ -197,7 +197,7 @@ TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
   EXPECT_GT(left_to_newton, 1100u);
 }
 
-// Parts of a range from anywhere in it, in sizes about those of blocks and chunks.
+// Parts from anywhere in a range, of sizes near those of blocks and chunks.
 TEST(Speeds, OfARangeDoNotDependOnParts) {
   constexpr std::size_t count = 140000;
   for (const auto& [from, to] : {std::pair{1e-4, 3.0}, {1e-300, 1e300}})
@@ -354,8 +354,8 @@ bool is_free_of_asperities(const LoadSharing<double>& sharing, double film) {
   return d > 0 && d * d > limit * limit + 11.9 - 4 / 0.14 * sharing.film().sharing_power.value;
 }
 
-// Where 1 − A or the regime is all that is asked and A < 2^−54: the exact 1 − A is 1 to half an
-// ulp.
+// Shares are skipped where only 1 − A or the regime is asked for and A < 2^−54: the exact 1 − A is
+// 1 to half an ulp.
 TEST(OperatingPointWork, SkipsSharesThatAreNothing) {
   std::uint64_t skipped = 0;
   std::vector<Scene> scenes = paper_scenes();

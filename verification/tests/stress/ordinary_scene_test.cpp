@@ -49,8 +49,8 @@ TEST(OrdinaryScene, EveryFieldIsReadAlike) {
   }
 }
 
-// Names are looked up anew where they are not those of the line before: here the table, a name of
-// the same length, and a name that becomes a table.
+// Names that differ from those of the line before are looked up anew: another table, a name of the
+// same length, and a name that becomes a table.
 TEST(OrdinaryScene, NamesAreThoseOfTheirLineAndNotOfTheOneBefore) {
   const std::string rest = good_line().substr(1);
   const std::string pairs[][2] = {
@@ -124,8 +124,8 @@ std::string random_number(std::mt19937_64& random) {
   }
 }
 
-// Half-way between two doubles in all its digits, or a little above: there a parser that rounds
-// twice goes wrong.
+// A number with all its digits half-way between two doubles, or a little above: a parser that
+// rounds twice reads it wrongly.
 std::string halfway_number(std::mt19937_64& random) {
   const double low = std::ldexp(1 + static_cast<double>(random() >> 12) * 0x1p-52,
                                 static_cast<int>(random() % 200) - 100);

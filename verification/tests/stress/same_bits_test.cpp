@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One text, one set of bits: each point alone, in a batch of its contact and among points of other
-// contacts, on every instruction set. All sets with fused multiply-add give the same bits, and all
-// without it; the prepared contact has them too.
+// Each point has the same bits alone, in a batch of its contact and among points of other contacts,
+// on every instruction set. All sets with fused multiply-add agree, and all sets without it; so do
+// prepared contacts.
 #include <gtest/gtest.h>
 
 #include <algorithm>

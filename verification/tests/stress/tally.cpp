@@ -37,8 +37,8 @@ void Tally::keep(RowTally& row, const Suspect& suspect) const {
   std::push_heap(row.suspects.begin(), row.suspects.end());
 }
 
-// A condition number is at least 1, so an error/condition or an error/bound can only be a new
-// worst where the error alone is: few condition numbers are needed, and the worst is exact.
+// A condition number is at least 1, so error/condition or error/bound can only be a new worst if
+// the error alone is above the worst: few condition numbers are needed, and the worst is exact.
 void Tally::add(std::uint64_t index, const Evaluation& evaluation) {
   for (std::size_t i = 0; i < evaluation.numbers.size(); ++i) {
     const Measured& number = evaluation.numbers[i];

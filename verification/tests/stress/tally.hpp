@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The worst that was seen, row by row; and the worst points again, in ball arithmetic.
+// The worst errors row by row, and the worst points judged again in ball arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace tribo::verification {
 
 inline constexpr std::uint64_t no_point = std::numeric_limits<std::uint64_t>::max();
 
-// The greatest of some numbers, and the least index that gave it: whatever their order.
+// The greatest of some numbers in any order, and the least index that gave it.
 struct Worst {
   double value = 0;
   std::uint64_t index = no_point;
@@ -22,13 +22,13 @@ struct Worst {
   }
 };
 
-// Error over bound of a point that is to be looked at again.
+// A point that is to be judged again, with its error over the bound.
 struct Suspect {
   double part_of_bound;
   std::uint64_t index;
   std::size_t number;  // its place in the point's Evaluation
 
-  // The worse first.
+  // Worse points come first.
   friend bool operator<(const Suspect& a, const Suspect& b) {
     return a.part_of_bound != b.part_of_bound ? a.part_of_bound > b.part_of_bound
                                               : a.index < b.index;
@@ -41,7 +41,7 @@ struct RowTally {
   std::uint64_t beyond_contract = 0;
   std::uint64_t not_a_number = 0;
   Worst broken;                   // the first point beyond the contract or without a number
-  std::vector<Suspect> suspects;  // a heap with the least suspicious on top
+  std::vector<Suspect> suspects;  // a heap with the smallest error/bound on top
 };
 
 // The suspects in ball arithmetic.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The model's formulas with derivatives: Boost's forward automatic differentiation in 50 digits,
-// and what it lacks of the functions that the formulas name.
+// and the functions of the formulas that Boost lacks.
 #pragma once
 
 #include <boost/math/differentiation/autodiff.hpp>
@@ -35,7 +35,7 @@ namespace tribo {
 
 namespace verification {
 
-// Boost 1.74 cannot differentiate with MPFR's numbers; these have fifty digits too.
+// Boost 1.74 cannot differentiate with MPFR's numbers; these numbers have fifty digits, too.
 using Differentiable = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                                      boost::multiprecision::et_off>;
 
@@ -55,7 +55,7 @@ inline Reference log_slope(const Dual& y, const Reference& x) {
 
 }  // namespace verification
 
-// arccos(−1) has no derivative for the general form to multiply by 0.
+// The general form would multiply the derivative of arccos at −1, which does not exist, by 0.
 template <>
 inline verification::Dual pi<verification::Dual>() {
   return verification::Dual(pi<verification::Reference>());

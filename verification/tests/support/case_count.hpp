@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evidence behind a test's verdict: how many comparisons held, and how near the nearest came to
-// its bound. main.cpp prints both after each test, and gates/inventory.py holds them against the
-// manifest: a test that no longer compares anything, and a bound that was widened, are red.
+// The evidence behind a test's verdict: how many comparisons held, and the greatest error/bound.
+// main.cpp prints both after each test, and gates/inventory.py holds them against the manifest: a
+// test that no longer compares anything, and a bound that was widened, are red.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct CaseCount {
 
 inline CaseCount case_count;
 
-// A comparison with a bound: to be called by whoever judges, held or not.
+// Every judge calls this for each comparison with a bound, whether it held or not.
 inline void record_part_of_bound(double part) {
   case_count.greatest_part_of_bound = std::max(case_count.greatest_part_of_bound, part);
 }

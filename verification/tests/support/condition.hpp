@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Condition numbers (tribo/contract.hpp) by automatic differentiation of the model's own text: its
 // templates on a long double that carries the derivatives by the logarithms of all inputs. Where
-// the text takes a cancellation out of its numbers, it does so of their derivatives.
+// the text avoids a cancellation in its numbers, it avoids it in their derivatives, too.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace tribo::verification {
 
 struct Dual {
-  static constexpr std::size_t inputs = 17;  // of a scene, its speed the first
+  static constexpr std::size_t inputs = 17;  // inputs of a scene; the first is its speed
   long double value = 0;
   std::array<long double, inputs> parts{};
 
@@ -27,8 +27,8 @@ struct Dual {
   Dual(int x) : value(x) {}                               // NOLINT
   Dual(double x, std::size_t input) : Dual(x) { parts[input] = value; }
 
-  // f(x) with the slope f′(x). A part of 0 stays 0 where the slope is infinite, and a slope of 0
-  // rules over a part that overflowed.
+  // f(x) with the slope f′(x). A derivative of 0 stays 0 where the slope is infinite, and a slope
+  // of 0 makes 0 of a derivative that overflowed.
   friend Dual chain(long double image, long double slope, const Dual& x) {
     Dual result(image);
     for (std::size_t i = 0; i < inputs; ++i)
@@ -58,7 +58,7 @@ struct Dual {
   friend auto operator<=>(const Dual& a, const Dual& b) { return a.value <=> b.value; }
   friend bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
 
-  // The sum of |∂ ln this/∂ ln input|, at least 1; what is 0 to either side has no condition.
+  // The sum of |∂ ln this/∂ ln input|, at least 1; 0 has the condition 1.
   double condition() const {
     long double total = 0;
     for (const long double part : parts) total += std::abs(part / value);
@@ -98,12 +98,12 @@ T moment_hazard(Order order, const T& d) {
   return d + scaled_gaussian_moment(Order::three_halves, d) / moment;
 }
 
-// Found before the templates of the model.
+// Overload resolution prefers these functions to the templates of the model.
 inline Dual scaled_gaussian_moment(Order n, const Dual& d) {
   const long double x = d.value, moment = tribo::scaled_gaussian_moment(n, x);
   return chain(moment, moment * ((x > 0 ? x : 0) - moment_hazard(n, x)), d);
 }
-// The root alone. The step that refines it (InletCurve::correction) brings its derivatives.
+// Gives the root without derivatives. The step that refines it (InletCurve::correction) adds them.
 template <class Function>
 Dual bracketed_root(Function&& f, const Dual& low, const Dual& high, const Dual& least_width) {
   return tribo::bracketed_root<long double>([&](long double x) { return f(Dual(x)).value; },
@@ -119,7 +119,7 @@ namespace tribo {
 
 namespace detail {
 
-// With derivatives by each number that the scene gives.
+// The scene's numbers, with derivatives by each number that the scene gives.
 template <>
 inline SceneNumbers<verification::Dual> numbers_of(const Scene& scene) {
   const SceneNumbers<double> n = numbers_of<double>(scene);

@@ -2,10 +2,10 @@
 // The model's templates on Arb's real balls: the same code, with every operation an enclosure, so
 // that a result encloses the value of the formulas at the exact inputs.
 //
-// Run as they stand: all formulas of hertz.hpp, film_thickness.hpp, asperity_contact.hpp,
+// These run as they stand: all formulas of hertz.hpp, film_thickness.hpp, asperity_contact.hpp,
 // friction.hpp, hertz_line.hpp and mixed_contact.hpp; of hertz_ellipse.hpp all behind the shape; of
-// load_sharing.hpp the shares; of starvation.hpp the
-// closures and the step that refines ψ; of gaussian_moment.hpp the products with e^{−d²/2}.
+// load_sharing.hpp the shares; of starvation.hpp the closures and the step that refines ψ; of
+// gaussian_moment.hpp the products with e^{−d²/2}.
 //
 // Replaced, because a ball does not know what an iteration or a sum leaves out:
 //   scaled_gaussian_moment   by confluent hypergeometric functions (generators/moments.hpp). Sums,
@@ -14,12 +14,11 @@
 //                            sign of the model's own equation a little to the left and to the right
 //                            proves, and all between is the root.
 //   LoadSharing: the root (root), the floor (find_floor), the way back from a share to a film
-//                            (distance_above_floor): likewise, from the root in long double. The
+//                            (distance_above_floor): the same, from the root in long double. The
 //                            equations are written out here after the comment that heads
 //                            load_sharing.hpp; A in them is the model's asperity_share.
-//   the shape of an ellipse  likewise: the model's equation in ln k, on Carlson's integrals in
-//   place
-//                            of Bulirsch's.
+//   the shape of an ellipse  the same, by the model's equation in ln k, on Carlson's integrals in
+//                            place of Bulirsch's.
 //   LoadSharing: the Taylor series of 1 − A near the floor, by 1 − A itself: 320 bits stand the
 //                            cancellation.
 // So what is checked here is each formula's text, its branches, and that the numbers of the
@@ -52,7 +51,7 @@ class std::numeric_limits<tribo::reference::Ball> {
     return pow(tribo::reference::Ball(2), tribo::reference::Ball(-300));
   }
   static double quiet_NaN() { return numeric_limits<double>::quiet_NaN(); }
-  // Nothing underflows.
+  // No ball underflows.
   static constexpr int min_exponent = -2000000000;
 };
 
@@ -60,11 +59,11 @@ namespace tribo::verification {
 
 using Enclosure = reference::Ball;
 
-// Widths of proof that are tried, in bits; the first is near what 320 bits can tell.
+// Widths of a proof that are tried, in bits; the first is near the most that 320 bits can prove.
 inline constexpr int proof_bits[] = {290, 270, 250, 220, 190, 160, 130};
 
-// Comparisons inside a proof may be undecided: the proof is then given with less bits, or not at
-// all.
+// Comparisons inside a proof may be undecided: then a proof with fewer bits is tried, or there is
+// none.
 class Proof {
  public:
   Proof() : before_(reference::undecided_comparisons) {}
@@ -234,15 +233,15 @@ inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
   return {proven, 0};
 }
 
-// Without the questions whether λ₀ or the floor is infinite, which a ball cannot answer.
+// Does not ask whether λ₀ or the floor is infinite, which a ball cannot answer.
 template <>
 inline LoadShares<reference::Ball> LoadSharing<reference::Ball>::shares_at(
     const reference::Ball& flooded_film_parameter, const Root& root) const {
   return shares(flooded_film_parameter, root.film_parameter, 0);
 }
 
-// Below 2^−130 by −ln A = ∫ of the slope of −ln A from the floor to there, which lies between
-// distance × its values at the two ends: 1 − A would cancel.
+// Below 2^−130 the difference 1 − A would cancel. There −ln A is the integral of its slope from the
+// floor on, which lies between distance × the slopes at the two ends.
 template <>
 inline reference::Ball LoadSharing<reference::Ball>::fluid_share_near_floor(
     const reference::Ball& distance) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film laws beside the default one: the minimum film, and laws that nobody uses, with the least, a
-// small and the greatest a − b that load sharing takes.
+// Film laws other than the default one: the minimum film, and made-up laws with the least, a small
+// and the greatest a − b that load sharing takes.
 #pragma once
 
 #include <array>

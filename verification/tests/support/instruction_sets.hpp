@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches on each instruction set of the machine, and on the best one again afterwards.
+// Runs batches on each instruction set of the machine; afterwards the best set is in use again.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ class WithInstructionSet {
   WithInstructionSet& operator=(const WithInstructionSet&) = delete;
 };
 
-// Only the cases of the set that held the fewest are counted: the manifest must not depend on the
-// machine.
+// Counts the least number of cases that held on any set, so that the manifest does not depend on
+// the machine.
 template <class Visitor>
 void on_each_instruction_set(Visitor&& visit) {
   ASSERT_GE(instruction_sets().size(), 1u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a number is judged, and what a failing check prints: the inputs as decimal and hexfloat,
-// expected, got, the error in ulp, the condition number, the bound, and by what factor it was
-// missed.
+// The judgement on a number. A failing check prints the inputs as decimal and hexfloat, the
+// expected and the given number, the error in ulp, the condition number, the bound, and the factor
+// by which it was missed.
 #pragma once
 
 #include <fmt/format.h>
@@ -63,7 +63,7 @@ testing::AssertionResult is_close(Real got, const Reference& expected, double bo
 }
 
 // |got − expected| ≤ tolerance, in the unit of the two; for printed numbers, half a unit of the
-// last digit. EXPECT_NEAR, but counted as a case (see main.cpp).
+// last digit. Like EXPECT_NEAR, but counted as a case (see main.cpp).
 inline testing::AssertionResult is_within(double got, double expected, double tolerance) {
   record_part_of_bound(std::abs(got - expected) / tolerance);
   if (std::abs(got - expected) <= tolerance) return testing::AssertionSuccess();

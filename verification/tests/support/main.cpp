@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// main of every test program. A test that compares nothing passes for GoogleTest; so each test's
-// comparisons that held are counted (the linker sends testing::AssertionSuccess() through here, see
+// main of every test program. GoogleTest passes a test that compares nothing, so each test's held
+// comparisons are counted (the linker sends testing::AssertionSuccess() through here, see
 // verification/tests/CMakeLists.txt) and printed. EXPECT_TRUE of a plain bool is not counted.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -32,6 +32,6 @@ testing::AssertionResult counted_assertion_success() {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  testing::UnitTest::GetInstance()->listeners().Append(new CaseCountPrinter);  // its owner now
+  testing::UnitTest::GetInstance()->listeners().Append(new CaseCountPrinter);  // the list owns it
   return RUN_ALL_TESTS();
 }

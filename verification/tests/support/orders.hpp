@@ -12,7 +12,7 @@
 
 namespace tribo {
 
-// GoogleTest looks for it beside the type; else it writes bytes.
+// GoogleTest looks for this function beside the type, and without it prints bytes.
 inline void PrintTo(Order n, std::ostream* to) { *to << fmt::format("{}/2", twice(n)); }
 
 namespace verification {

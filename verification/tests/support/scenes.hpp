@@ -86,7 +86,7 @@ inline Scene random_scene(Sampler& sampler) {
   return scene;
 }
 
-// The numbers of a scene by name, with its first speed: all that a condition number counts.
+// The numbers of a scene by name, with its first speed: the inputs of a condition number.
 inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene) {
   return {{"load", &scene.load},
           {"speed", scene.speeds.list.data()},
@@ -109,11 +109,11 @@ inline std::vector<std::pair<std::string_view, double*>> numbers_of(Scene& scene
           {"damiens_exponent", &scene.closures.damiens_exponent}};
 }
 
-// All of it, the choices as their places in the enumerations of scene.hpp.
+// All numbers and words of a scene; the words as their places in the enumerations of scene.hpp.
 inline std::vector<std::pair<std::string_view, double>> describe_numbers(Scene scene) {
   std::vector<std::pair<std::string_view, double>> all;
   for (const auto& [name, number] : numbers_of(scene))
-    if (number != nullptr) all.emplace_back(name, *number);  // a range of speeds has no first one
+    if (number != nullptr) all.emplace_back(name, *number);  // null: a range of speeds
   all.emplace_back("offset_planes", static_cast<double>(scene.surface.offset_planes));
   all.emplace_back("shape", static_cast<double>(scene.bodies.shape()));
   all.emplace_back("supply_kind", static_cast<double>(scene.supply.kind));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder for a test's files: of this process alone, since the same tests run side by side
-// (.ci/test-elsewhere), and gone with the test.
+// A folder for a test's files. It belongs to this process alone, because the same tests run side by
+// side (.ci/test-elsewhere), and is removed after the test.
 #pragma once
 
 #include <cstdlib>

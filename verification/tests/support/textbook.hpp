@@ -68,7 +68,7 @@ class LoadSharing {
     return is_tripp_ ? std::sqrt(load) : load;
   }
 
-  // The root λ of ln λ − ln λ₀ + e ln(1 − A), which counts as −∞ where A ≥ 1.
+  // The root λ of ln λ − ln λ₀ + e ln(1 − A). Where A ≥ 1 the function counts as −∞.
   double solve(double lambda0) const {
     const auto residual = [&](double lambda) {
       const double share = asperity_share(lambda);
@@ -103,7 +103,7 @@ inline double starved_over_flooded(const Scene& scene, double flooded, double in
           },
           1e-12, std::min(1.0, inlet / flooded) * (1 - 1e-15));
     case StarvationClosure::printed_exponents: {
-      // In ln y: φ^{3/2} = ψ^{3/2} y^{−9/4}, h_oil = h* (1 + (4√2/3) φ^{3/2}).
+      // Solved for ln y: φ^{3/2} = ψ^{3/2} y^{−9/4}, h_oil = h* (1 + (4√2/3) φ^{3/2}).
       const double log_y = brent(
           [&](double t) {
             const double y = std::exp(t);

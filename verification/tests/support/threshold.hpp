@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thresholds asked at their limit: an answer that changes between two neighbouring doubles has to
-// change there, and at the limit itself it has to be the one that is promised.
+// Answers next to a limit: an answer that changes at a limit has to change between two neighbouring
+// doubles there, and at the limit itself it has to be the promised one.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,13 +23,13 @@ struct Threshold {
   double limit;  // not 0
   True side;
   std::function<bool(double)> answer;
-  // Relative: how far from the limit the answer may change, where it is about a number that is
-  // computed from the one asked at, and so is rounded. 0: it changes at the limit itself.
+  // How far from the limit, relatively, the answer may change, where the judged number is computed
+  // from the given one, and so rounded. 0: it changes at the limit itself.
   double slack = 0;
-  double reach = 0.125;  // relative: within it the answer changes once
+  double reach = 0.125;  // relative: within this distance the answer changes once
 };
 
-// So far to each side of the limit the answers differ, and they change at the limit.
+// Do the answers differ at the two ends of the reach, and change at the limit?
 inline testing::AssertionResult changes_at_its_limit(const Threshold& one) {
   const auto failed = [&](const std::string& what) {
     return testing::AssertionFailure() << one.name << ", limit " << one.limit << ": " << what;
@@ -43,7 +43,7 @@ inline testing::AssertionResult changes_at_its_limit(const Threshold& one) {
     const double middle = low + (high - low) / 2;
     (one.answer(middle) == is_true_above ? high : low) = middle;
   }
-  // It is as below the limit up to `low`, and as above it from `high` on.
+  // The answer is that below the limit up to `low`, and that above the limit from `high` on.
   const bool is_with_those_above = one.side == True::from || one.side == True::below;
   const double found = is_with_those_above ? high : low;
   record_part_of_bound(one.slack == 0 ? 0 : std::abs(found / one.limit - 1) / one.slack);

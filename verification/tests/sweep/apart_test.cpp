@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A crash, a hang or too much memory in the child process is one line here.
+// A crash, a hang or too much memory in the child process becomes one line in this process.
 #include "sweep/apart.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases of a sweep and their results: each held to the scene it stands for, solved by itself.
+// The cases of a sweep and their results, compared with the scene of each case, solved alone.
 #include "sweep/cases.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ SceneSweep read(const std::string& text) {
   return reading.sweep.value_or(SceneSweep());
 }
 
-// Film, roughness and viscosity vary; two speeds.
+// A sweep in which roughness and viscosity vary, at two speeds.
 SceneSweep drawn(const std::string& settings, const std::string& top = "speed = [0.02, 0.7]\n") {
   return read(top + "load = 50\n" + start + R"(
 summit_height_sd = { distribution = "log_uniform", from = 1e-8, to = 1e-7 }
@@ -58,7 +58,7 @@ eyring_stress = 2.5e6
 )" + settings);
 }
 
-// The same 70 draws for each of these loads.
+// A sweep with the same 70 draws for each of these loads.
 SceneSweep drawn_for_each_of(const std::string& loads) {
   return read("speed = 1\nload = " + loads + "\n" + start + R"(
 summit_height_sd = { distribution = "uniform", from = 1e-8, to = 1e-7 }
@@ -144,7 +144,7 @@ TEST(Cases, AreTheSameInBlocksFromAnywhere) {
 }
 
 TEST(CaseSolver, GivesWhatTheSceneOfTheCaseGivesByItself) {
-  // Three speeds: the points of the cases in hand are more than one block of the engine's.
+  // With three speeds the cases in hand have more points than a block of the engine.
   const SceneSweep sweep = drawn("draws = 300\n", "speed = [0.02, 0.1, 0.7]\n");
   const std::vector<double> values = all_values(sweep);
   std::vector<double> results(300 * sweep.width());
@@ -196,14 +196,14 @@ TEST(Fields, AreReadWhereTheyArePut) {
   }
 }
 
-// A case sets these numbers of its contact alone, and leaves the scene as it is.
+// A case sets only these numbers of its contact, and leaves the scene as it is.
 TEST(Fields, ThatAreNumbersOfTheContactChangeNothingElseOfIt) {
   constexpr std::array shapes{"ball_on_flat", "bearing_outer_ring", "gear_flank", "roller"};
   for (const std::string shape : shapes) {
     const SceneReading reading =
         read_scene(TRIBOCHECK_SOURCE_DIR "/reference/scenes/" + shape + ".toml", SceneUse::speeds);
     ASSERT_TRUE(reading.scene);
-    Scene given = *reading.scene;  // what follows from profiles and bodies is given here
+    Scene given = *reading.scene;  // numbers that profiles and bodies determine are given here
     given.surface.moments = {};
     given.bodies.bodies = {};
     given.supply = {SupplyKind::inlet_flow, 1e-8};
@@ -270,7 +270,7 @@ std::vector<std::pair<const char*, SceneSweep>> sweeps_of_each_kind() {
             "onset = [\"film_maximum\", \"film_departure\"]\n")}};
 }
 
-// All at once, by itself, and by a solver that had others before it, in another order.
+// Each case among all, alone, and by a solver that had other cases before it, in another order.
 TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
   for (const auto& [kind, sweep] : sweeps_of_each_kind()) {
     const std::vector<double> values = all_values(sweep);
@@ -306,8 +306,8 @@ TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
   }
 }
 
-// A chunk's kept values at each place, its summaries, and its groups' sums by their blocks; chunks
-// and their parts in hand end anywhere.
+// A chunk's kept values at each place, its summaries, and its groups' sums by their blocks. Chunks,
+// and blocks of cases, end anywhere.
 TEST(ChunkSolver, KeepsTheValuesOfEachCaseInItsPlace) {
   for (auto& of_kind : sweeps_of_each_kind()) {
     const char* const kind = of_kind.first;

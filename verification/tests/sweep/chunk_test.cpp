@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chunks as bytes: what is written is read, and damaged bytes are refused.
+// Chunks as bytes: a written chunk is read again, and damaged bytes are refused.
 #include "sweep/chunk.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Chunk, HasNoListThatEndsWithinANumber) {
   }
 }
 
-// The checksums of parts are there to find damage; here it must only do no harm.
+// Checksums of parts find damage. Here damaged bytes must only do no harm.
 TEST(Chunk, OfDamagedBytesIsRefusedOrReadWithoutHarm) {
   const Bytes bytes = with_everything().bytes();
   std::mt19937_64 random(17);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantiles against the distribution functions in 50 digits: at the value that came out, by how
-// much the function misses u, over its slope, is by how much the value misses the quantile.
+// Quantiles against the distribution functions in 50 digits: the error of a value is that of the
+// function there against u, over the slope of the function.
 #include "sweep/distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Reference density(const Reference& z) {
   return exp(Reference(-z * z / 2)) / sqrt(2 * boost::math::constants::pi<Reference>());
 }
 
-// A truncated standard normal, told in its upper tail from above and else from below.
+// A truncated standard normal: in the upper tail by parts above a number, else by parts below.
 struct TruncatedNormal {
   Reference from, to;
   bool has_from, has_to;
@@ -40,7 +40,7 @@ struct TruncatedNormal {
                   bool bounded_above)
       : from(least), to(most), has_from(bounded_below), has_to(bounded_above) {}
 
-  // By how much z misses the quantile of u; one_minus_u as exactly as u.
+  // The error of z against the quantile of u; one_minus_u is as exact as u.
   Reference miss(const Reference& z, const Reference& u, const Reference& one_minus_u) const {
     const bool mirrored = has_from && from > 0;
     const Reference low = mirrored ? (has_to ? part_above(to) : Reference(0))
@@ -232,7 +232,7 @@ Distribution random_distribution(Sampler& sampler) {
   }
 }
 
-// The bounds stand in the text, as they were given.
+// The bounds from the text, in which they stand as they were given.
 std::pair<double, double> bounds(const Distribution& d) {
   const std::string text = d.text();
   return {std::stod(text.substr(text.find(" from ") + 6)),

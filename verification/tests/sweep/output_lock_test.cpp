@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One process at a time works on an output, also where the lock's file comes and goes.
+// Only one process at a time works on an output, even while the lock's file comes and goes.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -64,14 +64,14 @@ TEST(OutputLock, TellsWhatItsOwnerHasNoted) {
     lock.leave();
   }
   EXPECT_EQ(OutputLock::noted(output), second);
-  { const OutputLock next(output); }  // takes up what was left
+  { const OutputLock next(output); }  // takes up the file that was left
   EXPECT_EQ(OutputLock::noted(output), Bytes());
   write_content(output + ".lock", "of somebody");
   EXPECT_THROW(OutputLock::noted(output), RunRefused);
 }
 
-// Each flock() of an open file is one of its own, also within a process. Many threads on few
-// processors: some are interrupted between opening the file and locking it.
+// Each open file has a flock() of its own, also within one process. Many threads on few processors:
+// some are interrupted between opening the file and locking it.
 TEST(OutputLock, IsNeverHeldByTwoHoweverOftenItIsTaken) {
   const TemporaryFolder folder;
   const std::string output = folder.file("out.h5");

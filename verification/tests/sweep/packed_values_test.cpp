@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packed arrays are what HDF5's own filters read: the same bits come back.
+// HDF5's own filters read packed arrays and give back the same bits.
 #include "sweep/packed_values.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ const std::vector<Kind>& kinds() {
 TEST(PackedValues, HDF5ReadsTheSameBits) {
   Random random(20240601);
   for (const Kind& kind : kinds())
-    // Around eight, at which planes are made; the sample; what one stored block can hold.
+    // Sizes near eight (where planes begin), near the sample, and near a stored block.
     for (const std::size_t size : {1, 2, 7, 8, 9, 100, 4095, 4097, 65535, 65536, 150001}) {
       std::vector<double> values;
       for (std::size_t i = 0; i < size; ++i) values.push_back(kind.value(random, i));

@@ -120,7 +120,7 @@ TEST(Part, RefusesWhatIsNone) {
   EXPECT_EQ(content_of(path).size(), 3008U);
 }
 
-// Somebody changes the index, and puts the right checksum of the file behind it.
+// The index is changed, and the file gets the right checksum again.
 TEST(Part, RefusesAForgedIndex) {
   const TemporaryFolder folder;
   const std::string path = folder.file("part"), whole = content_of(write(path, chunks_from(0, 4)));
@@ -144,7 +144,7 @@ TEST(Part, RefusesAForgedIndex) {
   const std::string damaged = path + " is no part of a sweep: its index is damaged";
   EXPECT_EQ(refused_with(0, 1), damaged);                       // a number twice
   EXPECT_EQ(refused_with(4, std::uint64_t{1} << 63), damaged);  // an end far behind
-  EXPECT_EQ(refused_with(10, 3), damaged);                      // an end before the one before
+  EXPECT_EQ(refused_with(10, 3), damaged);                      // an end below the end before it
   EXPECT_EQ(refused_with(5, 1), path + " has changed since it was looked at: chunk 1 is damaged");
 }
 
@@ -174,7 +174,7 @@ TEST(Part, IsWrittenByManyThreadsAtOnce) {
     EXPECT_EQ(chunks_of(Part(folder.file(std::to_string(i)))).size(), 20U);
 }
 
-// As on a full disk: writes end short, then fail.
+// As on a full disk, writes are short, and then fail.
 TEST(Part, IsNotThereWhenItCouldNotBeWrittenWhole) {
   const TemporaryFolder folder;
   const std::string path = folder.file("part");
@@ -224,7 +224,7 @@ TEST(PartSet, SaysWhatDoesNotGoTogether) {
     return error_of([&] { set_of({a, b}, 3); });
   };
   PartHeader other = header;
-  other.version = "0.2.0";  // of the same numbers
+  other.version = "0.2.0";  // with the same version of numbers
   EXPECT_EQ(error_with(other), "none");
   other.digest = "00fe";
   EXPECT_EQ(error_with(other), b + " is of another sweep than " + a + " (digest 00fe, not 00ff)");
@@ -262,7 +262,7 @@ TEST(PartSet, RefusesAChunkThatTheSweepDoesNotHave) {
             path + " has chunk 3 of a sweep that has 3 chunks");
 }
 
-// --- Who computes what.
+// --- How processes share parts.
 
 // Chunks of one point each whose films are solved: half a second each.
 SweepPlan slow_plan(std::uint64_t chunks) {
@@ -287,8 +287,8 @@ SweepPlan wide_plan(std::uint64_t chunks) {
   return plan;
 }
 
-// No part has more than a twentieth of the chunks and these few: the chunks of 2 s or of 2²¹
-// numbers, which are 4 of slow_plan() and 73 of wide_plan(), and some more.
+// No part has more than a twentieth of the chunks and `few` more: about the chunks of 2 s or of 2²¹
+// numbers, which are 4 of slow_plan() and 73 of wide_plan().
 void expect_parts_of(const SweepPlan& plan, std::uint64_t chunks, std::uint64_t few) {
   const std::vector<ChunkList> parts = cut_in_parts(plan, first_numbers(chunks));
   ChunkList all;
@@ -328,7 +328,7 @@ TEST(Parts, HaveAsManyChunksAsTheEnvironmentAsksFor) {
   unsetenv("TRIBOCHECK_PART_CHUNKS");
 }
 
-// Another cut of the same sweep, into other parts or other shards, never finds its own part there.
+// Parts and shards of another cut of the same sweep never have the same path.
 TEST(Parts, OfDifferentChunksHaveDifferentNames) {
   std::map<std::string, ChunkList> by_name;
   constexpr std::uint64_t chunks = 24;
@@ -374,7 +374,7 @@ TEST(PartsInHand, OfTwoProcessesEachTakesPartsThatTheOtherHasNot) {
   EXPECT_EQ(first.compute(2), (ChunkList{0, 1}));
   EXPECT_EQ(second.compute(4), (ChunkList{3, 4, 5, 6}));
   EXPECT_EQ(first.compute(9), (ChunkList{2, 9}));
-  EXPECT_FALSE(first.parts.is_done());  // one part is in the hands of the other
+  EXPECT_FALSE(first.parts.is_done());  // the other process holds one part
   EXPECT_FALSE(first.parts.has_work());
   EXPECT_EQ(second.compute(9), (ChunkList{7, 8}));
   EXPECT_TRUE(first.parts.is_done());
@@ -393,7 +393,7 @@ TEST(PartsInHand, TakesWhatAProcessThatEndedHasClaimed) {
   EXPECT_EQ(second.compute(10), (ChunkList{3, 4, 5, 6, 7, 8, 9}));
   EXPECT_FALSE(second.parts.is_done());
   first.reset();
-  write_content(folder.file("out.part-0-2.lock"), "");  // as one that was killed leaves it
+  write_content(folder.file("out.part-0-2.lock"), "");  // as a killed process leaves it
   EXPECT_EQ(second.compute(10), (ChunkList{0, 1, 2}));
   EXPECT_TRUE(second.parts.is_done());
 }
@@ -403,7 +403,7 @@ TEST(PartsInHand, BeginsNothingOnceTheSweepIsOver) {
   bool is_over = false;
   Process process(folder, 2, [&] { return is_over; });
   EXPECT_EQ(process.compute(3), (ChunkList{6, 7, 8}));
-  std::filesystem::remove(folder.file("out.part-6-8"));  // by the owner, who has the result
+  std::filesystem::remove(folder.file("out.part-6-8"));  // by the owner, which has the result
   is_over = true;
   EXPECT_EQ(process.compute(3), ChunkList());
   EXPECT_TRUE(process.parts.is_done());
@@ -412,7 +412,7 @@ TEST(PartsInHand, BeginsNothingOnceTheSweepIsOver) {
 TEST(PartsInHand, OfSeveralThreadsGivesEachChunkOnceAndWaitsForNoPart) {
   const TemporaryFolder folder;
   Process process(folder);
-  // Two threads hold chunks of the first part, while others go on with the second one.
+  // Two threads hold chunks of the first part, while the other threads go on with the second part.
   ChunkList taken;
   for (int i = 0; i < 5; ++i) taken.push_back(*process.parts.next());
   EXPECT_EQ(taken, first_numbers(5));
@@ -452,7 +452,7 @@ TEST(PartsInHand, LeavesWhatIsInUseWhereBegunFilesAreRemoved) {
   const TemporaryFolder folder;
   Process process(folder);
   EXPECT_EQ(process.compute(1), ChunkList{0});
-  write_content(folder.file(".out.part-0-2.77-0"), "");  // as while the part is written
+  write_content(folder.file(".out.part-0-2.77-0"), "");  // as a part that is being written
   write_content(folder.file(".out.part-3-5.77-0"), "");
   write_content(folder.file(".out.77-0"), "");
   write_content(folder.file(".out.77-1"), "of somebody");
@@ -464,7 +464,7 @@ TEST(PartsInHand, LeavesWhatIsInUseWhereBegunFilesAreRemoved) {
   EXPECT_EQ(process.compute(9), (ChunkList{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
-// As many threads as there are chunks in some parts each get one, whoever has finished none.
+// Sixteen threads each get a chunk, though no thread has finished one.
 TEST(PartsInHand, GivesWorkToSixteenThreadsOfASweepOfTwentySeconds) {
   const TemporaryFolder folder;
   SweepPlan plan = small_plan();

@@ -79,7 +79,7 @@ TEST(QuantileSketch, BinsHoldWhatLiesBetweenTheirEdges) {
     for (std::size_t i = 0; i < bins.size(); ++i) {
       const double low = bins[i].low, high = bins[i].high;
       const auto count = std::count_if(values.begin(), values.end(), [&](double value) {
-        // An edge belongs to the bin that is farther from zero; there is none beyond the last.
+        // An edge belongs to the bin farther from zero; beyond the last edge there is no bin.
         if (value > 0) return low <= value && (value < high || high == Limits::max());
         return (low < value || low == -Limits::max()) && value <= high;
       });
@@ -150,7 +150,7 @@ TEST(QuantileSketch, TakesTwoOrThreeBytesABin) {
   EXPECT_LE(bytes_of(sketch).size(), 3 * sketch.bins().size() + 10);
 }
 
-// Is it a sketch, written again by the same bytes, or std::runtime_error and nothing else?
+// A sketch is written again as the same bytes; refused: std::runtime_error; other: anything else.
 enum class Verdict { sketch, refused, other };
 Verdict judge(const Bytes& bytes) {
   ByteReader reader(bytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result has what went into it, and nothing of when and where it was written.
+// A result holds what went into it, and nothing about the time and place at which it was written.
 #include "sweep/result_file.hpp"
 
 #include <gtest/gtest.h>
@@ -156,7 +156,7 @@ TEST(ResultFile, GivesBackTheSummariesOfAllCases) {
         }
         EXPECT_EQ(read.least, whole.moments.least);
         EXPECT_EQ(read.greatest, whole.moments.greatest);
-        // Merged of chunks, the sums are rounded otherwise.
+        // Sums that are merged of chunks are rounded in another way.
         EXPECT_NEAR(read.mean, whole.moments.mean, 1e-14 * std::abs(whole.moments.mean));
         EXPECT_NEAR(read.sd, whole.moments.sd(), 1e-14 * whole.moments.sd());
       }
@@ -300,8 +300,8 @@ TEST(ResultFile, HoldsThePointsOfOneShortChunk) {
             bits_of(small_cases(plan.scenes[0]).columns[0]));
 }
 
-// As on a full disk. In a process of its own, since HDF5 does not free all of a file that it could
-// not close; there the next attempt has to succeed.
+// Writes fail as on a full disk. The writer is a process of its own, since HDF5 does not free all
+// of a file that it could not close. In that process the next attempt has to succeed.
 TEST(ResultFile, IsNotThereWhenItCouldNotBeWrittenWhole) {
   const TemporaryFolder folder;
   const SweepPlan plan = small_plan();
@@ -325,7 +325,7 @@ TEST(ResultFile, IsNotThereWhenItCouldNotBeWrittenWhole) {
   for (const std::uint64_t room : {0, 100, 5000, 30000, 100000}) {
     EXPECT_EXIT(write_twice(room), testing::ExitedWithCode(0), "cannot write .*: File too large")
         << room;
-    EXPECT_EQ(std::filesystem::remove(path), true) << room;  // the second one, which was written
+    EXPECT_EQ(std::filesystem::remove(path), true) << room;  // the file of the second attempt
   }
 }
 

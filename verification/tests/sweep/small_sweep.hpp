@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sweep that is made by hand, with chunks of seeded numbers, and folders for its files.
+// A sweep made by hand, with chunks of seeded numbers, and folders for its files.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline std::string content_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-// Not over a file that is there: some file systems then wait for the disk.
+// Removes the file first: some file systems wait for the disk when a file is overwritten.
 inline void write_content(const std::string& path, const std::string& content) {
   std::filesystem::remove(path);
   std::ofstream(path, std::ios::binary) << content;
@@ -128,7 +128,7 @@ inline PackedValues packed_part(const std::vector<double>& values, std::size_t f
   return pack(std::vector<std::uint8_t>(part.begin(), part.end()));
 }
 
-// Chunk `number` of a scene, and `of_plan` in the plan.
+// Chunk `number` of a scene, which has the number `of_plan` in the plan.
 inline Chunk small_chunk(const SceneSweep& scene, std::uint64_t number, std::uint64_t of_plan) {
   const SmallCases cases = small_cases(scene);
   const std::size_t count = scene.chunk_cases(), first = number * count;

@@ -112,9 +112,9 @@ TEST(SobolIndices, AreThoseOfASum) {
   EXPECT_EQ(got.total[4].value, 0);
 }
 
-// The definitions themselves, on the values of all groups: means over groups, the variance of a
-// sample, and 1.96 standard errors of the jackknife over blocks that are left out one at a time,
-// which hold in 94.1 of 100 sweeps.
+// The definitions, on the values of all groups: means over groups, the variance of a sample, and
+// intervals of 1.96 standard errors by the jackknife, which leaves out one block at a time. They
+// hold in 94.1 of 100 sweeps.
 TEST(SobolIndices, AreTheirDefinitionsAndTheirIntervalsTheJackknifes) {
   constexpr std::size_t k = 3, groups = 333;
   Sampler sampler(8);
@@ -125,7 +125,7 @@ TEST(SobolIndices, AreTheirDefinitionsAndTheirIntervalsTheJackknifes) {
     for (std::size_t i = 0; i < k + 2; ++i) values[g].push_back(sampler.uniform(0, 1) - 0.2);
     blocks[block_of(g, groups)].add(values[g], nominal);
   }
-  // S and T of variable i, without a block.
+  // S and T of variable i, from all blocks but one.
   const auto index = [&](std::size_t i, std::size_t without) {
     double sum = 0, first = 0, total = 0, squares = 0, n = 0;
     for (const bool second : {false, true})

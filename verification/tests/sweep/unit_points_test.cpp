@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The designs by what defines them: which cells hold how many points.
+// The designs by their definition: the number of points in each cell.
 #include <Random123/philox.h>
 #include <gtest/gtest.h>
 
@@ -140,7 +140,7 @@ TEST(MonteCarlo, IsPhiloxOfPointAndDimension) {
 double chi_squared_tail(double x, double freedom) {
   return boost::math::gamma_q(freedom / 2, x / 2);
 }
-constexpr double improbable = 1e-5;  // in each tail; there are some hundred tests, all seeded
+constexpr double improbable = 1e-5;  // in each tail; of some hundred tests, all seeded
 
 void expect_as_likely(const std::vector<double>& counts, const char* what) {
   double sum = 0, squares = 0;

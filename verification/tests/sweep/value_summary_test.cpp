@@ -38,7 +38,7 @@ struct TwoPass {
   }
 };
 
-// Normal values of this mean and sd.
+// Normally distributed values with this mean and sd.
 std::vector<double> normals(std::size_t count, double mean, double sd, std::uint64_t seed) {
   std::mt19937_64 words(seed);
   std::vector<double> values(count);
@@ -55,7 +55,7 @@ void expect_moments(const Moments& got, const std::vector<double>& values, const
   const auto sd = static_cast<double>(
       std::sqrt(expected.squares / static_cast<long double>(values.size() - 1)));
   const auto mean = static_cast<double>(expected.mean);
-  // A mean that is much greater than the sd takes as many of its digits as it has more.
+  // The sd loses as many digits as the mean is greater than the sd.
   EXPECT_TRUE(is_within(got.mean, mean, ulp * (std::abs(mean) + sd))) << how;
   EXPECT_TRUE(is_within(got.sd(), sd, ulp * (std::abs(mean) + sd))) << how;
 }
@@ -169,7 +169,7 @@ TEST(Quantiles, OfNothingAreNoNumbersAndOfOneValueItself) {
   EXPECT_EQ(equal.high, 0.3);
 }
 
-// A sample whose values tell their ranks to the last one: each is alone in a bin of the sketch.
+// A sample in which a value determines its rank: each value is alone in a bin of the sketch.
 constexpr std::int32_t bins_apart = 3;
 ValueSummary ranked(std::size_t n) {
   std::vector<double> values(n);
@@ -177,15 +177,15 @@ ValueSummary ranked(std::size_t n) {
     values[i] = QuantileSketch::edge(bins_apart * static_cast<std::int32_t>(i + 1));
   return summary_of(values);
 }
-// From 1 on; the ends of intervals lie up to a bin beyond the value. 0: below all, n + 1: above.
+// The rank of a value or an interval's end; 1 for the least value, 0 at −∞, n + 1 at ∞.
 double rank_in(std::size_t n, double value) {
   if (std::isinf(value)) return value < 0 ? 0 : static_cast<double>(n + 1);
   return std::round(static_cast<double>(QuantileSketch::bin_of(value)) / bins_apart);
 }
 
-// Against the distribution function of the binomial: x_l is above the quantile if no more than
-// l − 1 values are below it, and x_h is not if h are. Where the bounds come from an expansion for
-// many values, they are these ranks in all but few cases, and then differ by one.
+// Against the binomial distribution: the value of rank l is above the quantile if at most l − 1
+// values are below the quantile, and the value of rank h is not if h values are. For many values
+// the bounds come from an expansion; few of them differ from these ranks, by one.
 TEST(Quantiles, IntervalsHaveTheRanksOfTheBinomialDistribution) {
   int asked = 0, other = 0;
   double sum_of_others = 0;
@@ -219,8 +219,8 @@ TEST(Quantiles, IntervalsHaveTheRanksOfTheBinomialDistribution) {
       }
     }
   }
-  // 1/50 of a rank is left out, so that one in 50 is another one; of a bound that is off by half a
-  // rank every second one.
+  // The expansion is off by up to 1/50 of a rank, so that about one bound in 50 differs. If it were
+  // off by half a rank, every second bound would differ.
   EXPECT_GT(asked, 300);
   EXPECT_LE(other, asked / 25);
   EXPECT_LE(std::abs(sum_of_others), asked / 25);

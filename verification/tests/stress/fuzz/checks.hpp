@@ -9,7 +9,7 @@
 
 namespace tribo::fuzz {
 
-// Says which property does not hold, and of what.
+// The text names the property that does not hold, and the object that lacks it.
 struct PropertyBroken : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -18,20 +18,20 @@ inline void require(bool holds, std::string_view property, std::string_view of =
   if (!holds) throw PropertyBroken(std::string(property) + ": " + std::string(of));
 }
 
-// The text as a scene, for each use: either one whose every field is in its range, the same after
-// it is written as TOML or JSON and read again; or errors that are single lines of printable UTF-8.
+// Reads the text as a scene, for each use. It is a scene with every field in its range, and equal
+// when written as TOML or JSON and read again; or it has errors, each one line of printable UTF-8.
 void check_toml_scene(std::string_view text);
 void check_json_scene(std::string_view text);
 
-// The text as the input of `tribocheck stream`: a line of JSON for each line but blank ones,
-// whichever way the bytes arrive, with an error or with outputs that are in their ranges.
+// Takes the text as the input of `tribocheck stream`. Each line that is not blank has one line of
+// JSON as its answer, in whatever pieces the bytes arrive: an error, or outputs in their ranges.
 void check_stream(std::string_view text);
 
-// The text as a line of a stream: the same scene and the same messages by the reader of any JSON,
-// and by the one of ordinary lines if it takes this one.
+// Takes the text as a line of a stream. If the reader of ordinary lines takes the line, its scene
+// and messages are those of the reader of any JSON.
 void check_ordinary_scene(std::string_view line);
 
-// The text as a sweep: one whose cases are in their fields' ranges, or errors as above.
+// Reads the text as a sweep: its cases are in their fields' ranges, or it has errors as above.
 void check_sweep(std::string_view text);
 
 using Check = void (*)(std::string_view);
@@ -41,7 +41,7 @@ inline constexpr Check toml_checks[] = {check_toml_scene, check_sweep};
 inline constexpr Check json_checks[] = {check_json_scene, check_ordinary_scene};
 inline constexpr Check stream_checks[] = {check_stream};
 
-// Empty where the check holds; else what it throws.
+// The text of the exception that the check throws; empty where it throws none.
 inline std::string broken_property(Check check, std::string_view text) {
   try {
     check(text);

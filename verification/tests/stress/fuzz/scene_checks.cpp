@@ -188,8 +188,8 @@ Json speeds_as_json(const Speeds& speeds) {
           {"spacing", word_of("speed.spacing", static_cast<int>(speeds.spacing))}};
 }
 
-// As they were given: what follows from two bodies is left out. JSON has no ∞, and 1e308 is as
-// flat.
+// The bodies as they were given, without the numbers that follow from two bodies. JSON has no ∞,
+// and 1e308 is as flat.
 Json bodies_as_json(const Bodies& bodies) {
   const auto& [first, second] = bodies.bodies;
   Json json;
@@ -225,7 +225,7 @@ Json bodies_as_json(const Bodies& bodies) {
   return json;
 }
 
-// Every field, the defaults too. The outputs are those that were asked for or inferred.
+// Every field of a scene, with defaults. The outputs are those that were asked for or inferred.
 Json as_json(const Scene& scene) {
   const auto& [id, load, speeds, outputs, surface, bodies, lubricant, supply, friction, closures] =
       scene;
@@ -267,7 +267,7 @@ Json as_json(const Scene& scene) {
   return json;
 }
 
-// As a basic string of TOML, control signs as \uXXXX.
+// The text as a basic string of TOML, with control signs as \uXXXX.
 std::string toml_text(const std::string& text) {
   std::string toml = "\"";
   for (const char c : text) {

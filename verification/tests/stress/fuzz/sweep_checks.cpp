@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reader of sweeps on any text: what it takes is a sweep whose every case is a legal scene.
+// The reader of sweeps on any text: each case of a sweep that it accepts is a legal scene.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -35,7 +35,7 @@ void check_case(const SceneSweep& sweep, const double* values) {
   }
 }
 
-// Its first and last groups, with all that they come to.
+// Checks the cases and the results of a sweep's first and last groups.
 void check_cases(const SceneSweep& sweep) {
   const std::size_t rows = sweep.cases_per_group(), variables = sweep.variables.size();
   CaseGenerator generator(sweep);
