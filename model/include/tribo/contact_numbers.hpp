@@ -7,6 +7,7 @@
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/spectral_moments.hpp"
+#include "tribo/starvation.hpp"
 
 namespace tribo {
 struct FilmLaw;
@@ -74,6 +75,12 @@ struct ContactWords {
 
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
+
+// The law of the inlet in the words and numbers of a scene or of a contact.
+template <class T, template <class> class Numbers>
+InletLaw<T> inlet_law(const ContactWords& words, const Numbers<T>& numbers) {
+  return {words.closure, numbers.damiens_exponent};
+}
 
 // The words of a scene that a contact needs, and its numbers as they are given.
 ContactWords words_of(const Scene& scene);

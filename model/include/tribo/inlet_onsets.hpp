@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The onsets of the inlet alone, at constant h_oil (model/README.md, section 9). They depend on the
-// closure, and not on the contact.
+// law of the inlet, and not on the contact.
 #pragma once
 
 #include "tribo/onset_criterion.hpp"
@@ -18,16 +18,15 @@ struct InletOnsets {
 
 // The onsets that `criterion` needs; the other onsets are NaN.
 template <class T>
-InletOnsets<T> inlet_onsets(StarvationClosure closure, const T& damiens_exponent,
-                            const T& departure, OnsetCriterion criterion) {
+InletOnsets<T> inlet_onsets(const InletLaw<T>& law, const T& departure, OnsetCriterion criterion) {
   InletOnsets<T> onsets{quiet_nan<T>(), quiet_nan<T>(), departure, quiet_nan<T>()};
   if (criterion == OnsetCriterion::film_departure)
-    onsets.film_departure = departure_flooded_over_inlet(closure, departure, damiens_exponent);
+    onsets.film_departure = law.at_departure(departure);
   if (criterion != OnsetCriterion::film_maximum && criterion != OnsetCriterion::asperity_minimum)
     return onsets;
-  onsets.film_maximum = film_maximum_flooded_over_inlet<T>(closure);
+  onsets.film_maximum = law.at_film_maximum();
   if (onsets.film_maximum == onsets.film_maximum)
-    onsets.film_ratio_at_maximum = starvation_ratio(closure, onsets.film_maximum, damiens_exponent);
+    onsets.film_ratio_at_maximum = law.film_ratio(onsets.film_maximum);
   return onsets;
 }
 

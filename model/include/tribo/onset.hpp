@@ -98,7 +98,7 @@ T flow_film_slope(const MixedContact<T>& contact, const WalkPoint<T>& point) {
   using std::exp;
   if (point.inlet.collapsed) return T(-1);
   const T r = exp(log_flow_ratio(contact, point));
-  const T slope = starvation_slope(contact.closure(), r, contact.damiens_exponent());
+  const T slope = contact.inlet_law().slope(r);
   return point.film_slope + (1 + point.film_slope) * slope;
 }
 
@@ -112,7 +112,7 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   // that matters is so small. (With Damiens' rule it could be, if his exponent were below 0.03.)
   const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
   const T last_log_r =
-      contact.closure() == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));
+      contact.inlet_law().closure == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));
   const T step = ratio<T>(1, 50);
   Onset<T> best = no_onset<T>(criterion, "the film falls with speed throughout");
   T s = first;
@@ -258,7 +258,7 @@ Onset<T> asperity_minimum(const MixedContact<T>& contact, const InletOnsets<T>& 
 
 }  // namespace detail
 
-// The onset by a criterion, from the inlet's onsets for the contact's closure: a caller with many
+// The onset by a criterion, from the onsets of the contact's inlet law: a caller with many
 // contacts computes those only once. Error as below.
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
@@ -286,9 +286,7 @@ Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterio
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
                const T& departure) {
-  const InletOnsets<T> inlet =
-      inlet_onsets(contact.closure(), contact.damiens_exponent(), departure, criterion);
-  return onset(contact, scene, criterion, inlet);
+  return onset(contact, scene, criterion, inlet_onsets(contact.inlet_law(), departure, criterion));
 }
 
 }  // namespace tribo
