@@ -18,8 +18,7 @@ Alone::Alone(const sweep::SceneSweep& sweep)
       scene_(sweep.scene),
       has_one_contact_(std::all_of(sweep.variables.begin(), sweep.variables.end(), is_speed)),
       contact_(sweep.scene),
-      inlet_(inlet_onsets(contact_.closure(), contact_.damiens_exponent(), default_departure,
-                          OnsetCriterion::film_maximum)) {
+      inlet_(inlet_onsets(contact_.inlet_law(), default_departure, OnsetCriterion::film_maximum)) {
   film_.insert(Output::film);
   speeds_.resize(block_cases);
   contact_of_.resize(block_cases);

@@ -63,7 +63,7 @@ HWY_INLINE InletLanes<D> inlet_of(D d, const detail::ContactWords& words,
   const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
   if (words.supply == SupplyKind::flooded) return {{one, zero, hn::Lt(one, zero)}, zero};
   const V r = hn::Div(film_parameter, inlet_film_parameter(words.supply, contact, speed));
-  return {starvation(d, words.closure, r, contact.damiens_exponent, needs_deficit), r};
+  return {starvation(d, inlet_law(words, contact), r, needs_deficit), r};
 }
 
 // The shares at the starved film λ*: A(λ*), or 1 at the floor and below. Near a floor λ* − λ_b is

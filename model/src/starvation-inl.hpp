@@ -120,9 +120,9 @@ HWY_INLINE Starvation<D> damiens(D d, V r, V exponent, bool needs_deficit) {
 
 // At r = h_ff/h_oil > 0.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE Starvation<D> starvation(D d, StarvationClosure closure, V r, V damiens_exponent,
-                                    bool needs_deficit) {
-  if (closure == StarvationClosure::damiens) return damiens(d, r, damiens_exponent, needs_deficit);
+HWY_INLINE Starvation<D> starvation(D d, const InletLaw<V>& law, V r, bool needs_deficit) {
+  const StarvationClosure closure = law.closure;
+  if (closure == StarvationClosure::damiens) return damiens(d, r, law.exponent, needs_deficit);
   const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
   auto collapsed = hn::Lt(one, zero);
   if (closure == StarvationClosure::flooded_inlet) collapsed = hn::Ge(r, one);

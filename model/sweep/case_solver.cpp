@@ -177,24 +177,20 @@ void CaseSolver::put_points(std::span<double> results, std::size_t cases) const 
     put([&](std::size_t i) { return static_cast<double>(points_.inlet[i]); });
 }
 
-// Computes the inlet's onsets. They depend on the closure (with its exponent) alone, so that they
-// are computed anew only when the closure changes.
-void CaseSolver::prepare_inlet(const MixedContact<double>& contact) {
-  const bool is_known = !inlet_onsets_.empty() && contact.closure() == inlet_closure_ &&
-                        contact.damiens_exponent() == inlet_exponent_;
-  if (is_known) return;
-  inlet_closure_ = contact.closure();
-  inlet_exponent_ = contact.damiens_exponent();
+// Computes the inlet's onsets. They depend on its law alone, so that they are computed anew only
+// when the law changes.
+void CaseSolver::prepare_inlet(const InletLaw<double>& law) {
+  if (law == inlet_law_) return;
+  inlet_law_ = law;
   inlet_onsets_.clear();
   for (const OnsetCriterion criterion : sweep_.criteria)
-    inlet_onsets_.push_back(
-        inlet_onsets(inlet_closure_, inlet_exponent_, sweep_.departure, criterion));
+    inlet_onsets_.push_back(inlet_onsets(law, sweep_.departure, criterion));
 }
 
 void CaseSolver::find_onsets(std::span<const double> values, const MixedContact<double>& contact,
                              std::span<double> results) {
   for (std::size_t v = 0; v < values.size(); ++v) sweep_.variables[v].store(scene_, values[v]);
-  prepare_inlet(contact);
+  prepare_inlet(contact.inlet_law());
   for (std::size_t c = 0; c < sweep_.criteria.size(); ++c) {
     const Onset<double> found = onset(contact, scene_, sweep_.criteria[c], inlet_onsets_[c]);
     results[3 * c] = found.exists ? found.speed : undefined;

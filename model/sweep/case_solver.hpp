@@ -35,7 +35,7 @@ class CaseSolver {
   void solve_speeds(std::span<const double> speeds, std::span<double> results);
   void put_points(std::span<double> results, std::size_t cases) const;
   void solve_few_speeds(std::span<const double> variables, std::span<double> results);
-  void prepare_inlet(const MixedContact<double>& contact);
+  void prepare_inlet(const InletLaw<double>& law);
   // The solved films of a case at its speeds.
   void solve_films(std::span<const double> values, std::span<double> results);
   void find_onsets(std::span<const double> values, const MixedContact<double>& contact,
@@ -58,9 +58,8 @@ class CaseSolver {
   MixedContacts contacts_;                         // of the cases in hand
   std::vector<std::uint64_t> contact_of_;          // for each of these cases: its contact's place
   std::span<const double> prepared_;               // the last contact's variables
-  std::vector<InletOnsets<double>> inlet_onsets_;  // by each criterion, for this closure:
-  StarvationClosure inlet_closure_ = StarvationClosure::flooded_inlet;
-  double inlet_exponent_ = 0;
+  std::vector<InletOnsets<double>> inlet_onsets_;  // by each criterion, for this law:
+  std::optional<InletLaw<double>> inlet_law_;
   std::vector<double> speeds_;
   std::vector<Output> asked_;
   std::size_t point_width_ = 0;  // values a case of operating points; those of onsets follow

@@ -52,19 +52,18 @@ Inputs random_inputs(Sampler& sampler) {
   in.rough = sampler.pick({Rough::tripp, Rough::williamson});
   in.inlet = sampler.pick(
       {Inlet::flooded_inlet, Inlet::starved_inlet, Inlet::printed_exponents, Inlet::damiens});
-  v[Inputs::damiens_exponent] = sampler.uniform(1, 5);
+  v[Inputs::gamma] = sampler.uniform(1, 5);
   return in;
 }
 
 std::vector<std::string> words_of(const Inputs& in) {
   constexpr std::array roughs{"greenwood_tripp", "greenwood_williamson"};
-  constexpr std::array inlets{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
   constexpr std::array supplies{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"};
   constexpr std::array shears{"eyring", "limiting"};
   constexpr std::array viscosity_laws{"barus", "ambient", "roelands"};
   constexpr std::array shapes{"circle", "ellipse", "line"};
   return {roughs[static_cast<std::size_t>(in.rough)],
-          inlets[static_cast<std::size_t>(in.inlet)],
+          name(in.inlet),
           supplies[static_cast<std::size_t>(in.supply_kind)],
           shears[static_cast<std::size_t>(in.shear)],
           viscosity_laws[static_cast<std::size_t>(in.law)],

@@ -66,11 +66,11 @@ QuantityResult of_function(const std::string& folder, const catalogue::Function&
 }
 
 double onset_constant(const std::string& constant, StarvationClosure closure) {
-  const double r = film_maximum_flooded_over_inlet<double>(closure);
+  const InletLaw<double> law{closure, 3};
+  const double r = law.at_film_maximum();
   if (constant == "flooded_over_inlet_at_maximum") return r;
-  if (constant == "film_over_inlet_at_maximum") return r * starvation_ratio(closure, r, 3.0);
-  if (constant == "flooded_over_inlet_at_departure_0.05")
-    return departure_flooded_over_inlet(closure, 0.05, 3.0);
+  if (constant == "film_over_inlet_at_maximum") return r * law.film_ratio(r);
+  if (constant == "flooded_over_inlet_at_departure_0.05") return law.at_departure(0.05);
   throw std::runtime_error(fmt::format("unknown constant {}", constant));
 }
 
@@ -94,7 +94,7 @@ Scene scene_of(const ReferenceRow& row) {
 
 std::vector<QuantityResult> operating_points(const std::string& folder) {
   std::vector<Judge> judges;
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(Output::friction); ++k)
+  for (std::size_t k = 0; k < number_count; ++k)
     judges.emplace_back(fmt::format("operating_point.{}", output_infos[k].name),
                         operating_point_contract);
   for (const ReferenceRow& row : read_reference_table(folder + "/operating_point.csv")) {

@@ -236,9 +236,9 @@ Mistake with_inlet(const Mistake& wrong) {
         const MixedContact<double> contact(scene);
         const FloodedFilm<double> flooded = contact.flooded(scene.speeds[0]);
         InletState<double> inlet = contact.inlet(flooded);
-        const auto ratio =
-            value_with(wrong, {static_cast<double>(contact.closure()), inlet.flooded_over_inlet,
-                               contact.damiens_exponent()});
+        const InletLaw<double> law = contact.inlet_law();
+        const auto ratio = value_with(
+            wrong, {static_cast<double>(law.closure), inlet.flooded_over_inlet, law.exponent});
         if (!ratio) return std::nullopt;
         inlet.film_ratio = *ratio;
         inlet.collapsed = inlet.film_ratio == 0;

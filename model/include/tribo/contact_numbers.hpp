@@ -7,10 +7,7 @@
 #include "tribo/hertz_ellipse.hpp"
 #include "tribo/scene.hpp"
 #include "tribo/spectral_moments.hpp"
-
-namespace tribo {
-struct FilmLaw;
-}
+#include "tribo/starvation.hpp"
 
 namespace tribo::detail {
 
@@ -75,12 +72,42 @@ struct ContactWords {
   friend bool operator==(const ContactWords&, const ContactWords&) = default;
 };
 
-// The words of a scene that a contact needs, and its numbers as they are given.
+// The law of the inlet in the words and numbers of a scene or of a contact.
+template <class T, template <class> class Numbers>
+InletLaw<T> inlet_law(const ContactWords& words, const Numbers<T>& numbers) {
+  return {words.closure, numbers.damiens_exponent};
+}
+
+// The words of a scene that a contact needs.
 ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
-SceneNumbers<double> given_numbers(const Scene& scene);
 
-// The same numbers in another type, without the ellipse.
+// The numbers of a scene as they are given, and the same numbers in another type, without the
+// ellipse.
+inline SceneNumbers<double> given_numbers(const Scene& scene) {
+  const Surface& surface = scene.surface;
+  const Bodies& bodies = scene.bodies;
+  const ContactShape shape = bodies.shape();
+  return {scene.load,
+          surface.summit_density,
+          surface.summit_radius,
+          surface.summit_height_sd,
+          surface.summit_plane_offset,
+          static_cast<double>(surface.offset_planes),
+          bodies.effective_modulus,
+          shape == ContactShape::circle ? bodies.reduced_radius : bodies.radius_x,
+          bodies.ellipticity,
+          scene.lubricant.viscosity,
+          scene.lubricant.pressure_viscosity,
+          scene.lubricant.eyring_stress.value_or(1),
+          scene.supply.value,
+          scene.friction.boundary_coefficient.value_or(0),
+          scene.friction.slide_roll_ratio,
+          scene.closures.damiens_exponent,
+          shape == ContactShape::line ? bodies.length : bodies.radius_y,
+          {}};
+}
+
 template <class T>
 SceneNumbers<T> numbers_in(const SceneNumbers<double>& n) {
   return {T(n.load),

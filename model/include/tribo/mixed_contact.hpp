@@ -54,9 +54,8 @@ class MixedContact {
         slide_roll_ratio_(scene.slide_roll_ratio),
         fluid_(words.fluid),
         viscosity_law_(words.viscosity),
-        closure_(words.closure),
+        inlet_law_(detail::inlet_law(words, scene)),
         film_(words.film),
-        damiens_exponent_(scene.damiens_exponent),
         supply_(words.supply),
         supply_value_(scene.supply),
         hertz_(hertz_contact(words.shape, scene)),
@@ -77,8 +76,7 @@ class MixedContact {
   const AsperityContact<T>& asperities() const { return asperities_; }
   const LoadSharing<T>& sharing() const { return sharing_; }
   const FilmLaw& film() const { return *film_; }
-  StarvationClosure closure() const { return closure_; }
-  const T& damiens_exponent() const { return damiens_exponent_; }
+  const InletLaw<T>& inlet_law() const { return inlet_law_; }
   const T& summit_height_sd() const { return summit_height_sd_; }
   SupplyKind supply() const { return supply_; }
   // q of a scene with inlet_flow, m²/s.
@@ -108,9 +106,9 @@ class MixedContact {
   InletState<T> inlet(const FloodedFilm<T>& film) const {
     if (supply_ == SupplyKind::flooded) return {T(1), T(0), false};
     const T r = film.shares.film_parameter / inlet_film_parameter(film.speed);
-    const bool collapsed = closure_ == StarvationClosure::flooded_inlet && r >= 1;
+    const bool collapsed = inlet_law_.closure == StarvationClosure::flooded_inlet && r >= 1;
     if (collapsed) return {T(0), r, true};
-    return {starvation_ratio(closure_, r, damiens_exponent_), r, false};
+    return {inlet_law_.film_ratio(r), r, false};
   }
 
   // All outputs of a set at speed u > 0 in m/s.
@@ -160,8 +158,7 @@ class MixedContact {
     T distance = lambda - sharing_.floor();
     if (sharing_.has_floor() && flooded.shares.fluid < ratio<T>(1, 4))
       distance = sharing_.distance_above_floor(flooded.shares.fluid) -
-                 lambda_flooded *
-                     starvation_deficit(closure_, inlet.flooded_over_inlet, damiens_exponent_);
+                 lambda_flooded * inlet_law_.deficit(inlet.flooded_over_inlet);
     if (sharing_.has_floor() && !(distance > 0)) return {lambda, T(1), T(0), 0};
     return sharing_.shares_above_floor(distance);
   }
@@ -247,9 +244,8 @@ class MixedContact {
   T slide_roll_ratio_;
   FluidShear fluid_;
   ViscosityLaw viscosity_law_;
-  StarvationClosure closure_;
+  InletLaw<T> inlet_law_;
   const FilmLaw* film_;
-  T damiens_exponent_;
   SupplyKind supply_;
   T supply_value_;
   HertzContact<T> hertz_;
@@ -276,8 +272,7 @@ class MixedContact<double> {
   }
   LoadSharing<double> sharing() const { return {words_.model, numbers_.surface, film()}; }
   const FilmLaw& film() const { return *words_.film; }
-  StarvationClosure closure() const { return words_.closure; }
-  double damiens_exponent() const { return numbers_.damiens_exponent; }
+  InletLaw<double> inlet_law() const { return detail::inlet_law(words_, numbers_); }
   double summit_height_sd() const { return numbers_.summit_height_sd; }
   SupplyKind supply() const { return words_.supply; }
   double inlet_flow() const { return numbers_.supply; }

@@ -11,13 +11,76 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
-#include "tribo/inlet_onsets.hpp"
+#include "tribo/starvation.hpp"
 #include "tribo/stribeck_walk.hpp"
 
 namespace tribo {
+
+enum class OnsetCriterion : std::uint8_t {
+  film_maximum,
+  film_departure,
+  friction_minimum,
+  asperity_minimum
+};
+
+struct CriterionInfo {
+  OnsetCriterion criterion;
+  std::string_view name;
+  std::string_view meaning;
+};
+
+// In the order of OnsetCriterion.
+inline constexpr auto onset_criteria = std::to_array<CriterionInfo>({
+    {OnsetCriterion::film_maximum, "film_maximum", "the film no longer grows with speed"},
+    {OnsetCriterion::film_departure, "film_departure",
+     "the film is a part ε below the flooded one"},
+    {OnsetCriterion::friction_minimum, "friction_minimum",
+     "the lowest friction within the scene's speeds"},
+    {OnsetCriterion::asperity_minimum, "asperity_minimum", "the least load on the asperities"},
+});
+
+inline constexpr auto onset_criterion_words = [] {
+  std::array<std::string_view, onset_criteria.size()> words;
+  std::transform(onset_criteria.begin(), onset_criteria.end(), words.begin(),
+                 [](const CriterionInfo& info) { return info.name; });
+  return words;
+}();
+
+constexpr std::string_view name(OnsetCriterion criterion) {
+  return onset_criterion_words[static_cast<std::size_t>(criterion)];
+}
+
+inline constexpr double default_departure = 0.05;  // ε of film_departure
+
+// The onsets of the inlet alone, at constant h_oil. They depend on the law of the inlet, and not on
+// the contact.
+template <class T>
+struct InletOnsets {
+  T film_maximum;           // r = h_ff/h_oil at the maximum of y r; NaN where there is none
+  T film_ratio_at_maximum;  // y there
+  T departure;              // ε
+  T film_departure;         // r at which y = 1 − ε
+};
+
+// The onsets that `criterion` needs; the other onsets are NaN.
+template <class T>
+InletOnsets<T> inlet_onsets(const InletLaw<T>& law, const T& departure, OnsetCriterion criterion) {
+  InletOnsets<T> onsets{quiet_nan<T>(), quiet_nan<T>(), departure, quiet_nan<T>()};
+  if (criterion == OnsetCriterion::film_departure)
+    onsets.film_departure = law.at_departure(departure);
+  if (criterion != OnsetCriterion::film_maximum && criterion != OnsetCriterion::asperity_minimum)
+    return onsets;
+  onsets.film_maximum = law.at_film_maximum();
+  if (onsets.film_maximum == onsets.film_maximum)
+    onsets.film_ratio_at_maximum = law.film_ratio(onsets.film_maximum);
+  return onsets;
+}
 
 template <class T>
 struct Onset {
@@ -98,7 +161,7 @@ T flow_film_slope(const MixedContact<T>& contact, const WalkPoint<T>& point) {
   using std::exp;
   if (point.inlet.collapsed) return T(-1);
   const T r = exp(log_flow_ratio(contact, point));
-  const T slope = starvation_slope(contact.closure(), r, contact.damiens_exponent());
+  const T slope = contact.inlet_law().slope(r);
   return point.film_slope + (1 + point.film_slope) * slope;
 }
 
@@ -112,7 +175,7 @@ Onset<T> film_maximum_at_constant_flow(OnsetCriterion criterion, const MixedCont
   // that matters is so small. (With Damiens' rule it could be, if his exponent were below 0.03.)
   const T first = coordinate_at_flow_ratio(contact, walk, T(log(T(1e-9))));
   const T last_log_r =
-      contact.closure() == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));
+      contact.inlet_law().closure == StarvationClosure::flooded_inlet ? T(0) : T(log(T(1e4)));
   const T step = ratio<T>(1, 50);
   Onset<T> best = no_onset<T>(criterion, "the film falls with speed throughout");
   T s = first;
@@ -258,7 +321,7 @@ Onset<T> asperity_minimum(const MixedContact<T>& contact, const InletOnsets<T>& 
 
 }  // namespace detail
 
-// The onset by a criterion, from the inlet's onsets for the contact's closure: a caller with many
+// The onset by a criterion, from the onsets of the contact's inlet law: a caller with many
 // contacts computes those only once. Error as below.
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
@@ -286,9 +349,7 @@ Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterio
 template <class T>
 Onset<T> onset(const MixedContact<T>& contact, const Scene& scene, OnsetCriterion criterion,
                const T& departure) {
-  const InletOnsets<T> inlet =
-      inlet_onsets(contact.closure(), contact.damiens_exponent(), departure, criterion);
-  return onset(contact, scene, criterion, inlet);
+  return onset(contact, scene, criterion, inlet_onsets(contact.inlet_law(), departure, criterion));
 }
 
 }  // namespace tribo

@@ -15,12 +15,24 @@
 // doi 10.1115/1.1631020.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include "tribo/bracketed_root.hpp"
 #include "tribo/contract.hpp"
 #include "tribo/real.hpp"
-#include "tribo/scene.hpp"
 
 namespace tribo {
+
+enum class StarvationClosure : std::uint8_t {
+  flooded_inlet,
+  starved_inlet,
+  printed_exponents,
+  damiens
+};
+inline constexpr auto starvation_closure_words = std::to_array<std::string_view>(
+    {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"});
 
 inline constexpr Contract starvation_ratio_contract{16, 0};
 
@@ -214,70 +226,68 @@ struct InletCurve {
   }
 };
 
-// y = h*/h_ff at r = h_ff/h_oil > 0; 0 ≤ y ≤ 1. Error: 20 ε × condition; `damiens` also needs γ >
-// 0. flooded_inlet gives exactly 0 for r ≥ 1: the film has collapsed.
+// A closure of the starved inlet with its number. r = h_ff/h_oil > 0.
 template <class T>
-T starvation_ratio(StarvationClosure closure, const T& flooded_over_inlet,
-                   const T& damiens_exponent) {
-  using std::exp;
-  using std::log1p;
-  using std::pow;
-  const T& r = flooded_over_inlet;
-  if (closure == StarvationClosure::damiens) {
-    const T& gamma = damiens_exponent;
-    if (r <= 1) return exp(T(-log1p(pow(r, gamma)) / gamma));
-    return exp(T(-log1p(pow(T(1 / r), gamma)) / gamma)) / r;
+struct InletLaw {
+  StarvationClosure closure;
+  T exponent;  // γ > 0 of damiens; the other closures do not use it
+
+  // y = h*/h_ff at r; 0 ≤ y ≤ 1. Error: 20 ε × condition. flooded_inlet gives exactly 0 for r ≥ 1:
+  // the film has collapsed.
+  T film_ratio(const T& r) const {
+    using std::exp;
+    using std::log1p;
+    using std::pow;
+    if (closure != StarvationClosure::damiens) return curve().film_ratio(r);
+    if (r <= 1) return exp(T(-log1p(pow(r, exponent)) / exponent));
+    return exp(T(-log1p(pow(T(1 / r), exponent)) / exponent)) / r;
   }
-  return InletCurve<T>{closure}.film_ratio(r);
-}
-
-// 1 − y, without the cancellation where the inlet is nearly flooded. Error: 20 ε.
-template <class T>
-T starvation_deficit(StarvationClosure closure, const T& flooded_over_inlet,
-                     const T& damiens_exponent) {
-  using std::atan;
-  using std::expm1;
-  using std::log;
-  using std::log1p;
-  using std::pow;
-  const T& r = flooded_over_inlet;
-  if (closure == StarvationClosure::damiens) {
-    const T& gamma = damiens_exponent;
-    if (r <= 1) return -expm1(T(-log1p(pow(r, gamma)) / gamma));
-    return -expm1(T(-log1p(pow(T(1 / r), gamma)) / gamma - log(r)));
+  // 1 − y, without the cancellation where the inlet is nearly flooded. Error: 20 ε.
+  T deficit(const T& r) const {
+    using std::atan;
+    using std::expm1;
+    using std::log;
+    using std::log1p;
+    using std::pow;
+    if (closure == StarvationClosure::damiens) {
+      if (r <= 1) return -expm1(T(-log1p(pow(r, exponent)) / exponent));
+      return -expm1(T(-log1p(pow(T(1 / r), exponent)) / exponent - log(r)));
+    }
+    if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(1);
+    const T psi = curve().inlet_length(r);
+    return two_over_pi<T>() * atan(T(1 / (wolveridge_factor<T>() * psi)));
   }
-  if (closure == StarvationClosure::flooded_inlet && r >= 1) return T(1);
-  const T psi = InletCurve<T>{closure}.inlet_length(r);
-  return two_over_pi<T>() * atan(T(1 / (wolveridge_factor<T>() * psi)));
-}
+  // d ln y/d ln r at r (r < 1 for flooded_inlet): 0 where flooded, −1 where h* = h_oil.
+  T slope(const T& r) const {
+    using std::pow;
+    if (closure == StarvationClosure::damiens) return -1 / (1 + pow(r, T(-exponent)));
+    return curve().slope(r);
+  }
+  // The r at which y = 1 − ε, 0 < ε < 1 (model/README.md, section 9, film_departure). Error: 20 ε.
+  T at_departure(const T& departure) const {
+    using std::pow;
+    const T y = 1 - departure;
+    if (closure == StarvationClosure::damiens)
+      return pow(T(1 - pow(y, exponent)), T(1 / exponent)) / y;
+    return curve().at_departure(departure);
+  }
+  // The r at which h*/h_oil = r y(r) is greatest at constant h_oil: flooded_inlet 0.6327757634209,
+  // printed_exponents 0.6962389029717; NaN for the closures that have no maximum. Error: 20 ε.
+  T at_film_maximum() const {
+    if (closure == StarvationClosure::damiens) return quiet_nan<T>();
+    return curve().at_film_maximum();
+  }
 
-// d ln y/d ln r at r (r < 1 for flooded_inlet): 0 where flooded, −1 where h* = h_oil.
-template <class T>
-T starvation_slope(StarvationClosure closure, const T& flooded_over_inlet,
-                   const T& damiens_exponent) {
-  using std::pow;
-  if (closure == StarvationClosure::damiens)
-    return -1 / (1 + pow(flooded_over_inlet, T(-damiens_exponent)));
-  return InletCurve<T>{closure}.slope(flooded_over_inlet);
-}
+  // The inlet of an arctan closure.
+  InletCurve<T> curve() const { return {closure}; }
 
-// The r at which y = 1 − ε, 0 < ε < 1 (model/README.md, section 9, film_departure). Error: 20 ε.
-template <class T>
-T departure_flooded_over_inlet(StarvationClosure closure, const T& departure,
-                               const T& damiens_exponent) {
-  using std::pow;
-  const T y = 1 - departure;
-  if (closure == StarvationClosure::damiens)
-    return pow(T(1 - pow(y, damiens_exponent)), T(1 / damiens_exponent)) / y;
-  return InletCurve<T>{closure}.at_departure(departure);
-}
+  friend bool operator==(const InletLaw&, const InletLaw&) = default;
+};
 
-// The r at which h*/h_oil = r y(r) is greatest at constant h_oil: flooded_inlet 0.6327757634209,
-// printed_exponents 0.6962389029717; NaN for the closures that have no maximum. Error: 20 ε.
+// InletLaw::film_ratio as a function of the catalogue.
 template <class T>
-T film_maximum_flooded_over_inlet(StarvationClosure closure) {
-  if (closure == StarvationClosure::damiens) return quiet_nan<T>();
-  return InletCurve<T>{closure}.at_film_maximum();
+T starvation_ratio(StarvationClosure closure, const T& flooded_over_inlet, const T& exponent) {
+  return InletLaw<T>{closure, exponent}.film_ratio(flooded_over_inlet);
 }
 
 }  // namespace tribo

@@ -43,7 +43,7 @@ class StribeckWalk {
   explicit StribeckWalk(const MixedContact<T>& contact)
       : contact_(contact),
         sharing_(contact.sharing()),
-        by_inlet_length_(is_implicit(contact.closure()) &&
+        by_inlet_length_(is_implicit(contact.inlet_law().closure) &&
                          contact.supply() != SupplyKind::flooded &&
                          contact.supply() != SupplyKind::inlet_flow),
         above_floor_(sharing_.floor() > 0) {
@@ -134,7 +134,7 @@ class StribeckWalk {
   }
 
  private:
-  InletCurve<T> curve() const { return {contact_.closure()}; }
+  InletCurve<T> curve() const { return contact_.inlet_law().curve(); }
   const FilmLaw& film() const { return contact_.film(); }
 
   // ln(1 + e^x) without overflow.
@@ -201,7 +201,7 @@ class StribeckWalk {
     const T y_b = wolveridge_film_ratio(psi_b);
     T log_of_crook = -ratio<T>(3, 2) * log1p(xi);
     T crook_b = exp(curve().log_crook_term(log_inlet_length_at_floor_, T(log(y_b))));
-    if (contact_.closure() == StarvationClosure::printed_exponents)
+    if (contact_.inlet_law().closure == StarvationClosure::printed_exponents)
       log_of_crook -= ratio<T>(5, 4) * log1p(T(-fall_of_y / y_b));
     const T fall = fall_of_y - crook_b * expm1(log_of_crook);
     if (!(fall > 0))  // ξ has underflowed: G falls in proportion to it
@@ -215,7 +215,7 @@ class StribeckWalk {
     const T log_c = log(crook_constant<T>());
     const T log_linear = log(T(2 * wolveridge_factor<T>() / pi<T>()));
     const T long_inlet = ratio<T>(2, 3) * (log_c - log_r);
-    const T short_inlet = contact_.closure() == StarvationClosure::printed_exponents
+    const T short_inlet = contact_.inlet_law().closure == StarvationClosure::printed_exponents
                               ? T(4 * (log_c - log_r) + 5 * log_linear)
                               : T(-log_r - log_linear);
     return short_inlet < long_inlet ? short_inlet : long_inlet;

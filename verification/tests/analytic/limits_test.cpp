@@ -416,7 +416,7 @@ TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
     const Edge ratios = edge_of(
         r / 2, 2 * r, [&](double x) { return curve.log_inverse_r(least) + std::log(x) < 0; });
     // t is good to ε × |t| there, without the refining step
-    const double slope = std::abs(starvation_slope(closure, r, 3.0));
+    const double slope = std::abs(InletLaw<double>{closure, 3}.slope(r));
     expect_no_step(
         "y", ratios, starvation_ratio_contract,
         [&](double x) { return starvation_ratio(closure, x, 3.0); }, slope);
@@ -448,16 +448,16 @@ TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
 // flooded_inlet at r → 1: y = (2/π) arctan(2.7ψ), ψ = ((1−r)c/r)^{2/3}, so that 0 ≤ y ≤ (5.4/π)ψ.
 TEST(Continuity, FloodedInletFallsToItsCollapse) {
   const double c = 3 / (4 * std::sqrt(2.0));
+  const InletLaw<double> law{flooded_inlet, 3};
   for (double gap = 0x1p-53; gap < 0.1; gap *= 16) {
-    const double y = starvation_ratio(flooded_inlet, 1 - gap, 3.0);
+    const double y = law.film_ratio(1 - gap);
     EXPECT_GT(y, 0);
     EXPECT_LE(y, 5.4 / M_PI * std::pow(gap * c / (1 - gap), 2.0 / 3) * (1 + 24 * ulp))
         << describe({{"1 - r", gap}});
-    EXPECT_TRUE(is_close(starvation_deficit(flooded_inlet, 1 - gap, 3.0), Reference(1 - y),
-                         24 * ulp, {{"1 - r", gap}}));
+    EXPECT_TRUE(is_close(law.deficit(1 - gap), Reference(1 - y), 24 * ulp, {{"1 - r", gap}}));
   }
-  EXPECT_EQ(starvation_ratio(flooded_inlet, 1.0, 3.0), 0);
-  EXPECT_EQ(starvation_deficit(flooded_inlet, 1.0, 3.0), 1);
+  EXPECT_EQ(law.film_ratio(1), 0);
+  EXPECT_EQ(law.deficit(1), 1);
 }
 
 TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
@@ -725,10 +725,10 @@ TEST(Continuity, OnsetEndsOnTheFloor) {
       };
       const Edge edge = edge_of(0.01, 100, [&](double h) { return at(h).exists; });
       const double floor = MixedContact<double>(scene).sharing().floor();
-      const double r = film_maximum_flooded_over_inlet<double>(closure);
+      const InletLaw<double> law{closure, 3};
+      const double r = law.at_film_maximum();
       const Onset<double> last = at(edge.above);
-      EXPECT_TRUE(is_close(last.film_parameter,
-                           Reference(floor) * Reference(starvation_ratio(closure, r, 3.0)),
+      EXPECT_TRUE(is_close(last.film_parameter, Reference(floor) * Reference(law.film_ratio(r)),
                            64 * ulp, {{"h_oil", edge.above}}));
       EXPECT_GT(last.speed, 0);
       // 1 − A is at most the rounding of λ; u goes as (1 − A)^{0.14/0.67}

@@ -72,7 +72,7 @@ TEST(Sensitivity, StarvationSlopeIsTheDerivativeOfTheRatio) {
       const Dual y = starvation_ratio(closure, variable(r), Dual(gamma));
       // the slope of y in ln r cancels where the inlet is flooded and y = 1
       const Reference condition = 1 / abs(log_slope(y, r));
-      EXPECT_TRUE(agree(log_slope(y, r), starvation_slope(closure, r, gamma), rounding,
+      EXPECT_TRUE(agree(log_slope(y, r), InletLaw<Reference>{closure, gamma}.slope(r), rounding,
                         {{"closure", static_cast<double>(closure)},
                          {"r", static_cast<double>(r)},
                          {"gamma", static_cast<double>(gamma)}},
@@ -98,8 +98,7 @@ TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
     const Reference expected =
         contact.supply() == SupplyKind::flooded
             ? s
-            : Reference(s + r_slope * starvation_slope(contact.closure(), inlet.flooded_over_inlet,
-                                                       contact.damiens_exponent()));
+            : Reference(s + r_slope * contact.inlet_law().slope(inlet.flooded_over_inlet));
     const std::initializer_list<Input> inputs{
         {"u", scene.speeds[0]},
         {"supply", static_cast<double>(scene.supply.kind)},
@@ -200,9 +199,9 @@ TEST(Sensitivity, FilmHasTheDerivedExponentOfEachInput) {
 
 // The r = h_ff/h_oil of a criterion, a constant of the closure.
 double onset_ratio(OnsetCriterion criterion, StarvationClosure closure) {
-  return criterion == OnsetCriterion::film_maximum
-             ? film_maximum_flooded_over_inlet<double>(closure)
-             : departure_flooded_over_inlet(closure, default_departure, 3.0);
+  const InletLaw<double> law{closure, 3};
+  return criterion == OnsetCriterion::film_maximum ? law.at_film_maximum()
+                                                   : law.at_departure(default_departure);
 }
 
 // The chain of closed forms that leads to the onset speed at constant h_oil (model/README.md,

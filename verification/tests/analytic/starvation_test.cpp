@@ -19,23 +19,23 @@ double film_over_inlet(StarvationClosure closure, double r) {
 }
 
 TEST(Starvation, OnsetConstantsAreThoseOfTheSpecification) {
-  const double r = film_maximum_flooded_over_inlet<double>(flooded_inlet);
+  const double r = InletLaw<double>{flooded_inlet, 3}.at_film_maximum();
   EXPECT_TRUE(is_within(r, 0.6327757634209, 0.5e-13));
   EXPECT_TRUE(is_within(film_over_inlet(flooded_inlet, r), 0.3579155879252, 0.5e-13));
-  const double printed = film_maximum_flooded_over_inlet<double>(printed_exponents);
+  const double printed = InletLaw<double>{printed_exponents, 3}.at_film_maximum();
   EXPECT_TRUE(is_within(printed, 0.6962389029717, 0.5e-13));
   EXPECT_TRUE(is_within(film_over_inlet(printed_exponents, printed), 0.331495, 0.5e-6));
-  EXPECT_TRUE(std::isnan(film_maximum_flooded_over_inlet<double>(starved_inlet)));
-  EXPECT_TRUE(std::isnan(film_maximum_flooded_over_inlet<double>(damiens)));
+  EXPECT_TRUE(std::isnan(InletLaw<double>{starved_inlet, 3}.at_film_maximum()));
+  EXPECT_TRUE(std::isnan(InletLaw<double>{damiens, 3}.at_film_maximum()));
 }
 
 TEST(Starvation, OnsetConstantsAreMaximaOfADenseSweep) {
   for (const auto closure : {flooded_inlet, printed_exponents}) {
-    const double r = film_maximum_flooded_over_inlet<double>(closure);
+    const double r = InletLaw<double>{closure, 3}.at_film_maximum();
     const double top = film_over_inlet(closure, r);
     for (double other = 1e-4; other < 10; other *= 1.001)
       EXPECT_LE(film_over_inlet(closure, other), top) << describe({{"r", other}});
-    EXPECT_TRUE(is_close(r, film_maximum_flooded_over_inlet<Reference>(closure), 20 * 0x1p-52, {}));
+    EXPECT_TRUE(is_close(r, InletLaw<Reference>{closure, 3}.at_film_maximum(), 20 * 0x1p-52, {}));
   }
 }
 
@@ -77,20 +77,21 @@ TEST(Starvation, KeepsItsContractOnBothSidesOfEachBranch) {
       scene.closures.starvation = closure;
       scene.closures.damiens_exponent = gamma;
       const MixedContact<double> engine(scene);
+      const InletLaw<double> law{closure, gamma};
+      const InletLaw<Reference> exact{closure, gamma};
       for (const double r : ratios) {
-        const Reference exact_r(r), exact_gamma(gamma);
-        const Reference y = starvation_ratio(closure, exact_r, exact_gamma);
+        const Reference exact_r(r);
+        const Reference y = exact.film_ratio(exact_r);
         const bool has_slope = closure != flooded_inlet || r < 1;
-        const double condition = 1 + (has_slope ? std::abs(static_cast<double>(starvation_slope(
-                                                      closure, exact_r, exact_gamma)))
-                                                : 0);
+        const double condition =
+            1 + (has_slope ? std::abs(static_cast<double>(exact.slope(exact_r))) : 0);
         const auto by_engine = engine.inlet({1, {r, 0.5, 0.5, 0}}).film_ratio;
-        for (const double got : {starvation_ratio(closure, r, gamma), by_engine})
+        for (const double got : {law.film_ratio(r), by_engine})
           EXPECT_TRUE(is_close(got, y, 16 * 0x1p-52, {{"r", r}, {"gamma", gamma}}, condition));
-        const Reference deficit = starvation_deficit(closure, exact_r, exact_gamma);
+        const Reference deficit = exact.deficit(exact_r);
         EXPECT_LT(abs(deficit - (1 - y)), Reference("1e-45"));
-        EXPECT_TRUE(is_within(starvation_deficit(closure, r, gamma), static_cast<double>(deficit),
-                              16 * 0x1p-52 * condition));
+        EXPECT_TRUE(
+            is_within(law.deficit(r), static_cast<double>(deficit), 16 * 0x1p-52 * condition));
       }
     }
 }
@@ -129,11 +130,9 @@ TEST(Starvation, DepartureIsTheInverseOfTheRatio) {
   for (const auto closure : closures)
     for (int i = 0; i < 200; ++i) {
       const double departure = sampler.uniform(0.001, 0.999);
-      const double gamma = sampler.uniform(0.5, 6);
-      const Reference r =
-          departure_flooded_over_inlet(closure, Reference(departure), Reference(gamma));
-      EXPECT_LT(abs(starvation_ratio(closure, r, Reference(gamma)) - (1 - Reference(departure))),
-                Reference("1e-45"));
+      const InletLaw<Reference> law{closure, sampler.uniform(0.5, 6)};
+      const Reference r = law.at_departure(Reference(departure));
+      EXPECT_LT(abs(law.film_ratio(r) - (1 - Reference(departure))), Reference("1e-45"));
     }
 }
 

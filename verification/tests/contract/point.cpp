@@ -442,11 +442,11 @@ Values<T> values_of(const Point& point) {
     case Kind::load_sharing:
       return {{LoadSharing<T>(model, x(0), x(1), *point.film).solve(x(2)).film_parameter}};
     case Kind::film_ratio:
-      return {{starvation_ratio(closure, x(0), x(1))}};
-    case Kind::deficit:
-      return {{starvation_deficit(closure, x(0), x(1)),
-               departure_flooded_over_inlet(closure, x(2), x(1)),
-               starvation_slope(closure, x(0), x(1))}};
+      return {{InletLaw<T>{closure, x(1)}.film_ratio(x(0))}};
+    case Kind::deficit: {
+      const InletLaw<T> law{closure, x(1)};
+      return {{law.deficit(x(0)), law.at_departure(x(2)), law.slope(x(0))}};
+    }
     case Kind::hertz: {
       const HertzPoint<T> hertz = hertz_point(x(0), x(1), x(2));
       return {{hertz.radius, hertz.nominal_area, hertz.mean_pressure, hertz.peak_pressure,

@@ -126,18 +126,17 @@ TEST(ReadInlets, AreTheModelsClosuresWithTheLineContactsGap) {
        {2, StarvationClosure::printed_exponents}}};
   for (const auto& [choice, closure] : rules) {
     const ReadInlet inlet(with(Switch::inlet, choice));
+    const InletLaw<double> law{closure, 3};
     for (const double r : {1e-4, 0.01, 0.3, 0.6, 0.9, 0.999}) {
-      EXPECT_TRUE(
-          is_close(inlet.film_ratio(r), starvation_ratio(closure, r, 3.0), 1e-13, {{"r", r}}));
-      EXPECT_TRUE(is_close(inlet.slope(r), starvation_slope(closure, r, 3.0), 1e-11, {{"r", r}}));
+      EXPECT_TRUE(is_close(inlet.film_ratio(r), law.film_ratio(r), 1e-13, {{"r", r}}));
+      EXPECT_TRUE(is_close(inlet.slope(r), law.slope(r), 1e-11, {{"r", r}}));
     }
     for (const OnsetChoice& onset : onset_choices) {
       if (onset.rule != OnsetRule::film_departure) continue;
-      EXPECT_TRUE(is_close(inlet.departure(onset.departure),
-                           departure_flooded_over_inlet(closure, onset.departure, 3.0), 1e-13,
-                           {{"epsilon", onset.departure}}));
+      EXPECT_TRUE(is_close(inlet.departure(onset.departure), law.at_departure(onset.departure),
+                           1e-13, {{"epsilon", onset.departure}}));
     }
-    const double maximum = film_maximum_flooded_over_inlet<double>(closure);
+    const double maximum = law.at_film_maximum();
     ASSERT_EQ(inlet.maximum().has_value(), maximum == maximum);
     if (!inlet.maximum()) continue;
     EXPECT_TRUE(is_close(*inlet.maximum(), maximum, 1e-12, {}));
