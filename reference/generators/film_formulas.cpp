@@ -99,8 +99,6 @@ Ball thermal_by_roots(const Balls& x) {
          (x[1] * (100000 + 213 * sheared * (100 + 223 * slid)));
 }
 
-}  // namespace
-
 Table moes_lines() {
   Table table{
       {"moes_line", "H = {(RI^(7/3) + EI^(7/3))^(3s/7) + (RP^(-7/2) + EP^(-7/2))^(-2s/7)}^(1/s)",
@@ -182,5 +180,9 @@ Table thermal_reductions() {
   }
   return table;
 }
+
+}  // namespace
+
+std::vector<Table> film_formulas() { return {moes_lines(), regime_films(), thermal_reductions()}; }
 
 }  // namespace tribo::reference

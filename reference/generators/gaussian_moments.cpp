@@ -44,7 +44,7 @@ Ball condition(int twice_n, const Ball& d, const Ball& value) {
 
 }  // namespace
 
-Table gaussian_moments() {
+std::vector<Table> gaussian_moments() {
   Table table{{"gaussian_moment", "F_n(d) = int_d^inf (s-d)^n exp(-s^2/2)/sqrt(2 pi) ds",
                "dimensionless", "order n = 0, 1/2, 1, 3/2, 2, 5/2; argument d in [-40, 40]",
                "confluent hypergeometric functions (Arb)",
@@ -62,7 +62,7 @@ Table gaussian_moments() {
                    condition(twice_n, d, value),
                    at.region};
       });
-  return table;
+  return {table};
 }
 
 }  // namespace tribo::reference

@@ -14,13 +14,9 @@ using namespace tribo::reference;
 
 std::vector<Table> all_tables() {
   std::vector<Table> all;
-  for (const auto make :
-       {effective_moduli, reduced_radii, gaussian_moments, load_sharing_roots, starvation_ratios,
-        onset_constants, hertz_contacts, elliptical_contact_values, line_contact_values, moes_lines,
-        regime_films, thermal_reductions, densities, temperature_viscosities, summits_of_moments,
-        operating_points, barus_viscosities, roelands_viscosities})
-    all.push_back(make());
-  for (Table& table : film_laws()) all.push_back(std::move(table));
+  for (const auto make : {two_bodies, gaussian_moments, load_sharing_roots, starvation,
+                          hertz_contacts, film_formulas, liquids, operating_points, film_laws})
+    for (Table& table : make()) all.push_back(std::move(table));
   return all;
 }
 std::string file_of(const Table& table) { return table.header.quantity + ".csv"; }

@@ -9,8 +9,9 @@
 #include "generators/table.hpp"
 
 namespace tribo::reference {
+namespace {
 
-Table hertz_contacts() {
+Table circular_contact_values() {
   Table table{
       {"hertz_point", "a^3 = 3FR/(4E*), mean pressure F/(pi a^2), peak 3/2 of it, approach a^2/R",
        "m, Pa, Pa, m", "load [1e-6, 1e6] N, effective modulus [1e6, 1e12] Pa, radius [1e-6, 10] m",
@@ -41,8 +42,6 @@ Table hertz_contacts() {
   }
   return table;
 }
-
-namespace {
 
 struct EllipticalContact {
   double load, modulus, radius_x, radius_y;
@@ -120,8 +119,6 @@ EllipseBalls ellipse_conditions(bool is_exchanged, const Ball& alpha) {
           of_pressure,
           sum(2 * third, 2 * third, -third, first - minor - k)};
 }
-
-}  // namespace
 
 Table elliptical_contact_values() {
   Table table{
@@ -219,6 +216,12 @@ Table line_contact_values() {
       });
   }
   return table;
+}
+
+}  // namespace
+
+std::vector<Table> hertz_contacts() {
+  return {circular_contact_values(), elliptical_contact_values(), line_contact_values()};
 }
 
 }  // namespace tribo::reference

@@ -67,8 +67,6 @@ Ball summits_by_squares(std::size_t k, const Balls& x) {
   return sqrt(16 * narrow / (ball_pi() * variance));
 }
 
-}  // namespace
-
 Table densities() {
   Table table{{"dowson_higginson_density", "rho/rho0 = (5.9e8 + 1.34p)/(5.9e8 + p)",
                "dimensionless", "p 0 or [1e5, 4e9] Pa; far: [1e-300, 1e300] Pa", "the quotient",
@@ -92,8 +90,6 @@ Table densities() {
   }
   return table;
 }
-
-namespace {
 
 Table pressure_viscosities(bool is_barus) {
   Table table{{is_barus ? "barus_viscosity" : "roelands_viscosity",
@@ -119,8 +115,6 @@ Table pressure_viscosities(bool is_barus) {
   }
   return table;
 }
-
-}  // namespace
 
 Table barus_viscosities() { return pressure_viscosities(true); }
 Table roelands_viscosities() { return pressure_viscosities(false); }
@@ -171,6 +165,13 @@ Table summits_of_moments() {
           [=](const Balls& x) { return summits_by_squares(k, x); }, usual ? "ordinary" : "far");
   }
   return table;
+}
+
+}  // namespace
+
+std::vector<Table> liquids() {
+  return {densities(), temperature_viscosities(), summits_of_moments(), barus_viscosities(),
+          roelands_viscosities()};
 }
 
 }  // namespace tribo::reference

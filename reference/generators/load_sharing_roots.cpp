@@ -60,7 +60,7 @@ Ball condition(const RoughContact& contact, const Ball& film, const Ball& lambda
 
 }  // namespace
 
-Table load_sharing_roots() {
+std::vector<Table> load_sharing_roots() {
   Table table{{"load_sharing",
                "lambda with ln lambda - ln lambda0 + 0.14 ln(1-A) = 0, A = (K F_p(lambda-delta))^q",
                "dimensionless",
@@ -81,7 +81,7 @@ Table load_sharing_roots() {
                  condition(contact, film, root.midpoint()),
                  p.region};
     });
-  return table;
+  return {table};
 }
 
 }  // namespace tribo::reference

@@ -106,7 +106,7 @@ struct Solved {
 
 }  // namespace
 
-Table operating_points() {
+std::vector<Table> operating_points() {
   Table table{
       {"operating_point", "all outputs of a scene at a speed (model/README.md)", "SI; film in m",
        "random scenes of steel, ceramics and polymers under 0.1 N to 10 kN at 1e-5 to 30 m/s; "
@@ -149,7 +149,7 @@ Table operating_points() {
                                      : "film"};
       });
   }
-  return table;
+  return {table};
 }
 
 }  // namespace tribo::reference

@@ -32,8 +32,6 @@ Ball maximum_film_ratio(Inlet inlet, int step_bits) {
   return zero_between(excess, fraction(1, 100), fraction(99, 100));
 }
 
-}  // namespace
-
 Table starvation_ratios() {
   Table table{{"starvation_ratio", "y = h*/h_ff at r = h_ff/h_oil", "dimensionless",
                "r in [1e-12, 1e12], gamma in [0.5, 6] (damiens alone uses it)",
@@ -112,5 +110,9 @@ Table onset_constants() {
         "departure");
   return table;
 }
+
+}  // namespace
+
+std::vector<Table> starvation() { return {starvation_ratios(), onset_constants()}; }
 
 }  // namespace tribo::reference

@@ -86,24 +86,15 @@ struct Table {
   }
 };
 
-Table gaussian_moments();
-Table load_sharing_roots();
-Table starvation_ratios();
-Table onset_constants();
-Table effective_moduli();
-Table reduced_radii();
-Table hertz_contacts();
-Table elliptical_contact_values();
-Table line_contact_values();
+// The tables, a family a file.
+std::vector<Table> two_bodies();
+std::vector<Table> gaussian_moments();
+std::vector<Table> load_sharing_roots();
+std::vector<Table> starvation();
+std::vector<Table> hertz_contacts();
+std::vector<Table> film_formulas();
+std::vector<Table> liquids();
+std::vector<Table> operating_points();
 std::vector<Table> film_laws();
-Table moes_lines();
-Table regime_films();
-Table thermal_reductions();
-Table densities();
-Table barus_viscosities();
-Table roelands_viscosities();
-Table temperature_viscosities();
-Table summits_of_moments();
-Table operating_points();
 
 }  // namespace tribo::reference

@@ -63,8 +63,6 @@ std::vector<Pair> pairs() {
   return all;
 }
 
-}  // namespace
-
 Table effective_moduli() {
   Table table{
       {"effective_modulus", "1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2", "Pa",
@@ -94,8 +92,6 @@ Table effective_moduli() {
     });
   return table;
 }
-
-namespace {
 
 struct Faces {
   std::array<double, 4> radii;  // R₁x, R₂x, R₁y, R₂y, m
@@ -149,8 +145,6 @@ std::vector<Faces> faces() {
 
 Ball parallel(const Ball& a, const Ball& b) { return a * b / (a + b); }
 
-}  // namespace
-
 Table reduced_radii() {
   Table table{
       {"reduced_radius", "1/R_x = 1/R1x + 1/R2x, 1/R_y = 1/R1y + 1/R2y, 1/R = 1/R_x + 1/R_y", "m",
@@ -177,5 +171,9 @@ Table reduced_radii() {
       });
   return table;
 }
+
+}  // namespace
+
+std::vector<Table> two_bodies() { return {effective_moduli(), reduced_radii()}; }
 
 }  // namespace tribo::reference
