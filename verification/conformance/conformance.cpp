@@ -204,7 +204,7 @@ struct ResultName {
 // The results of a function of the catalogue, or of an operating point.
 std::vector<ResultName> results_of(const std::string& function) {
   std::vector<ResultName> results;
-  if (const catalogue::Function* const found = catalogue::find(function))
+  if (const catalogue::Function* const found = catalogue::function_named(function))
     for (const catalogue::Result& one : found->results) results.push_back({one.name, one.unit});
   else
     for (const OutputInfo& one : output_infos) results.push_back({one.name, one.unit});

@@ -46,10 +46,10 @@ bool is_physical(const Scene& scene) {
   const double speed = scene.speeds[0];
   const MixedContact<double> contact(scene);
   const auto numbers = detail::numbers_of<double>(scene);
-  return is_physical(*catalogue::find("hamrock_dowson_central"),
+  return is_physical(*catalogue::function_named("hamrock_dowson_central"),
                      {speed, numbers.viscosity, numbers.pressure_viscosity, numbers.load,
                       numbers.effective_modulus, numbers.radius_x, numbers.ellipticity}) &&
-         is_physical(*catalogue::find("load_sharing"),
+         is_physical(*catalogue::function_named("load_sharing"),
                      {0, contact.flooded_film_parameter(speed), contact.sharing().stiffness(),
                       contact.sharing().offset()});
 }

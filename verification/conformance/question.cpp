@@ -100,7 +100,7 @@ double argument_of(const catalogue::Parameter& parameter, const nlohmann::json& 
 }
 
 Question question_of(const TestCase& asked) {
-  Question question{&asked, catalogue::find(asked.function)};
+  Question question{&asked, catalogue::function_named(asked.function)};
   if (question.function == nullptr) {
     question.scene = parse_scene_json(asked.inputs.dump(), "case", SceneUse::one_speed).scene;
     return question;
