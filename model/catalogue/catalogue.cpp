@@ -71,7 +71,7 @@ std::span<const Function> functions() {
   return all;
 }
 
-const Function* find(std::string_view name) {
+const Function* function_named(std::string_view name) {
   const std::span<const Function> all = functions();
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Function& one) { return one.name == name; });

@@ -91,6 +91,6 @@ struct Function {
 double film_by(const FilmLaw& law, const Function& function, const Arguments& arguments);
 
 std::span<const Function> functions();
-const Function* find(std::string_view name);  // null where there is no such function
+const Function* function_named(std::string_view name);  // null where there is no such function
 
 }  // namespace tribo::catalogue

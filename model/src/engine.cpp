@@ -172,7 +172,7 @@ void completed(const detail::ContactWords& words, const detail::ContactNumbers<d
                const detail::Destination& to) {
   const OneLane d;
   const auto contact = broadcast(d, numbers);
-  const Needs needs(outputs, words.supply);
+  const NeededParts needs(outputs, words.supply);
   const bool shares = needs_shares(d, needs, contact.surface);
   const Flooded<One> flooded{of(film.speed),
                              of(film.shares.film_parameter),
@@ -196,15 +196,15 @@ double point_alone(const detail::ContactWords& words, const detail::ContactNumbe
                                  contact.surface, film0)
                          .film_parameter;
   NoWork none;
-  return hn::GetLane(complete_root(d, words, contact, Needs(outputs, words.supply), of(speed),
+  return hn::GetLane(complete_root(d, words, contact, NeededParts(outputs, words.supply), of(speed),
                                    film0, lambda, to, 0, 1, none));
 }
 
 template <bool one_contact, class ContactAt, class SurfaceAt, class Counter>
 HWY_INLINE void points_of_block(const detail::ContactWords& words, const ContactAt& contact_at,
                                 const SurfaceAt& surface_at, const double* speeds,
-                                const Needs& needs, const detail::Destination& to, double* lambda,
-                                std::size_t count, Counter& work) {
+                                const NeededParts& needs, const detail::Destination& to,
+                                double* lambda, std::size_t count, Counter& work) {
   const Many d;
   const Exponent speed_power = words.film->speed_power;  // a copy, which film0 cannot overlap
   HWY_ALIGN double film0[sharing_block];
@@ -243,7 +243,7 @@ void points_at(const detail::ContactWords& words, const detail::ContactNumbers<d
                const std::uint64_t* index, const double* speeds, OutputSet outputs,
                const detail::Destination& to, double* lambda, std::size_t count, Counter& work) {
   const Many d;
-  const Needs needs(outputs, words.supply);
+  const NeededParts needs(outputs, words.supply);
   if (index == nullptr) {
     const auto contact = broadcast(d, *contacts);
     points_of_block<true>(

@@ -131,8 +131,8 @@ HWY_INLINE hn::Mask<D> is_free_of_asperities(D d, const FilmLaw& law,
 }
 
 // The parts of the computation that a set of outputs needs.
-struct Needs {
-  explicit Needs(OutputSet outputs, SupplyKind supply)
+struct NeededParts {
+  explicit NeededParts(OutputSet outputs, SupplyKind supply)
       : is_starved(supply != SupplyKind::flooded),
         inlet(!(outputs == of({Output::film_flooded}))),
         area(outputs.contains_any(of({Output::real_area_ratio, Output::friction}))),
@@ -174,7 +174,7 @@ HWY_INLINE void store_words(D, hn::Vec<D> codes, Word* to, std::size_t count) {
 // that are known.
 template <class D, class Counter, class V = hn::Vec<D>>
 HWY_INLINE void complete(D d, const detail::ContactWords& words,
-                         const detail::ContactNumbers<V>& contact, const Needs& needs,
+                         const detail::ContactNumbers<V>& contact, const NeededParts& needs,
                          bool needs_shares, const Flooded<V>& flooded, const Starvation<D>& inlet,
                          const detail::Destination& to, std::size_t i, std::size_t count,
                          Counter& work) {
@@ -257,7 +257,8 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
 
 // Do outputs rest on the load shares? Near a high floor the moments do too.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE bool needs_shares(D d, const Needs& needs, const detail::SurfaceNumbers<V>& surface) {
+HWY_INLINE bool needs_shares(D d, const NeededParts& needs,
+                             const detail::SurfaceNumbers<V>& surface) {
   return needs.sharing ||
          ((needs.area || needs.count) && !hn::AllFalse(d, hn::Gt(surface.floor, hn::Set(d, 3.0))));
 }
@@ -275,8 +276,8 @@ HWY_INLINE hn::Mask<D> is_next_to_nothing(D d, const detail::ContactWords& words
 // range.
 template <class D, class Counter, class V = hn::Vec<D>>
 HWY_INLINE V complete_root(D d, const detail::ContactWords& words,
-                           const detail::ContactNumbers<V>& contact, const Needs& needs, V speed,
-                           V flooded_film, V film_parameter, const detail::Destination& to,
+                           const detail::ContactNumbers<V>& contact, const NeededParts& needs,
+                           V speed, V flooded_film, V film_parameter, const detail::Destination& to,
                            std::size_t i, std::size_t count, Counter& work) {
   const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
   const auto present = hn::FirstN(d, count);

@@ -80,7 +80,8 @@ void write_chunks(hid_t file, const PartContent& content) {
   checked(H5Dwrite(table, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, index.data()));
 }
 
-void write_file(const std::string& path, const PartHeader& header, const PartContent& content) {
+void write_part_content(const std::string& path, const PartHeader& header,
+                        const PartContent& content) {
   static std::mutex one_at_a_time;  // HDF5 is not made for several threads
   const std::lock_guard lock(one_at_a_time);
   const hdf5::QuietErrors quiet;
@@ -203,7 +204,7 @@ PartContent content_of(const ChunksInMemory& chunks) {
 void write_part(const std::string& path, PartFile& file, const PartHeader& header,
                 const PartContent& content, const Replaceable& replaceable) {
   try {
-    write_file(file.open_path(), header, content);
+    write_part_content(file.open_path(), header, content);
     seal(file.file());
     file.keep(replaceable);
   } catch (const Stopped&) {

@@ -316,8 +316,8 @@ class SceneWriter {
   std::vector<std::vector<SensitivityBlocks>> sensitivities_;
 };
 
-void write_file(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
-                const std::function<void(std::uint64_t)>& told) {
+void write_result_content(const std::string& path, const SweepPlan& plan, const PartSet& chunks,
+                          const std::function<void(std::uint64_t)>& told) {
   Handle file = hdf5::create_file(path);
   std::string title = "Results of tribocheck sweep:";
   for (const SceneSweep& scene : plan.scenes) title += ' ' + scene.file;
@@ -362,7 +362,7 @@ Descriptor write_result(const std::string& path, const SweepPlan& plan, const Pa
                        " chunks are there");
   try {
     PartFile part = is_shared ? PartFile(path) : PartFile(path, is_start_of_result);
-    write_file(part.open_path(), plan, chunks, told);
+    write_result_content(part.open_path(), plan, chunks, told);
     seal(part.file());
     part.keep(replaceable);
     return part.release();

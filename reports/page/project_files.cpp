@@ -79,6 +79,16 @@ fs::path reference_tables(const fs::path& given) {
                         : "--reference: " + given.string() + " is not a folder");
 }
 
+ReferenceFiles reference_files(const fs::path& given) {
+  const ReportPlaces usual = usual_places();
+  const fs::path exact = reference_tables(given);
+  const auto found = [&](const fs::path& place, const char* name) {
+    return (fs::exists(place) ? place : (exact / ".." / name).lexically_normal()).string();
+  };
+  return {exact.string(), found(usual.scenes, "published"),
+          found(usual.reference / "mistakes.toml", "mistakes.toml")};
+}
+
 std::string ReportPlaces::shown(const fs::path& file) const {
   if (root.empty()) return file.string();
   const fs::path inside = file.lexically_relative(root);

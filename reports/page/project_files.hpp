@@ -62,6 +62,14 @@ ReportPlaces find_places(const ReportOptions& options);
 // is empty. Throws ReportError where it is not there.
 std::filesystem::path reference_tables(const std::filesystem::path& given);
 
+// The files of the project that judge somebody else's solver: the folder of the certified tables as
+// above, the paper's scenes and the known mistakes. These two are in their usual place, or else
+// beside that folder, as in a copy of reference/.
+struct ReferenceFiles {
+  std::string exact, published, mistakes;
+};
+ReferenceFiles reference_files(const std::filesystem::path& given);
+
 // Replaces the file that is there, unless told otherwise, or the one that a symbolic link there
 // leads to (output_behind_links()). Both throw protocol::OutputFailed.
 void write_file(const std::filesystem::path& target, std::string_view content,

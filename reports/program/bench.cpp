@@ -36,9 +36,8 @@ struct BenchArguments {
   std::string filter;
   double timeout = 1800;  // s
   std::string format = "table";
-  std::string plugin;    // empty: none
-  std::string baseline;  // empty: none
-  bool update_baseline = false, force = false;
+  std::string plugin;  // empty: none
+  conformance::BaselineUse baseline;
 };
 
 // tribocheck_bench beside this program, or where an installation puts helpers; empty: nowhere.
@@ -76,7 +75,8 @@ bool is_run(std::string filter, const std::string& row) {
 
 // With a baseline the control runs, too, because all times are told over its time.
 std::string filter_of(const BenchArguments& arguments) {
-  if (arguments.baseline.empty() || is_run(arguments.filter, control_row)) return arguments.filter;
+  if (arguments.baseline.file.empty() || is_run(arguments.filter, control_row))
+    return arguments.filter;
   return fmt::format("({})|^{}$", arguments.filter, control_row);
 }
 
@@ -162,26 +162,16 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   }
 }
 
-// The content of the file of --baseline, read before anything is measured; null: the file is to be
-// written. With --force a file that cannot be used counts as absent.
-nlohmann::json usable_baseline(const BenchArguments& arguments) {
-  try {
-    nlohmann::json before = conformance::read_conformance_baseline(arguments.baseline);
-    if (!before.is_null()) check_bench_baseline(before);
-    if (before.is_null() && !arguments.update_baseline)
-      throw std::invalid_argument(arguments.baseline +
-                                  ": there is no such baseline; --update-baseline writes it");
-    return before;
-  } catch (const std::runtime_error& error) {
-    if (arguments.force) return nullptr;
-    throw std::invalid_argument(
-        fmt::format("{}: {}; this makes it anew: tribocheck bench{}{}{} --baseline {} "
-                    "--update-baseline --force",
-                    arguments.baseline, error.what(), arguments.quick ? " --quick" : "",
-                    arguments.plugin.empty() ? "" : " --plugin " + shell_word(arguments.plugin),
-                    arguments.filter.empty() ? "" : " --filter " + shell_word(arguments.filter),
-                    shell_word(arguments.baseline)));
-  }
+// The content of the file of --baseline, read before anything is measured.
+nlohmann::json baseline_before(const BenchArguments& arguments) {
+  conformance::BaselineUse use = arguments.baseline;
+  use.renewal =
+      fmt::format("tribocheck bench{}{}{} --baseline {} --update-baseline --force",
+                  arguments.quick ? " --quick" : "",
+                  arguments.plugin.empty() ? "" : " --plugin " + shell_word(arguments.plugin),
+                  arguments.filter.empty() ? "" : " --filter " + shell_word(arguments.filter),
+                  shell_word(use.file));
+  return conformance::usable_baseline(use, check_bench_baseline);
 }
 
 // A time counts as slower when a second run says so too.
@@ -201,7 +191,7 @@ void confirm_slower(const BenchArguments& arguments, const nlohmann::json& befor
 }
 
 void write_baseline(const BenchArguments& arguments, const nlohmann::json& made) {
-  report::write_file(arguments.baseline, made.dump(1) + "\n");
+  report::write_file(arguments.baseline.file, made.dump(1) + "\n");
 }
 
 int hold_to_baseline(const BenchArguments& arguments, const BenchResults& results,
@@ -211,7 +201,7 @@ int hold_to_baseline(const BenchArguments& arguments, const BenchResults& result
   };
   if (before.is_null()) {
     write_baseline(arguments, new_bench_baseline(results, before, asked));
-    complain("baseline written: " + arguments.baseline);
+    complain("baseline written: " + arguments.baseline.file);
     return exit_done;
   }
   BenchChanges changes = compare(results, before, asked);
@@ -221,12 +211,12 @@ int hold_to_baseline(const BenchArguments& arguments, const BenchResults& result
   for (const std::string& line : changes.slower) complain("slower than the baseline: " + line);
   const bool holds = changes.worse.empty() && changes.slower.empty();
   complain(fmt::format("{} {}: {} of {} rows compared, the times of {}",
-                       holds ? "PASSED, no worse than" : "FAILED, worse than", arguments.baseline,
-                       changes.compared, changes.rows, changes.timed));
-  if (!arguments.update_baseline) return holds ? exit_done : exit_failed;
-  if (arguments.force) {
+                       holds ? "PASSED, no worse than" : "FAILED, worse than",
+                       arguments.baseline.file, changes.compared, changes.rows, changes.timed));
+  if (!arguments.baseline.update) return holds ? exit_done : exit_failed;
+  if (arguments.baseline.force) {
     write_baseline(arguments, new_bench_baseline(results, before, asked));
-    complain("baseline written anew: " + arguments.baseline);
+    complain("baseline written anew: " + arguments.baseline.file);
     return exit_done;
   }
   const std::vector<std::string> said = improve(before, results);
@@ -241,25 +231,24 @@ int bench(const BenchArguments& arguments, OutputStream& output) {
   if (!is_expression(arguments.filter))
     return fail(exit_bad,
                 "--filter: \"" + arguments.filter + "\" is no extended regular expression");
-  if (!arguments.baseline.empty() && arguments.filter.starts_with('-') &&
+  if (!arguments.baseline.file.empty() && arguments.filter.starts_with('-') &&
       !is_run(arguments.filter, control_row))
     return fail(exit_bad, fmt::format("--filter: \"{}\" leaves out {}, which --baseline needs; "
                                       "allowed: a filter that leaves it in",
                                       arguments.filter, control_row));
   try {
-    nlohmann::json before;
-    if (!arguments.baseline.empty()) before = usable_baseline(arguments);
+    nlohmann::json before = baseline_before(arguments);
     const auto measured = measure(arguments);
     if (const int* code = std::get_if<int>(&measured)) return *code;
     const BenchResults& results = std::get<BenchResults>(measured);
     for (const std::string& line : results.left_out) complain("left out: " + line);
     append_results(output.text(), results, arguments.format);
     output.flush();
-    if (arguments.baseline.empty()) return exit_done;
+    if (arguments.baseline.file.empty()) return exit_done;
     return hold_to_baseline(arguments, results, std::move(before));
   } catch (const nlohmann::json::exception& error) {
     return fail(exit_bad, fmt::format("{}: it is no baseline of `tribocheck bench`: {}",
-                                      arguments.baseline, error.what()));
+                                      arguments.baseline.file, error.what()));
   } catch (const std::invalid_argument& error) {
     return fail(exit_bad, error.what());
   }
@@ -304,12 +293,12 @@ Command add_bench(CLI::App& program) {
       ->check(CLI::Range(0.01, 1e6));
   app->add_option("--format", arguments->format, "how to write the results (default: table)")
       ->check(CLI::IsMember({"table", "json", "tsv"}));
-  app->add_option("--baseline", arguments->baseline,
+  app->add_option("--baseline", arguments->baseline.file,
                   "fail on more work, more error, and more time than this file says");
-  CLI::Option* const update = app->add_flag("--update-baseline", arguments->update_baseline,
+  CLI::Option* const update = app->add_flag("--update-baseline", arguments->baseline.update,
                                             "write what is better to the baseline");
   update->needs("--baseline");
-  app->add_flag("--force", arguments->force, "with --update-baseline: what is worse, too")
+  app->add_flag("--force", arguments->baseline.force, "with --update-baseline: what is worse, too")
       ->needs(update);
   return {app, [arguments](OutputStream& output) { return bench(*arguments, output); }};
 }

@@ -21,13 +21,13 @@ using nlohmann::json;
 
 // The worst error and the part of its bound; empty where no answer was judged.
 std::string worst_error(const QuantityVerdict& one) {
-  if (one.held + one.failed == 0) return {};
+  if (one.judged() == 0) return {};
   return std::isfinite(one.worst_relative) ? fmt::format("{:.2g}", one.worst_relative) : "-";
 }
 std::string worst_margin(const QuantityVerdict& one) {
-  if (one.held + one.failed == 0) return {};
-  return std::isfinite(one.worst_part_of_bound) ? fmt::format("{:.3g}", one.worst_part_of_bound)
-                                                : "no number";
+  if (one.judged() == 0) return {};
+  const double part = one.worst.part_of_bound;
+  return std::isfinite(part) ? fmt::format("{:.3g}", part) : "no number";
 }
 
 std::size_t count(const ConformanceResult& result, Verdict status) {
@@ -69,38 +69,33 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 // Breaches of the protocol, and facts of the run that a user should know.
-std::vector<std::string> remarks(const SubjectVerdict& verdict) {
-  const ConformanceResult& result = verdict.result;
-  std::vector<std::string> lines = verdict.notes;
-  if (result.violation_count > 0)
-    lines.push_back(fmt::format("The protocol was broken {} times:", result.violation_count));
-  for (const std::string& one : result.violations) lines.push_back("  " + one);
-  if (result.violation_count > result.violations.size()) lines.emplace_back("  …");
-  if (result.answers_at_end_of_input)
+std::vector<std::string> remarks(const ConformanceResult& result) {
+  const Conversation& talk = result.conversation;
+  std::vector<std::string> lines = result.notes;
+  if (talk.violation_count > 0)
+    lines.push_back(fmt::format("The protocol was broken {} times:", talk.violation_count));
+  for (const std::string& one : talk.violations) lines.push_back("  " + one);
+  if (talk.violation_count > talk.violations.size()) lines.emplace_back("  …");
+  if (talk.answers_at_end_of_input)
     lines.emplace_back(
         "It answers when its input ends only: it should flush its output after each line.");
-  if (result.starts > 1)
+  if (talk.starts > 1)
     lines.push_back(
-        fmt::format("It was started {} times, as it died or did not answer.", result.starts));
+        fmt::format("It was started {} times, as it died or did not answer.", talk.starts));
   return lines;
 }
 
-// Should the end of stderr be shown?
-bool shows_errors(const SubjectVerdict& verdict) {
-  return !verdict.last_errors.empty() && verdict.result.overall != Overall::complete;
-}
-
-const Example* worst_of(const SubjectVerdict& verdict, const std::string& quantity) {
-  for (const Example& one : verdict.examples)
-    if (one.quantity == quantity) return &one;
-  return nullptr;
+// The end of stderr; empty where it need not be shown.
+std::vector<std::string> shown_errors(const ConformanceResult& result) {
+  if (result.overall == Overall::complete) return {};
+  return result.conversation.error_lines;
 }
 
 // "got 2.3e-08 m, expected 3.2e-08 m, give or take 3.2e-14: 99 times as far off as is allowed"
 std::string comparison(const Example& one) {
   const std::string error = error_text(one);
-  return fmt::format("got {}, expected {}{}", got_text(one), expected_text(one),
-                     error.empty() ? "" : ": " + error);
+  return fmt::format("got {}, expected {}{}", got_text(one),
+                     expected_text(one.expected, one.allowed), error.empty() ? "" : ": " + error);
 }
 
 // The diagnoses of the quantity's function; each explains all quantities of the function.
@@ -117,29 +112,6 @@ std::vector<std::string> texts(const std::vector<QuantityNote>& changes) {
   std::vector<std::string> all;
   all.reserve(changes.size());
   for (const QuantityNote& one : changes) all.push_back(one.text);
-  return all;
-}
-
-}  // namespace
-
-std::vector<QuantityNote> failures(const SubjectVerdict& verdict) {
-  const ConformanceResult& result = verdict.result;
-  std::vector<QuantityNote> all;
-  if (verdict.changes) {
-    all = verdict.changes->worse;
-  } else {
-    for (const QuantityVerdict& one : result.quantities)
-      if (one.status == Verdict::failed)
-        all.push_back(
-            {one.quantity, fmt::format("{} of {}: {}", one.failed, one.asked, one.first_reason)});
-    if (result.violation_count > 0) all.push_back({"protocol", result.violations.front()});
-    if (result.overall == Overall::nothing)
-      all.push_back({"anything", "no quantity is offered, so that nothing is tested"});
-  }
-  for (const QuantityNote& missing : verdict.missing)
-    if (std::none_of(all.begin(), all.end(),
-                     [&](const QuantityNote& one) { return one.quantity == missing.quantity; }))
-      all.push_back(missing);
   return all;
 }
 
@@ -161,19 +133,22 @@ std::string summary(const SubjectVerdict& verdict) {
   std::vector<std::string> missing;
   for (const QuantityNote& one : verdict.missing) missing.push_back(one.quantity);
   if (!missing.empty()) text += "; required, but not held: " + joined(missing);
-  if (!result.violations.empty()) text += "; the protocol was broken: " + result.violations.front();
+  if (const auto& broken = result.conversation.violations; !broken.empty())
+    text += "; the protocol was broken: " + broken.front();
   return text + fmt::format(" (tolerance: {}).", result.tolerance.name);
 }
 
-// The request of a case is written once, where several quantities of it are wrong.
-void append_examples(Text& to, const SubjectVerdict& verdict) {
+// The worst cases of the quantities that failed. The request of a case is written once, where
+// several quantities of it are wrong.
+void append_examples(Text& to, const ConformanceResult& result) {
   std::string last;
-  for (const Example& one : verdict.examples) {
+  for (const QuantityVerdict& one : result.quantities) {
+    if (one.failed == 0) continue;
     append(to, "\n");
-    append_line(to,
-                fmt::format("Worst of {}, in case {}: {}", one.quantity, one.id, comparison(one)));
-    if (one.id != last) append(to, "  " + one.request.dump() + "\n");
-    last = one.id;
+    append_line(to, fmt::format("Worst of {}, in case {}: {}", one.quantity, one.worst.id,
+                                comparison(one.worst)));
+    if (one.worst.id != last) append(to, "  " + one.worst.request.dump() + "\n");
+    last = one.worst.id;
   }
 }
 
@@ -215,17 +190,17 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
     append(to, "\n");
     for (const std::string& line : report::wrapped(rest, 100)) append_line(to, line);
   }
-  append_examples(to, verdict);
+  append_examples(to, verdict.result);
   for (const Diagnosis& one : verdict.diagnoses) {
     append(to, "\n");
     append_line(to, "Diagnosis: " + one.text);
   }
-  const std::vector<std::string> lines = remarks(verdict);
-  if (!lines.empty() || shows_errors(verdict)) append(to, "\n");
+  const std::vector<std::string> lines = remarks(verdict.result);
+  const std::vector<std::string> errors = shown_errors(verdict.result);
+  if (!lines.empty() || !errors.empty()) append(to, "\n");
   for (const std::string& line : lines) append_line(to, line);
-  if (shows_errors(verdict)) append(to, "The last it wrote to stderr:\n");
-  if (shows_errors(verdict))
-    for (const std::string& line : verdict.last_errors) append_line(to, "  " + line);
+  if (!errors.empty()) append(to, "The last it wrote to stderr:\n");
+  for (const std::string& line : errors) append_line(to, "  " + line);
   if (verdict.changes)
     for (const QuantityNote& one : verdict.changes->worse)
       append_line(to, "Worse than the baseline: " + one.text);
@@ -233,15 +208,16 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
   append_line(to, summary(verdict));
 }
 
-nlohmann::ordered_json expected_json(const Example& one) {
-  if (!one.expected.word.empty()) return one.expected.word;
-  if (one.expected.is_undefined) return nullptr;
-  return one.expected.high;
+nlohmann::ordered_json expected_json(const Expected& one) {
+  if (!one.word.empty()) return one.word;
+  if (one.is_undefined) return nullptr;
+  return one.high;
 }
 
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   using nlohmann::ordered_json;
   const ConformanceResult& result = verdict.result;
+  const Conversation& talk = result.conversation;
   const auto number = [](double x) {
     return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
   };
@@ -252,13 +228,14 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                    {"quantities", ordered_json::array()},
                    {"examples", ordered_json::array()},
                    {"diagnoses", ordered_json::array()},
-                   {"violation_count", result.violation_count},
-                   {"violations", result.violations},
-                   {"starts", result.starts},
-                   {"answers_at_end_of_input", result.answers_at_end_of_input},
-                   {"notes", verdict.notes},
-                   {"last_errors", result.last_errors}};
-  for (const QuantityVerdict& one : result.quantities)
+                   {"violation_count", talk.violation_count},
+                   {"violations", talk.violations},
+                   {"starts", talk.starts},
+                   {"answers_at_end_of_input", talk.answers_at_end_of_input},
+                   {"notes", result.notes},
+                   {"last_errors", talk.last_errors}};
+  for (const QuantityVerdict& one : result.quantities) {
+    const Example& worst = one.worst;
     all["quantities"].push_back({{"quantity", one.quantity},
                                  {"status", name(one.status)},
                                  {"asked", one.asked},
@@ -266,19 +243,21 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                  {"failed", one.failed},
                                  {"skipped", one.skipped},
                                  {"worst_relative_error", number(one.worst_relative)},
-                                 {"worst_part_of_bound", number(one.worst_part_of_bound)},
-                                 {"worst_case", one.worst_case},
+                                 {"worst_part_of_bound", number(worst.part_of_bound)},
+                                 {"worst_case", one.judged() > 0 ? worst.id : ""},
                                  {"reason", one.first_reason}});
-  for (const Example& one : verdict.examples)
-    all["examples"].push_back({{"quantity", one.quantity},
-                               {"case", one.id},
-                               {"request", one.request},
-                               {"expected", expected_json(one)},
-                               {"allowed_error", number(one.allowed)},
-                               {"unit", one.unit},
-                               {"got", one.got ? ordered_json(*one.got) : ordered_json(nullptr)},
-                               {"reason", one.reason},
-                               {"part_of_bound", number(one.part_of_bound)}});
+    if (one.failed > 0)
+      all["examples"].push_back(
+          {{"quantity", one.quantity},
+           {"case", worst.id},
+           {"request", worst.request},
+           {"expected", expected_json(worst.expected)},
+           {"allowed_error", number(worst.allowed)},
+           {"unit", worst.expected.unit},
+           {"got", worst.got ? ordered_json(*worst.got) : ordered_json(nullptr)},
+           {"reason", worst.reason},
+           {"part_of_bound", number(worst.part_of_bound)}});
+  }
   for (const Diagnosis& one : verdict.diagnoses)
     all["diagnoses"].push_back({{"quantity", one.quantity},
                                 {"mistakes", one.mistakes},
@@ -312,16 +291,18 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     append(to, "- " + cell(rest) + "\n");
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("- **Diagnosis.** {}\n", cell(one.text)));
-  for (const Example& one : verdict.examples)
-    append(to, fmt::format("- Worst of `{}`, in case {}: {}\n\n  ```json\n  {}\n  ```\n",
-                           one.quantity, cell(one.id), cell(comparison(one)), one.request.dump()));
-  for (const std::string& line : remarks(verdict)) append(to, "- " + cell(line) + "\n");
-  if (shows_errors(verdict)) {
+  for (const QuantityVerdict& one : verdict.result.quantities)
+    if (one.failed > 0)
+      append(to, fmt::format("- Worst of `{}`, in case {}: {}\n\n  ```json\n  {}\n  ```\n",
+                             one.quantity, cell(one.worst.id), cell(comparison(one.worst)),
+                             one.worst.request.dump()));
+  for (const std::string& line : remarks(verdict.result)) append(to, "- " + cell(line) + "\n");
+  if (const std::vector<std::string> errors = shown_errors(verdict.result); !errors.empty()) {
     std::string fence = "````";  // longer than any fence in the text
-    for (const std::string& line : verdict.last_errors)
+    for (const std::string& line : errors)
       while (line.find(fence) != std::string::npos) fence += '`';
     append(to, "- The last it wrote to stderr:\n\n  " + fence + "text\n");
-    for (const std::string& line : verdict.last_errors) append_line(to, "  " + line);
+    for (const std::string& line : errors) append_line(to, "  " + line);
     append(to, "  " + fence + "\n");
   }
   if (!verdict.changes) return;
@@ -331,15 +312,47 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     append(to, "- Better than the baseline: " + cell(one.text) + "\n");
 }
 
-// The diagnosis of a quantity, and its worst case.
-std::string junit_details(const SubjectVerdict& verdict, const std::string& quantity) {
+// The diagnosis of a quantity that failed, and its worst case.
+std::string junit_details(const SubjectVerdict& verdict, const QuantityVerdict& one) {
   std::string text;
-  const Example* const example = worst_of(verdict, quantity);
-  if (example == nullptr) return text;
-  for (const Diagnosis* one : diagnoses_of(verdict, quantity))
-    text += "Diagnosis: " + one->text + "\n";
-  return text + fmt::format("Worst in case {}: {}\n{}\n", example->id, comparison(*example),
-                            example->request.dump());
+  if (one.failed == 0) return text;
+  for (const Diagnosis* diagnosis : diagnoses_of(verdict, one.quantity))
+    text += "Diagnosis: " + diagnosis->text + "\n";
+  return text + fmt::format("Worst in case {}: {}\n{}\n", one.worst.id, comparison(one.worst),
+                            one.worst.request.dump());
+}
+
+}  // namespace
+
+std::vector<QuantityNote> failures(const SubjectVerdict& verdict) {
+  const ConformanceResult& result = verdict.result;
+  std::vector<QuantityNote> all;
+  if (verdict.changes) {
+    all = verdict.changes->worse;
+  } else {
+    for (const QuantityVerdict& one : result.quantities)
+      if (one.status == Verdict::failed)
+        all.push_back(
+            {one.quantity, fmt::format("{} of {}: {}", one.failed, one.asked, one.first_reason)});
+    if (result.conversation.violation_count > 0)
+      all.push_back({"protocol", result.conversation.violations.front()});
+    if (result.overall == Overall::nothing)
+      all.push_back({"anything", "no quantity is offered, so that nothing is tested"});
+  }
+  for (const QuantityNote& missing : verdict.missing)
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const QuantityNote& one) { return one.quantity == missing.quantity; }))
+      all.push_back(missing);
+  return all;
+}
+
+void append_verdict(Text& to, const SubjectVerdict& verdict, const std::string& format) {
+  if (format == "json")
+    append_subject_json(to, verdict);
+  else if (format == "markdown")
+    append_subject_markdown(to, verdict);
+  else
+    append_subject_table(to, verdict);
 }
 
 std::string subject_junit(const SubjectVerdict& verdict) {
@@ -347,51 +360,51 @@ std::string subject_junit(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   const std::vector<QuantityNote> failed = failures(verdict);
   JunitSuite suite{"conformance", {}, true};
-  const auto add = [&](const std::string& quantity, End end, const std::string& message) {
-    suite.tests.push_back({quantity, end, message, junit_details(verdict, quantity)});
-  };
   for (const QuantityVerdict& one : result.quantities) {
+    const auto add = [&](End end, const std::string& message) {
+      suite.tests.push_back({one.quantity, end, message, junit_details(verdict, one)});
+    };
     const auto why = std::find_if(failed.begin(), failed.end(), [&](const QuantityNote& failure) {
       return failure.quantity == one.quantity;
     });
     if (why != failed.end())
-      add(one.quantity, End::failure, why->text);
+      add(End::failure, why->text);
     else if (failed_already(verdict, one))
-      add(one.quantity, End::skipped,
-          fmt::format("failed as before ({}): {} of {}: {}", verdict.baseline, one.failed,
-                      one.asked, one.first_reason));
+      add(End::skipped, fmt::format("failed as before ({}): {} of {}: {}", verdict.baseline,
+                                    one.failed, one.asked, one.first_reason));
     else if (one.status == Verdict::not_offered)
-      add(one.quantity, End::skipped, one.first_reason);
+      add(End::skipped, one.first_reason);
     else
-      add(one.quantity, End::passed, "");
+      add(End::passed, "");
   }
   for (const QuantityNote& one : failed)  // failures that belong to no quantity
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
-      add(one.quantity, End::failure, one.text);
-  if (result.violation_count == 0) add("protocol", End::passed, "");
-  for (const std::string& line : remarks(verdict)) suite.output += line + "\n";
-  if (shows_errors(verdict)) suite.errors = fmt::format("{}", fmt::join(verdict.last_errors, "\n"));
+      suite.tests.push_back({one.quantity, End::failure, one.text});
+  if (result.conversation.violation_count == 0) suite.tests.push_back({"protocol"});
+  for (const std::string& line : remarks(result)) suite.output += line + "\n";
+  suite.errors = fmt::format("{}", fmt::join(shown_errors(result), "\n"));
   return junit_xml(suite);
 }
 
 void append_request(Text& to, const TestCase& asked, const Tolerance& tolerance) {
   append(to, asked.line() + "\n");
-  for (const Expected& expected : asked.expected) {
-    const Example one = example_of(asked, expected, {}, tolerance);
-    append_line(to, fmt::format("  {}: expected {}", one.quantity, expected_text(one)));
-  }
+  for (const Expected& one : asked.expected)
+    append_line(to, fmt::format("  {}: expected {}", one.quantity,
+                                expected_text(one, allowed_error(asked, one, tolerance))));
 }
 
-void append_shown_case(Text& to, const TestCase& asked, const Reply& answer,
-                       const std::vector<Example>& examples) {
+void append_shown_case(Text& to, const TestCase& asked, const ConformanceResult& result) {
+  const Reply& answer = result.conversation.answers.front();
   append(to, "asked:    " + asked.line() + "\n");
   append_line(
       to, "answered: " + (answer.outcome == Outcome::answered
                               ? answer.fields.dump(-1, ' ', true, json::error_handler_t::replace)
                               : answer.reason));
-  for (const Example& one : examples)
-    append_line(to, fmt::format("  {}: {}", one.quantity, comparison(one)));
+  for (const QuantityVerdict& one : result.quantities)
+    append_line(to, fmt::format("  {}: {}", one.quantity, comparison(one.worst)));
+  for (const std::string& violation : result.conversation.violations)
+    append(to, "  the protocol was broken: " + violation + "\n");
 }
 
 }  // namespace tribo::cli

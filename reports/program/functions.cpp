@@ -131,7 +131,7 @@ int unknown(const std::string& name) {
 int show(const FunctionsArguments& arguments, OutputStream& output) {
   const Function* one = nullptr;
   if (!arguments.name.empty()) {
-    one = catalogue::find(arguments.name);
+    one = catalogue::function_named(arguments.name);
     if (one == nullptr) return unknown(arguments.name);
   }
   if (arguments.format == "json") {

@@ -20,7 +20,11 @@ void write_line(std::string_view before, std::string_view text) {
 }  // namespace
 
 void complain(std::string_view text) { write_line("tribocheck: ", text); }
-void complain_more(std::string_view text) { write_line("  ", text); }
+
+void complain_of(std::string_view text, const std::vector<std::string>& lines) {
+  if (!lines.empty()) complain(text);
+  for (const std::string& line : lines) write_line("  ", line);
+}
 
 int fail(int code, std::string_view text) {
   complain(text);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "page/project_files.hpp"
 #include "protocol/text_streams.hpp"
@@ -27,8 +28,9 @@ inline constexpr int exit_bad = 2;     // bad usage or input
 // stderr that is closed or full is no reason to fail.
 void complain(std::string_view text);
 
-// Writes " <text>" in the same way: a line that belongs to the line before.
-void complain_more(std::string_view text);
+// Writes `text` and below it the lines, each as "  <line>", in the same way; nothing where there
+// are no lines.
+void complain_of(std::string_view text, const std::vector<std::string>& lines);
 
 // Complains, and returns the exit code.
 int fail(int code, std::string_view text);

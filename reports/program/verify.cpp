@@ -23,13 +23,6 @@ namespace {
 
 using verification::QuantityResult;
 
-struct VerifyArguments {
-  std::string reference;  // empty: reference/exact of the project
-  std::string format = "table";
-  std::string junit;  // empty: none
-  SubjectArguments subject;
-};
-
 const char* verdict(const QuantityResult& result) { return result.passed() ? "held" : "FAILED"; }
 
 // "24", "32 × condition", or the greater of both, as the contract has it.
@@ -102,23 +95,16 @@ std::string junit_text(const std::vector<QuantityResult>& results) {
   return junit_xml(suite);
 }
 
-int verify(const VerifyArguments& arguments, OutputStream& output) {
-  const SubjectArguments& asked = arguments.subject;
-  if (!asked.command.empty() || !asked.plugin.empty() || !asked.shown.empty() ||
-      !asked.saved_cases.empty()) {
-    SubjectArguments subject = arguments.subject;
-    subject.exact = arguments.reference;
-    subject.format = arguments.format;
-    subject.junit = arguments.junit;
-    return verify_subject(subject, output);
-  }
+int verify(const SubjectArguments& arguments, OutputStream& output) {
+  if (arguments.has_subject() || !arguments.shown.empty() || !arguments.saved_cases.empty())
+    return verify_subject(arguments, output);
   if (arguments.format == "markdown") {
     complain("--format markdown is for --subject and --plugin");
     return exit_bad;
   }
   return answered_or_complained([&] {
     const std::vector<QuantityResult> results =
-        verification::check_accuracy(report::reference_tables(arguments.reference).string());
+        verification::check_accuracy(report::reference_tables(arguments.exact).string());
     if (arguments.format == "json")
       append_json(output.text(), results);
     else
@@ -134,7 +120,7 @@ int verify(const VerifyArguments& arguments, OutputStream& output) {
 // The forms of the command: our own model; a subject judged; cases of --show, with or without a
 // subject; and --save-cases without a subject.
 std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
-  const bool has_subject = !asked.command.empty() || !asked.plugin.empty();
+  const bool has_subject = asked.has_subject();
   const bool shows = !asked.shown.empty(), saves = !asked.saved_cases.empty();
   const bool judges_own = !has_subject && !shows && !saves;
   const std::string no_subject = "without --subject or --plugin";
@@ -181,13 +167,13 @@ Command add_verify(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "verify", "this model, or your own, against certified reference values");
   app->footer(verify_footer);
-  const auto arguments = std::make_shared<VerifyArguments>();
-  app->add_option("--reference", arguments->reference,
+  const auto arguments = std::make_shared<SubjectArguments>();
+  app->add_option("--reference", arguments->exact,
                   "folder of the tables (default: reference/exact)");
   app->add_option("--format", arguments->format, "how to write the results (default: table)")
       ->check(CLI::IsMember({"table", "json", "markdown"}));
   app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
-  SubjectArguments& subject = arguments->subject;
+  SubjectArguments& subject = *arguments;
   CLI::Option* const command = app->add_option("--subject", subject.command,
                                                "command line of a program that answers JSON lines");
   CLI::Option* const plugin =
@@ -221,15 +207,16 @@ Command add_verify(CLI::App& program) {
                              "ask this case alone and print all of it; may be repeated"));
   of_subject(app->add_option("--save-cases", subject.saved_cases,
                              "write the lines that ask to this file; -: stdout"));
-  of_subject(app->add_option("--baseline", subject.baseline,
+  of_subject(app->add_option("--baseline", subject.baseline.file,
                              "fail only on what is worse than this file says"));
-  CLI::Option* const update = of_subject(app->add_flag("--update-baseline", subject.update_baseline,
+  CLI::Option* const update = of_subject(app->add_flag("--update-baseline", subject.baseline.update,
                                                        "write what is better to the baseline"));
   update->needs("--baseline");
-  of_subject(app->add_flag("--force", subject.force, "with --update-baseline: what is worse, too"))
+  of_subject(app->add_flag("--force", subject.baseline.force,
+                           "with --update-baseline: what is worse, too"))
       ->needs(update);
   return {app, [arguments](OutputStream& output) { return verify(*arguments, output); },
-          [arguments] { return ignored_by(arguments->subject); }};
+          [arguments] { return ignored_by(*arguments); }};
 }
 
 }  // namespace tribo::cli

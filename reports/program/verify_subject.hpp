@@ -14,36 +14,36 @@
 
 namespace tribo::cli {
 
+// All options of `tribocheck verify`; without a subject, and with no cases to show or to save, most
+// of them have to be as here.
 struct SubjectArguments {
   std::string command;  // value of --subject
   std::string plugin;   // value of --plugin
   std::string exact;    // empty: reference/exact of the project
   std::string tolerance = "engineering";
   std::string format = "table";
-  std::string junit;     // empty: none
-  std::string baseline;  // empty: none
-  bool update_baseline = false, force = false;
+  std::string junit;  // empty: none
+  conformance::BaselineUse baseline;
   std::vector<std::string> required;  // quantities that have to be held
   std::size_t sample = 0;             // cases of each function at most; 0: all
   double case_timeout = 10, start_timeout = 60, timeout = 600;  // s
   std::vector<std::string> shown;  // the cases to show; empty: all cases are judged
   std::string saved_cases;         // the file of --save-cases; empty: none, "-": stdout
+
+  bool has_subject() const { return !command.empty() || !plugin.empty(); }
 };
 
 // Exit code 0: all that is offered holds; 1: something failed, or nothing is offered; 2: bad input,
 // or a subject that never answers. Without a subject the cases are shown or saved, and nothing is
 // judged.
-int verify_subject(const SubjectArguments& arguments, OutputStream& output);
+int verify_subject(SubjectArguments arguments, OutputStream& output);
 
 struct SubjectVerdict {
   conformance::ConformanceResult result;
   std::vector<conformance::Diagnosis> diagnoses;
-  std::vector<conformance::Example> examples;           // the worst of each failed quantity
-  std::vector<std::string> notes;                       // remarks on the answers
-  std::vector<std::string> last_errors;                 // lines of stderr
+  std::vector<conformance::QuantityNote> missing;       // named by --require, not held
   std::string baseline;                                 // the file of --baseline
   std::optional<conformance::BaselineChanges> changes;  // changes against that file
-  std::vector<conformance::QuantityNote> missing;       // named by --require, not held
 };
 
 // The reasons for exit code 1. With a baseline: all that is worse than the baseline. Without one:
@@ -51,9 +51,8 @@ struct SubjectVerdict {
 // missing. All formats report the same reasons.
 std::vector<conformance::QuantityNote> failures(const SubjectVerdict& verdict);
 
-void append_subject_table(Text& to, const SubjectVerdict& verdict);
-void append_subject_json(Text& to, const SubjectVerdict& verdict);
-void append_subject_markdown(Text& to, const SubjectVerdict& verdict);
+// format: "table", "json" or "markdown".
+void append_verdict(Text& to, const SubjectVerdict& verdict, const std::string& format);
 std::string subject_junit(const SubjectVerdict& verdict);
 
 // One case of --show: the line that asks, what is expected, the answer, and how far off it is.
@@ -61,10 +60,6 @@ std::string subject_junit(const SubjectVerdict& verdict);
 void append_request(Text& to, const conformance::TestCase& asked,
                     const conformance::Tolerance& tolerance);
 void append_shown_case(Text& to, const conformance::TestCase& asked,
-                       const conformance::Reply& answer,
-                       const std::vector<conformance::Example>& examples);
-
-// "PARTIAL: 9 of 14 quantities held, 5 not offered (tolerance: engineering)."
-std::string summary(const SubjectVerdict& verdict);
+                       const conformance::ConformanceResult& result);
 
 }  // namespace tribo::cli

@@ -13,10 +13,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "catalogue/catalogue.hpp"
 #include "conformance/conversation.hpp"
+#include "conformance/question.hpp"
 #include "scene/schema.hpp"
-#include "tribo/outputs.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -79,6 +78,18 @@ Measured measure_number(const TestCase& asked, const Expected& expected,
   return made;
 }
 
+Example example_of(const TestCase& asked, const Expected& expected, const Reply& answer,
+                   const Tolerance& tolerance) {
+  Example made{asked.id, asked.request(), expected, allowed_error(asked, expected, tolerance),
+               {},       answer.reason};
+  if (answer.outcome != Outcome::answered) return made;
+  if (const auto field = answer.fields.find(expected.field); field != answer.fields.end())
+    made.got = *field;
+  else
+    made.reason = fmt::format("the answer has no field {}", expected.field);
+  return made;
+}
+
 class Judge {
  public:
   Judge(const std::vector<TestCase>& cases, const Conversation& conversation,
@@ -119,8 +130,8 @@ class Judge {
     const TestCase& asked = cases_[i];
     const Expected& expected = asked.expected[k];
     const Reply& answer = conversation_.answers[i];
-    QuantityVerdict& verdict = quantity(quantity_name(asked, expected));
-    ++verdict.asked;
+    QuantityVerdict& verdict = quantity(expected.quantity);
+    if (verdict.asked++ == 0) verdict.worst = example_of(asked, expected, answer, tolerance_);
     if (answer.outcome == Outcome::skipped) return skip(verdict, answer.reason);
     if (answer.outcome != Outcome::answered)
       return fail(verdict, i, k, without_answer(answer.reason));
@@ -138,7 +149,7 @@ class Judge {
     ++verdict.held;
     verdict.held_physical += expected.is_physical ? 1 : 0;
     verdict.held_cases.push_back({asked.id, measured.per_condition});
-    note_worst(verdict, asked, measured);
+    note_worst(verdict, i, k, measured);
   }
 
   static void skip(QuantityVerdict& verdict, const std::string& reason) {
@@ -153,7 +164,7 @@ class Judge {
     ++verdict.failed;
     verdict.failed_cases.push_back(failed_case(cases_[i], cases_[i].expected[k], measured));
     verdict.failed_physical += is_physical ? 1 : 0;
-    note_worst(verdict, cases_[i], measured);
+    note_worst(verdict, i, k, measured);
   }
 
   static FailedCase failed_case(const TestCase& asked, const Expected& expected,
@@ -163,14 +174,13 @@ class Judge {
     return {asked.id, is_beyond ? Failure::wrong : measured.how, error};
   }
 
-  static void note_worst(QuantityVerdict& verdict, const TestCase& asked,
-                         const Measured& measured) {
-    if (measured.part_of_bound < verdict.worst_part_of_bound ||
-        (measured.part_of_bound == verdict.worst_part_of_bound && !verdict.worst_case.empty()))
-      return;
-    verdict.worst_part_of_bound = measured.part_of_bound;
+  void note_worst(QuantityVerdict& verdict, std::size_t i, std::size_t k,
+                  const Measured& measured) {
+    if (verdict.judged() > 1 && measured.part_of_bound <= verdict.worst.part_of_bound) return;
+    verdict.worst =
+        example_of(cases_[i], cases_[i].expected[k], conversation_.answers[i], tolerance_);
+    verdict.worst.part_of_bound = measured.part_of_bound;
     verdict.worst_relative = measured.relative;
-    verdict.worst_case = asked.id;
   }
 
   const std::vector<TestCase>& cases_;
@@ -186,7 +196,7 @@ Overall overall_of(const ConformanceResult& result) {
     return std::any_of(result.quantities.begin(), result.quantities.end(),
                        [&](const QuantityVerdict& one) { return one.status == status; });
   };
-  if (any(Verdict::failed) || result.violation_count > 0) return Overall::failed;
+  if (any(Verdict::failed) || result.conversation.violation_count > 0) return Overall::failed;
   if (any(Verdict::held_physically)) return Overall::physical;
   if (!any(Verdict::held) && !any(Verdict::partly_held)) return Overall::nothing;
   return any(Verdict::partly_held) || any(Verdict::not_offered) ? Overall::partial
@@ -195,41 +205,20 @@ Overall overall_of(const ConformanceResult& result) {
 
 using nlohmann::json;
 
-constexpr std::size_t most_error_lines = 20;
-
-struct ResultName {
-  std::string_view name, unit;
-};
-
-// The results of a function of the catalogue, or of an operating point.
-std::vector<ResultName> results_of(const std::string& function) {
-  std::vector<ResultName> results;
-  if (const catalogue::Function* const found = catalogue::find(function))
-    for (const catalogue::Result& one : found->results) results.push_back({one.name, one.unit});
-  else
-    for (const OutputInfo& one : output_infos) results.push_back({one.name, one.unit});
-  return results;
-}
-
-std::string unit_of(const std::string& function, const std::string& field) {
-  for (const ResultName& one : results_of(function))
-    if (one.name == field) return std::string(one.unit);
-  return {};
-}
-
-std::string with_unit(const std::string& number, const std::string& unit) {
-  return unit.empty() ? number : number + " " + unit;
+std::string with_unit(const std::string& number, std::string_view unit) {
+  return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
 // A field of an answer that is no result of the function.
 struct Stranger {
   std::string function, field;
+  const catalogue::Function* in_catalogue;
   auto operator<=>(const Stranger&) const = default;
 };
 
 std::string text_of(const Stranger& one, std::size_t count, bool any_known) {
   std::vector<std::string_view> names;
-  for (const ResultName& result : results_of(one.function)) names.push_back(result.name);
+  for (const ResultName& result : results_of(one.in_catalogue)) names.push_back(result.name);
   const std::string_view nearest = scene_detail::nearest_choice(one.field, names);
   std::string hint;
   if (!nearest.empty())
@@ -244,13 +233,56 @@ std::string text_of(const Stranger& one, std::size_t count, bool any_known) {
                      one.function, start_of(one.field), hint);
 }
 
+std::vector<std::string> notes_on(const std::vector<TestCase>& cases,
+                                  const Conversation& conversation) {
+  std::vector<std::string> notes;
+  if (conversation.print_count > 0)
+    notes.push_back(fmt::format(
+        "It wrote {} lines to stdout that are no answers; print to stderr instead. The first: {}",
+        conversation.print_count, conversation.first_print));
+  if (conversation.stays)
+    notes.push_back("It did not end when its input had ended, and was killed.");
+  std::map<Stranger, std::size_t> strangers;
+  std::set<std::string> with_known;  // functions
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Reply& answer = conversation.answers[i];
+    if (answer.outcome != Outcome::answered) continue;
+    const std::vector<ResultName> results = results_of(cases[i].in_catalogue);
+    for (const auto& [field, value] : answer.fields.items()) {
+      if (field == "id" || field == "undefined") continue;
+      if (std::any_of(results.begin(), results.end(),
+                      [&field = field](const ResultName& one) { return one.name == field; }))
+        with_known.insert(cases[i].function);
+      else
+        ++strangers[{cases[i].function, field, cases[i].in_catalogue}];
+    }
+  }
+  for (const auto& [one, count] : strangers) {
+    std::string text = text_of(one, count, with_known.contains(one.function));
+    if (!text.empty()) notes.push_back(std::move(text));
+  }
+  return notes;
+}
+
+// A function stands for each of its quantities.
+bool stands_for(const std::string& wanted, const std::string& quantity) {
+  return quantity == wanted || quantity.starts_with(wanted + ".");
+}
+
+std::set<std::string> quantity_names(const std::vector<TestCase>& cases) {
+  std::set<std::string> quantities;
+  for (const TestCase& asked : cases)
+    for (const Expected& one : asked.expected) quantities.insert(one.quantity);
+  return quantities;
+}
+
 }  // namespace
 
 double allowed_error(const TestCase& asked, const Expected& expected, const Tolerance& tolerance) {
   if (tolerance.is_strict)
     return unit_in_last_place(expected.high) *
            std::max(asked.contract.ulp, asked.contract.ulp_per_condition * expected.condition);
-  const auto own = tolerance.quantity.find(quantity_name(asked, expected));
+  const auto own = tolerance.quantity.find(expected.quantity);
   const double relative = own == tolerance.quantity.end() ? tolerance.relative : own->second;
   return std::max(relative * expected.condition * std::abs(expected.high), least_of_engineering);
 }
@@ -270,14 +302,15 @@ std::string_view name(Overall overall) {
 Tolerance strict_tolerance() { return {"strict", true, 0, {}}; }
 Tolerance engineering_tolerance() { return {"engineering", false, 1e-6, {}}; }
 
-Tolerance read_tolerance(const std::string& path, const std::vector<TestCase>& cases) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", path));
-  std::set<std::string> known{"default"};
-  for (const TestCase& one : cases)
-    for (const Expected& expected : one.expected) known.insert(quantity_name(one, expected));
+Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cases) {
+  if (text == "strict") return strict_tolerance();
   Tolerance tolerance = engineering_tolerance();
-  tolerance.name = path;
+  if (text == tolerance.name) return tolerance;
+  tolerance.name = text;
+  std::ifstream file(text);
+  if (!file) throw std::runtime_error(fmt::format("{}: cannot be read", text));
+  std::set<std::string> known = quantity_names(cases);
+  known.insert("default");
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     line.erase(std::min(line.find('#'), line.size()));
@@ -287,10 +320,10 @@ Tolerance read_tolerance(const std::string& path, const std::vector<TestCase>& c
     if (!(words >> quantity)) continue;
     if (!known.contains(quantity))
       throw std::runtime_error(fmt::format(
-          "{}:{}: {} is no quantity; `default`, or as in the table", path, number, quantity));
+          "{}:{}: {} is no quantity; `default`, or as in the table", text, number, quantity));
     if (!(words >> relative) || words >> rest || !(relative > 0) || !(relative < 1))
       throw std::runtime_error(
-          fmt::format("{}:{}: {} needs one number above 0 and below 1", path, number, quantity));
+          fmt::format("{}:{}: {} needs one number above 0 and below 1", text, number, quantity));
     if (quantity == "default")
       tolerance.relative = relative;
     else
@@ -299,58 +332,46 @@ Tolerance read_tolerance(const std::string& path, const std::vector<TestCase>& c
   return tolerance;
 }
 
-std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance) {
+std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance,
+                                std::size_t sample) {
   if (!tolerance.is_strict)
     std::erase_if(cases, [](const TestCase& one) { return one.is_extreme; });
-  return cases;
+  if (sample == 0) return cases;
+  std::map<std::string, std::size_t> count, seen;
+  for (const TestCase& one : cases) ++count[one.function];
+  std::vector<TestCase> kept;
+  for (TestCase& one : cases) {
+    const std::size_t i = seen[one.function]++, n = count[one.function];
+    // The first, and whenever i·sample/n reaches another whole number.
+    if (n <= sample || i == 0 || i * sample / n != (i - 1) * sample / n)
+      kept.push_back(std::move(one));
+  }
+  return kept;
 }
 
 ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
-                        const Conversation& conversation, const Tolerance& tolerance) {
+                        Conversation conversation, const Tolerance& tolerance) {
   ConformanceResult result;
   result.subject = std::move(subject);
   result.tolerance = tolerance;
-  result.violation_count = conversation.violation_count;
-  result.violations = conversation.violations;
-  result.last_errors = conversation.last_errors;
-  result.starts = conversation.starts;
-  result.answers_at_end_of_input = conversation.answers_at_end_of_input;
-  Judge(cases, conversation, tolerance, result).run();
+  result.conversation = std::move(conversation);
+  Judge(cases, result.conversation, tolerance, result).run();
   result.overall = overall_of(result);
+  result.notes = notes_on(cases, result.conversation);
   return result;
 }
 
-Example example_of(const TestCase& asked, const Expected& expected, const Reply& answer,
-                   const Tolerance& tolerance) {
-  Example made{quantity_name(asked, expected),
-               asked.id,
-               json::parse(asked.line()),
-               expected,
-               allowed_error(asked, expected, tolerance),
-               unit_of(asked.function, expected.field),
-               {},
-               answer.reason,
-               0};
-  if (answer.outcome != Outcome::answered) return made;
-  if (const auto field = answer.fields.find(expected.field); field != answer.fields.end())
-    made.got = *field;
-  else
-    made.reason = fmt::format("the answer has no field {}", expected.field);
-  return made;
-}
-
-std::string expected_text(const Example& example) {
-  const Expected& expected = example.expected;
+std::string expected_text(const Expected& expected, double allowed) {
   if (!expected.word.empty()) return expected.word;
   if (expected.is_undefined) return "null, as it is undefined there";
   return fmt::format("{}, give or take {:.2g}",
-                     with_unit(fmt::format("{}", expected.high), example.unit), example.allowed);
+                     with_unit(fmt::format("{}", expected.high), expected.unit), allowed);
 }
 
 std::string got_text(const Example& example) {
   if (!example.got) return fmt::format("nothing ({})", example.reason);
   const std::string text = example.got->dump(-1, ' ', true, json::error_handler_t::replace);
-  return example.got->is_number() ? with_unit(text, example.unit) : start_of(text);
+  return example.got->is_number() ? with_unit(text, example.expected.unit) : start_of(text);
 }
 
 std::string error_text(const Example& example) {
@@ -362,71 +383,28 @@ std::string error_text(const Example& example) {
              : fmt::format("{:.3g} of the error that is allowed", example.part_of_bound);
 }
 
-std::vector<Example> worst_examples(const ConformanceResult& result,
-                                    const std::vector<TestCase>& cases,
-                                    const Conversation& conversation, const Tolerance& tolerance,
-                                    bool of_all) {
-  std::map<std::string, std::size_t> index_of;
-  for (std::size_t i = 0; i < cases.size(); ++i) index_of[cases[i].id] = i;
-  std::vector<Example> examples;
+std::optional<std::string> unknown_of(const std::vector<std::string>& required,
+                                      const std::vector<TestCase>& cases) {
+  const std::set<std::string> known = quantity_names(cases);
+  for (const std::string& wanted : required)
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const std::string& one) { return stands_for(wanted, one); }))
+      return wanted;
+  return std::nullopt;
+}
+
+std::vector<QuantityNote> missing_of(const std::vector<std::string>& required,
+                                     const ConformanceResult& result) {
+  std::vector<QuantityNote> missing;
   for (const QuantityVerdict& one : result.quantities) {
-    if (one.failed == 0 && !of_all) continue;
-    const auto place = index_of.find(one.worst_case.empty() ? cases.front().id : one.worst_case);
-    if (place == index_of.end()) continue;
-    const TestCase& asked = cases[place->second];
-    for (const Expected& expected : asked.expected) {
-      if (quantity_name(asked, expected) != one.quantity) continue;
-      examples.push_back(
-          example_of(asked, expected, conversation.answers[place->second], tolerance));
-      examples.back().part_of_bound = one.worst_part_of_bound;
-    }
+    const bool is_required =
+        std::any_of(required.begin(), required.end(),
+                    [&](const std::string& wanted) { return stands_for(wanted, one.quantity); });
+    if (is_required && one.status != Verdict::held)
+      missing.push_back(
+          {one.quantity, fmt::format("required, but {}: {}", name(one.status), one.quantity)});
   }
-  return examples;
-}
-
-std::vector<std::string> notes_on(const std::vector<TestCase>& cases,
-                                  const Conversation& conversation) {
-  std::vector<std::string> notes;
-  if (conversation.print_count > 0)
-    notes.push_back(fmt::format(
-        "It wrote {} lines to stdout that are no answers; print to stderr instead. The first: {}",
-        conversation.print_count, conversation.first_print));
-  if (conversation.stays)
-    notes.push_back("It did not end when its input had ended, and was killed.");
-  std::map<Stranger, std::size_t> strangers;
-  std::set<std::string> with_known;  // functions
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Reply& answer = conversation.answers[i];
-    if (answer.outcome != Outcome::answered) continue;
-    const std::vector<ResultName> results = results_of(cases[i].function);
-    for (const auto& [field, value] : answer.fields.items()) {
-      if (field == "id" || field == "undefined") continue;
-      if (std::any_of(results.begin(), results.end(),
-                      [&field = field](const ResultName& one) { return one.name == field; }))
-        with_known.insert(cases[i].function);
-      else
-        ++strangers[{cases[i].function, field}];
-    }
-  }
-  for (const auto& [one, count] : strangers) {
-    std::string text = text_of(one, count, with_known.contains(one.function));
-    if (!text.empty()) notes.push_back(std::move(text));
-  }
-  return notes;
-}
-
-std::vector<std::string> last_error_lines(const Conversation& conversation) {
-  std::vector<std::string> lines;
-  std::istringstream text(conversation.last_errors);
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  while (!lines.empty() && lines.back().empty()) lines.pop_back();
-  const bool has_failures =
-      std::any_of(conversation.answers.begin(), conversation.answers.end(), [](const Reply& one) {
-        return one.outcome != Outcome::answered && one.outcome != Outcome::skipped;
-      });
-  const std::size_t kept = std::min(lines.size(), has_failures ? most_error_lines : 1);
-  lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(kept));
-  return lines;
+  return missing;
 }
 
 }  // namespace tribo::conformance

@@ -23,9 +23,9 @@ Tolerance strict_tolerance();
 // 1e-6 of the value or 1e-30, and nothing asked that is beyond engineering (TestCase::is_extreme):
 // for code that uses quadrature or fits.
 Tolerance engineering_tolerance();
-// Lines "quantity relative", # before comments; "default" for all that are not named. Throws
-// std::runtime_error with one line.
-Tolerance read_tolerance(const std::string& path, const std::vector<TestCase>& cases);
+// "strict", "engineering", or the path of a file: lines "quantity relative", # before comments;
+// "default" for all that are not named. Throws std::runtime_error with one line.
+Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cases);
 
 // How far off an answer to this may be, absolute.
 double allowed_error(const TestCase& asked, const Expected& expected, const Tolerance& tolerance);
@@ -59,16 +59,36 @@ struct HeldCase {
   double error;  // relative, over the condition; 0 where the value is too small to play a part
 };
 
+// One quantity of one case: its question, the expected answer, and the given one.
+struct Example {
+  std::string id;          // of the case
+  nlohmann::json request;  // the line that asked, as it was sent
+  Expected expected;
+  double allowed = 0;                 // how far off it may be, absolute
+  std::optional<nlohmann::json> got;  // in the answer's field; none: there is no such field
+  std::string reason;                 // why there is no answer, or no such field
+  double part_of_bound = 0;  // error over the bound; infinite: no number; 0: nothing was judged
+};
+
+// "3.2e-08 m, give or take 3.2e-14", or the word, or that it is undefined there.
+std::string expected_text(const Expected& expected, double allowed);
+// "2.3e-08 m", or "nothing" and why.
+std::string got_text(const Example& example);
+// "99.2 times as far off as is allowed"; empty where there is no number.
+std::string error_text(const Example& example);
+
 struct QuantityVerdict {
   std::string quantity;
   Verdict status = Verdict::not_offered;
   std::size_t asked = 0, held = 0, failed = 0, skipped = 0;
   std::size_t held_physical = 0, failed_physical = 0;  // of these, in the physical range
-  double worst_part_of_bound = 0, worst_relative = 0;
+  double worst_relative = 0;
+  Example worst{};  // of the cases that held or failed; the first case where all were skipped
   std::vector<HeldCase> held_cases;
   std::vector<FailedCase> failed_cases;
-  std::string worst_case;    // its id
   std::string first_reason;  // of the first failure, or of the first skip
+
+  std::size_t judged() const { return held + failed; }
 };
 
 // physical: nothing failed but beyond the physical range.
@@ -81,55 +101,32 @@ struct ConformanceResult {
   std::size_t sample = 0;  // cases of each function at most; 0: all were asked
   Overall overall = Overall::nothing;
   std::vector<QuantityVerdict> quantities;
-  std::size_t violation_count = 0;
-  std::vector<std::string> violations;
-  std::string last_errors;
-  int starts = 0;
-  bool answers_at_end_of_input = false;
+  Conversation conversation;
+  // Notes on the answers for the user: lines between them, and fields that are no results, as
+  // misspelt ones. Each note is one line.
+  std::vector<std::string> notes;
 };
 
 ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
-                        const Conversation& conversation, const Tolerance& tolerance);
+                        Conversation conversation, const Tolerance& tolerance);
 
-// The cases that a tolerance asks for: all but the strict one leave out the extreme cases.
-std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance);
+// The cases that a tolerance asks for: all but the strict one leave out the extreme cases. With a
+// sample every k-th of these, so that at most so many of each function remain, the first always.
+std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance,
+                                std::size_t sample = 0);
 
-// One quantity of one case: its question, the expected answer, and the given one.
-struct Example {
-  std::string quantity;
-  std::string id;          // of the case
-  nlohmann::json request;  // the line that asked, as it was sent
-  Expected expected;
-  double allowed;    // how far off it may be, absolute
-  std::string unit;  // empty: dimensionless
-  std::optional<nlohmann::json>
-      got;               // what the answer has in the field; none: there is no such field
-  std::string reason;    // why there is no answer, or no such field
-  double part_of_bound;  // error over the bound; infinite where there is no number; 0 if unknown
+// The first of these names that is no quantity of the cases. A function's name stands for each of
+// its quantities, here and below.
+std::optional<std::string> unknown_of(const std::vector<std::string>& required,
+                                      const std::vector<TestCase>& cases);
+
+// The message on one quantity.
+struct QuantityNote {
+  std::string quantity;  // or "protocol", "anything"
+  std::string text;      // "hertz_point.radius: was held, is FAILED"
 };
-
-// "3.2e-08 m, give or take 3.2e-14", or the word, or that it is undefined there.
-std::string expected_text(const Example& example);
-// "2.3e-08 m", or "nothing" and why.
-std::string got_text(const Example& example);
-// "99.2 times as far off as is allowed"; empty where there is no number.
-std::string error_text(const Example& example);
-
-Example example_of(const TestCase& asked, const Expected& expected, const Reply& answer,
-                   const Tolerance& tolerance);
-
-// The worst case of each quantity that failed; with `of_all`: of each that was asked for.
-std::vector<Example> worst_examples(const ConformanceResult& result,
-                                    const std::vector<TestCase>& cases,
-                                    const Conversation& conversation, const Tolerance& tolerance,
-                                    bool of_all = false);
-
-// Notes on the answers for the user: lines between them, and fields that are no results, as
-// misspelt ones. Each note is one line.
-std::vector<std::string> notes_on(const std::vector<TestCase>& cases,
-                                  const Conversation& conversation);
-
-// The end of what the subject wrote to stderr: all of an error message, where cases have no answer.
-std::vector<std::string> last_error_lines(const Conversation& conversation);
+// The quantities that were asked for by name and are not held.
+std::vector<QuantityNote> missing_of(const std::vector<std::string>& required,
+                                     const ConformanceResult& result);
 
 }  // namespace tribo::conformance

@@ -205,6 +205,11 @@ const json& quantities_of(const json& baseline) {
   return baseline.at("quantities");
 }
 
+std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& error) {
+  return std::invalid_argument(
+      fmt::format("{}: {}; this makes it anew: {}", use.file, error.what(), use.renewal));
+}
+
 bool has_numbers(const json& row) {
   return row.at("held").get<std::size_t>() > 0 || !row.at("failed").empty();
 }
@@ -263,11 +268,10 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& one) { return one.quantity == row.key(); }))
       changes.worse.push_back({row.key(), fmt::format("{}: is no longer asked", row.key())});
-  if (result.violation_count > 0)
+  if (const Conversation& talk = result.conversation; talk.violation_count > 0)
     changes.worse.push_back(
-        {"protocol",
-         fmt::format("the protocol was broken {} times{}", result.violation_count,
-                     result.violations.empty() ? "" : ": " + result.violations.front())});
+        {"protocol", fmt::format("the protocol was broken {} times{}", talk.violation_count,
+                                 talk.violations.empty() ? "" : ": " + talk.violations.front())});
   if (!any_offered)
     changes.worse.push_back({"anything", "no quantity is offered, so that nothing is tested"});
   else if (!any_compared)
@@ -276,12 +280,35 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
   return changes;
 }
 
-json read_conformance_baseline(const std::string& path) {
-  if (!std::filesystem::exists(path)) return nullptr;
-  std::ifstream file(path);
-  const json content = protocol::read_bounded_json(file);
-  if (content.is_discarded()) throw std::runtime_error("it is no JSON");
+json usable_baseline(const BaselineUse& use, const std::function<void(const json&)>& check) {
+  if (use.file.empty()) return nullptr;
+  json content;
+  try {
+    if (std::filesystem::exists(use.file)) {
+      std::ifstream file(use.file);
+      content = protocol::read_bounded_json(file);
+      if (content.is_discarded()) throw std::runtime_error("it is no JSON");
+      if (!content.is_null()) check(content);
+    }
+  } catch (const std::runtime_error& error) {
+    if (use.force) return nullptr;
+    throw no_baseline(use, error);
+  }
+  if (content.is_null() && !use.update)
+    throw std::invalid_argument(
+        fmt::format("{}: there is no such baseline; --update-baseline writes it", use.file));
   return content;
+}
+
+std::optional<BaselineChanges> changes_since(const json& before, const BaselineUse& use,
+                                             const ConformanceResult& result) {
+  if (before.is_null()) return std::nullopt;
+  try {
+    return compare(result, before);
+  } catch (const std::exception& error) {
+    if (!use.force) throw no_baseline(use, error);
+    return std::nullopt;
+  }
 }
 
 }  // namespace tribo::conformance

@@ -8,6 +8,8 @@
 // another word …) or "no answer". Each of these is a line, so that a diff can be read.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +17,19 @@
 
 namespace tribo::conformance {
 
-// The message on one quantity.
-struct QuantityNote {
-  std::string quantity;  // or "protocol", "anything"
-  std::string text;      // "hertz_point.radius: was held, is FAILED"
+// How a run uses a baseline.
+struct BaselineUse {
+  std::string file;          // empty: none
+  bool update = false;       // what is better is written to it
+  bool force = false;        // with `update`: what is worse, too; and over any file
+  std::string renewal = {};  // the command that makes it anew, for messages
 };
+
+// The file's content, read before anybody is asked; null where it is to be written, or where there
+// is to be none. Throws std::invalid_argument with one line where there is no such file, and where
+// it is no JSON or `check` throws a std::runtime_error; with `force` such a file is taken for none.
+nlohmann::json usable_baseline(const BaselineUse& use,
+                               const std::function<void(const nlohmann::json&)>& check);
 
 struct BaselineChanges {
   // New failures, failures that grew, lost coverage, accuracy beyond the ratchet; or that nothing
@@ -38,10 +48,12 @@ void check_comparable(const nlohmann::json& baseline, const Tolerance& tolerance
                       std::size_t sample);
 
 // Neither the worst error of what held, nor the error of any case that failed, may be worse than
-// 4·max(ε, what it was). Throws as check_comparable does.
+// 4·max(ε, what it was). Throws as check_comparable() does.
 BaselineChanges compare(const ConformanceResult& result, const nlohmann::json& baseline);
 
-// The file's content; null where there is no such file. Throws std::runtime_error with one line.
-nlohmann::json read_conformance_baseline(const std::string& path);
+// The same with what usable_baseline() gave; nothing where that is null, or with `force` cannot be
+// compared with. Throws std::invalid_argument with one line.
+std::optional<BaselineChanges> changes_since(const nlohmann::json& before, const BaselineUse& use,
+                                             const ConformanceResult& result);
 
 }  // namespace tribo::conformance

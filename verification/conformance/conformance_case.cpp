@@ -46,10 +46,10 @@ bool is_physical(const Scene& scene) {
   const double speed = scene.speeds[0];
   const MixedContact<double> contact(scene);
   const auto numbers = detail::numbers_of<double>(scene);
-  return is_physical(*catalogue::find("hamrock_dowson_central"),
+  return is_physical(*catalogue::function_named("hamrock_dowson_central"),
                      {speed, numbers.viscosity, numbers.pressure_viscosity, numbers.load,
                       numbers.effective_modulus, numbers.radius_x, numbers.ellipticity}) &&
-         is_physical(*catalogue::find("load_sharing"),
+         is_physical(*catalogue::function_named("load_sharing"),
                      {0, contact.flooded_film_parameter(speed), contact.sharing().stiffness(),
                       contact.sharing().offset()});
 }
@@ -60,11 +60,11 @@ bool is_tiny(const Expected& one) {
 
 // The certified cases of a function. If the function has several results, each row holds one of
 // them, and the rows of the same arguments follow each other.
-std::vector<TestCase> cases_of(const std::string& folder, const catalogue::Function& function) {
+std::vector<TestCase> cases_of(const catalogue::Function& function,
+                               const std::vector<ReferenceRow>& rows) {
   std::vector<TestCase> cases;
   const std::string name(function.name);
-  for (const ReferenceRow& row :
-       read_reference_table(fmt::format("{}/{}.csv", folder, function.name))) {
+  for (const ReferenceRow& row : rows) {
     json inputs{{"function", name}};
     for (const catalogue::Parameter& parameter : function.parameters) {
       json& argument = inputs[std::string(parameter.name)];
@@ -80,7 +80,8 @@ std::vector<TestCase> cases_of(const std::string& folder, const catalogue::Funct
                        std::move(inputs),
                        function.contract,
                        {},
-                       row.text("region") == "extreme" || row.text("region") == "far"});
+                       row.text("region") == "extreme" || row.text("region") == "far",
+                       &function});
     TestCase& last = cases.back();
     last.expected.push_back(expected(has_one ? "value" : row.text("output"), row));
     // The film of a collapsed inlet is 0 in every program.
@@ -103,7 +104,7 @@ void put(json& scene, std::size_t place, double value) {
     to = value;
 }
 
-json scene_json(const ReferenceRow& row) {
+json certified_scene(const ReferenceRow& row) {
   json scene;
   verification::for_each_field(
       row, [&scene](std::size_t place, double value) { put(scene, place, value); });
@@ -139,13 +140,13 @@ std::string point_function(const ReferenceRow& row) {
 
 // Rows p0000.0 to p0000.8 are the outputs of one point. An output that is undefined, as nothing
 // balances the load of a collapsed film, is not asked: solvers may give its limit, or nothing.
-std::vector<TestCase> operating_points(const std::string& folder) {
+std::vector<TestCase> operating_points(const std::vector<ReferenceRow>& rows) {
   std::vector<TestCase> cases;
-  for (const ReferenceRow& row : read_reference_table(folder + "/operating_point.csv")) {
+  for (const ReferenceRow& row : rows) {
     const std::string id = row.text("id").substr(0, row.text("id").find('.'));
     if (cases.empty() || cases.back().id != id)
       cases.push_back(
-          {id, point_function(row), scene_json(row), operating_point_contract, {}, false});
+          {id, point_function(row), certified_scene(row), operating_point_contract, {}, false});
     if (row.is_defined()) cases.back().expected.push_back(expected(row.text("output"), row));
   }
   for (TestCase& point : cases) add_words(point);
@@ -153,7 +154,7 @@ std::vector<TestCase> operating_points(const std::string& folder) {
 }
 
 // The fields that are not as usual, and the model of the contact.
-json scene_json(const Scene& scene, double speed) {
+json published_scene(const Scene& scene, double speed) {
   json made;
   for (std::size_t place = 0; place < scene_fields().size(); ++place) {
     const FieldInfo& field = scene_fields()[place];
@@ -185,7 +186,7 @@ std::vector<TestCase> paper_points(const std::string& folder) {
       const OperatingPoint<long double> point = contact.solve(speed);
       TestCase made{fmt::format("{}@{}", stem, speed),
                     "operating_point",
-                    scene_json(scene, speed),
+                    published_scene(scene, speed),
                     Contract{4504, 0},
                     {},
                     false};
@@ -206,9 +207,11 @@ std::vector<TestCase> paper_points(const std::string& folder) {
 // Asperities, or a film, that carry less of the load play no part in a point.
 constexpr double least_share = 1e-9;
 
-// Marks what is beyond the physical range.
-void mark_physical(TestCase& one) {
+// What is known of a case's fields from its function and inputs: their names among all quantities,
+// units and places, and whether they are in the physical range.
+void complete(TestCase& one) {
   const Question question = question_of(one);
+  const std::vector<ResultName> results = results_of(question.function);
   const bool has_physical_inputs = question.function != nullptr
                                        ? is_physical(*question.function, question.arguments)
                                        : question.scene && is_physical(*question.scene);
@@ -221,6 +224,13 @@ void mark_physical(TestCase& one) {
   const bool without_film = is_balanced && fluid < least_share;
   for (Expected& expected : one.expected) {
     const std::string& field = expected.field;
+    expected.quantity = field == "value" ? one.function : fmt::format("{}.{}", one.function, field);
+    const auto result = std::find_if(results.begin(), results.end(),
+                                     [&](const ResultName& known) { return known.name == field; });
+    if (result != results.end()) {
+      expected.unit = result->unit;
+      expected.place = static_cast<std::size_t>(result - results.begin());
+    }
     const bool is_of_asperities =
         field == "asperity_load_share" || field == "real_area_ratio" || field == "summit_count";
     expected.is_physical = has_physical_inputs && (expected.high == 0 || !is_tiny(expected)) &&
@@ -231,40 +241,28 @@ void mark_physical(TestCase& one) {
 
 }  // namespace
 
-std::string TestCase::line() const {
+json TestCase::request() const {
   json asked = inputs;
   asked["id"] = id;
-  return asked.dump();
+  return asked;
 }
 
-std::string quantity_name(const TestCase& asked, const Expected& expected) {
-  return expected.field == "value" ? asked.function
-                                   : fmt::format("{}.{}", asked.function, expected.field);
-}
+std::string TestCase::line() const { return request().dump(); }
 
 std::vector<TestCase> read_cases(const CaseSources& sources) {
   std::vector<TestCase> all;
   const auto add = [&](std::vector<TestCase> part) {
     for (TestCase& one : part) all.push_back(std::move(one));
   };
+  const auto table = [&](std::string_view name) {
+    return read_reference_table(fmt::format("{}/{}.csv", sources.exact, name));
+  };
   for (const catalogue::Function& function : catalogue::functions())
-    add(cases_of(sources.exact, function));
+    add(cases_of(function, table(function.name)));
   add(paper_points(sources.published));
-  add(operating_points(sources.exact));
-  for (TestCase& one : all) mark_physical(one);
+  add(operating_points(table("operating_point")));
+  for (TestCase& one : all) complete(one);
   return all;
-}
-
-std::vector<TestCase> sampled(std::vector<TestCase> cases, std::size_t most) {
-  std::map<std::string, std::size_t> count, seen;
-  for (const TestCase& one : cases) ++count[one.function];
-  std::vector<TestCase> kept;
-  for (TestCase& one : cases) {
-    const std::size_t i = seen[one.function]++, n = count[one.function];
-    // The first, and whenever i·most/n reaches another whole number.
-    if (n <= most || i == 0 || i * most / n != (i - 1) * most / n) kept.push_back(std::move(one));
-  }
-  return kept;
 }
 
 }  // namespace tribo::conformance

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "catalogue/catalogue.hpp"
 #include "tribo/contract.hpp"
 
 namespace tribo::conformance {
@@ -24,6 +25,11 @@ struct Expected {
   // The inputs are such as contacts on earth have (catalogue.hpp), and the value is not so small
   // that it plays no part.
   bool is_physical = true;
+  // "gaussian_moment", "hertz_point.radius", "operating_point.film": a function's only field is not
+  // named.
+  std::string quantity{};
+  std::string_view unit{};             // empty: dimensionless
+  std::optional<std::size_t> place{};  // in Numbers (question.hpp); empty: it is no result
 };
 
 // Films and shares of engineering are never as small; moments beyond d = 11 are.
@@ -36,8 +42,10 @@ struct TestCase {
   Contract contract;      // of the strict tolerance
   std::vector<Expected> expected;
   bool is_extreme;  // beyond what code for engineering is made for
+  const catalogue::Function* in_catalogue = nullptr;  // none: an operating point
 
-  std::string line() const;  // one line of JSON, without a line end
+  nlohmann::json request() const;  // the inputs with the id
+  std::string line() const;        // the request as one line of JSON, without a line end
 };
 
 // Operating points of circles with the default film law, of circles with another one, of ellipses
@@ -49,18 +57,11 @@ inline bool is_operating_point(std::string_view function) {
   return function.starts_with(operating_point_functions[0]);
 }
 
-// "gaussian_moment", "hertz_point.radius", "operating_point.film": a function's only field is not
-// named.
-std::string quantity_name(const TestCase& asked, const Expected& expected);
-
 struct CaseSources {
   std::string exact;      // the folder of certified tables
   std::string published;  // of the paper's scenes and independent.tsv
 };
 // Throws std::runtime_error with one line.
 std::vector<TestCase> read_cases(const CaseSources& sources);
-
-// Every k-th case of each function, so that at most `most` of each remain, the first always.
-std::vector<TestCase> sampled(std::vector<TestCase> cases, std::size_t most);
 
 }  // namespace tribo::conformance

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <deque>
 #include <memory>
+#include <sstream>
 #include <string_view>
 #include <unordered_map>
 
@@ -59,6 +60,7 @@ constexpr std::size_t print_flood = 10000;   // lines between two answers
 constexpr int most_failures = 3;             // in a row without an answer between them
 constexpr int most_silent_failures = 2;      // before any answer
 constexpr int most_starts = 25;
+constexpr std::size_t most_error_lines = 20;
 
 // Answers are kept until all are judged: of more than any needs, only a part is.
 constexpr std::size_t longest_answer = 4096;
@@ -115,6 +117,7 @@ class Asker {
     hear_the_end();
     end_process();
     if (!any_answer_ && !cases_.empty()) result.never_answered = why_never_answered();
+    result.error_lines = last_error_lines();
   }
 
   Conversation result;
@@ -131,6 +134,20 @@ class Asker {
     if (!result.violations.empty()) add(result.violations.front());
     if (result.print_count > 0) add("it writes lines that are no answers: " + result.first_print);
     return why;
+  }
+
+  std::vector<std::string> last_error_lines() const {
+    std::vector<std::string> lines;
+    std::istringstream text(result.last_errors);
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    while (!lines.empty() && lines.back().empty()) lines.pop_back();
+    const bool has_failures =
+        std::any_of(result.answers.begin(), result.answers.end(), [](const Reply& one) {
+          return one.outcome != Outcome::answered && one.outcome != Outcome::skipped;
+        });
+    const std::size_t kept = std::min(lines.size(), has_failures ? most_error_lines : 1);
+    lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(kept));
+    return lines;
   }
 
   // False: no process is started, as some or all of the cases are given up.

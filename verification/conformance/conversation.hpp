@@ -52,8 +52,10 @@ struct Conversation {
   std::size_t violation_count = 0;
   std::size_t print_count = 0;  // lines between the answers that are no answers
   std::string first_print;
-  int starts = 0;                        // of the subject
-  std::string last_errors;               // what it wrote to stderr last
+  int starts = 0;           // of the subject
+  std::string last_errors;  // what it wrote to stderr last
+  // The end of that: all of an error message, where cases have no answer.
+  std::vector<std::string> error_lines;
   bool answers_at_end_of_input = false;  // it does not flush its answers
   std::string never_answered;            // why; empty where any case has an answer
   int exit_code_without_answer = -1;     // of a subject that ended and never answered

@@ -18,6 +18,8 @@ struct Part {
   std::string branch;
   std::vector<const AnsweredNumber*> wrong;  // and unexplained
   std::size_t answered = 0;
+
+  const std::string& quantity() const { return wrong.front()->expected->quantity; }
 };
 
 // The parts with wrong answers that are still to be told. Few of them after a named mistake, such

@@ -89,13 +89,6 @@ class Diagnoser {
   }
   bool any_left() const { return std::any_of(cases_.begin(), cases_.end(), has_left); }
 
-  std::string quantity(std::size_t place) const {
-    for (const AnsweredCase& one : cases_)
-      for (const AnsweredNumber& number : one.numbers)
-        if (number.place == place) return quantity_name(*one.question.asked, *number.expected);
-    return function_;
-  }
-
   // The result that most of these numbers are of, with them as its wrong ones.
   Part shown(const std::vector<AnsweredNumber*>& explained) const {
     std::map<std::size_t, Part> parts;
@@ -116,7 +109,7 @@ class Diagnoser {
   // Adds the diagnosis of a cause that was found for all cases, or for these branches.
   void tell(Cause cause, const std::vector<std::string>& branches) {
     const Part part = shown(cause.explains);
-    Diagnosis one{quantity(part.place), {}, cause.explains.size(), wrong_, {}};
+    Diagnosis one{part.quantity(), {}, cause.explains.size(), wrong_, {}};
     std::string causes;
     for (const Mistakes& choice : cause.choices) {
       std::string name, text;
@@ -223,7 +216,7 @@ class Diagnoser {
     std::stable_sort(parts.begin(), parts.end(),
                      [](const Part& a, const Part& b) { return a.wrong.size() > b.wrong.size(); });
     const std::size_t first = parts.front().place;
-    Diagnosis one{quantity(first), {}, 0, wrong_, {}};
+    Diagnosis one{parts.front().quantity(), {}, 0, wrong_, {}};
     one.text = precision_text(one.quantity, parts.front());
     if (one.text.empty()) one.text = rests_text(one.quantity, first, parts);
     if (one.text.empty()) one.text = described_by_branch(one.quantity, first, parts);

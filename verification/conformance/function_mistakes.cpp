@@ -69,7 +69,7 @@ LawChange change_to(const FilmLaw& other) {
 // or multiples of these, { times = -1 }.
 LawChange law_change(const json& written, const FilmLaw& own) {
   if (written.is_string()) {
-    const Function* const other = catalogue::find(written.get<std::string>());
+    const Function* const other = catalogue::function_named(written.get<std::string>());
     if (other != nullptr && other->film_law != nullptr) return change_to(*other->film_law);
   }
   if (!written.is_object()) throw std::runtime_error("law: a table, another, or a film law's name");
@@ -270,7 +270,7 @@ std::string with_words(std::string text, std::string_view given, std::string_vie
 
 std::vector<const Function*> functions_of(const MistakeEntry& entry) {
   if (entry.function != "film_laws") {
-    const Function* const function = catalogue::find(entry.function);
+    const Function* const function = catalogue::function_named(entry.function);
     if (function == nullptr) throw std::runtime_error("no function " + entry.function);
     return {function};
   }

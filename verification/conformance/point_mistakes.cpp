@@ -211,7 +211,7 @@ constexpr std::pair<std::string_view, double FrictionReading::*> friction_number
 std::optional<double> value_with(const Mistake& wrong, const catalogue::Arguments& arguments) {
   const Mistake* const one = &wrong;
   const std::optional<Numbers> numbers =
-      numbers_with({&one, 1}, {nullptr, catalogue::find(wrong.function), arguments});
+      numbers_with({&one, 1}, {nullptr, catalogue::function_named(wrong.function), arguments});
   return numbers && std::isfinite((*numbers)[0]) ? std::optional((*numbers)[0]) : std::nullopt;
 }
 
@@ -292,7 +292,7 @@ Mistake with_film(const std::vector<Mistake>& laws) {
                    });
                    if (law == laws.end()) return;
                    catalogue::Arguments arguments{};
-                   const auto& parameters = catalogue::find(law->function)->parameters;
+                   const auto& parameters = catalogue::function_named(law->function)->parameters;
                    for (std::size_t i = 0; i < parameters.size(); ++i)
                      arguments[i] = number_of(scene, parameters[i].name);
                    if (const auto film = value_with(*law, arguments))

@@ -100,7 +100,7 @@ double argument_of(const catalogue::Parameter& parameter, const nlohmann::json& 
 }
 
 Question question_of(const TestCase& asked) {
-  Question question{&asked, catalogue::find(asked.function)};
+  Question question{&asked, asked.in_catalogue};
   if (question.function == nullptr) {
     question.scene = parse_scene_json(asked.inputs.dump(), "case", SceneUse::one_speed).scene;
     return question;
@@ -112,16 +112,13 @@ Question question_of(const TestCase& asked) {
   return question;
 }
 
-std::optional<std::size_t> place_of_field(const Question& question, std::string_view field) {
-  if (question.function == nullptr) {
-    const std::optional<Output> output = output_by_name(field);
-    if (!output || static_cast<std::size_t>(*output) >= number_count) return std::nullopt;
-    return static_cast<std::size_t>(*output);
-  }
-  const auto& results = question.function->results;
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i].name == field) return i;
-  return std::nullopt;
+std::vector<ResultName> results_of(const catalogue::Function* function) {
+  std::vector<ResultName> results;
+  if (function != nullptr)
+    for (const catalogue::Result& one : function->results) results.push_back({one.name, one.unit});
+  else
+    for (const OutputInfo& one : output_infos) results.push_back({one.name, one.unit});
+  return results;
 }
 
 Numbers numbers_of(const catalogue::Results& results) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "catalogue/catalogue.hpp"
 #include "conformance/conformance_case.hpp"
@@ -59,8 +60,12 @@ struct Question {
 
 Question question_of(const TestCase& asked);
 
-// The place of a result in Numbers; empty for a field that is no number.
-std::optional<std::size_t> place_of_field(const Question& question, std::string_view field);
+struct ResultName {
+  std::string_view name, unit;
+};
+// The results of a function in the order of Numbers; of an operating point (null) those that are
+// words come last.
+std::vector<ResultName> results_of(const catalogue::Function* function);
 
 Numbers numbers_of(const catalogue::Results& results);
 // The numbers of an operating point, with the question's number of summits and friction.

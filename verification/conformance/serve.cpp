@@ -266,7 +266,7 @@ const FunctionBatch no_batch;
 }  // namespace
 
 void Solver::check_arguments(std::string_view name, std::size_t count) {
-  const catalogue::Function* const function = catalogue::find(name);
+  const catalogue::Function* const function = catalogue::function_named(name);
   if (function == nullptr || function->parameters.size() == count) return;
   std::string names;
   for (const catalogue::Parameter& parameter : function->parameters)
@@ -277,7 +277,7 @@ void Solver::check_arguments(std::string_view name, std::size_t count) {
 }
 
 void Solver::offer_batch(std::string_view name, FunctionBatch batch) {
-  const catalogue::Function* const function = catalogue::find(name);
+  const catalogue::Function* const function = catalogue::function_named(name);
   if (function == nullptr)
     throw std::invalid_argument("no function is called " + std::string(name) +
                                 "; `tribocheck functions` lists all");

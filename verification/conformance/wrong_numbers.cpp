@@ -200,9 +200,8 @@ std::vector<AnsweredCase> answered_cases(const std::string& function,
     for (const Expected& expected : cases[i].expected) {
       if (!expected.word.empty() || expected.is_undefined) continue;
       const auto value = answer.fields.find(expected.field);
-      const auto place = place_of_field(one.question, expected.field);
-      if (!place || value == answer.fields.end() || !value->is_number()) continue;
-      AnsweredNumber number{&expected, *place, value->get<double>(),
+      if (!expected.place || value == answer.fields.end() || !value->is_number()) continue;
+      AnsweredNumber number{&expected, *expected.place, value->get<double>(),
                             allowed_error(cases[i], expected, tolerance), false};
       if (!std::isfinite(number.got)) continue;
       number.is_wrong = std::abs(number.error()) > number.allowed;

@@ -133,7 +133,7 @@ std::optional<CallFault> read_call(Members members, FunctionCall& call) {
     call.id = id->value.text;
   }
   const scene_detail::Value& name = find(members, "function")->value;
-  call.function = name.kind == ValueKind::text ? catalogue::find(name.text) : nullptr;
+  call.function = name.kind == ValueKind::text ? catalogue::function_named(name.text) : nullptr;
   if (call.function == nullptr) return unknown_function(name);
   if (auto fault = fault_in_names(*call.function, members)) return fault;
   if (auto fault = read_arguments(*call.function, members, call.arguments)) return fault;

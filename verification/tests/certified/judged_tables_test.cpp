@@ -92,7 +92,7 @@ TEST(QuantityResult, HasPassedOnlyWithCasesAllWithinTheirBound) {
 // The figures of each function, counted anew, row by row.
 TEST(QuantityResult, HasTheWorstOfAllRowsOfItsTable) {
   for (const QuantityResult& got : check_accuracy(exact.string())) {
-    const catalogue::Function* const function = catalogue::find(got.quantity);
+    const catalogue::Function* const function = catalogue::function_named(got.quantity);
     if (function == nullptr) continue;
     std::vector<double> errors, per_condition, parts;
     const auto rows = read_reference_table((exact / (got.quantity + ".csv")).string());

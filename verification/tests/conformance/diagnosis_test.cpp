@@ -253,7 +253,10 @@ std::vector<Diagnosis> told_of(std::size_t count, const Times& times,
     cases[i].id = std::to_string(i);
     cases[i].inputs["speed"] = 1 + static_cast<double>(i);
     const double right = right_numbers(question_of(cases[i]))[0];
-    cases[i].expected = {{"value", right, 0, 1, false, {}}};
+    Expected& expected = cases[i].expected.front();
+    expected.high = right;
+    expected.low = 0;
+    expected.condition = 1;
     double got = right * times(i);
     if (single_but_for && i != *single_but_for) got = static_cast<float>(got);
     conversation.answers.push_back({Outcome::answered, {{"value", got}}, {}});

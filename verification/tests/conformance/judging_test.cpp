@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "conformance/conformance_baseline.hpp"
@@ -25,10 +26,11 @@ using verification::True;
 constexpr Contract contract{4, 0.5};  // 4 ulp, or half an ulp times the condition
 
 TestCase asked_for(std::vector<Expected> expected, std::string id = "a") {
+  for (Expected& one : expected) one.quantity = "film";
   return {std::move(id), "film", json::object(), contract, std::move(expected), false};
 }
 Expected number(double high, double condition = 1) {
-  return {"value", high, 0, condition, false, {}};
+  return {.field = "value", .high = high, .condition = condition, .quantity = "film"};
 }
 
 Tolerance own_tolerance() {
@@ -102,7 +104,7 @@ TEST(JudgedAnswer, IsHeldUpToItsBoundOnBothSides) {
   };
   EXPECT_TRUE(changes_at_its_limit({"of a part", 1e-24, True::above, plays_a_part, 1e-15}));
   const QuantityVerdict verdict = verdict_on(expected, with({{"value", 2 + 1e-5}}));
-  EXPECT_TRUE(is_close(verdict.worst_part_of_bound, 0.5, 1e-9, {}));
+  EXPECT_TRUE(is_close(verdict.worst.part_of_bound, 0.5, 1e-9, {}));
   EXPECT_TRUE(is_close(verdict.worst_relative, 5e-6, 1e-9, {}));
 }
 
@@ -154,7 +156,7 @@ TEST(JudgedQuantity, CountsEachOfItsCases) {
   EXPECT_EQ(all.failed, 1U);
   EXPECT_EQ(all.skipped, 1U);
   EXPECT_EQ(all.status, Verdict::failed);
-  EXPECT_EQ(all.worst_case, "c");
+  EXPECT_EQ(all.worst.id, "c");
   EXPECT_TRUE(all.first_reason.starts_with("c: ")) << all.first_reason;
   const QuantityVerdict part = judged(cases, {right, right, skipped, right}).quantities[0];
   EXPECT_EQ(part.status, Verdict::partly_held);
@@ -185,6 +187,23 @@ TEST(Cases, AreAllWhereTheToleranceIsStrict) {
   EXPECT_EQ(ids(cases_for(all, strict_tolerance())), ids(all));
   EXPECT_EQ(ids(cases_for(all, engineering_tolerance())), ids(usual));
   EXPECT_EQ(ids(cases_for(all, own_tolerance())), ids(usual));
+}
+
+TEST(Cases, NameEachQuantityWithItsUnitAndItsPlaceAmongTheNumbers) {
+  std::map<std::string, const Expected*> known;
+  for (const TestCase& one : all_cases())
+    for (const Expected& of : one.expected) known[of.quantity] = &of;
+  for (const auto& [quantity, field, unit, place] :
+       {std::tuple{"gaussian_moment", "value", "", 0U},
+        {"hertz_point.radius", "radius", "m", 0U},
+        {"hertz_point.approach", "approach", "m", 3U},
+        {"operating_point.film", "film", "m", 1U},
+        {"operating_point_of_line.friction", "friction", "", 8U}}) {
+    ASSERT_TRUE(known.contains(quantity)) << quantity;
+    EXPECT_EQ(known[quantity]->field, field);
+    EXPECT_EQ(known[quantity]->unit, unit) << quantity;
+    EXPECT_EQ(known[quantity]->place, place) << quantity;
+  }
 }
 
 // A word is asked of a point unless it lies at the border of two, or nothing balances its load.
@@ -229,7 +248,8 @@ TEST(Cases, OfASampleAreSoManyOfEachFunctionTheFirstAlways) {
       }
   for (const std::size_t most : {1U, 2U, 7U, 10U, 22U, 23U, 99U, 100U, 1000U}) {
     std::map<std::string, std::vector<std::size_t>> kept;
-    for (const TestCase& one : sampled(all, most)) kept[one.function].push_back(std::stoul(one.id));
+    for (const TestCase& one : cases_for(all, strict_tolerance(), most))
+      kept[one.function].push_back(std::stoul(one.id));
     for (const auto& [function, size] : sizes) {
       const std::vector<std::size_t>& ids = kept[function];
       ASSERT_EQ(ids.size(), std::min(size, most)) << function << ' ' << most;
@@ -245,7 +265,7 @@ TEST(Cases, OfASampleAreSoManyOfEachFunctionTheFirstAlways) {
 TEST(JudgedSubject, IsCompleteOnlyWhereAllOfItIsHeldAndNoRuleBroken) {
   const TestCase film = asked_for({number(2)});
   TestCase radius = asked_for({number(2)}, "b");
-  radius.function = "hertz";
+  radius.function = radius.expected[0].quantity = "hertz";
   const Reply right = with({{"value", 2}}), wrong = with({{"value", 3}}),
               skipped = without(Outcome::skipped);
   EXPECT_EQ(judged({film, radius}, {right, right}).overall, Overall::complete);
@@ -507,7 +527,7 @@ TEST(Baseline, CountsABrokenProtocolAsWorse) {
   ConformanceResult result = result_of({row(Verdict::held, 10, 0, 0)});
   const json baseline = baseline_of(result, nullptr);
   EXPECT_EQ(compare(result, baseline).worse.size(), 0U);
-  result.violation_count = 1;
+  result.conversation.violation_count = 1;
   EXPECT_EQ(compare(result, baseline).worse.size(), 1U);
 }
 

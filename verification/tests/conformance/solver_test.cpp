@@ -14,7 +14,7 @@ namespace {
 // Answers of the batch to one case.
 Answer<catalogue::Results> asked_of(const Solver& solver, std::string_view name,
                                     const catalogue::Arguments& arguments) {
-  const FunctionBatch& batch = solver.batch(*catalogue::find(name));
+  const FunctionBatch& batch = solver.batch(*catalogue::function_named(name));
   std::array<Answer<catalogue::Results>, 1> answers;
   batch({&arguments, 1}, answers);
   return answers[0];

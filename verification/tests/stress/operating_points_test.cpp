@@ -294,19 +294,19 @@ TEST(OperatingPointWork, OfTheFloodedFilmIsItsRootsAlone) {
 
 // The shares, moments, stresses and inlets that each single output takes for a point.
 TEST(OperatingPointWork, IsOnlyWhatAnOutputNeeds) {
-  struct Needs {
+  struct Taken {
     Output output;
     std::uint64_t share, moment, stress, starvation;
   };
   const std::vector<double> speeds = speeds_between(1e-4, 0.01, 100);  // mixed; none collapsed
   const MixedContact<double> contact(paper_scene(PaperSurface::rough));
   for (const auto& [output, share, moment, stress, starvation] :
-       {Needs{Output::film_flooded, 0, 0, 0, 0}, Needs{Output::film, 0, 0, 0, 1},
-        Needs{Output::separation, 0, 0, 0, 1}, Needs{Output::film_parameter, 0, 0, 0, 1},
-        Needs{Output::asperity_load_share, 1, 0, 0, 1}, Needs{Output::fluid_load_share, 1, 0, 0, 1},
-        Needs{Output::real_area_ratio, 0, 1, 0, 1}, Needs{Output::summit_count, 0, 1, 0, 1},
-        Needs{Output::friction, 1, 1, 1, 1}, Needs{Output::regime, 1, 0, 0, 1},
-        Needs{Output::inlet, 0, 0, 0, 1}}) {
+       {Taken{Output::film_flooded, 0, 0, 0, 0}, Taken{Output::film, 0, 0, 0, 1},
+        Taken{Output::separation, 0, 0, 0, 1}, Taken{Output::film_parameter, 0, 0, 0, 1},
+        Taken{Output::asperity_load_share, 1, 0, 0, 1}, Taken{Output::fluid_load_share, 1, 0, 0, 1},
+        Taken{Output::real_area_ratio, 0, 1, 0, 1}, Taken{Output::summit_count, 0, 1, 0, 1},
+        Taken{Output::friction, 1, 1, 1, 1}, Taken{Output::regime, 1, 0, 0, 1},
+        Taken{Output::inlet, 0, 0, 0, 1}}) {
     const WorkCounts work = work_of(contact, speeds, only({output}));
     EXPECT_EQ(work[Work::share], 100 * share) << info(output).name;
     EXPECT_EQ(work[Work::share_not_asked], 100 * (1 - share)) << info(output).name;

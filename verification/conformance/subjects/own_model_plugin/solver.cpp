@@ -50,7 +50,7 @@ const char* tribocheck_plugin_name() { return "own model"; }
 
 int tribocheck_function(const char* name, size_t count, const double* const* argument,
                         double* const* result, int* status) {
-  const catalogue::Function* const function = catalogue::find(name);
+  const catalogue::Function* const function = catalogue::function_named(name);
   if (function == nullptr) return 0;
   for (size_t i = 0; i < count; ++i) {
     catalogue::Arguments arguments{};
