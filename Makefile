@@ -144,11 +144,11 @@ bench-sweep: ## measure sweeps beside the kernels, threads, ranks, memory; write
 	cmake --build --preset release --target tribocheck tribocheck_bench_sweep
 	benchmarks/sweep/scaling.py build/release
 
-work-precision: ## measure true error against work, draw it: reports/out/work_precision; some five minutes; ONLY=line-film for a part
+work-precision: ## measure true error against work, draw it: reports/out/work_precision; some five minutes; JOBS=RE chooses, as line_film
 	@.ci/deps build bench
 	cmake --preset release -DTRIBOCHECK_BUILD_BENCHMARKS=ON
 	cmake --build --preset release --target tribocheck_work_precision
-	build/release/benchmarks/tribocheck_work_precision --out reports/out/work_precision $(ONLY:%=--only-%) \
+	build/release/benchmarks/tribocheck_work_precision --out reports/out/work_precision $(if $(JOBS),--jobs '$(JOBS)') \
 	  --commit "$$(git describe --always --dirty --abbrev=40 --exclude '*')" --date "$$(date -u +%F)" \
 	  $(if $(PLUGIN),--plugin '$(PLUGIN)',--baseline reference/baselines/work_precision.json)
 	benchmarks/work_precision/draw reports/out/work_precision

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,8 +28,8 @@ struct Arguments {
   std::string commit = "unknown";
   std::string date = "unknown";
   std::string plugin;  // empty: none
+  std::string jobs;    // a regular expression; empty: all
   bool quick = false;
-  bool only_line_film = false;
 };
 
 std::string processor() {
@@ -67,10 +69,10 @@ Json line_film_parts(const Arguments& arguments, const Effort& effort) {
       {"line_film_exponents", exponents}};
 }
 
-// Writes the baseline with a row a line, so that a change can be read.
-void write_baseline(const std::string& path, const Json& baseline) {
+// Writes a row a line, so that a change can be read.
+void write_json(const std::string& path, const Json& parts) {
   std::string text = "{";
-  for (const auto& [key, value] : baseline.items()) {
+  for (const auto& [key, value] : parts.items()) {
     text += text.size() == 1 ? "\n" : ",\n";
     text += fmt::format("\"{}\": ", key);
     if (!value.is_array()) {
@@ -85,41 +87,82 @@ void write_baseline(const std::string& path, const Json& baseline) {
   write_text(path, text + "\n}\n");
 }
 
-void write_line_film(const Arguments& arguments, const Effort& effort) {
-  const Json parts = line_film_parts(arguments, effort);
-  if (arguments.baseline.empty()) return;
-  std::ifstream file(arguments.baseline);
-  Json baseline = protocol::read_bounded_json<Json>(file);
-  baseline.update(parts);
-  write_baseline(arguments.baseline, baseline);
+// What is to be measured.
+struct Chosen {
+  std::vector<Measured> jobs;
+  bool are_all_jobs, ranges, line_film;
+  Json baseline = Json::object();  // as it is, where a part of it stays
+};
+
+std::regex expression(const std::string& text) {
+  try {
+    return std::regex(text);
+  } catch (const std::regex_error&) {
+    throw std::runtime_error("--jobs: \"" + text + "\" is no regular expression");
+  }
 }
 
-void write_all(const Arguments& arguments, const Effort& effort) {
-  std::vector<Measured> jobs = all_jobs(Settings::swept);
+// Throws std::runtime_error where an argument is wrong.
+Chosen chosen_by(const Arguments& arguments) {
+  const std::regex wanted = expression(arguments.jobs);
+  const auto is_wanted = [&](const std::string& job) { return std::regex_search(job, wanted); };
+  Chosen chosen{all_jobs(Settings::swept), true, is_wanted("moment_5_2"), is_wanted("line_film")};
   if (!arguments.plugin.empty())
     for (Measured& other : plugin_jobs(conformance::load_plugin(arguments.plugin)))
-      jobs.push_back(std::move(other));
-  step("error against work");
-  const Rows work = errors_against_work(std::move(jobs), effort);
-  step("error by range");
-  const Rows ranges = errors_by_range();
-  const Json line_film = line_film_parts(arguments, effort);
+      chosen.jobs.push_back(std::move(other));
+  chosen.are_all_jobs =
+      std::erase_if(chosen.jobs, [&](const Measured& one) { return !is_wanted(one.job); }) == 0;
+  if (chosen.jobs.empty() && !chosen.line_film) {
+    std::string names;
+    for (const auto& [job, title] : job_titles()) names += job + ", ";
+    throw std::runtime_error("--jobs: no job is called \"" + arguments.jobs + "\"; the jobs are " +
+                             names + "line_film");
+  }
+  if (arguments.baseline.empty() || (chosen.are_all_jobs && chosen.line_film)) return chosen;
+  std::ifstream file(arguments.baseline);
+  if (file) chosen.baseline = protocol::read_bounded_json<Json>(file);
+  if (!file || !chosen.baseline.is_object())
+    throw std::runtime_error(arguments.baseline +
+                             ": there is no such baseline, of which the parts "
+                             "that are not measured could stay");
+  return chosen;
+}
 
+// Into the tables of gnuplot, and as parts of the baseline.
+Json work_parts(const Arguments& arguments, Chosen& chosen, const Effort& effort) {
+  step("error against work");
+  const Rows work = errors_against_work(std::move(chosen.jobs), effort);
   const std::string folder = arguments.out + "/";
   std::map<std::string, Rows> by_job;
   for (const auto& row : work) by_job[row.at("job")].push_back(row);
   for (const auto& [job, rows] : by_job)
     write_text(folder + job + ".blocks.tsv", tsv_blocks(rows, "series"));
   write_text(folder + "work_precision.tsv", tsv(work));
+  Json parts{{"commit", arguments.commit},
+             {"date", arguments.date},
+             {"environment", environment()},
+             {"error_against_work", work}};
+  if (!chosen.ranges) return parts;
+  step("error by range");
+  const Rows ranges = errors_by_range();
   write_text(folder + "ranges.tsv", tsv(ranges));
-  if (arguments.baseline.empty()) return;
-  Json baseline{{"commit", arguments.commit},
-                {"date", arguments.date},
-                {"environment", environment()},
-                {"error_against_work", work},
-                {"error_by_range", ranges}};
-  baseline.update(line_film);
-  write_baseline(arguments.baseline, baseline);
+  parts["error_by_range"] = ranges;
+  return parts;
+}
+
+// A part of the baseline stays where not all of its jobs were measured.
+void write_all(const Arguments& arguments, Chosen chosen, const Effort& effort) {
+  Json& baseline = chosen.baseline;
+  Json parts = Json::object();
+  if (!chosen.jobs.empty()) parts = work_parts(arguments, chosen, effort);
+  if (chosen.are_all_jobs) baseline.update(parts);
+  if (chosen.line_film) {
+    const Json line_film = line_film_parts(arguments, effort);
+    parts.update(line_film);
+    baseline.update(line_film);
+  }
+  write_json(arguments.out + "/work_precision.json", parts);
+  if (!arguments.baseline.empty()) write_json(arguments.baseline, baseline);
 }
 
 }  // namespace
@@ -129,25 +172,26 @@ int main(int count, char** argv) {
   tribo::benchmarks::Arguments arguments;
   CLI::App program("True error against work: tables for gnuplot, and a baseline");
   program.add_option("--out", arguments.out, "folder for the tables")->required();
-  program.add_option("--baseline", arguments.baseline, "also write everything to this JSON file");
+  program.add_option("--baseline", arguments.baseline,
+                     "also write each part that was measured whole to this JSON file");
   program.add_option("--commit", arguments.commit, "what was measured");
   program.add_option("--date", arguments.date, "when");
   program.add_option("--plugin", arguments.plugin, "a shared library with a solver of yours");
   program.add_flag("--quick", arguments.quick, "fewer and shorter repetitions");
-  program.add_flag("--only-line-film", arguments.only_line_film,
-                   "only films of line contacts; the baseline's other parts stay");
+  program.add_option("--jobs", arguments.jobs,
+                     "only the jobs that this regular expression finds, as line_film does");
   CLI11_PARSE(program, count, argv);
+  int exit_code = 2;
   try {
+    tribo::benchmarks::Chosen chosen = tribo::benchmarks::chosen_by(arguments);
+    exit_code = 1;
     std::filesystem::create_directories(arguments.out);
-    const tribo::benchmarks::Effort effort =
-        arguments.quick ? tribo::benchmarks::Effort{3, 0.002} : tribo::benchmarks::Effort{};
-    if (arguments.only_line_film)
-      tribo::benchmarks::write_line_film(arguments, effort);
-    else
-      tribo::benchmarks::write_all(arguments, effort);
+    tribo::benchmarks::write_all(
+        arguments, std::move(chosen),
+        arguments.quick ? tribo::benchmarks::Effort{3, 0.002} : tribo::benchmarks::Effort{});
   } catch (const std::exception& error) {
     fmt::print(stderr, "tribocheck_work_precision: {}\n", error.what());
-    return 1;
+    return exit_code;
   }
   return 0;
 }

@@ -21,20 +21,8 @@
 
 #include "sweep/disk.hpp"
 
-#if defined(__has_feature)
-#define TRIBO_HAS_FEATURE(feature) __has_feature(feature)
-#else
-#define TRIBO_HAS_FEATURE(feature) 0
-#endif
-
 namespace tribo::sweep {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || TRIBO_HAS_FEATURE(address_sanitizer)
-constexpr bool has_sanitizer = true;  // its shadow takes terabytes of addresses
-#else
-constexpr bool has_sanitizer = false;
-#endif
 
 constexpr std::uint64_t least_seconds = 4, bytes_a_second = 20'000'000;
 constexpr rlim_t more_memory = rlim_t{2} << 30;

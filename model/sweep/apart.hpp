@@ -8,7 +8,19 @@
 
 #include "sweep/bytes.hpp"
 
+#if defined(__has_feature)
+#define TRIBO_HAS_FEATURE(feature) __has_feature(feature)
+#else
+#define TRIBO_HAS_FEATURE(feature) 0
+#endif
+
 namespace tribo::sweep {
+
+#if defined(__SANITIZE_ADDRESS__) || TRIBO_HAS_FEATURE(address_sanitizer)
+inline constexpr bool has_sanitizer = true;  // its shadow takes terabytes of addresses
+#else
+inline constexpr bool has_sanitizer = false;
+#endif
 
 // Runs `work` in a child process and gives the bytes that it returns there. The child may take some
 // seconds of the processor, more for a larger file, twice that time by the clock, and 2 GB of

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Preloaded into the program by test_sweep_join.py and test_sweep_files.py: the host's name is HOST_NAME if that is
-   set; where NO_LOCKS is set, no file system has locks; where OTHER_OWNER is set, all files belong to another user. */
+   set; where NO_LOCKS is set, no file system has locks; where OTHER_OWNER is set, all files belong to another user;
+   where RENAME_ERROR is set, a rename with flags fails with this error. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -26,4 +27,13 @@ int flock(int file, int operation) {
     return ((int (*)(int, int))dlsym(RTLD_NEXT, "flock"))(file, operation);
   errno = ENOLCK;
   return -1;
+}
+
+int renameat2(int from_folder, const char* from, int folder, const char* to, unsigned flags) {
+  if (flags != 0 && getenv("RENAME_ERROR") != NULL) {
+    errno = atoi(getenv("RENAME_ERROR"));
+    return -1;
+  }
+  return ((int (*)(int, const char*, int, const char*, unsigned))dlsym(RTLD_NEXT, "renameat2"))(
+      from_folder, from, folder, to, flags);
 }

@@ -3,6 +3,7 @@
 own, and it ends soon when it is stopped or its folder is removed. TRIBOCHECK_ATTACKS asks for more attacks than
 four."""
 
+import errno
 import os
 import random
 import shutil
@@ -82,6 +83,23 @@ class Shared(SweepTest):
         done = self.of_days(self.path("out.h5"), env=environment)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("belong to another user", done.stderr)
+
+    @unittest.skipUnless(shutil.which("cc"), "no C compiler is installed")
+    def test_a_file_system_whose_renames_take_no_flags_keeps_the_result(self):
+        self.swept(SHORT, out="whole.h5")
+        for code in (errno.EINVAL, errno.ENOSYS, errno.EPERM):
+            environment = dict(ENVIRONMENT, LD_PRELOAD=preloadable("own_host"), RENAME_ERROR=str(code))
+            environment["ASAN_OPTIONS"] += ":verify_asan_link_order=0"
+            done = subprocess.run([PROGRAM, "sweep", self.path("sweep.toml"), "-o", self.path("out.h5")],
+                                  capture_output=True, text=True, timeout=20, env=environment)
+            if code == errno.EPERM:  # it says nothing about flags
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(os.strerror(code), done.stderr)
+                self.assertNotIn("out.h5", self.names())
+            else:
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
+                os.remove(self.path("out.h5"))
 
     def test_a_name_that_has_no_room_for_that_of_a_part_is_told_before_anything_is_computed(self):
         most = os.pathconf(self.folder.name, "PC_NAME_MAX")

@@ -25,6 +25,7 @@ namespace {
 using verification::changes_at_its_limit;
 using verification::is_close;
 using verification::is_within;
+using verification::record_part_of_bound;
 using verification::Sampler;
 using verification::Threshold;
 using verification::True;
@@ -431,6 +432,58 @@ TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
   const Estimate part = curve.part_above_zero();
   EXPECT_EQ(part.value, 0.5);
   EXPECT_EQ(part.error, 0.5);
+}
+
+// sin(x + phase) on [0, 6], whose values are all off by their noise: errors cover the true ones,
+// and are not far above them. A number is off by the noise over the slope there, a part by twice
+// that over the length. What lies between nodes is judged by its mean, as a node may be on an
+// extremum.
+TEST(SampledCurves, StateErrorsOfTheSizeOfTheTrueOnes) {
+  Sampler sampler(36);
+  double stated = 0, true_ones = 0;
+  for (int n = 0; n < 300; ++n) {
+    const double phase = sampler.uniform(0.3, 1.2), level = sampler.uniform(-0.8, 0.2);
+    const double noise = sampler.log_uniform(1e-11, 1e-9), off = sampler.pick({noise, -noise});
+    const auto f = [&](double x) { return std::sin(x + phase) + off; };
+    std::vector<double> x, y;
+    for (double at = 0; at < 6; at += sampler.uniform(0.05, 0.15)) x.push_back(at);
+    x.push_back(6);
+    for (const double at : x) y.push_back(f(at));
+    const SampledCurve curve(x, y, f, noise);
+    const auto is_stated = [](const Estimate& got, double exact) {
+      const double part = std::abs(got.value - exact) / got.error;
+      record_part_of_bound(part);
+      return part <= 1 + 1e-5 && part >= 0.1;
+    };
+    EXPECT_TRUE(is_stated(curve.least(Effort::refined), -1));
+    EXPECT_TRUE(is_stated(curve.greatest(Effort::refined), 1));
+    EXPECT_TRUE(is_stated(curve.part_above_zero(), (6 - pi<double>()) / 6));
+    const auto fall = curve.first_fall_to({level - 3 * off, 3 * noise});
+    ASSERT_TRUE(fall.has_value());
+    EXPECT_TRUE(is_stated(*fall, pi<double>() - std::asin(level) - phase));
+    for (const auto& [got, exact] :
+         {std::pair{curve.least(Effort::grid), -1.0}, {curve.greatest(Effort::grid), 1.0}}) {
+      EXPECT_TRUE(is_within(got.value, exact, got.error));
+      stated += got.error;
+      true_ones += std::abs(got.value - exact);
+    }
+  }
+  EXPECT_LT(stated, 40 * true_ones);
+}
+
+TEST(SampledCurves, OfOnePlaceAreItsValue) {
+  for (const double value : {0.5, 1e-3, -1e-3, -0.5}) {
+    const auto f = [&](double) { return value; };
+    const SampledCurve curve(std::vector<double>{2}, std::vector<double>{value}, f, 1e-2);
+    for (const Effort effort : {Effort::grid, Effort::refined})
+      for (const Estimate& one : {curve.least(effort), curve.greatest(effort)}) {
+        EXPECT_EQ(one.value, value);
+        EXPECT_EQ(one.error, 1e-2);
+      }
+    EXPECT_EQ(curve.part_above_zero().value, value > 0 ? 1 : 0);
+    EXPECT_EQ(curve.part_above_zero().error, std::abs(value) > 1e-2 ? 0 : 1);
+    EXPECT_FALSE(curve.first_fall_to({0, 0}).has_value());
+  }
 }
 
 // The nearest number at which the verdict is another one, found by trying.

@@ -18,6 +18,8 @@ namespace tribo::verification {
 
 struct Dual {
   static constexpr std::size_t inputs = 17;  // inputs of a scene; the first is its speed
+  // Calls of the functions below in this thread, by which tests measure the work of a computation.
+  static inline thread_local std::size_t calls = 0;
   long double value = 0;
   std::array<long double, inputs> parts{};
 
@@ -66,25 +68,34 @@ struct Dual {
   }
 };
 
-inline Dual exp(const Dual& x) { return chain(std::exp(x.value), std::exp(x.value), x); }
-inline Dual expm1(const Dual& x) { return chain(std::expm1(x.value), std::exp(x.value), x); }
-inline Dual log(const Dual& x) { return chain(std::log(x.value), 1 / x.value, x); }
-inline Dual log1p(const Dual& x) { return chain(std::log1p(x.value), 1 / (1 + x.value), x); }
-inline Dual sqrt(const Dual& x) { return chain(std::sqrt(x.value), 0.5L / std::sqrt(x.value), x); }
+// The image of a function with this slope.
+inline Dual called(long double image, long double slope, const Dual& x) {
+  ++Dual::calls;
+  return chain(image, slope, x);
+}
+inline Dual exp(const Dual& x) { return called(std::exp(x.value), std::exp(x.value), x); }
+inline Dual expm1(const Dual& x) { return called(std::expm1(x.value), std::exp(x.value), x); }
+inline Dual log(const Dual& x) { return called(std::log(x.value), 1 / x.value, x); }
+inline Dual log1p(const Dual& x) { return called(std::log1p(x.value), 1 / (1 + x.value), x); }
+inline Dual sqrt(const Dual& x) { return called(std::sqrt(x.value), 0.5L / std::sqrt(x.value), x); }
 inline Dual atan(const Dual& x) {
-  return chain(std::atan(x.value), 1 / (1 + x.value * x.value), x);
+  return called(std::atan(x.value), 1 / (1 + x.value * x.value), x);
+}
+inline Dual tan(const Dual& x) {
+  const long double tangent = std::tan(x.value);
+  return called(tangent, 1 + tangent * tangent, x);
 }
 inline Dual acos(const Dual& x) {
-  return chain(std::acos(x.value), -1 / std::sqrt(1 - x.value * x.value), x);
+  return called(std::acos(x.value), -1 / std::sqrt(1 - x.value * x.value), x);
 }
 inline Dual asinh(const Dual& x) {
-  return chain(std::asinh(x.value), 1 / std::sqrt(1 + x.value * x.value), x);
+  return called(std::asinh(x.value), 1 / std::sqrt(1 + x.value * x.value), x);
 }
 inline Dual abs(const Dual& x) { return x < 0 ? -x : x; }
 inline Dual trunc(const Dual& x) { return std::trunc(x.value); }
 inline Dual pow(const Dual& x, const Dual& y) {
   const long double power = std::pow(x.value, y.value);
-  return sum(chain(power, y.value * power / x.value, x), chain(0, power * std::log(x.value), y));
+  return sum(called(power, y.value * power / x.value, x), chain(0, power * std::log(x.value), y));
 }
 
 // −F_n′/F_n = n F_{n−1}/F_n = d + F_{n+1}/F_n; φ/F_0 for n = 0.
@@ -101,7 +112,7 @@ T moment_hazard(Order order, const T& d) {
 // Overload resolution prefers these functions to the templates of the model.
 inline Dual scaled_gaussian_moment(Order n, const Dual& d) {
   const long double x = d.value, moment = tribo::scaled_gaussian_moment(n, x);
-  return chain(moment, moment * ((x > 0 ? x : 0) - moment_hazard(n, x)), d);
+  return called(moment, moment * ((x > 0 ? x : 0) - moment_hazard(n, x)), d);
 }
 // Gives the root without derivatives. The step that refines it (InletCurve::correction) adds them.
 template <class Function>

@@ -45,18 +45,23 @@ void on_each_instruction_set(Visitor&& visit) {
 }
 
 // A batch on the places [first, first + count) of the inputs must give the same bits as a batch on
-// all places: `apply(first, count, result)`, for all sizes up to 40 and all places. Sanitizers see
-// a read or write outside the places.
+// all places: `apply(first, count, result)`, for all sizes up to 40 and all places, and must leave
+// the cells on both sides of its result as they are. Sanitizers see a read outside the places.
 template <class Apply>
 void hold_bits_whatever_place_and_size(std::size_t points, Apply&& apply) {
+  constexpr std::size_t guards = 16;  // two of the widest vectors, on either side
+  const std::vector<double> untouched(guards, -123.456);
   std::vector<double> whole(points);
   apply(std::size_t{0}, points, std::span<double>(whole));
-  for (std::size_t count = 1; count <= 40 && count <= points; ++count)
+  for (std::size_t count = 0; count <= 40 && count <= points; ++count)
     for (std::size_t first = 0; first + count <= points; ++first) {
-      std::vector<double> part(count);
-      apply(first, count, std::span<double>(part));
-      ASSERT_EQ(std::memcmp(part.data(), whole.data() + first, count * sizeof(double)), 0)
+      std::vector<double> part(guards + count + guards, untouched.front());
+      apply(first, count, std::span(part).subspan(guards, count));
+      ASSERT_EQ(std::memcmp(part.data() + guards, whole.data() + first, count * sizeof(double)), 0)
           << count << " from " << first;
+      for (const double* const cells : {part.data(), part.data() + guards + count})
+        ASSERT_EQ(std::memcmp(cells, untouched.data(), guards * sizeof(double)), 0)
+            << count << " from " << first;
     }
 }
 

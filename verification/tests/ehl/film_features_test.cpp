@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is read off a film whose numbers are known: polynomials on uneven nodes.
+#include "ehl/film_features.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "ehl/grids.hpp"
+
+namespace tribo::verification {
+namespace {
+
+// The film is a polynomial of the fourth order. The pressure is a parabola, under another that
+// makes a spike, lower or higher than the first; or that makes a dip upstream, which is none.
+TEST(FilmFeatures, AreThoseOfTheCurve) {
+  Sampler sampler(310);
+  const ehl::LineContact contact{10, 5, {.exponent = 3, .density_pressure = 2}};
+  for (int n = 0; n < 100; ++n) {
+    const double least = sampler.uniform(0.01, 0.5), place = sampler.uniform(0.6, 1.2);
+    const double middle = sampler.uniform(-0.3, 0), spike_place = sampler.uniform(0.7, 0.9);
+    const double greatest = sampler.uniform(0.5, 1), spike = sampler.uniform(0.8, 2) * greatest;
+    const auto film = [&](double x) {
+      const double from = x - place;
+      return least + 0.02 * from * from * (1 + 0.3 * from + 0.1 * from * from);
+    };
+    const auto pressure = [&](double x, double top, double at) {
+      const double dome = greatest * (1 - std::pow((x - middle) / 1.2, 2));
+      return std::max({0.0, dome, top - 100 * std::pow(x - at, 2)});
+    };
+    const ehl::Numbers x = uneven_nodes(1500, -4, 1.5, sampler);
+    for (const auto& [top, at] :
+         {std::pair{0.0, 0.0}, {spike, spike_place}, {0.95 * greatest, -0.8}}) {
+      const bool has_spike = at > 0;
+      ehl::LineFilm curve;
+      curve.x = x;
+      curve.mass_flow = 0.5;
+      curve.film.resize(static_cast<Eigen::Index>(x.size()));
+      curve.pressure.resize(curve.film.size());
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        curve.film[static_cast<Eigen::Index>(i)] = film(x[i]);
+        curve.pressure[static_cast<Eigen::Index>(i)] = pressure(x[i], top, at);
+      }
+      const ehl::FilmFeatures found = ehl::features_of(contact, curve);
+      EXPECT_TRUE(is_within(found.central, film(0), 2e-12));
+      EXPECT_TRUE(is_within(found.minimum, least, 1e-15));
+      EXPECT_TRUE(is_within(found.greatest_pressure, greatest, 1e-13));
+      EXPECT_TRUE(
+          is_within(found.at_greatest_pressure, 0.5 / contact.fluid.density(greatest), 1e-13));
+      const auto highest = std::min_element(x.begin(), x.end(), [&](double a, double b) {
+        return std::fabs(a - middle) < std::fabs(b - middle);
+      });
+      EXPECT_EQ(found.pressure_beside_greatest,
+                std::min(pressure(highest[-1], top, at), pressure(highest[1], top, at)));
+      EXPECT_EQ(found.has_spike, has_spike);
+      EXPECT_TRUE(is_within(found.spike_pressure, has_spike ? spike : 0, 1e-13));
+      EXPECT_TRUE(is_within(found.spike_place, has_spike ? spike_place : 0, 1e-13));
+    }
+  }
+}
+
+// A film whose least node is an end or the neighbour of one.
+TEST(FilmFeatures, HaveTheirMinimumNextToAnEndToo) {
+  const ehl::LineContact contact{10, 5, {}};
+  for (const auto& [place, least] : {std::pair{-2.0, 1.0}, {-0.9, 1.0}, {1.1, 1.0}, {3.0, 1.25}}) {
+    ehl::LineFilm curve;
+    curve.x = {-2, -1, 0, 0.5, 1, 2.5};
+    curve.film.resize(6);
+    curve.pressure.resize(6);
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      const double x = curve.x[static_cast<std::size_t>(i)];
+      curve.film[i] = 1 + (x - place) * (x - place);
+      curve.pressure[i] = std::max(0.0, 1 - x * x);
+    }
+    const ehl::FilmFeatures found = ehl::features_of(contact, curve);
+    EXPECT_TRUE(is_within(found.minimum, least, 1e-14)) << place;
+    EXPECT_TRUE(is_within(found.central, 1 + place * place, 1e-14)) << place;
+  }
+}
+
+}  // namespace
+}  // namespace tribo::verification
