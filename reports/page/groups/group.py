@@ -10,6 +10,10 @@ class Missing(Exception):
     """Why a group, or a part of one, cannot be made: the page says so in its place."""
 
 
+class Refused(Exception):
+    """Why no report can be made of what is given: its arguments are lines."""
+
+
 class Group(typing.NamedTuple):
     data: dict
     findings: list = []
