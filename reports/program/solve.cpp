@@ -221,9 +221,9 @@ int solve(const SolveArguments& arguments, OutputStream& output) {
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
-  const auto writer = make_point_writer(arguments.format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) solve_scene(scene, arguments.threads, *writer, progress);
-  writer->finish();
+  PointWriter writer(arguments.format, output, loaded.scenes);
+  for (const Scene& scene : loaded.scenes) solve_scene(scene, arguments.threads, writer, progress);
+  writer.finish();
   return loaded.all_good ? exit_done : exit_bad;
 }
 
