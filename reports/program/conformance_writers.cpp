@@ -242,9 +242,7 @@ nlohmann::ordered_json expected_json(const Example& one) {
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   using nlohmann::ordered_json;
   const ConformanceResult& result = verdict.result;
-  const auto number = [](double x) {
-    return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
-  };
+  // Numbers that are not finite are written as null.
   ordered_json all{{"subject", result.subject},
                    {"tolerance", result.tolerance.name},
                    {"overall", overall(verdict)},
@@ -265,8 +263,8 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                  {"held", one.held},
                                  {"failed", one.failed},
                                  {"skipped", one.skipped},
-                                 {"worst_relative_error", number(one.worst_relative)},
-                                 {"worst_part_of_bound", number(one.worst_part_of_bound)},
+                                 {"worst_relative_error", one.worst_relative},
+                                 {"worst_part_of_bound", one.worst_part_of_bound},
                                  {"worst_case", one.worst_case},
                                  {"reason", one.first_reason}});
   for (const Example& one : verdict.examples)
@@ -274,11 +272,11 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                {"case", one.id},
                                {"request", one.request},
                                {"expected", expected_json(one)},
-                               {"allowed_error", number(one.allowed)},
+                               {"allowed_error", one.allowed},
                                {"unit", one.unit},
                                {"got", one.got ? ordered_json(*one.got) : ordered_json(nullptr)},
                                {"reason", one.reason},
-                               {"part_of_bound", number(one.part_of_bound)}});
+                               {"part_of_bound", one.part_of_bound}});
   for (const Diagnosis& one : verdict.diagnoses)
     all["diagnoses"].push_back({{"quantity", one.quantity},
                                 {"mistakes", one.mistakes},
