@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "page/facts.hpp"
 #include "page/ledger_tables.hpp"
 
 namespace tribo::report {
 namespace {
 
 using namespace reproduction;
+using Json = nlohmann::ordered_json;
+
+// null where there is no number. JSON has no NaN and no infinity: they are written as null too.
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json switches(const Reading& reading) {
   Json object = Json::object();

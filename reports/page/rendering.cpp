@@ -21,25 +21,6 @@ namespace {
 
 constexpr int missing_packages = 3;  // exit code of the scripts
 
-// Debian's own Python has Debian's packages; another one that is first in PATH often has not.
-std::string python() {
-  const char* const of_debian = "/usr/bin/python3";
-  std::error_code ignored;
-  return std::filesystem::exists(of_debian, ignored) ? of_debian : "python3";
-}
-
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-// A file without a name that holds this text, to be read from its start.
-File file_of(const std::string& text) {
-  File file(std::tmpfile(), &std::fclose);
-  if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
-      std::fflush(file.get()) != 0)
-    throw protocol::OutputFailed("cannot write a temporary file");
-  std::rewind(file.get());
-  return file;
-}
-
 using nlohmann::ordered_json;
 
 // A grid of one field alone whose film can be drawn as a map over speed and that field.
@@ -66,23 +47,10 @@ ordered_json map_json(const sweep::SceneResult& scene, const sweep::ResultFile& 
 
 }  // namespace
 
-nlohmann::json make_data(const ReportPlaces& places, const std::string& request) {
-  const std::string script = "report.py";
-  const File input = file_of(request);
-  const conformance::ChildEnd end = conformance::run_child(
-      {python(), "-B", (places.render.parent_path() / "groups" / script).string(),
-       std::filesystem::read_symlink("/proc/self/exe").string(), places.out.string(),
-       places.scenes.string(), places.reference.string(), places.root.string()},
-      std::chrono::milliseconds(0), ::fileno(input.get()));
-  if (end.start_error != 0)
-    throw protocol::OutputFailed(
-        "python3 was not found: no report can be made (Debian: apt-get install python3)");
-  nlohmann::json said = nlohmann::json::parse(end.text, nullptr, false);
-  if (!end.succeeded() || said.is_discarded())
-    throw protocol::OutputFailed(fmt::format("{} failed: see above", script));
-  if (said.contains("refused")) throw ReportError(said["refused"].get<std::string>());
-  if (said.contains("failed")) throw protocol::OutputFailed(said["failed"].get<std::string>());
-  return said;
+std::string python() {
+  const char* const of_debian = "/usr/bin/python3";
+  std::error_code ignored;
+  return std::filesystem::exists(of_debian, ignored) ? of_debian : "python3";
 }
 
 Rendering run_script(const ReportPlaces& places, const std::string& script,
@@ -105,14 +73,9 @@ Rendering run_script(const ReportPlaces& places, const std::string& script,
   const nlohmann::json said = protocol::parse_bounded_json(end.text);
   if (!end.succeeded() || said.is_discarded())
     return failed(fmt::format("{} failed: see above", script));
-  rendering.has_page = true;
   rendering.written = said.at("written").get<std::vector<std::string>>();
   rendering.undrawn = said.at("undrawn").get<std::vector<std::string>>();
   return rendering;
-}
-
-Rendering render(const ReportPlaces& places) {
-  return run_script(places, "render.py", {places.out.string()});
 }
 
 Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
@@ -126,7 +89,7 @@ Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::Res
     file.write(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
     return run_script(usual_places(), "sweep_pictures.py", {file.path(), folder});
   } catch (const std::runtime_error& error) {
-    return {false, {}, {error.what()}};
+    return {{}, {error.what()}};
   }
 }
 

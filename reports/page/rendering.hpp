@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data, the page and the pictures, made by the Python scripts of reports/page.
+// Pictures, made by the Python scripts of reports/page.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,23 +11,17 @@
 namespace tribo::report {
 
 struct Rendering {
-  bool has_page = false;
   std::vector<std::string> written;  // below the report's folder
   std::vector<std::string> undrawn;  // a line for each reason why the page or a picture is missing
 };
+
+// Debian's own Python has Debian's packages; another one that is first in PATH often has not.
+std::string python();
 
 // Runs render/`script` with these arguments. Where Python or one of its packages is missing, the
 // one line in `undrawn` says so.
 Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments);
-
-// The answer of groups/report.py about the data that it has made as `request` asks. Throws
-// ReportError where that refuses the request, and protocol::OutputFailed where the data cannot be
-// made or written.
-nlohmann::json make_data(const ReportPlaces& places, const std::string& request);
-
-// The page of places.out/report.json.
-Rendering render(const ReportPlaces& places);
 
 // Draws them as SVG and PNG into a folder, with their data beside them; makes the folder if it is
 // missing. `source`: the result, from which kept points are read where a picture needs them.

@@ -88,14 +88,10 @@ struct CsvColumns {
 
 using nlohmann::ordered_json;
 
-ordered_json json_number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
+// Numbers that are not finite are written as null.
 template <class T>
 ordered_json with_ends(const T& one) {
-  return {{"value", json_number(one.value)},
-          {"low", json_number(one.low)},
-          {"high", json_number(one.high)}};
+  return {{"value", one.value}, {"low", one.low}, {"high", one.high}};
 }
 
 ordered_json histogram_json(const std::vector<sweep::QuantileSketch::Bin>& bins) {
@@ -119,10 +115,10 @@ ordered_json value_json(const SceneResult& scene, const ColumnResult& column, st
     for (std::size_t w = 0; w < counts.size(); ++w) object["words"][column.words[w]] = counts[w];
     return object;
   }
-  object["mean"] = json_number(value.mean);
-  object["sd"] = json_number(value.sd);
-  object["least"] = json_number(value.least);
-  object["greatest"] = json_number(value.greatest);
+  object["mean"] = value.mean;
+  object["sd"] = value.sd;
+  object["least"] = value.least;
+  object["greatest"] = value.greatest;
   object["quantiles"] = ordered_json::array();
   for (std::size_t q = 0; q < value.quantiles.size(); ++q) {
     ordered_json one{{"level", sweep::quantile_levels[q]}};

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <stdexcept>
 
 #include "bench_rows.hpp"
-#include "page/report.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -48,9 +48,15 @@ json row_json(const BenchRow& row, const std::optional<double>& control) {
   return made;
 }
 
-json environment_json() {
-  return {{"processor", report::processor_name()}, {"compiler", report::compiler_name()}};
+// "AMD EPYC"; "unknown" where the machine does not tell.
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
 }
+
+json environment_json() { return {{"processor", processor_name()}, {"compiler", compiler_name()}}; }
 bool is_of_this_machine(const json& baseline) {
   return baseline.at("environment") == environment_json();
 }
@@ -172,6 +178,14 @@ void note_gone(const BenchResults& results, const json& baseline, const IsAsked&
 }
 
 }  // namespace
+
+std::string compiler_name() {
+#ifdef __clang__
+  return __VERSION__;
+#else
+  return "g++ " __VERSION__;
+#endif
+}
 
 void check_bench_baseline(const json& baseline) {
   if (!baseline.is_object() || !baseline.contains("schema") || !baseline.contains("rows") ||

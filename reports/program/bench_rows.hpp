@@ -16,6 +16,9 @@
 
 namespace tribo::cli {
 
+// "g++ 12.2.0", of this program.
+std::string compiler_name();
+
 struct BenchRow {
   std::string job;
   std::string family;

@@ -218,9 +218,7 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   using nlohmann::ordered_json;
   const ConformanceResult& result = verdict.result;
   const Conversation& talk = result.conversation;
-  const auto number = [](double x) {
-    return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
-  };
+  // Numbers that are not finite are written as null.
   ordered_json all{{"subject", result.subject},
                    {"tolerance", result.tolerance.name},
                    {"overall", overall(verdict)},
@@ -242,8 +240,8 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                  {"held", one.held},
                                  {"failed", one.failed},
                                  {"skipped", one.skipped},
-                                 {"worst_relative_error", number(one.worst_relative)},
-                                 {"worst_part_of_bound", number(worst.part_of_bound)},
+                                 {"worst_relative_error", one.worst_relative},
+                                 {"worst_part_of_bound", worst.part_of_bound},
                                  {"worst_case", one.judged() > 0 ? worst.id : ""},
                                  {"reason", one.first_reason}});
     if (one.failed > 0)
@@ -252,11 +250,11 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
            {"case", worst.id},
            {"request", worst.request},
            {"expected", expected_json(worst.expected)},
-           {"allowed_error", number(worst.allowed)},
+           {"allowed_error", worst.allowed},
            {"unit", worst.expected.unit},
            {"got", worst.got ? ordered_json(*worst.got) : ordered_json(nullptr)},
            {"reason", worst.reason},
-           {"part_of_bound", number(worst.part_of_bound)}});
+           {"part_of_bound", worst.part_of_bound}});
   }
   for (const Diagnosis& one : verdict.diagnoses)
     all["diagnoses"].push_back({{"quantity", one.quantity},

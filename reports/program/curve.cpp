@@ -62,9 +62,9 @@ int curve(const SceneArguments& arguments, OutputStream& output) {
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
-  const auto writer = make_point_writer(arguments.format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) draw_scene(scene, *writer, progress);
-  writer->finish();
+  PointWriter writer(arguments.format, output, loaded.scenes);
+  for (const Scene& scene : loaded.scenes) draw_scene(scene, writer, progress);
+  writer.finish();
   return loaded.all_good ? exit_done : exit_bad;
 }
 

@@ -48,11 +48,6 @@ constexpr auto given = std::to_array<Given>({
 
 constexpr std::size_t signed_width = number_width + 1, deviation_width = 11;
 
-// The number in JSON; NaN and ∞ become null.
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 // The number with as many digits as its error leaves, and one more.
 std::string with_digits(const Measured& measured) {
   const double digits = std::ceil(std::log10(std::fabs(measured.value) / measured.error)) + 1;
@@ -81,15 +76,16 @@ void append_csv_heads(Text& to) {
 
 }  // namespace
 
+// Numbers that are not finite are written as null.
 ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool with_profile) {
   ordered_json json{{"id", film.id}, {"speed", film.speed}};
-  for (const Given& one : given) json[std::string(one.name)] = number(film.*one.value);
+  for (const Given& one : given) json[std::string(one.name)] = film.*one.value;
   ordered_json undefined = ordered_json::object();
   for (const Quantity& one : quantities) {
     const std::string name(one.name);
     const Measured& measured = film.*one.value;
     if (std::isfinite(measured.value)) {
-      json[name] = {{"value", measured.value}, {"error", number(measured.error)}};
+      json[name] = {{"value", measured.value}, {"error", measured.error}};
       continue;
     }
     json[name] = nullptr;
@@ -97,13 +93,12 @@ ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool 
   }
   json["formulas"] = ordered_json::array();
   for (const FormulaFilm& one : film.formulas)
-    json["formulas"].push_back(
-        {{"name", one.name},
-         {"film", number(one.film)},
-         {"stands_for", one.stands_for},
-         {"deviation_percent", number(100 * one.deviation)},
-         {"this_liquid_deviation_percent", number(100 * one.this_liquid_deviation)},
-         {"fitted_to", one.fitted_to}});
+    json["formulas"].push_back({{"name", one.name},
+                                {"film", one.film},
+                                {"stands_for", one.stands_for},
+                                {"deviation_percent", 100 * one.deviation},
+                                {"this_liquid_deviation_percent", 100 * one.this_liquid_deviation},
+                                {"fitted_to", one.fitted_to}});
   json["assumptions"] = {{"viscosity", film.viscosity}, {"density", film.density},
                          {"bodies", "smooth"},          {"inlet", "flooded"},
                          {"temperature", "isothermal"}, {"liquid", "newtonian"},

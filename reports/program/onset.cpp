@@ -10,13 +10,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "command.hpp"
 #include "messages.hpp"
 #include "options.hpp"
-#include "page/texts.hpp"
 #include "protocol/answers.hpp"
 #include "scene_arguments.hpp"
 #include "table.hpp"
@@ -52,94 +50,30 @@ std::vector<Onset<double>> onsets_of(const Scene& scene, const OnsetArguments& a
   return onsets;
 }
 
-struct Number {
-  std::string_view name, unit;
-  double Onset<double>::*value;
-};
-constexpr auto numbers =
-    std::to_array<Number>({{"speed", "[m/s]", &Onset<double>::speed},
-                           {"film", "[m]", &Onset<double>::film},
-                           {"film_parameter", "[-]", &Onset<double>::film_parameter}});
-
 constexpr std::size_t criterion_width = width_of_words(onset_criterion_words);
 
-// Onsets as a table, CSV or JSON.
-class OnsetWriter {
- public:
-  OnsetWriter(std::string_view format, Text& text) : format_(format), text_(text) {
-    if (format == "csv") append(text, "id,criterion,speed,film,film_parameter,reason\n");
-  }
+std::vector<Column> columns() {
+  return {{"criterion", "", criterion_width, true},
+          {"speed", "m/s"},
+          {"film", "m"},
+          {"film_parameter"}};
+}
 
-  // All onsets of one scene.
-  void add(const Scene& scene, const std::vector<Onset<double>>& onsets) {
-    if (format_ == "table") add_heads(scene);
-    for (const Onset<double>& onset : onsets)
-      if (format_ == "csv")
-        add_csv(scene, onset);
-      else if (format_ == "json")
-        add_json(scene, onset);
-      else
-        add_line(onset);
-  }
-
-  void finish() {
-    if (format_ == "json") append(text_, "\n]\n");
-  }
-
- private:
-  void add_csv(const Scene& scene, const Onset<double>& onset) {
-    append(text_, report::csv_text(scene.id) + ',');
-    append(text_, name(onset.criterion));
-    for (const Number& one : numbers) {
-      text_.push_back(',');
-      if (onset.exists) protocol::append_number(text_, onset.*one.value);
-    }
-    append(text_, ',' + report::csv_text(onset.reason) + '\n');
-  }
-
-  void add_json(const Scene& scene, const Onset<double>& onset) {
-    append(text_, std::exchange(before_, ",\n"));
-    protocol::AnswerObject answer(text_, scene.id);
-    answer.word("criterion", name(onset.criterion));
-    for (const Number& one : numbers)
-      if (onset.exists)
-        answer.number(one.name, onset.*one.value);
-      else
-        answer.undefined(one.name, onset.reason);
-    answer.close();
-  }
-
-  void add_heads(const Scene& scene) {
-    append(text_, std::exchange(blank_, "\n"));
-    append_title(text_, scene.id + ": onset of starvation");
-    std::vector<ColumnHead> heads{{"criterion", "", criterion_width}};
-    for (const Number& one : numbers) heads.emplace_back(one.name, one.unit, number_width);
-    append_heads(text_, heads);
-  }
-
-  void add_line(const Onset<double>& onset) {
-    append_cell(text_, name(onset.criterion), criterion_width);
-    if (onset.exists)
-      for (const Number& one : numbers)
-        append_cell(text_, readable(onset.*one.value), number_width);
-    else
-      append(text_, fmt::format("  none: {}", onset.reason));
-    text_.push_back('\n');
-  }
-
-  std::string_view format_;
-  Text& text_;
-  const char* before_ = "[\n";
-  const char* blank_ = "";
-};
+std::array<protocol::OutputValue, 4> cells_of(const Onset<double>& onset) {
+  const std::string_view reason = onset.exists ? std::string_view() : onset.reason;
+  return {{{{}, name(onset.criterion)},
+           {reason, {}, onset.speed},
+           {reason, {}, onset.film},
+           {reason, {}, onset.film_parameter}}};
+}
 
 int find_onsets(const OnsetArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::onset);
   if (loaded.scenes.empty()) return exit_bad;
-  OnsetWriter writer(arguments.scenes.format, output.text());
+  RowWriter writer(arguments.scenes.format, output, columns(), RowWriter::Reasons::in_rows);
   for (const Scene& scene : loaded.scenes) {
-    writer.add(scene, onsets_of(scene, arguments));
-    output.end_row();
+    writer.begin(scene.id, scene.id + ": onset of starvation", columns());
+    for (const Onset<double>& onset : onsets_of(scene, arguments)) writer.add(cells_of(onset));
   }
   writer.finish();
   return loaded.all_good ? exit_done : exit_bad;

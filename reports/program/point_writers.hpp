@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operating points as a table for people, or as CSV or JSON for machines, row by row: memory does
-// not grow with their number.
+// Operating points of scenes as rows: the speed, and the outputs that each scene asks for.
 #pragma once
 
-#include <memory>
 #include <string_view>
 #include <vector>
 
-#include "messages.hpp"
+#include "table.hpp"
 #include "tribo/mixed_contact.hpp"
 #include "tribo/scene.hpp"
 
@@ -15,15 +13,18 @@ namespace tribo::cli {
 
 class PointWriter {
  public:
-  virtual ~PointWriter() = default;
-  // Called once before the points of each scene; `scene` must live until the next call.
-  virtual void begin_scene(const Scene& scene) = 0;
-  virtual void add(const OperatingPoint<double>& point) = 0;
-  virtual void finish() = 0;
-};
+  // format: "table", "csv" or "json". `scenes` are all that will be written.
+  PointWriter(std::string_view format, OutputStream& output, const std::vector<Scene>& scenes);
 
-// format: "table", "csv" or "json". `scenes` are all that will be written: CSV has one header.
-std::unique_ptr<PointWriter> make_point_writer(std::string_view format, OutputStream& output,
-                                               const std::vector<Scene>& scenes);
+  // Called once before the points of each scene; `scene` must live until the next call.
+  void begin_scene(const Scene& scene);
+  void add(const OperatingPoint<double>& point);
+  void finish() { rows_.finish(); }
+
+ private:
+  RowWriter rows_;
+  const Scene* scene_ = nullptr;
+  std::vector<protocol::OutputValue> cells_;
+};
 
 }  // namespace tribo::cli

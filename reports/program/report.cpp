@@ -1,36 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck report: the paper's scenes solved, its figures redrawn, one page, and a table.
-#include "page/report.hpp"
-
-#include <fmt/format.h>
-
+// tribocheck report: starts reports/page/groups/report.py, which asks the other commands.
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "bench_rows.hpp"
 #include "command.hpp"
+#include "conformance/child_process.hpp"
 #include "messages.hpp"
 #include "page/project_files.hpp"
-#include "progress.hpp"
-#include "table.hpp"
+#include "page/rendering.hpp"
+#include "tribo/batch.hpp"
+#include "tribo/version.hpp"
 
 namespace tribo::cli {
 namespace {
 
-report::Report written_report(const report::ReportOptions& options) {
-  StepLine steps;
-  return report::write_report(options, [&](std::string_view step) { steps.show(step); });
-}
-
-int tell(const report::Report& done, OutputStream& output) {
-  for (const std::string& line : done.warnings) complain("warning: " + line);
-  for (const std::string& line : done.undrawn) complain(line);
-  append(output.text(), done.verdict);
-  append_line(output.text(),
-              fmt::format("{}: {}/{} ({} files in all, data and pictures among them)",
-                          done.has_page ? "The page" : "The data", done.folder,
-                          done.has_page ? "index.html" : "report.json", done.written.size()));
+int write_report(const report::ReportOptions& options, OutputStream& output) {
+  const report::ReportPlaces places = report::find_places(options);
+  std::vector<std::string> command{report::python(),
+                                   "-B",
+                                   places.render.parent_path() / "groups/report.py",
+                                   std::filesystem::read_symlink("/proc/self/exe"),
+                                   places.out,
+                                   places.scenes,
+                                   places.reference,
+                                   places.root,
+                                   places.render,
+                                   std::string(version),
+                                   options.commit,
+                                   compiler_name(),
+                                   std::string(instruction_set())};
+  command.insert(command.end(), options.sections.begin(), options.sections.end());
+  const conformance::ChildEnd end = conformance::run_child(std::move(command));
+  if (end.start_error != 0)
+    return fail(exit_failed,
+                "python3 was not found: no report can be made (Debian: apt-get install python3)");
+  append(output.text(), end.text);
   output.flush();
-  return done.undrawn.empty() ? exit_done : exit_failed;
+  return end.exit_code >= 0 ? end.exit_code : fail(exit_failed, "report.py was ended by a signal");
 }
 
 constexpr const char* report_footer =
@@ -61,7 +71,7 @@ Command add_report(CLI::App& program) {
   app->add_option("--commit", options->commit,
                   "what was built, for the page to tell; empty: not known")
       ->expected(0, 1);
-  return {app, [options](OutputStream& output) { return tell(written_report(*options), output); }};
+  return {app, [options](OutputStream& output) { return write_report(*options, output); }};
 }
 
 }  // namespace tribo::cli

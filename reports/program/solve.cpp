@@ -3,55 +3,227 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "command.hpp"
 #include "messages.hpp"
+#include "page/texts.hpp"
 #include "point_writers.hpp"
 #include "progress.hpp"
 #include "protocol/answers.hpp"
+#include "scene/schema.hpp"
 #include "scene_arguments.hpp"
 #include "sweep/parallel_points.hpp"
+#include "table.hpp"
+#include "tribo/onset.hpp"
 
 namespace tribo::cli {
 namespace {
 
 struct SolveArguments : SceneArguments {
   int threads = 0;
+  bool is_about_scenes = false;
 };
 
 // A chunk of speeds is enough for several threads, and keeps memory flat for any number of them.
 constexpr std::size_t chunk = std::size_t{1} << 16;
 
+template <class Solve>
+void in_chunks(const Scene& scene, const Solve& solve) {
+  std::vector<double> speeds;
+  for (std::size_t first = 0; first < scene.speeds.size(); first += chunk) {
+    speeds.resize(std::min(chunk, scene.speeds.size() - first));
+    scene.speeds.fill(first, speeds);
+    solve(speeds);
+  }
+}
+
 void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const OutputSet outputs = protocol::needed_for(scene.outputs);
   writer.begin_scene(scene);
-  std::vector<double> speeds;
   OperatingPoints points;
-  for (std::size_t first = 0; first < scene.speeds.size(); first += chunk) {
-    speeds.resize(std::min(chunk, scene.speeds.size() - first));
-    scene.speeds.fill(first, speeds);
+  in_chunks(scene, [&](const std::vector<double>& speeds) {
     points.resize(speeds.size(), outputs);
     solve_in_parallel(contact, speeds, outputs, points, threads);
     for (std::size_t i = 0; i < points.size(); ++i) {
       writer.add(points[i]);
       progress.step();
     }
+  });
+}
+
+WorkCounts work_of(const Scene& scene, const MixedContact<double>& contact) {
+  const OutputSet outputs = protocol::needed_for(scene.outputs);
+  OperatingPoints points;
+  WorkCounts work;
+  in_chunks(scene, [&](const std::vector<double>& speeds) {
+    points.resize(speeds.size(), outputs);
+    tribo::solve(contact, speeds, outputs, points, work);
+  });
+  return work;
+}
+
+// --- What a scene is: --about
+
+using nlohmann::ordered_json;
+
+// A fact about a scene. The value is null where the scene has none.
+struct Fact {
+  std::string_view name;
+  ordered_json value;
+  std::string_view unit, meaning;
+};
+struct Facts {
+  std::string_view part;
+  std::vector<Fact> all;
+};
+
+// All fields but those of a name, of lists and of steps. Speeds have their least and greatest.
+ordered_json input_of(const Scene& scene, std::size_t field) {
+  const FieldInfo& info = scene_fields()[field];
+  if (info.path == "speed.from") return detail::speed_span(scene.speeds).low;
+  if (info.path == "speed.to") return detail::speed_span(scene.speeds).high;
+  const std::optional<double> value = scene_detail::value_in(scene, field);
+  if (!value) return nullptr;
+  if (info.type == FieldType::choice) return info.choices[static_cast<std::size_t>(*value)];
+  if (info.type == FieldType::integer) return static_cast<int>(*value);
+  return std::isinf(*value) ? ordered_json(*value > 0 ? "inf" : "-inf") : ordered_json(*value);
+}
+
+Facts inputs_of(const Scene& scene) {
+  Facts inputs{"inputs", {}};
+  for (std::size_t field = 0; field < scene_fields().size(); ++field) {
+    const FieldInfo& info = scene_fields()[field];
+    if (info.type == FieldType::text || info.type == FieldType::outputs ||
+        info.type == FieldType::speeds || info.path == "speed.count" ||
+        info.path == "speed.spacing")
+      continue;
+    inputs.all.push_back({info.path, input_of(scene, field), info.unit, info.meaning});
   }
+  return inputs;
+}
+
+Facts contact_of(const Scene& scene, const MixedContact<double>& contact) {
+  // In the order of ContactShape.
+  constexpr std::array<std::string_view, 3> shapes{"circle", "ellipse", "line"};
+  const auto numbers = detail::numbers_of<double>(scene);
+  const HertzContact<double> hertz = contact.hertz();
+  const ContactShape shape = scene.bodies.shape();
+  const bool is_line = shape == ContactShape::line;
+  const auto of_point = [&](double x) { return is_line ? ordered_json(nullptr) : ordered_json(x); };
+  return {"contact",
+          {{"shape", shapes[static_cast<std::size_t>(shape)], "", "circle, ellipse or line"},
+           {"effective_modulus", numbers.effective_modulus, "Pa", "E*"},
+           {"radius_x", numbers.radius_x, "m", "R_x, along the direction of entrainment"},
+           {"radius_y", of_point(shape == ContactShape::circle ? numbers.radius_x : numbers.across),
+            "m", "R_y, across it"},
+           {"length", is_line ? ordered_json(scene.bodies.length) : nullptr, "m", "L of a line"},
+           {"semi_axis_x", hertz.semi_axis_x, "m", "a_x of the dry, smooth contact; of a line b"},
+           {"semi_axis_y", of_point(hertz.semi_axis_y), "m", "a_y"},
+           {"ellipticity", of_point(hertz.semi_axis_y / hertz.semi_axis_x), "", "a_y/a_x"},
+           {"mean_pressure", hertz.mean_pressure, "Pa", "p̄ of the dry, smooth contact"},
+           {"peak_pressure", hertz.peak_pressure, "Pa", "its greatest pressure"},
+           {"approach", of_point(hertz.approach), "m", "of the two bodies"},
+           {"summit_height_sd", contact.summit_height_sd(), "m", "σ_s"},
+           {"share_without_film", contact.sharing().asperity_share(0), "",
+            "A(0); above 1 the summits keep the faces apart at a film of no thickness"},
+           {"speed_power", contact.film().speed_power.value, "",
+            "the flooded film of smooth faces grows as this power of the speed"}}};
+}
+
+Facts outputs_of(const Scene& scene) {
+  Facts outputs{"outputs", {}};
+  for (const OutputInfo& info : output_infos)
+    outputs.all.push_back(
+        {info.name, scene.outputs.contains(info.output), info.unit, info.meaning});
+  return outputs;
+}
+
+Facts work_facts(const Scene& scene, const MixedContact<double>& contact) {
+  const WorkCounts work = work_of(scene, contact);
+  Facts facts{"work", {{"points", scene.speeds.size(), "", "operating points, one a speed"}}};
+  for (const WorkInfo& info : work_infos)
+    facts.all.push_back({info.name, work[info.work], "", info.meaning});
+  return facts;
+}
+
+std::string text_of(const Fact& fact, std::string (*number)(double)) {
+  if (fact.value.is_null()) return "";
+  if (fact.value.is_string()) return fact.value.get<std::string>();
+  return fact.value.is_number_float() ? number(fact.value.get<double>()) : fact.value.dump();
+}
+
+void append_json(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
+  ordered_json told{{"id", scene.id}};
+  for (const Facts& facts : parts)
+    for (const Fact& one : facts.all)
+      told[std::string(facts.part)].push_back(
+          {{"name", one.name}, {"value", one.value}, {"unit", one.unit}, {"meaning", one.meaning}});
+  append(to, without_controls(told.dump(-1, ' ', false, ordered_json::error_handler_t::replace)));
+}
+
+void append_csv(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
+  for (const Facts& facts : parts)
+    for (const Fact& one : facts.all)
+      append(to,
+             fmt::format("{},{},{},{},{},{}\n", report::csv_text(scene.id), facts.part, one.name,
+                         text_of(one, report::exact), one.unit, report::csv_text(one.meaning)));
+}
+
+// Without what the scene does not have.
+void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
+  for (const Facts& facts : parts) {
+    if (&facts != &parts.front()) to.push_back('\n');
+    append_title(to, fmt::format("{}: {}", scene.id, facts.part));
+    for (const Fact& one : facts.all) {
+      if (one.value.is_null()) continue;
+      const std::string unit =
+          one.value.is_number_float() && one.unit.empty() ? "-" : std::string(one.unit);
+      append_line(to, fmt::format("  {:<30}{}{}", one.name, text_of(one, readable),
+                                  unit.empty() ? "" : fmt::format(" [{}]", unit)));
+    }
+  }
+}
+
+void tell_about(const std::vector<Scene>& scenes, std::string_view format, OutputStream& output) {
+  Text& text = output.text();
+  if (format == "csv") append(text, "id,part,name,value,unit,meaning\n");
+  const char* before = format == "json" ? "[\n" : "";
+  for (const Scene& scene : scenes) {
+    append(text, std::exchange(before, format == "json" ? ",\n" : format == "csv" ? "" : "\n"));
+    const MixedContact<double> contact(scene);
+    const std::vector<Facts> parts{inputs_of(scene), contact_of(scene, contact), outputs_of(scene),
+                                   work_facts(scene, contact)};
+    (format == "json"  ? append_json
+     : format == "csv" ? append_csv
+                       : append_tables)(text, scene, parts);
+    output.end_row();
+  }
+  if (format == "json") append(text, "\n]\n");
 }
 
 int solve(const SolveArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
   if (loaded.scenes.empty()) return exit_bad;
+  if (arguments.is_about_scenes) {
+    tell_about(loaded.scenes, arguments.format, output);
+    return loaded.all_good ? exit_done : exit_bad;
+  }
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
   Progress progress(total);
-  const auto writer = make_point_writer(arguments.format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) solve_scene(scene, arguments.threads, *writer, progress);
-  writer->finish();
+  PointWriter writer(arguments.format, output, loaded.scenes);
+  for (const Scene& scene : loaded.scenes) solve_scene(scene, arguments.threads, writer, progress);
+  writer.finish();
   return loaded.all_good ? exit_done : exit_bad;
 }
 
@@ -64,8 +236,12 @@ CSV and JSON numbers read back to the same double. What is undefined is - in a t
 CSV, and null in JSON, which says why under "undefined". A bad scene is reported, the others are
 still solved, and the exit code is 2.
 
+With --about a scene has one answer in place of its points: its inputs with those that follow and
+the defaults, its dry contact, the outputs that it asks for, and the work that they took.
+
 Example:
   tribocheck solve reference/published/rough.toml --format csv > rough.csv
+  tribocheck solve reference/published/rough.toml --about
   tribocheck solve reference/published/rough.toml reference/published/smooth.toml)";
 
 std::string footer() {
@@ -86,7 +262,13 @@ Command add_solve(CLI::App& program) {
                   "threads for scenes of many speeds (default: all the machine has); the results "
                   "are the same bits for any number")
       ->check(CLI::Range(1, 1024));
-  return {app, [arguments](OutputStream& output) { return solve(*arguments, output); }};
+  app->add_flag("--about", arguments->is_about_scenes,
+                "in place of its points, all inputs of a scene, its dry contact, and the work that "
+                "the points take");
+  return {app, [arguments](OutputStream& output) { return solve(*arguments, output); },
+          [arguments]() -> std::vector<Ignored> {
+            return {{{"--threads"}, arguments->is_about_scenes, "beside --about"}};
+          }};
 }
 
 }  // namespace tribo::cli

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "page/text_table.hpp"
+#include "page/texts.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo::cli {
@@ -78,6 +80,107 @@ void append_title(Text& to, std::string_view title) {
   append_line(to, text);
   for (std::size_t i = width_of(text); i > 0; --i) to.push_back('-');
   to.push_back('\n');
+}
+
+using protocol::OutputValue;
+
+RowWriter::RowWriter(std::string_view format, OutputStream& output, std::vector<Column> columns,
+                     Reasons reasons)
+    : is_csv_(format == "csv"),
+      is_table_(format == "table"),
+      output_(output),
+      all_(std::move(columns)),
+      reasons_(reasons),
+      before_(is_csv_ || is_table_ ? "" : "[\n") {
+  if (!is_csv_) return;
+  append(output_.text(), "id");
+  for (const Column& column : all_) append(output_.text(), fmt::format(",{}", column.name));
+  append(output_.text(), reasons == Reasons::in_rows ? ",reason\n" : "\n");
+  output_.end_row();
+}
+
+void RowWriter::begin(std::string_view id, std::string_view title, std::vector<Column> columns) {
+  columns_ = std::move(columns);
+  id_ = is_csv_ ? report::csv_text(id) : std::string(id);
+  if (!is_table_) return;
+  end_table();
+  append(output_.text(), std::exchange(before_, "\n"));
+  append_title(output_.text(), title);
+  heads_.clear();
+  for (const Column& column : columns_)
+    heads_.emplace_back(column.name,
+                        column.is_word        ? ""
+                        : column.unit.empty() ? "[-]"
+                                              : fmt::format("[{}]", column.unit),
+                        column.least_width);
+  append_heads(output_.text(), heads_);
+}
+
+void RowWriter::add(std::span<const OutputValue> cells) {
+  if (is_csv_) {
+    add_csv(cells);
+  } else if (is_table_) {
+    add_line(cells);
+  } else {
+    append(output_.text(), std::exchange(before_, ",\n"));
+    protocol::AnswerObject answer(output_.text(), id_);
+    for (std::size_t i = 0; i < cells.size(); ++i) answer.value(columns_[i].name, cells[i]);
+    answer.close();
+  }
+  output_.end_row();
+}
+
+void RowWriter::add_csv(std::span<const OutputValue> cells) {
+  Text& text = output_.text();
+  append(text, id_);
+  std::size_t next = 0;  // the scene's columns are in the order of all
+  std::string_view reason;
+  for (const Column& column : all_) {
+    text.push_back(',');
+    if (next == columns_.size() || columns_[next].name != column.name) continue;
+    const OutputValue& cell = cells[next++];
+    if (!cell.undefined.empty())
+      reason = cell.undefined;
+    else if (!cell.word.empty())
+      append(text, cell.word);
+    else
+      protocol::append_number(text, cell.number);
+  }
+  if (reasons_ == Reasons::in_rows) append(text, ',' + report::csv_text(reason));
+  text.push_back('\n');
+}
+
+void RowWriter::add_line(std::span<const OutputValue> cells) {
+  Text& text = output_.text();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const OutputValue& cell = cells[i];
+    if (!cell.undefined.empty() && reasons_ == Reasons::in_rows) {
+      append(text, fmt::format("  none: {}", cell.undefined));
+      break;
+    }
+    const std::size_t width = heads_[i].width();
+    if (!cell.undefined.empty()) {
+      append_cell(text, "-", width);
+      const std::pair note(columns_[i].name, cell.undefined);
+      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+    } else if (!cell.word.empty()) {
+      append_cell(text, cell.word, width);
+    } else {
+      append_cell(text, readable(cell.number), width);
+    }
+  }
+  text.push_back('\n');
+}
+
+void RowWriter::end_table() {
+  for (const auto& [name, reason] : notes_)
+    append(output_.text(), fmt::format("  - {}: {}\n", name, reason));
+  notes_.clear();
+}
+
+void RowWriter::finish() {
+  end_table();
+  if (!is_csv_ && !is_table_) append(output_.text(), "\n]\n");
 }
 
 }  // namespace tribo::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables with aligned columns. The columns are as wide as their widest cell can be, so rows can be
-// written as they come.
+// written as they come; the same rows as CSV or JSON for machines. Memory does not grow with their
+// number.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +9,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "messages.hpp"
+#include "protocol/answers.hpp"
 
 namespace tribo::cli {
 
@@ -54,5 +57,46 @@ void append_row(Text& to, const std::vector<ColumnHead>& heads,
 
 // A title, underlined.
 void append_title(Text& to, std::string_view title);
+
+// A column of rows, under the name that CSV and JSON have for it too.
+struct Column {
+  std::string_view name;
+  std::string_view unit = {};  // empty: dimensionless
+  std::size_t least_width = number_width;
+  bool is_word = false;
+};
+
+// Rows of typed cells about one scene after the other.
+class RowWriter {
+ public:
+  // Where it is told why a cell is undefined: below a table alone, or at the end of each row, in
+  // CSV as a column of its own. JSON tells it in each row.
+  enum class Reasons : std::uint8_t { below, in_rows };
+
+  // format: "table", "csv" or "json". `columns`: all that a scene has, as CSV has one header.
+  RowWriter(std::string_view format, OutputStream& output, std::vector<Column> columns,
+            Reasons reasons = Reasons::below);
+
+  // The next rows are about this scene, with these of the columns.
+  void begin(std::string_view id, std::string_view title, std::vector<Column> columns);
+  // A cell for each column of the scene. Their texts are to stay until the call returns, but for
+  // Reasons::below until the next begin().
+  void add(std::span<const protocol::OutputValue> cells);
+  void finish();
+
+ private:
+  void add_csv(std::span<const protocol::OutputValue> cells);
+  void add_line(std::span<const protocol::OutputValue> cells);
+  void end_table();
+
+  bool is_csv_, is_table_;
+  OutputStream& output_;
+  std::vector<Column> all_, columns_;
+  Reasons reasons_;
+  std::string id_;  // in CSV quoted
+  const char* before_;
+  std::vector<ColumnHead> heads_;
+  std::vector<std::pair<std::string_view, std::string_view>> notes_;  // name and reason
+};
 
 }  // namespace tribo::cli

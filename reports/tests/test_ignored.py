@@ -30,7 +30,7 @@ draws = 8192
 
 # Each form: the command, the arguments that make this form of it, and the options that belong to the form itself.
 FORMS = [
-    ("solve", ["SCENE"], ()), ("curve", ["SCENE"], ()), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
+    ("solve", ["SCENE"], ()), ("solve", ["SCENE", "--about"], {"--about"}), ("curve", ["SCENE"], ()), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
     ("onset", ["SCENE"], ()), ("onset", ["SCENE", "--criterion", "film_maximum"], {"--criterion"}),
     ("onset", ["SCENE", "--criterion", "film_departure"], {"--criterion"}),
     ("stream", [], ()), ("plugin-host", ["PLUGIN"], ()),
@@ -57,7 +57,7 @@ FORMS = [
 
 # Values with a visible effect: where an option is used, something changes.
 VALUES = {
-    "--format": ["json"], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
+    "--format": ["json"], "--about": [], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
     "--profile": [], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--out": ["DIR/other"],
     "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
@@ -141,7 +141,7 @@ class Ignored(unittest.TestCase):
             for option in options_of(command):
                 if option in ("--help", "--version") or option in of_form or (option == "--out" and "-o" in of_form):
                     continue
-                if (command, option) in UNSEEN and ("--estimate" not in of_form or option == "--without-fma"):
+                if (command, option) in UNSEEN and ({"--estimate", "--about"}.isdisjoint(of_form) or option == "--without-fma"):
                     continue
                 if "--plugin" in base and option.endswith("-timeout"):
                     continue  # the plug-in is too quick for an effect
@@ -152,7 +152,7 @@ class Ignored(unittest.TestCase):
                     else:
                         self.assertNotEqual(outcome, plain, "it is ignored")
         for one in (("verify", "--baseline"), ("verify", "--require"), ("verify", "--sample"), ("verify", "--tolerance"),
-                    ("onset", "--departure"), ("sweep", "--pictures"), ("sweep", "--mixed-fma"), ("reproduce", "--claim")):
+                    ("solve", "--threads"), ("onset", "--departure"), ("sweep", "--pictures"), ("sweep", "--mixed-fma"), ("reproduce", "--claim")):
             self.assertIn(one, refused)
 
     def test_every_command_and_each_of_its_options_is_in_the_table(self):

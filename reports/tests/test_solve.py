@@ -6,7 +6,7 @@ import io
 import math
 import unittest
 
-from program import Folder, Literal, json_value, run, scene
+from program import Folder, Literal, json_value, quiet_scene, run, scene
 
 NUMBERS = ["film_flooded", "film", "separation", "film_parameter", "asperity_load_share",
            "fluid_load_share", "real_area_ratio", "summit_count", "friction"]
@@ -127,6 +127,74 @@ class Numbers(SolveTest):
         point = run("solve", path, "--format", "json").json()[0]
         self.assertIsNone(point["inlet"])
         self.assertEqual(point["undefined"]["inlet"], "outside the range of double precision")
+
+
+class About(SolveTest):
+    """What a scene is, in place of its points."""
+
+    def about(self, tree):
+        """The values of each part, by their names."""
+        told, = self.solved(tree, "--about", "--format", "json").json()
+        return {part: {one["name"]: one["value"] for one in told[part]} for part in ("inputs", "contact", "outputs", "work")}
+
+    def test_inputs_are_those_of_the_scene_what_follows_and_defaults(self):
+        tree = quiet_scene(speed=[2, 0.5, 1])
+        inputs = self.about(tree)["inputs"]
+        given = {f"{section}.{name}": value for section, fields in tree.items() if isinstance(fields, dict)
+                 for name, value in fields.items()} | {"load": 50, "speed.from": 0.5, "speed.to": 2}
+        defaults = {"surface.offset_planes": 1, "bodies.ellipticity": 1, "friction.slide_roll_ratio": 1, "friction.fluid": "eyring",
+                    "friction.viscosity": "barus", "closures.asperity": "greenwood_tripp", "closures.starvation": "flooded_inlet",
+                    "closures.film": "hamrock_dowson_central"}
+        self.assertEqual({name: value for name, value in inputs.items() if value is not None}, given | defaults)
+        self.assertIn("supply.inlet_flow", inputs)
+
+    def test_numbers_of_bodies_and_profiles_follow_from_these(self):
+        tree = scene() | dict(surface={"m0": 1e-14, "m2": 1e-3, "m4": 4e8}, bodies={
+            "first_modulus": 2e11, "first_poisson_ratio": 0.3, "second_modulus": 2e11, "second_poisson_ratio": 0.3,
+            "first_radius_x": 0.02, "second_radius_x": 0.02, "length": 0.01}, closures={"film": "dowson_toyoda_central"})
+        told = self.about(tree)
+        self.assertAlmostEqual(told["contact"]["effective_modulus"] / 1e11 * 0.91, 1, delta=1e-14)
+        self.assertAlmostEqual(told["inputs"]["bodies.effective_modulus"], told["contact"]["effective_modulus"])
+        self.assertAlmostEqual(told["inputs"]["bodies.radius_x"], 0.01, delta=1e-16)
+        self.assertGreater(told["inputs"]["surface.summit_density"], 0)
+        self.assertEqual([told["contact"][name] for name in ("shape", "length", "semi_axis_y", "approach")], ["line", 0.01, None, None])
+
+    def test_the_contact_is_that_of_the_functions(self):
+        told = self.about(quiet_scene())["contact"]
+        question = {"function": "hertz_point", "load": 50, "effective_modulus": 107.9e9, "reduced_radius": 9.5e-3}
+        hertz, = run("stream", stdin=json_value(question) + "\n").json_lines()
+        for name, other in (("semi_axis_x", "radius"), ("semi_axis_y", "radius"), ("mean_pressure", "mean_pressure"),
+                            ("peak_pressure", "peak_pressure"), ("approach", "approach")):
+            self.assertAlmostEqual(told[name] / hertz[other], 1, delta=1e-15)
+        self.assertEqual((told["shape"], told["ellipticity"], told["length"], told["speed_power"]), ("circle", 1, None, 0.67))
+
+    def test_work_is_that_of_the_outputs_asked_for(self):
+        full = self.about(quiet_scene())
+        self.assertEqual((full["work"]["points"], full["work"]["moments"], full["work"]["starvation_ratios"]), (20, 40, 20))
+        self.assertTrue(all(full["outputs"].values()))
+        film = self.about(quiet_scene(outputs=["film"]))
+        self.assertEqual([name for name, is_asked in film["outputs"].items() if is_asked], ["film"])
+        self.assertEqual((film["work"]["moments"], film["work"]["shares_skipped_not_asked"]), (0, 20))
+        self.assertEqual(film["work"]["root_steps"], full["work"]["root_steps"])
+
+    def test_formats_agree(self):
+        tree = quiet_scene()
+        told, = self.solved(tree, "--about", "--format", "json").json()
+        entries = [(part, one) for part in ("inputs", "contact", "outputs", "work") for one in told[part]]
+        rows = rows_of(self.solved(tree, "--about", "--format", "csv").out)
+        for (part, one), row in zip(entries, rows, strict=True):
+            self.assertEqual((row["id"], row["part"], row["name"], row["unit"], row["meaning"]),
+                             ("rough", part, one["name"], one["unit"], one["meaning"]))
+            value = one["value"]
+            if isinstance(value, float):
+                self.assertEqual(float(row["value"]), value)
+            else:
+                self.assertEqual(row["value"], "" if value is None else str(value).lower() if isinstance(value, bool) else str(value))
+        table = self.solved(tree, "--about").out
+        self.assertEqual(table.count("rough: "), 4)
+        for _, one in entries:
+            self.assertEqual(len([line for line in table.splitlines() if line.split()[:1] == [one["name"]]]) > 0, one["value"] is not None)
+        self.assertIn("\n  load                          50 [N]\n", table)
 
 
 class Formats(SolveTest):

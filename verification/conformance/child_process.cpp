@@ -237,9 +237,9 @@ void GuardedChild::end() {
 
 // --- The program's lines.
 
-ChildProcess::ChildProcess(std::vector<std::string> command, Pipes pipes, int input) {
+ChildProcess::ChildProcess(std::vector<std::string> command, Pipes pipes) {
   Ends in, out, err;
-  ChildStreams streams{input, -1, STDERR_FILENO};
+  ChildStreams streams{-1, -1, STDERR_FILENO};
   try {
     out = make_pipe();
     streams.output = out.writing;
@@ -391,10 +391,10 @@ std::string ChildProcess::end_text() {
 
 // --- A program to its end.
 
-ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit, int input) {
+ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit) {
   ChildEnd end;
   try {
-    ChildProcess child(std::move(command), ChildProcess::Pipes::output, input);
+    ChildProcess child(std::move(command), ChildProcess::Pipes::output);
     std::optional<std::string> text = child.rest_of_output(limit);
     end.is_late = !text;
     if (end.is_late) child.kill();

@@ -57,10 +57,10 @@ class ChildProcess {
   using Time = std::chrono::milliseconds;
   enum class Pipes : std::uint8_t {
     all,     // lines go to its stdin and come from its stdout, and the end of its stderr is kept
-    output,  // it reads the file `input`, and its errors go where ours go
+    output,  // it reads /dev/null, and its errors go where ours go
   };
-  // As GuardedChild. `input` is read from where it stands; −1: /dev/null.
-  ChildProcess(std::vector<std::string> command, Pipes pipes, int input = -1);
+  // As GuardedChild.
+  ChildProcess(std::vector<std::string> command, Pipes pipes);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();  // kills it
@@ -117,8 +117,8 @@ struct ChildEnd {
   bool exited_with(int code) const { return !is_late && exit_code == code; }
 };
 
-// Runs a program to its end with Pipes::output. One that has not ended within `limit` is ended,
-// with all that it has started; 0: no limit.
-ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit = {}, int input = -1);
+// Runs a program to its end with Pipes::output, and /dev/null as its input. One that has not ended
+// within `limit` is ended, with all that it has started; 0: no limit.
+ChildEnd run_child(std::vector<std::string> command, ChildProcess::Time limit = {});
 
 }  // namespace tribo::conformance

@@ -11,36 +11,40 @@
 namespace tribo {
 
 enum class Work : std::uint8_t {
-  root_step,          // of load sharing; each evaluates F_p and its slope once
-  share,              // load shares at a film, from F_p
-  moment,             // F_n for the real area or the summits
-  starvation,         // y(r)
-  shear_stress,       // of the film, for friction
-  root_is_film,       // skipped: λ = λ₀ to half an ulp
-  root_is_floor,      // skipped: λ = λ_b to half an ulp
-  root_by_newton,     // left to Newton's method
-  share_is_nothing,   // skipped: A < 2^−54 and only 1 − A or the regime was asked
-  share_not_asked,    // skipped: no asked output rests on the load shares
-  supply_is_flooded,  // skipped: y = 1
+  root_step,
+  share,
+  moment,
+  starvation,
+  shear_stress,
+  root_is_film,
+  root_is_floor,
+  root_by_newton,
+  share_is_nothing,
+  share_not_asked,
+  supply_is_flooded,
 };
 
 struct WorkInfo {
   Work work;
   std::string_view name;
+  std::string_view meaning;
 };
 
 inline constexpr auto work_infos = std::to_array<WorkInfo>({
-    {Work::root_step, "root_steps"},
-    {Work::share, "shares"},
-    {Work::moment, "moments"},
-    {Work::starvation, "starvation_ratios"},
-    {Work::shear_stress, "shear_stresses"},
-    {Work::root_is_film, "roots_skipped_at_film"},
-    {Work::root_is_floor, "roots_skipped_at_floor"},
-    {Work::root_by_newton, "roots_by_newton"},
-    {Work::share_is_nothing, "shares_skipped_as_nothing"},
-    {Work::share_not_asked, "shares_skipped_not_asked"},
-    {Work::supply_is_flooded, "starvation_skipped_flooded"},
+    {Work::root_step, "root_steps",
+     "steps to a root of load sharing; each evaluates F_p and its slope once"},
+    {Work::share, "shares", "load shares at a film, from F_p"},
+    {Work::moment, "moments", "F_n for the real area or the summits"},
+    {Work::starvation, "starvation_ratios", "y(r) of a starved inlet"},
+    {Work::shear_stress, "shear_stresses", "of the film, for friction"},
+    {Work::root_is_film, "roots_skipped_at_film", "skipped: λ = λ₀ to half an ulp"},
+    {Work::root_is_floor, "roots_skipped_at_floor", "skipped: λ = λ_b to half an ulp"},
+    {Work::root_by_newton, "roots_by_newton", "roots that are left to Newton's method"},
+    {Work::share_is_nothing, "shares_skipped_as_nothing",
+     "skipped: A < 2^−54 and only 1 − A or the regime was asked"},
+    {Work::share_not_asked, "shares_skipped_not_asked",
+     "skipped: no asked output rests on the load shares"},
+    {Work::supply_is_flooded, "starvation_skipped_flooded", "skipped: y = 1"},
 });
 
 struct NoWork {

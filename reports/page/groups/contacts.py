@@ -2,8 +2,9 @@
 """Contacts as machines have them: the scenes of reference/scenes, a circle, an ellipse and a line, solved."""
 import curves
 import scenes
-from group import Group
+from group import Group, Missing
 
+STEMS = ("ball_on_flat", "bearing_outer_ring", "gear_flank")
 TOLD_SPEED = 1.0  # m/s; the page tells films at this speed
 TOLD = ("speed", "film", "film_parameter", "asperity_load_share", "friction")
 
@@ -12,16 +13,29 @@ def told(point):
     return point and {name: point[name] for name in TOLD}
 
 
+def before_solved(file, about):
+    """The dry contact. Raises Missing where a number that the page tells would be missing."""
+    low, high = about.speeds
+    if not about.has_friction_inputs:
+        raise Missing(f"{file} has not all inputs of friction")
+    if not low <= TOLD_SPEED <= high:
+        raise Missing(f"the speeds of {file} leave {TOLD_SPEED:g} m/s out")
+    dry = {name: one["value"] for name, one in about.contact.items() if name not in ("share_without_film", "speed_power")}
+    return {"file": file, "shape": dry.pop("shape"), "load": about.input("load")} | dry | {
+        "slide_roll_ratio": about.input("friction.slide_roll_ratio"), "film_law": about.input("closures.film")}
+
+
 def contacts(asked):
-    facts = asked.facts_of("contacts")  # facts of the dry contacts, with the speeds of the scenes
-    paths = {stem: asked.places.reference / f"scenes/{stem}.toml" for stem in facts}
-    found = curves.solved([curves.Contact(asked.program, scenes.read(paths[stem]), *fact["speeds"])
-                           for stem, fact in facts.items()], ["friction_minimum"])
+    paths = {stem: asked.places.reference / f"scenes/{stem}.toml" for stem in STEMS}
+    abouts = dict(zip(STEMS, scenes.abouts(asked.program.said("solve", *paths.values(), "--about", "--format", "json")[0])))
+    facts = {stem: before_solved(asked.places.shown(paths[stem]), about) for stem, about in abouts.items()}
+    found = curves.solved([curves.Contact(asked.program, scenes.read(paths[stem]), *about.speeds)
+                           for stem, about in abouts.items()], ["friction_minimum"])
     tables, made, files, marks = asked.tables, {}, [], []
     for (stem, fact), one in zip(facts.items(), found):
         least = one.onsets["friction_minimum"]["speed"]
         at_least = None if least is None else one.contact.at(least)
-        made[stem] = {name: value for name, value in fact.items() if name != "speeds"} | {
+        made[stem] = fact | {
             "at_told_speed": told(one.contact.at(TOLD_SPEED)), "slowest": told(one.curve[0]), "fastest": told(one.curve[-1]),
             "least_friction": told(at_least)}
         files += [(f"data/contact_{stem}.tsv", tables.curve("Stribeck curve", fact["file"], one.curve)),

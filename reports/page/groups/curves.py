@@ -38,7 +38,7 @@ class Contact:
 
     def solve(self, *speeds):
         """The operating points at these speeds, by the names of their outputs; None: undefined."""
-        answers = self.program.ask(*(scenes.point(self.scene, speed) for speed in speeds))
+        answers = self.program.ask(*scenes.points(self.scene, *speeds))
         return [{"speed": speed} | answer for speed, answer in zip(speeds, answers)]
 
     def at(self, speed):

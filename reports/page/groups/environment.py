@@ -2,12 +2,31 @@
 """The time, commit and machine of the page, and the age of the results that it shows."""
 import datetime
 import os
+import pathlib
 import re
+import typing
 
 from baselines import BASELINES, from_baseline
 from group import Group, Missing
 
 UNKNOWN = "unknown"
+
+
+class Built(typing.NamedTuple):
+    """The program that makes the report."""
+    version: str
+    commit: str  # empty: not known
+    compiler: str
+    instruction_set: str
+
+
+def processor():
+    try:
+        text = pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        text = ""
+    found = re.search(r"^model name.*?: (.*)$", text, re.MULTILINE)
+    return found[1] if found else UNKNOWN
 
 
 def today():
@@ -48,7 +67,8 @@ def baseline_of(places, file, now):
 
 def environment(asked):
     now, kernel = today(), os.uname()
+    built = asked.built
     return Group({
-        "version": asked.version, "commit": asked.commit or None, "compiler": asked.compiler, "processor": asked.processor,
-        "instruction_set": asked.instruction_set, "kernel": f"{kernel.sysname} {kernel.release} {kernel.machine}",
+        "version": built.version, "commit": built.commit or None, "compiler": built.compiler, "processor": processor(),
+        "instruction_set": built.instruction_set, "kernel": f"{kernel.sysname} {kernel.release} {kernel.machine}",
         "date": now.isoformat(), "baselines": [baseline_of(asked.places, file, now) for file in BASELINES]})

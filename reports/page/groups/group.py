@@ -10,6 +10,10 @@ class Missing(Exception):
     """The reason why a group, or a part of one, cannot be made. The page tells it in the place of that part."""
 
 
+class Refused(Exception):
+    """Why no report can be made of what is given: its arguments are lines."""
+
+
 class Group(typing.NamedTuple):
     data: dict
     findings: list = []

@@ -1,19 +1,42 @@
 # SPDX-License-Identifier: Apache-2.0
 """The paper's claims under each reading, as `tribocheck reproduce` judges them, and the data of their figures."""
-import csv
 import json
 import math
 
 import scenes
-from group import Group, Missing, exact, finding, not_run
+from group import Group, Missing, Refused, exact, finding, not_run
 
 SURFACES = ("rough", "medium", "smooth")
+COLUMNS = ("item", "quantity", "surface", "model", "rule", "value", "last_digit")
 
 
 def claims_of(places):
-    """The rows of claims.tsv: each item as the paper prints it."""
-    with (places.scenes / "claims.tsv").open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader((line for line in file if not line.startswith("#")), delimiter="\t", quoting=csv.QUOTE_NONE))
+    """The rows of claims.tsv: each item as the paper prints it. Raises Refused where it is no table of them."""
+    path = places.scenes / "claims.tsv"
+    try:
+        lines = path.read_text(encoding="utf-8", errors="replace").split("\n")
+    except OSError as error:
+        raise Refused(f"{path}: cannot be read") from error
+    heading, *rows = [line.split("\t") for line in lines if line and not line.startswith("#")] or [[]]
+    for column in COLUMNS:
+        if column not in heading:
+            raise Refused(f"{path}: no column {column}")
+    for row in rows:
+        if len(row) != len(heading):
+            raise Refused(f"{path}: a row of {len(row)} cells under {len(heading)} columns: " + "\t".join(row))
+    claims = [dict(zip(heading, row)) for row in rows]
+    for claim in claims:
+        for column in ("value", "last_digit"):
+            if claim["rule"] == "number" and not is_number(claim[column]):
+                raise Refused(f"{path}: row {claim['item']}: {claim[column]} is no number in {column}")
+    return claims
+
+
+def is_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def reported(places, quantity, surface):
@@ -88,7 +111,7 @@ def law_data(asked, smooth):
     contacts = [smooth | {"surface": surface | {"summit_height_sd": surface["summit_height_sd"] * factor,
                                                 "summit_density": surface["summit_density"] / factor}} for factor in factors]
     onsets = scenes.onsets(asked.program, contacts, ("film_maximum", "film_departure"))
-    slowest = asked.program.ask(*(scenes.point(one, one["speed"]["from"]) for one in contacts))
+    slowest = asked.program.ask(*(line for one in contacts for line in scenes.points(one, one["speed"]["from"])))
     text = ("# Closed forms at constant n·β·σ_s, corrected reading: onset speeds (m/s), asperity share at the lowest speed\n"
             "# sd_nm\tfilm_maximum\tfilm_departure_0.05\tslow_asperity_share\n")
     for scene, onset, point in zip(contacts, onsets, slowest):

@@ -7,24 +7,34 @@ import curves
 import ledger
 import scenes
 from group import Group, exact, finding
+from published import Published
 
 TOLD = ("speed", "film", "film_parameter", "asperity_load_share", "real_area_ratio", "summit_count", "friction")
 QUANTITIES = ("onset_speed", "onset_film_parameter", "slow_asperity_share")
 
 
+# The misprints that change an input of a scene.
+ERRATA = {"surface.summit_radius": "E17", "surface.offset_planes": "E9", "bodies.effective_modulus": "E2",
+          "bodies.reduced_radius": "E18", "friction.boundary_coefficient": "E20", "friction.fluid": "E19",
+          "friction.viscosity": "E20", "closures.starvation": "E11"}
+SUPPLIES = ("inlet_film", "inlet_film_ratio", "inlet_flow")
+
+
 class Case(typing.NamedTuple):
-    """One of the six scenes: a surface with the contact of Greenwood and Tripp (GT), or Greenwood and Williamson (GW)."""
-    stem: str  # "smooth_gw": the name of the scene's file and of its data
-    fact: dict  # the program's facts of the scene before it is solved
+    """One of the six scenes, solved: a surface with the contact of Greenwood and Tripp (GT), or Greenwood and Williamson (GW)."""
+    source: Published
     solved: curves.Solved
 
     @property
     def surface(self):
-        return self.fact["surface"]
+        return self.source.surface
 
     @property
     def model(self):
-        return self.fact["model"]
+        return self.source.model
+
+    def of_contact(self, name):
+        return self.source.about.contact[name]["value"]
 
     def reported(self, claims, quantity):
         """The paper's printed number for the quantity, as a row of claims.tsv; None where none is printed."""
@@ -56,11 +66,31 @@ def least_friction(case):
     return min(frictions, default=None)
 
 
+def supply_of(about):
+    """A scene without a supply is flooded."""
+    given = ((kind, about.input(f"supply.{kind}")) for kind in SUPPLIES)
+    kind, value = next((one for one in given if one[1] is not None), ("flooded", 0.0))
+    return {"kind": kind, "value": value}
+
+
+def inputs_of(cases):
+    """Those that a scene has a value of."""
+    rows = []
+    for name, entry in cases[0].about.inputs.items():
+        values = {case.stem: case.about.input(name) for case in cases if case.about.input(name) is not None}
+        if values:
+            rows.append({"field": name, "unit": entry["unit"], "meaning": entry["meaning"], "erratum": ERRATA.get(name),
+                         "values": values})
+    return rows
+
+
 def scene_of(case):
-    fact, one = case.fact, case.solved
-    return {name: value for name, value in fact.items() if name not in ("speeds", "share_without_film", "speed_power")} | {
+    about, one = case.source.about, case.solved
+    return {
+        "file": case.source.file, "surface": case.surface, "model": case.model, "load": about.input("load"),
+        "supply": supply_of(about), "starvation": about.input("closures.starvation"),
         "slowest": told(one.slowest), "fastest": told(one.curve[-1]), "onset": told(one.at_onset), "collapse": told(one.at_collapse),
-        "contact_share": min(1.0, fact["share_without_film"]), "equal_share_speed": equal_share_speed(case),
+        "contact_share": min(1.0, case.of_contact("share_without_film")), "equal_share_speed": equal_share_speed(case),
         "least_friction": least_friction(case)}
 
 
@@ -142,7 +172,7 @@ class TwoSlopes:
         self.curves["paper"] = SlopeCurve("as the scene file", base.solved)
         # The guides stand a little above the curves, on both sides of the knee.
         third = math.cbrt(self.knee / contact.low)
-        self.guides = [self.guide(base.fact["speed_power"], film * 1.7, contact.low * third, self.knee / third),
+        self.guides = [self.guide(base.of_contact("speed_power"), film * 1.7, contact.low * third, self.knee / third),
                        self.guide(-1.0, film * 1.7, self.knee * math.sqrt(third), self.knee * third * math.sqrt(third))]
 
     def guide(self, slope, film, low, high):
@@ -170,7 +200,7 @@ def slope_files(tables, slopes, file):
 
 def ratio_file(tables, gt, gw):
     """The ratio of the films at the speeds where neither film has collapsed."""
-    text = tables.header("Film with GW over film with GT, up to the collapse", f"{gw.fact['file']} and {gt.fact['file']}")
+    text = tables.header("Film with GW over film with GT, up to the collapse", f"{gw.source.file} and {gt.source.file}")
     text += "# speed [m/s]\tfilm with GW/film with GT\n"
     others = gt.solved.contact.solve(*(point["speed"] for point in gw.solved.curve))
     for point, other in zip(gw.solved.curve, others):
@@ -184,7 +214,7 @@ def as_printed(case, point):
     """The point beyond a collapse without a floor, with the limits A(0) and 1 − A(0), which the paper draws as shares."""
     if point is None or point["regime"] != "collapsed":
         return point
-    share = case.fact["share_without_film"]
+    share = case.of_contact("share_without_film")
     return point | {"asperity_load_share": share, "fluid_load_share": 1 - share}
 
 
@@ -223,19 +253,18 @@ def comparison_file(tables, comparisons):
 
 
 def paper(asked):
-    facts = asked.facts_of("paper")  # the scenes before they are solved, by their stems, and all their inputs
     places, tables, claims = asked.places, asked.tables, ledger.claims_of(asked.places)
-    found = curves.solved([curves.Contact(asked.program, scenes.read(places.scenes / f"{stem}.toml"), *fact["speeds"])
-                           for stem, fact in facts["scenes"].items()])
-    cases = {stem: Case(stem, fact, one) for (stem, fact), one in zip(facts["scenes"].items(), found)}
+    found = curves.solved([curves.Contact(asked.program, scenes.read(places.scenes / f"{one.stem}.toml"), *one.about.speeds)
+                           for one in asked.published])
+    cases = {source.stem: Case(source, one) for source, one in zip(asked.published, found)}
     slopes = TwoSlopes(cases["smooth"])
     comparisons = {quantity: comparison(quantity, rows_of(cases.values(), claims, quantity)) for quantity in QUANTITIES}
-    data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": facts["inputs"],
+    data = {"scenes": {stem: scene_of(case) for stem, case in cases.items()}, "inputs": inputs_of(asked.published),
             "departure": scenes.DEPARTURE, "comparisons": {quantity: compared for quantity, (compared, _) in comparisons.items()},
             "two_slopes": slopes.told}
-    files = [(f"data/curve_{stem}.tsv", tables.curve("Stribeck curve", case.fact["file"], case.solved.curve))
+    files = [(f"data/curve_{stem}.tsv", tables.curve("Stribeck curve", case.source.file, case.solved.curve))
              for stem, case in cases.items()]
-    files += [*slope_files(tables, slopes, cases["smooth"].fact["file"]), ratio_file(tables, cases["smooth"], cases["smooth_gw"]),
+    files += [*slope_files(tables, slopes, cases["smooth"].source.file), ratio_file(tables, cases["smooth"], cases["smooth_gw"]),
               marks_file(tables, cases.values(), claims), comparison_file(tables, comparisons)]
     files += [(f"data/scenes/{stem}.toml", scenes.file_text(places.scenes / f"{stem}.toml")) for stem in cases]
     return Group(data, [found for _, found in comparisons.values()], files=files)

@@ -22,16 +22,20 @@ class Program:
             self.stream.kill()
             self.stream.communicate()
 
+    def run(self, *arguments):
+        """The exit code of a command, its output, and the lines that it complains of."""
+        done = subprocess.run([self.path, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
+                              errors="replace")
+        return done.returncode, done.stdout, [line.removeprefix("tribocheck: ") for line in done.stderr.splitlines()]
+
     def said(self, *arguments):
         """A command's output, and its complaints. Raises Missing, with the first complaint,
         where it has no output or refuses what it is given."""
-        done = subprocess.run([self.path, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
-                              errors="replace")
-        complaints = [line.removeprefix("tribocheck: ") for line in done.stderr.splitlines()]
-        if not done.stdout or done.returncode not in (0, 1):
+        code, told, complaints = self.run(*arguments)
+        if not told or code not in (0, 1):
             errors = [line for line in complaints if not line.startswith("warning: ")]
-            raise Missing(errors[0] if errors else f"{arguments[0]} ended with exit code {done.returncode}")
-        return done.stdout, complaints
+            raise Missing(errors[0] if errors else f"{arguments[0]} ended with exit code {code}")
+        return told, complaints
 
     def answer(self, *arguments, whole=int):
         """A command's answer as JSON. `whole` converts its whole numbers: float where no number is a count."""

@@ -2,11 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the report's data: report.json with its schema, and data/*.tsv. It needs no package of Python.
 
-`tribocheck report` calls this with a request on stdin: which sections are asked for, and what only the program itself makes
-of scenes. Prints what was written and the verdict in short as JSON; or `failed`, why a file cannot be
-written; or `refused`, what is wrong with the request.
+`tribocheck report` starts this script: with its own path, the folders of Places, what Built tells, and the sections that are
+asked for, all if none is. Prints the verdict in short and where the
+page is. Exit code 1: a file cannot be written, or there is no page or no picture, as a line on stderr says; 2: bad input.
 """
-import argparse
 import concurrent.futures
 import contextlib
 import dataclasses
@@ -14,24 +13,29 @@ import json
 import math
 import os
 import pathlib
+import subprocess
 import sys
 import typing
 
 HERE = pathlib.Path(__file__).resolve().parent
+MISSING_PACKAGES = 3  # exit code of render.py
 sys.path.insert(1, str(HERE.parent / "render"))
 import drawing  # noqa: E402
 import contacts  # noqa: E402
 import curves  # noqa: E402
+import ellipse_fits  # noqa: E402
 import environment  # noqa: E402
 import ledger  # noqa: E402
 import line_films  # noqa: E402
 import onset_uncertainty  # noqa: E402
 import paper  # noqa: E402
+import published  # noqa: E402
+import skipped_work  # noqa: E402
 import speed  # noqa: E402
 import terminal  # noqa: E402
 import verification  # noqa: E402
 import work_precision  # noqa: E402
-from group import Group, Missing, finding  # noqa: E402
+from group import Group, Missing, Refused, finding, printable  # noqa: E402
 from program import Program  # noqa: E402
 from section_table import SECTIONS  # noqa: E402
 
@@ -39,15 +43,6 @@ class Maker(typing.NamedTuple):
     make: typing.Callable
     how_to: str = ""  # Markdown: the command that gives the group where it is missing
     step: str = ""  # for the progress line; empty: it takes no time
-
-
-def solved_by_program(name, section=None):
-    """A group that the program has made, with the section that tells its measured numbers."""
-    def make(asked):
-        facts = asked.facts_of(name)
-        found = [finding(name, section, "software", "measured")] if section else []
-        return Group(facts["data"], found, files=list(facts["files"].items()))
-    return make
 
 
 # In the order of report.json.
@@ -66,8 +61,8 @@ GROUPS = {
     "planted_faults": Maker(verification.planted_faults, "`make faults`"),
     "diagnosis": Maker(verification.diagnosis, "`make diagnosis`"),
     "work_precision": Maker(work_precision.work_precision, "`make work-precision`"),
-    "ellipse_fits": Maker(solved_by_program("ellipse_fits"), "The file `reference/mistakes.toml`"),
-    "skipped_work": Maker(solved_by_program("skipped_work", "skipped-work")),
+    "ellipse_fits": Maker(ellipse_fits.ellipse_fits, "The file `reference/mistakes.toml`"),
+    "skipped_work": Maker(skipped_work.skipped_work, "", "counting work"),
     "gates": Maker(speed.gates, "`make gate-proof`"),
     "sweep_speed": Maker(speed.sweep_speed, "`make bench-sweep`"),
     "environment": Maker(environment.environment),
@@ -79,6 +74,7 @@ class Places(typing.NamedTuple):
     scenes: pathlib.Path  # the published ones
     reference: pathlib.Path  # the folder of exact/, baselines/ and scenes/
     root: pathlib.Path  # the project's folder; "." where there is none
+    render: pathlib.Path  # the folder of render.py
 
     def shown(self, file):
         """A file as provenance names it: relative to the project's root if it lies below."""
@@ -90,27 +86,13 @@ class Asked:
     """The request, and the data that groups share."""
     places: Places
     program: Program
-    version: str
-    commit: str  # empty: not known
-    compiler: str
-    processor: str
-    instruction_set: str
+    built: environment.Built
     tables: curves.Tables
-    facts: dict  # what the program makes of scenes, by the names of groups
+    published: list  # the paper's scenes
     ledger: concurrent.futures.Future | None  # takes some seconds; two groups read it
-
-    def facts_of(self, group):
-        facts = self.facts[group]
-        if "missing" in facts:
-            raise Missing(facts["missing"])
-        return facts
 
 
 class OutputFailed(Exception):
-    pass
-
-
-class Refused(Exception):
     pass
 
 
@@ -172,16 +154,19 @@ def write(out, path, text):
         drawing.write_text(pathlib.Path(os.path.realpath(out / path)), legible(text))
 
 
-def make(request, places, program, beside):
-    """Makes the report. `beside` runs work beside the rest."""
-    sections = sections_of(request["sections"])
+def make(sections, places, built, program, beside):
+    """Writes the data: the files, the verdict, and warnings of the scenes. `beside` runs work beside the rest."""
+    scenes, warnings = published.read(program, places)
+    sections = sections_of(sections)
     needed = {group for name in sections for group in SECTIONS[name].groups}
+    if "paper" in needed:
+        ledger.claims_of(places)
     for folder in ("data", "figures"):
         make_folder(places.out / folder)
     judged = beside.submit(ledger.reproduced, program, places) if "ledger" in needed else None
-    asked = Asked(places, program, *(request[name] for name in ("version", "commit", "compiler", "processor", "instruction_set")),
-                  curves.Tables(request["version"], request["outputs"]), request["facts"], judged)
-    report = {"tribocheck": asked.version, "sections": sections, "findings": [], "not_run": [], "files": []}
+    outputs = [{"name": name} | one for name, one in scenes[0].about.outputs.items()]
+    asked = Asked(places, program, built, curves.Tables(built.version, outputs), scenes, judged)
+    report = {"tribocheck": built.version, "sections": sections, "findings": [], "not_run": [], "files": []}
     for name in GROUPS:
         if name not in needed:
             continue
@@ -198,24 +183,46 @@ def make(request, places, program, beside):
     drawing.show_step("")
     write(places.out, "report.schema.json", (HERE / "report.schema.json").read_text(encoding="utf-8"))
     write(places.out, "report.json", json.dumps(without_nan(report), indent=1, ensure_ascii=False, allow_nan=False) + "\n")
-    return {"written": [*report["files"], "report.schema.json", "report.json"], "verdict": terminal.verdict(report)}
+    return [*report["files"], "report.schema.json", "report.json"], terminal.verdict(report), warnings
+
+
+def draw(places):
+    """The page and its pictures: the files, None where there is no page, and a line for each reason why something is missing."""
+    done = subprocess.run([sys.executable, "-B", places.render / "render.py", places.out], stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, encoding="utf-8", errors="replace")
+    if done.returncode == MISSING_PACKAGES:
+        return None, [done.stdout.partition("\n")[0] + ": neither page nor pictures can be made"]
+    if done.returncode:
+        return None, ["render.py failed: see above"]
+    told = json.loads(done.stdout)
+    return told["written"], told["undrawn"]
+
+
+def complain(line):
+    """A stderr that is closed or full is no reason to fail."""
+    with contextlib.suppress(OSError):
+        os.write(2, f"tribocheck: {printable(legible(line))}\n".encode())
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program", help="that makes the request")
-    for name in Places._fields:
-        parser.add_argument(name, type=pathlib.Path, help="a folder")
-    told = vars(parser.parse_args())
+    path, *words = sys.argv[1:]
+    places, built, sections = Places(*map(pathlib.Path, words[:5])), environment.Built(*words[5:9]), words[9:]
     try:
-        with Program(told.pop("program")) as program, concurrent.futures.ThreadPoolExecutor(1) as beside:
-            answer = make(json.load(sys.stdin.buffer), Places(**told), program, beside)
-    except OutputFailed as failed:
-        answer = {"failed": legible(str(failed))}
-    except Refused as refused:
-        answer = {"refused": str(refused)}
-    print(json.dumps(answer))
+        with Program(path) as program, concurrent.futures.ThreadPoolExecutor(1) as beside:
+            written, verdict, warnings = make(sections, places, built, program, beside)
+    except (OutputFailed, Refused) as stopped:
+        for line in stopped.args:
+            complain(line)
+        return 2 if isinstance(stopped, Refused) else 1
+    drawn, undrawn = draw(places)
+    for line in [*(f"warning: {one}" for one in warnings), *undrawn]:
+        complain(line)
+    what, page = ("The data", "report.json") if drawn is None else ("The page", "index.html")
+    count = len(written) + len(drawn or [])
+    page_line = printable(legible(f"{what}: {places.out}/{page} ({count} files in all, data and pictures among them)"))
+    sys.stdout.buffer.write(f"{verdict}{page_line}\n".encode())
+    return 1 if undrawn else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -6,6 +6,7 @@ import math
 import pathlib
 import tempfile
 import tomllib
+import typing
 
 from group import Missing
 
@@ -17,7 +18,7 @@ def read(path):
     try:
         with path.open("rb") as file:
             return tomllib.load(file)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise Missing(f"{path}: {error}") from error
 
 
@@ -35,6 +36,32 @@ def text_of(scene):
             return "inf" if value > 0 else "-inf"
         return value
     return json.dumps(told(scene))
+
+
+class About(typing.NamedTuple):
+    """A scene as `tribocheck solve --about` tells it: entries with value, unit and meaning, by their names."""
+    inputs: dict
+    contact: dict
+    outputs: dict
+    work: dict
+
+    def input(self, name):
+        """None where the scene has none."""
+        return self.inputs[name]["value"]
+
+    @property
+    def speeds(self):
+        """The least and the greatest, m/s."""
+        return self.input("speed.from"), self.input("speed.to")
+
+    @property
+    def has_friction_inputs(self):
+        return None not in (self.input("lubricant.eyring_stress"), self.input("friction.boundary_coefficient"))
+
+
+def abouts(answer):
+    """One for each scene of an answer of `tribocheck solve --about`."""
+    return [About(*({one["name"]: one for one in scene[part]} for part in About._fields)) for scene in json.loads(answer)]
 
 
 @contextlib.contextmanager
@@ -60,6 +87,7 @@ def onsets(program, scenes, criteria=(), departure=DEPARTURE):
     return [{row["criterion"]: row for row in rows[i:i + count]} for i in range(0, len(rows), count)]
 
 
-def point(scene, speed):
-    """A line that asks `tribocheck stream` for all outputs of a scene at a speed."""
-    return text_of({name: one for name, one in scene.items() if name != "outputs"} | {"speed": speed})
+def points(scene, *speeds):
+    """Lines that ask `tribocheck stream` for all outputs of a scene, each at a speed."""
+    start = text_of({name: one for name, one in scene.items() if name not in ("outputs", "speed")}).removesuffix("}")
+    return [f'{start}, "speed": {speed!r}}}' for speed in speeds]
