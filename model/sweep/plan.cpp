@@ -5,7 +5,7 @@
 #include <bit>
 #include <stdexcept>
 
-#include "tribo/operating_point.hpp"
+#include "tribo/onset.hpp"
 #include "tribo/outputs.hpp"
 
 namespace tribo::sweep {
@@ -55,22 +55,15 @@ ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk) {
 
 namespace {
 
-std::vector<std::string> words_of(Output output) {
-  if (output == Output::regime)
-    return {std::string(name(Regime::boundary)), std::string(name(Regime::mixed)),
-            std::string(name(Regime::elastohydrodynamic)), std::string(name(Regime::collapsed))};
-  if (output == Output::inlet)
-    return {std::string(name(Inlet::flooded)), std::string(name(Inlet::starved)),
-            std::string(name(Inlet::collapsed))};
-  return {};
-}
-
 std::vector<Column> columns_of(const SceneSweep& sweep) {
   std::vector<Column> columns;
   for (const OutputInfo& info : output_infos)
     if (sweep.outputs.contains(info.output))
-      columns.push_back({std::string(info.name), std::string(info.unit), words_of(info.output),
-                         sweep.scene.speeds.size(), std::string(info.meaning)});
+      columns.push_back({std::string(info.name),
+                         std::string(info.unit),
+                         {info.words.begin(), info.words.end()},
+                         sweep.scene.speeds.size(),
+                         std::string(info.meaning)});
   for (const OnsetCriterion criterion : sweep.criteria) {
     const std::string prefix = "onset." + std::string(name(criterion)) + '.';
     const std::string at = " at the onset by " + std::string(name(criterion)) +

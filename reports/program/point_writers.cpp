@@ -112,7 +112,7 @@ class TableWriter : public PointWriter {
     heads_.emplace_back("speed", "[m/s]", number_width);
     for (const OutputInfo& info : output_infos)
       if (scene.outputs.contains(info.output))
-        heads_.emplace_back(info.name, unit_of(info), least_width(info.output));
+        heads_.emplace_back(info.name, unit_of(info), least_width(info));
     append_heads(output_.text(), heads_);
   }
 
@@ -131,13 +131,12 @@ class TableWriter : public PointWriter {
   }
 
  private:
-  static std::size_t least_width(Output output) {
-    if (output == Output::regime) return name(Regime::elastohydrodynamic).size();
-    return output == Output::inlet ? name(Inlet::collapsed).size() : number_width;
+  static std::size_t least_width(const OutputInfo& info) {
+    return info.words.empty() ? number_width : width_of_words(info.words);
   }
 
   static std::string unit_of(const OutputInfo& info) {
-    if (info.output == Output::regime || info.output == Output::inlet) return "";
+    if (!info.words.empty()) return "";
     return info.unit.empty() ? "[-]" : fmt::format("[{}]", info.unit);
   }
 

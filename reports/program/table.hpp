@@ -3,7 +3,9 @@
 // written as they come.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,13 @@ void append_cell(Text& to, std::string_view cell, std::size_t width);
 // Five significant digits: "0.76541", "3.8884e-10". Only exponents of three digits take more width.
 inline constexpr std::size_t number_width = 10;
 std::string readable(double number);
+
+// The width of the longest of some words.
+constexpr std::size_t width_of_words(std::span<const std::string_view> words) {
+  std::size_t width = 0;
+  for (const std::string_view word : words) width = std::max(width, word.size());
+  return width;
+}
 
 // One column: "real_area_ratio" is written over several lines, its unit last: "[m]", "[-]" for a
 // number without one, "" for words.

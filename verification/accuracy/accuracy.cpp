@@ -94,7 +94,7 @@ Scene scene_of(const ReferenceRow& row) {
 
 std::vector<QuantityResult> operating_points(const std::string& folder) {
   std::vector<Judge> judges;
-  for (std::size_t k = 0; k <= static_cast<std::size_t>(Output::friction); ++k)
+  for (std::size_t k = 0; k < number_count; ++k)
     judges.emplace_back(fmt::format("operating_point.{}", output_infos[k].name),
                         operating_point_contract);
   for (const ReferenceRow& row : read_reference_table(folder + "/operating_point.csv")) {

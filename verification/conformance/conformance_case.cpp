@@ -125,9 +125,9 @@ void add_words(TestCase& point) {
   const double film = value["film"], flooded = value["film_flooded"];
   if (!is_near(film / flooded, 0.95))
     point.expected.push_back({"inlet", 0, 0, 1, false,
-                              film == 0                ? "collapsed"
-                              : film / flooded >= 0.95 ? "flooded"
-                                                       : "starved"});
+                              std::string(name(film == 0                ? Inlet::collapsed
+                                               : film / flooded >= 0.95 ? Inlet::flooded
+                                                                        : Inlet::starved))});
 }
 
 std::string point_function(const ReferenceRow& row) {

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -120,26 +121,26 @@ FunctionBatch function_batch(decltype(&tribocheck_function) function,
   };
 }
 
-// A word of a code in 0 … last. False: the code means nothing.
+// One of the words, by its place. False: the code means nothing.
 template <class Word>
-bool read_word(int code, Word last, WordResult<Word>& to) {
+bool read_word(int code, std::span<const std::string_view> words, WordResult<Word>& to) {
   using Kind = typename WordResult<Word>::Kind;
   if (code == TRIBOCHECK_NO_CODE) return true;
   if (code == TRIBOCHECK_UNDEFINED_CODE) {
     to.kind = Kind::undefined;
     return true;
   }
-  if (code < 0 || code > static_cast<int>(last)) return false;
+  if (code < 0 || code >= static_cast<int>(words.size())) return false;
   to = static_cast<Word>(code);
   return true;
 }
 
 Answer<PointResult> point_answer(int status, const tribocheck_point& point) {
   PointResult result;
-  for (std::size_t i = 0; i < number_count; ++i)
-    result.*point_numbers[i] = point.*plugin_numbers[i];
-  const bool codes_are_known = read_word(point.regime, Regime::collapsed, result.regime) &&
-                               read_word(point.inlet, Inlet::collapsed, result.inlet);
+  for (const PluginNumber& number : plugin_numbers)
+    result.*point_numbers[static_cast<std::size_t>(number.output)] = point.*number.place;
+  const bool codes_are_known = read_word(point.regime, regime_words, result.regime) &&
+                               read_word(point.inlet, inlet_words, result.inlet);
   if (status == TRIBOCHECK_DONE && !codes_are_known)
     return failed("the plug-in wrote a code of regime or inlet that means nothing");
   return answer_of(status, result);

@@ -68,7 +68,7 @@ std::optional<OutputValue> value_of(const PointResult& point, Output output) {
   if (output == Output::regime) return value_of(point.regime);
   if (output == Output::inlet) return value_of(point.inlet);
   const double number = point.*point_numbers[static_cast<std::size_t>(output)];
-  return protocol::rests_on_balance(output) ? of_balance(number, point) : value_of(number);
+  return balance_outputs().contains(output) ? of_balance(number, point) : value_of(number);
 }
 
 Fields fields_of(const catalogue::Results& values, const catalogue::Function& function) {

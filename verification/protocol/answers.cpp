@@ -44,18 +44,14 @@ void append_scene_answer(Text& to, SceneReading reading, std::vector<InputProble
 
 }  // namespace
 
-bool rests_on_balance(Output output) {
-  return output == Output::asperity_load_share || output == Output::fluid_load_share ||
-         output == Output::friction;
-}
-
 OutputValue value_of(const OperatingPoint<double>& point, Output output) {
   const bool has_collapsed = point.regime == Regime::collapsed;
-  if (rests_on_balance(output) && has_collapsed) return {.undefined = film_collapsed, .word = {}};
   if (output == Output::regime)
     return word(name(point.regime),
                 has_collapsed || std::isfinite(point.asperity_load_share + point.fluid_load_share));
   if (output == Output::inlet) return word(name(point.inlet), std::isfinite(point.film));
+  if (has_collapsed && balance_outputs().contains(output))
+    return {.undefined = film_collapsed, .word = {}};
   return number(numbers_of(point)[static_cast<std::size_t>(output)]);
 }
 

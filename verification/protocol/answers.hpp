@@ -34,9 +34,6 @@ struct OutputValue {
   double number = 0;
 };
 
-// The outputs that are undefined where the film has collapsed and nothing balances the load.
-bool rests_on_balance(Output output);
-
 OutputValue value_of(const OperatingPoint<double>& point, Output output);
 
 // The outputs to compute so that value_of() can tell a word that rests on an overflow.

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
 
 #include "tribo/contract.hpp"
+#include "tribo/outputs.hpp"
 #include "tribo/real.hpp"
 
 namespace tribo {
@@ -16,20 +14,6 @@ namespace tribo {
 // exponents are rounded, and the logarithms of its numbers are near 20); the moments and the root
 // add as much again.
 inline constexpr Contract operating_point_contract{8, 16};
-
-// `collapsed`: no film, and no floor that keeps the faces apart, so that nothing balances the load.
-enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic, collapsed };
-enum class Inlet : std::uint8_t { flooded, starved, collapsed };
-
-constexpr std::string_view name(Regime regime) {
-  return regime == Regime::boundary             ? "boundary"
-         : regime == Regime::mixed              ? "mixed"
-         : regime == Regime::elastohydrodynamic ? "elastohydrodynamic"
-                                                : "collapsed";
-}
-constexpr std::string_view name(Inlet inlet) {
-  return inlet == Inlet::flooded ? "flooded" : inlet == Inlet::starved ? "starved" : "collapsed";
-}
 
 // From the load shares of asperities and film, where the load is balanced.
 template <class T>
@@ -60,8 +44,7 @@ struct OperatingPoint {
   Inlet inlet = Inlet::flooded;
 };
 
-// Its numbers, in the order of Output, which has the words last.
-inline constexpr std::size_t number_count = 9;
+// Its numbers, in the order of Output.
 template <class T>
 std::array<T, number_count> numbers_of(const OperatingPoint<T>& point) {
   return {point.film_flooded,

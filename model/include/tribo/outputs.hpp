@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace tribo {
@@ -24,14 +25,32 @@ enum class Output : std::uint8_t {
   inlet,
 };
 
+// The words of the outputs that are words. `collapsed`: no film; as a regime also no floor that
+// keeps the faces apart, so that nothing balances the load.
+enum class Regime : std::uint8_t { boundary, mixed, elastohydrodynamic, collapsed };
+enum class Inlet : std::uint8_t { flooded, starved, collapsed };
+inline constexpr auto regime_words =
+    std::to_array<std::string_view>({"boundary", "mixed", "elastohydrodynamic", "collapsed"});
+inline constexpr auto inlet_words =
+    std::to_array<std::string_view>({"flooded", "starved", "collapsed"});
+
+constexpr std::string_view name(Regime regime) {
+  return regime_words[static_cast<std::size_t>(regime)];
+}
+constexpr std::string_view name(Inlet inlet) {
+  return inlet_words[static_cast<std::size_t>(inlet)];
+}
+
 struct OutputInfo {
   Output output;
   std::string_view name;
   std::string_view unit;  // empty: dimensionless
   std::string_view meaning;
+  std::span<const std::string_view> words = {};  // empty: a number
 };
 
-inline constexpr std::array<OutputInfo, 11> output_infos{{
+// In the order of Output, numbers first.
+inline constexpr auto output_infos = std::to_array<OutputInfo>({
     {Output::film_flooded, "film_flooded", "m",
      "h_ff, film of the fully flooded contact with load sharing; the film law's h₀, which is that "
      "of smooth faces, is thinner"},
@@ -48,13 +67,20 @@ inline constexpr std::array<OutputInfo, 11> output_infos{{
     {Output::summit_count, "summit_count", "", "summits in contact"},
     {Output::friction, "friction", "",
      "μ, friction coefficient: μ_b A and the shear of the oil beside the summits, which adds to "
-     "μ_b "
-     "on a floor too; undefined where A is"},
+     "μ_b on a floor too; undefined where A is"},
     {Output::regime, "regime", "",
      "boundary, mixed or elastohydrodynamic, by the load shares; collapsed where these are "
-     "undefined"},
-    {Output::inlet, "inlet", "", "flooded, starved, or collapsed: without a film"},
-}};
+     "undefined",
+     regime_words},
+    {Output::inlet, "inlet", "", "flooded, starved, or collapsed: without a film", inlet_words},
+});
+
+// How many outputs are numbers.
+inline constexpr std::size_t number_count = [] {
+  std::size_t count = 0;
+  while (output_infos[count].words.empty()) ++count;
+  return count;
+}();
 
 constexpr const OutputInfo& info(Output output) {
   return output_infos[static_cast<std::size_t>(output)];
@@ -89,7 +115,7 @@ class OutputSet {
   std::uint32_t bits_ = 0;
 };
 
-// Those that rest on the balance of the load.
+// The outputs that rest on the balance of the load.
 constexpr OutputSet balance_outputs() {
   OutputSet set;
   for (const Output output :
