@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sweep/plan.hpp"
-#include "tribo/inlet_onsets.hpp"
 #include "tribo/mixed_contacts.hpp"
+#include "tribo/onset.hpp"
 #include "tribo/operating_points.hpp"
 
 namespace tribo::benchmarks {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "sweep/result_file.hpp"
+#include "tribo/onset.hpp"
 
 namespace tribo::sweep {
 namespace {

@@ -18,15 +18,18 @@
 #include <vector>
 
 #include "sweep/distribution.hpp"
-#include "tribo/onset_criterion.hpp"
 #include "tribo/scene.hpp"
+
+namespace tribo {
+enum class OnsetCriterion : std::uint8_t;  // onset.hpp
+}
 
 namespace tribo::sweep {
 
 enum class Design : std::uint8_t { factorial, sobol, latin_hypercube, monte_carlo };
 
-inline constexpr std::array<std::string_view, 4> design_names{"factorial", "sobol",
-                                                              "latin_hypercube", "monte_carlo"};
+inline constexpr auto design_names =
+    std::to_array<std::string_view>({"factorial", "sobol", "latin_hypercube", "monte_carlo"});
 constexpr std::string_view name(Design design) {
   return design_names[static_cast<std::size_t>(design)];
 }
@@ -74,7 +77,7 @@ struct SceneSweep {
 
   OutputSet outputs;                     // of operating points; empty: none
   std::vector<OnsetCriterion> criteria;  // of onsets; empty: none
-  double departure = default_departure;  // ε of film_departure
+  double departure = 0;                  // ε of film_departure
   bool solves_film = false;              // of lines: the film of the Reynolds equation
   std::vector<Column> columns;           // what these come to, in the order of the result
 
@@ -128,15 +131,15 @@ struct Stopped : std::runtime_error {
 
 // The outcome of a film that was to be solved: the words of the column `outcome`.
 enum class SolvedOutcome : std::uint8_t { solved, tolerance_missed, not_solved };
-inline constexpr std::array<std::string_view, 3> solved_outcome_words{"solved", "tolerance_missed",
-                                                                      "not_solved"};
+inline constexpr auto solved_outcome_words =
+    std::to_array<std::string_view>({"solved", "tolerance_missed", "not_solved"});
 
 // The columns of a solved film, in their order; `solved_film.` stands before their names.
 struct SolvedColumn {
   std::string_view name, unit, meaning;
   bool is_of_words = false;  // solved_outcome_words
 };
-inline constexpr std::array<SolvedColumn, 7> solved_columns{{
+inline constexpr auto solved_columns = std::to_array<SolvedColumn>({
     {"load_number", "", "M = W(2U)^(-1/2)"},
     {"material_number", "", "L = G(2U)^(1/4)"},
     {"central", "m", "film in the middle of the contact, solved; undefined where that failed"},
@@ -147,7 +150,7 @@ inline constexpr std::array<SolvedColumn, 7> solved_columns{{
      "whether the film was solved to the tolerance of 1e-4, to a larger error, or not at all; "
      "`tribocheck film` says why of one contact",
      true},
-}};
+});
 
 // Fills columns, grid_cells, groups, chunk_groups and chunks.
 void lay_out(SceneSweep& sweep);

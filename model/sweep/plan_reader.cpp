@@ -30,17 +30,12 @@ using scene_detail::Problems;
 using scene_detail::Value;
 using scene_detail::ValueKind;
 
-constexpr auto criterion_names = [] {
-  std::array<std::string_view, onset_criteria.size()> names;
-  std::transform(onset_criteria.begin(), onset_criteria.end(), names.begin(),
-                 [](OnsetCriterion criterion) { return name(criterion); });
-  return names;
-}();
-constexpr std::array<std::string_view, 2> keep_names{"points", "summaries"};
+constexpr auto keep_names = std::to_array<std::string_view>({"points", "summaries"});
 
-const std::string list_of_criteria = "a list of " + scene_detail::joined(criterion_names, ", ");
+const std::string list_of_criteria =
+    "a list of " + scene_detail::joined(onset_criterion_words, ", ");
 
-const std::array<SweepField, 10> fields{{
+const auto fields = std::to_array<SweepField>({
     {"design", "sobol, latin_hypercube, monte_carlo; factorial where all that varies is a grid",
      "sobol", "how the distributions are drawn from; grids are always crossed in full"},
     {"draws", "a whole number from 1 to 1e12", "16384",
@@ -60,7 +55,7 @@ const std::array<SweepField, 10> fields{{
     {"correlation", "a list of its rows", "none",
      "correlations of the normals behind the draws (a Gaussian copula)"},
     {"keep", "points or summaries", "points", "what the result holds of each case"},
-}};
+});
 
 std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
@@ -76,13 +71,16 @@ std::string_view allowed(std::string_view name) {
 
 // Rules of the scene reader about several numbers or words: faces that meet in an ellipse that
 // double can hold, the moments of a profile, and Roelands' law.
-constexpr std::array<std::string_view, 4> faces{"bodies.first_radius_x", "bodies.second_radius_x",
-                                                "bodies.first_radius_y", "bodies.second_radius_y"};
-constexpr std::array<std::string_view, 2> radii{"bodies.radius_x", "bodies.radius_y"};
-constexpr std::array<std::string_view, 3> moments{"surface.m0", "surface.m2", "surface.m4"};
-constexpr std::array<std::string_view, 2> roelands{"lubricant.viscosity", "friction.viscosity"};
-constexpr std::array<std::span<const std::string_view>, 4> fields_of_rules{faces, radii, moments,
-                                                                           roelands};
+constexpr auto faces =
+    std::to_array<std::string_view>({"bodies.first_radius_x", "bodies.second_radius_x",
+                                     "bodies.first_radius_y", "bodies.second_radius_y"});
+constexpr auto radii = std::to_array<std::string_view>({"bodies.radius_x", "bodies.radius_y"});
+constexpr auto moments =
+    std::to_array<std::string_view>({"surface.m0", "surface.m2", "surface.m4"});
+constexpr auto roelands =
+    std::to_array<std::string_view>({"lubricant.viscosity", "friction.viscosity"});
+constexpr auto fields_of_rules =
+    std::to_array<std::span<const std::string_view>>({faces, radii, moments, roelands});
 
 // A variable, and the place of its field in the list of entries.
 struct VariedEntry {
@@ -195,6 +193,7 @@ class SweepBinder {
     const std::vector<std::string_view> names = field_names();
     TableReader table("sweep", settings_.inner, names, problems_);
     sweep_.draws = default_draws;
+    sweep_.departure = default_departure;
     if (const auto design = table.word("design", design_names))
       sweep_.design = static_cast<Design>(*design);
     has_design_ = table.has("design");
@@ -203,7 +202,7 @@ class SweepBinder {
       sweep_.draws = *draws;
     if (const auto seed = table.whole("seed", 0, std::uint64_t{1} << 53, allowed("seed")))
       sweep_.seed = *seed;
-    if (const auto criteria = table.words("onset", criterion_names))
+    if (const auto criteria = table.words("onset", onset_criterion_words))
       for (const std::size_t place : *criteria)
         sweep_.criteria.push_back(static_cast<OnsetCriterion>(place));
     if (const auto departure = table.number("departure", allowed("departure"))) {

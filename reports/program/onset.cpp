@@ -46,9 +46,9 @@ Onset<double> checked(Onset<double> onset) {
 std::vector<Onset<double>> onsets_of(const Scene& scene, const OnsetArguments& arguments) {
   const MixedContact<double> contact(scene);
   std::vector<Onset<double>> onsets;
-  for (const OnsetCriterion criterion : onset_criteria)
-    if (is_asked(arguments, criterion))
-      onsets.push_back(checked(onset(contact, scene, criterion, arguments.departure)));
+  for (const CriterionInfo& info : onset_criteria)
+    if (is_asked(arguments, info.criterion))
+      onsets.push_back(checked(onset(contact, scene, info.criterion, arguments.departure)));
   return onsets;
 }
 
@@ -56,10 +56,12 @@ struct Number {
   std::string_view name, unit;
   double Onset<double>::*value;
 };
-constexpr std::array<Number, 3> numbers{
-    {{"speed", "[m/s]", &Onset<double>::speed},
-     {"film", "[m]", &Onset<double>::film},
-     {"film_parameter", "[-]", &Onset<double>::film_parameter}}};
+constexpr auto numbers =
+    std::to_array<Number>({{"speed", "[m/s]", &Onset<double>::speed},
+                           {"film", "[m]", &Onset<double>::film},
+                           {"film_parameter", "[-]", &Onset<double>::film_parameter}});
+
+constexpr std::size_t criterion_width = width_of_words(onset_criterion_words);
 
 // Onsets as a table, CSV or JSON.
 class OnsetWriter {
@@ -85,8 +87,6 @@ class OnsetWriter {
   }
 
  private:
-  static constexpr std::size_t criterion_width = name(OnsetCriterion::friction_minimum).size();
-
   void add_csv(const Scene& scene, const Onset<double>& onset) {
     append(text_, report::csv_text(scene.id) + ',');
     append(text_, name(onset.criterion));
@@ -145,36 +145,33 @@ int find_onsets(const OnsetArguments& arguments, OutputStream& output) {
   return loaded.all_good ? exit_done : exit_bad;
 }
 
-std::vector<std::string> criterion_names() {
-  std::vector<std::string> names;
-  names.reserve(onset_criteria.size());
-  for (const OnsetCriterion criterion : onset_criteria) names.emplace_back(name(criterion));
-  return names;
-}
-
-constexpr const char* onset_footer = R"(Criteria:
-  film_maximum      the film no longer grows with speed
-  film_departure    the film is a part ε below the flooded one
-  friction_minimum  the lowest friction within the scene's speeds
-  asperity_minimum  the least load on the asperities
-Speed in m/s, film in m, film_parameter = film/summit_height_sd. Where a criterion has no point, the
+constexpr const char* onset_footer =
+    R"(Speed in m/s, film in m, film_parameter = film/summit_height_sd. Where a criterion has no point, the
 answer says why. `speed` may be absent from the scene; friction_minimum alone needs it.
 
 Example:
   tribocheck onset reference/published/rough.toml
   tribocheck onset reference/published/rough.toml --criterion film_departure --departure 0.1)";
 
+std::string onset_help() {
+  std::string text = "Criteria:\n";
+  for (const CriterionInfo& info : onset_criteria)
+    text += fmt::format("  {:<{}}  {}\n", info.name, criterion_width, info.meaning);
+  return text + onset_footer;
+}
+
 }  // namespace
 
 Command add_onset(CLI::App& program) {
   CLI::App* app = program.add_subcommand("onset", "speed and film at the onset of starvation");
-  app->footer(footer_with_scenes(onset_footer));
+  app->footer(footer_with_scenes(onset_help()));
   const auto arguments = std::make_shared<OnsetArguments>();
   add_scene_arguments(*app, arguments->scenes);
   app->add_option("--criterion", arguments->criteria,
                   "only this one; may be repeated (default: all)")
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(criterion_names()));
+      ->check(CLI::IsMember(
+          std::vector<std::string>(onset_criterion_words.begin(), onset_criterion_words.end())));
   add_number_option(
       *app, "--departure", [arguments](double departure) { arguments->departure = departure; },
       [](double departure) { return departure > 0 && departure < 1; },

@@ -11,13 +11,76 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
-#include "tribo/inlet_onsets.hpp"
+#include "tribo/starvation.hpp"
 #include "tribo/stribeck_walk.hpp"
 
 namespace tribo {
+
+enum class OnsetCriterion : std::uint8_t {
+  film_maximum,
+  film_departure,
+  friction_minimum,
+  asperity_minimum
+};
+
+struct CriterionInfo {
+  OnsetCriterion criterion;
+  std::string_view name;
+  std::string_view meaning;
+};
+
+// In the order of OnsetCriterion.
+inline constexpr auto onset_criteria = std::to_array<CriterionInfo>({
+    {OnsetCriterion::film_maximum, "film_maximum", "the film no longer grows with speed"},
+    {OnsetCriterion::film_departure, "film_departure",
+     "the film is a part ε below the flooded one"},
+    {OnsetCriterion::friction_minimum, "friction_minimum",
+     "the lowest friction within the scene's speeds"},
+    {OnsetCriterion::asperity_minimum, "asperity_minimum", "the least load on the asperities"},
+});
+
+inline constexpr auto onset_criterion_words = [] {
+  std::array<std::string_view, onset_criteria.size()> words;
+  std::transform(onset_criteria.begin(), onset_criteria.end(), words.begin(),
+                 [](const CriterionInfo& info) { return info.name; });
+  return words;
+}();
+
+constexpr std::string_view name(OnsetCriterion criterion) {
+  return onset_criterion_words[static_cast<std::size_t>(criterion)];
+}
+
+inline constexpr double default_departure = 0.05;  // ε of film_departure
+
+// The onsets of the inlet alone, at constant h_oil. They depend on the law of the inlet, and not on
+// the contact.
+template <class T>
+struct InletOnsets {
+  T film_maximum;           // r = h_ff/h_oil at the maximum of y r; NaN where there is none
+  T film_ratio_at_maximum;  // y there
+  T departure;              // ε
+  T film_departure;         // r at which y = 1 − ε
+};
+
+// The onsets that `criterion` needs; the other onsets are NaN.
+template <class T>
+InletOnsets<T> inlet_onsets(const InletLaw<T>& law, const T& departure, OnsetCriterion criterion) {
+  InletOnsets<T> onsets{quiet_nan<T>(), quiet_nan<T>(), departure, quiet_nan<T>()};
+  if (criterion == OnsetCriterion::film_departure)
+    onsets.film_departure = law.at_departure(departure);
+  if (criterion != OnsetCriterion::film_maximum && criterion != OnsetCriterion::asperity_minimum)
+    return onsets;
+  onsets.film_maximum = law.at_film_maximum();
+  if (onsets.film_maximum == onsets.film_maximum)
+    onsets.film_ratio_at_maximum = law.film_ratio(onsets.film_maximum);
+  return onsets;
+}
 
 template <class T>
 struct Onset {

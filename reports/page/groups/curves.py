@@ -7,7 +7,6 @@ import scenes
 from group import exact
 
 POINTS = 601
-CRITERIA = ("film_maximum", "film_departure", "friction_minimum", "asperity_minimum")
 
 
 def first_speed(low, high, holds):
@@ -69,8 +68,8 @@ def before_collapse(contact, collapse):
     return contact.solve(*(speed for speed in speeds if contact.low < speed < contact.high))
 
 
-def solved(contacts, criteria=CRITERIA):
-    """Each contact solved."""
+def solved(contacts, criteria=()):
+    """Each contact solved, with its onsets by these criteria; without any, by all."""
     program = contacts[0].program
     with scenes.files_of([{name: one for name, one in contact.scene.items() if name != "outputs"} |
                           {"speed": {"from": contact.low, "to": contact.high, "count": POINTS}} for contact in contacts]) as paths:
@@ -83,7 +82,7 @@ def solved(contacts, criteria=CRITERIA):
         at_collapse = None if speed is None else contact.at(speed)
         if at_collapse:
             curve = sorted([*curve, *before_collapse(contact, speed), at_collapse], key=lambda point: point["speed"])
-        maximum = onsets[i]["film_maximum"]["speed"] if "film_maximum" in criteria else None
+        maximum = onsets[i]["film_maximum"]["speed"] if "film_maximum" in onsets[i] else None
         at_onset = contact.at(maximum) if contact.contains(maximum) else None
         found.append(Solved(contact, curve, onsets[i], at_collapse, at_onset))
     return found

@@ -47,13 +47,17 @@ def files_of(scenes):
         yield paths
 
 
-def onsets(program, scenes, criteria, departure=DEPARTURE):
-    """The onsets of each scene by the criterion's name, as `tribocheck onset` answers; `speed` is None where there is none."""
+def onsets(program, scenes, criteria=(), departure=DEPARTURE):
+    """The onsets of each scene by the criterion's name, as `tribocheck onset` answers; `speed` is None where there is none.
+
+    Without criteria the onsets by all of them.
+    """
     named = [word for criterion in criteria for word in ("--criterion", criterion)]
-    named += ["--departure", repr(departure)] if "film_departure" in criteria else []
+    named += ["--departure", repr(departure)] if not criteria or "film_departure" in criteria else []
     with files_of(scenes) as paths:
         rows = program.answer("onset", *paths, *named, whole=float)
-    return [{row["criterion"]: row for row in rows[i:i + len(criteria)]} for i in range(0, len(rows), len(criteria))]
+    count = len(rows) // len(scenes)
+    return [{row["criterion"]: row for row in rows[i:i + count]} for i in range(0, len(rows), count)]
 
 
 def point(scene, speed):

@@ -122,7 +122,8 @@ TEST(RoundingModes, CurvesAndOnsetsComeToTheirEnd) {
           });
           EXPECT_EQ(points, 40) << mode.name;
           EXPECT_TRUE(is_close(last_speed, Reference(scene.speeds.to), 1.1e-9, {})) << mode.name;
-          for (const OnsetCriterion criterion : onset_criteria) {
+          for (const CriterionInfo& info : onset_criteria) {
+            const OnsetCriterion criterion = info.criterion;
             const Onset<double> nearest = onset_by(criterion);
             const Onset<double> got = rounded(mode, [&] { return onset_by(criterion); });
             EXPECT_EQ(got.exists, nearest.exists) << mode.name << ' ' << name(criterion);
