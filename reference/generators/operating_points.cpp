@@ -58,13 +58,12 @@ Inputs random_inputs(Sampler& sampler) {
 
 std::vector<std::string> words_of(const Inputs& in) {
   constexpr std::array roughs{"greenwood_tripp", "greenwood_williamson"};
-  constexpr std::array inlets{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
   constexpr std::array supplies{"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"};
   constexpr std::array shears{"eyring", "limiting"};
   constexpr std::array viscosity_laws{"barus", "ambient", "roelands"};
   constexpr std::array shapes{"circle", "ellipse", "line"};
   return {roughs[static_cast<std::size_t>(in.rough)],
-          inlets[static_cast<std::size_t>(in.inlet)],
+          name(in.inlet),
           supplies[static_cast<std::size_t>(in.supply_kind)],
           shears[static_cast<std::size_t>(in.shear)],
           viscosity_laws[static_cast<std::size_t>(in.law)],

@@ -9,13 +9,6 @@
 namespace tribo::reference {
 namespace {
 
-constexpr std::array inlets{Inlet::flooded_inlet, Inlet::starved_inlet, Inlet::printed_exponents,
-                            Inlet::damiens};
-const char* name(Inlet inlet) {
-  constexpr std::array names{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
-  return names[static_cast<std::size_t>(inlet)];
-}
-
 // |d ln y/d ln r| + |d ln y/d ln γ| by a step of 2^-100, at least 1.
 Ball ratio_condition(Inlet inlet, const Ball& r, const Ball& gamma, const Ball& y) {
   const Ball h = pow(Ball(2), Ball(-100));

@@ -3,6 +3,7 @@
 // ψ).
 #pragma once
 
+#include <array>
 #include <stdexcept>
 
 #include "generators/zeros.hpp"
@@ -10,6 +11,12 @@
 namespace tribo::reference {
 
 enum class Inlet { flooded_inlet, starved_inlet, printed_exponents, damiens };
+inline constexpr std::array inlets{Inlet::flooded_inlet, Inlet::starved_inlet,
+                                   Inlet::printed_exponents, Inlet::damiens};
+inline const char* name(Inlet inlet) {
+  constexpr std::array names{"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
+  return names[static_cast<std::size_t>(inlet)];
+}
 
 inline Ball crook() { return 4 * sqrt(Ball(2)) / 3; }  // 4√2/3 of eq. 1.10
 

@@ -3,7 +3,12 @@
 // rows of numbers.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <string_view>
 
 #include "tribo/real.hpp"
 
@@ -102,5 +107,42 @@ inline constexpr FilmLaw ertel_grubin_law{.constant = {195, 100},
                                           .material_exponent = {8, 11},
                                           .load_exponent = {-1, 11},
                                           .is_of_lines = true};
+
+// The laws that scenes name: those of points first, then those of lines.
+enum class FilmFormula : std::uint8_t {
+  hamrock_dowson_central,
+  hamrock_dowson_minimum,
+  hamrock_dowson_soft_central,
+  hamrock_dowson_soft_minimum,
+  dowson_higginson_minimum,
+  dowson_toyoda_central,
+  pan_hamrock_minimum,
+  pan_hamrock_central
+};
+struct NamedFilmLaw {
+  std::string_view word;
+  const FilmLaw* law;
+};
+// In the order of FilmFormula.
+inline constexpr auto named_film_laws = std::to_array<NamedFilmLaw>({
+    {"hamrock_dowson_central", &hamrock_dowson_central_law},
+    {"hamrock_dowson_minimum", &hamrock_dowson_minimum_law},
+    {"hamrock_dowson_soft_central", &hamrock_dowson_soft_central_law},
+    {"hamrock_dowson_soft_minimum", &hamrock_dowson_soft_minimum_law},
+    {"dowson_higginson_minimum", &dowson_higginson_minimum_law},
+    {"dowson_toyoda_central", &dowson_toyoda_central_law},
+    {"pan_hamrock_minimum", &pan_hamrock_minimum_law},
+    {"pan_hamrock_central", &pan_hamrock_central_law},
+});
+inline constexpr auto film_formula_words = [] {
+  std::array<std::string_view, named_film_laws.size()> words;
+  std::transform(named_film_laws.begin(), named_film_laws.end(), words.begin(),
+                 [](const NamedFilmLaw& named) { return named.word; });
+  return words;
+}();
+
+constexpr const FilmLaw& film_law(FilmFormula formula) {
+  return *named_film_laws[static_cast<std::size_t>(formula)].law;
+}
 
 }  // namespace tribo

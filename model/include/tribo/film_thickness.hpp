@@ -13,27 +13,15 @@
 // contacts, part III. J. Lubr. Technol. 99 (1977) 264, doi 10.1115/1.3453074.
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
 
 #include "tribo/contract.hpp"
 #include "tribo/film_laws.hpp"
 #include "tribo/real.hpp"
-#include "tribo/scene.hpp"
 
 namespace tribo {
 
 inline constexpr Contract film_contract{20, 0};
-
-// The law that a scene names.
-constexpr const FilmLaw& film_law(FilmFormula formula) {
-  constexpr std::array<const FilmLaw*, film_formula_words.size()> laws{
-      &hamrock_dowson_central_law,      &hamrock_dowson_minimum_law,
-      &hamrock_dowson_soft_central_law, &hamrock_dowson_soft_minimum_law,
-      &dowson_higginson_minimum_law,    &dowson_toyoda_central_law,
-      &pan_hamrock_minimum_law,         &pan_hamrock_central_law};
-  return *laws[static_cast<std::size_t>(formula)];
-}
 
 // Laws that load sharing takes: 0.01 ≤ a − b ≤ 0.7, and exponents of at most three decimals.
 constexpr bool is_law_of_load_sharing(const FilmLaw& law) {
@@ -41,11 +29,10 @@ constexpr bool is_law_of_load_sharing(const FilmLaw& law) {
          1000 % law.speed_exponent.q == 0 && 1000 % law.material_exponent.q == 0 &&
          1000 % law.load_exponent.q == 0;
 }
-static_assert([] {
-  for (std::size_t i = 0; i < film_formula_words.size(); ++i)
-    if (!is_law_of_load_sharing(film_law(static_cast<FilmFormula>(i)))) return false;
-  return true;
-}());
+static_assert(std::all_of(named_film_laws.begin(), named_film_laws.end(),
+                          [](const NamedFilmLaw& named) {
+                            return is_law_of_load_sharing(*named.law);
+                          }));
 
 // C (1 − m e^{−nk}).
 template <class T>

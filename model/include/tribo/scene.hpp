@@ -13,49 +13,29 @@
 #include <string_view>
 #include <vector>
 
+#include "tribo/film_laws.hpp"
 #include "tribo/outputs.hpp"
+#include "tribo/starvation.hpp"
 
 namespace tribo {
 
 enum class AsperityModel : std::uint8_t { greenwood_tripp, greenwood_williamson };
-// Laws of scenes: those of points first, then those of lines.
-enum class FilmFormula : std::uint8_t {
-  hamrock_dowson_central,
-  hamrock_dowson_minimum,
-  hamrock_dowson_soft_central,
-  hamrock_dowson_soft_minimum,
-  dowson_higginson_minimum,
-  dowson_toyoda_central,
-  pan_hamrock_minimum,
-  pan_hamrock_central
-};
-enum class StarvationClosure : std::uint8_t {
-  flooded_inlet,
-  starved_inlet,
-  printed_exponents,
-  damiens
-};
 enum class FluidShear : std::uint8_t { eyring, limiting };
 enum class ViscosityLaw : std::uint8_t { barus, ambient, roelands };
 enum class SupplyKind : std::uint8_t { flooded, inlet_film, inlet_film_ratio, inlet_flow };
 enum class Spacing : std::uint8_t { log, lin };
 
-// The words for these in scene files, requests and tables, in the order of the enumerations. A
-// supply is named by its field; a scene without a field of supply is flooded.
-inline constexpr std::array<std::string_view, 4> supply_words{"flooded", "inlet_film",
-                                                              "inlet_film_ratio", "inlet_flow"};
-inline constexpr std::array<std::string_view, 2> asperity_model_words{"greenwood_tripp",
-                                                                      "greenwood_williamson"};
-inline constexpr std::array<std::string_view, 8> film_formula_words{
-    "hamrock_dowson_central",      "hamrock_dowson_minimum",   "hamrock_dowson_soft_central",
-    "hamrock_dowson_soft_minimum", "dowson_higginson_minimum", "dowson_toyoda_central",
-    "pan_hamrock_minimum",         "pan_hamrock_central"};
-inline constexpr std::array<std::string_view, 4> starvation_closure_words{
-    "flooded_inlet", "starved_inlet", "printed_exponents", "damiens"};
-inline constexpr std::array<std::string_view, 2> fluid_shear_words{"eyring", "limiting"};
-inline constexpr std::array<std::string_view, 3> viscosity_law_words{"barus", "ambient",
-                                                                     "roelands"};
-inline constexpr std::array<std::string_view, 2> spacing_words{"log", "lin"};
+// The words for these in scene files, requests and tables, in the order of the enumerations (those
+// of film laws and closures of the inlet: film_laws.hpp, starvation.hpp). A supply is named by its
+// field; a scene without a field of supply is flooded.
+inline constexpr auto supply_words =
+    std::to_array<std::string_view>({"flooded", "inlet_film", "inlet_film_ratio", "inlet_flow"});
+inline constexpr auto asperity_model_words =
+    std::to_array<std::string_view>({"greenwood_tripp", "greenwood_williamson"});
+inline constexpr auto fluid_shear_words = std::to_array<std::string_view>({"eyring", "limiting"});
+inline constexpr auto viscosity_law_words =
+    std::to_array<std::string_view>({"barus", "ambient", "roelands"});
+inline constexpr auto spacing_words = std::to_array<std::string_view>({"log", "lin"});
 
 // The entrainment speeds of a scene, m/s: a list (one number is a list of one), or a range.
 struct Speeds {

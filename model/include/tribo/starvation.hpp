@@ -15,12 +15,24 @@
 // doi 10.1115/1.1631020.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include "tribo/bracketed_root.hpp"
 #include "tribo/contract.hpp"
 #include "tribo/real.hpp"
-#include "tribo/scene.hpp"
 
 namespace tribo {
+
+enum class StarvationClosure : std::uint8_t {
+  flooded_inlet,
+  starved_inlet,
+  printed_exponents,
+  damiens
+};
+inline constexpr auto starvation_closure_words = std::to_array<std::string_view>(
+    {"flooded_inlet", "starved_inlet", "printed_exponents", "damiens"});
 
 inline constexpr Contract starvation_ratio_contract{16, 0};
 
