@@ -10,8 +10,8 @@
 namespace tribo::ehl {
 
 std::string_view name(FitLiquid liquid) {
-  constexpr std::array<std::string_view, 3> names{"unknown", "barus, incompressible",
-                                                  "roelands, compressible"};
+  constexpr auto names = std::to_array<std::string_view>(
+      {"unknown", "barus, incompressible", "roelands, compressible"});
   return names[static_cast<std::size_t>(liquid)];
 }
 

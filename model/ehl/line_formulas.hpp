@@ -28,7 +28,7 @@ struct LineFormula {
   FitLiquid liquid;
 };
 
-inline constexpr std::array<LineFormula, 6> line_formulas{{
+inline constexpr auto line_formulas = std::to_array<LineFormula>({
     {"moes_line", "Moes", FilmQuantity::at_greatest_pressure, nullptr,
      FitLiquid::barus_incompressible},
     {"ertel_grubin", "Ertel and Grubin", FilmQuantity::at_greatest_pressure, &ertel_grubin_law,
@@ -41,7 +41,7 @@ inline constexpr std::array<LineFormula, 6> line_formulas{{
      FitLiquid::roelands_compressible},
     {"pan_hamrock_central", "Pan and Hamrock", FilmQuantity::central, &pan_hamrock_central_law,
      FitLiquid::roelands_compressible},
-}};
+});
 
 // "unknown", "barus, incompressible" or "roelands, compressible".
 std::string_view name(FitLiquid liquid);

@@ -12,8 +12,8 @@ namespace scene_detail {
 namespace {
 
 // In the order of ValueKind.
-constexpr std::array<const char*, 7> kind_names{"a number",       "a text", "a boolean", "null",
-                                                "a date or time", "a list", "a table"};
+constexpr auto kind_names = std::to_array<const char*>(
+    {"a number", "a text", "a boolean", "null", "a date or time", "a list", "a table"});
 
 // The sentence of a rule: the value, where it tells that, then these words, then `what`.
 struct Clause {

@@ -29,7 +29,7 @@ struct NamedFields {
   FieldPlaces of_speed, of_supply;  // those of the tables of these names
 
   NamedFields() {
-    for (std::size_t field = 0; field < field_count; ++field) {
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
       const std::string_view section = section_of(scene_fields()[field].path);
       of_speed.set(field, section == "speed");
       of_supply.set(field, section == "supply");
@@ -50,7 +50,7 @@ class SceneBinder {
     for (const Entry& entry : entries) place(entry);
     for (const GroupPlaces& group : group_places())
       if (!may_be_without(group)) check_group(group);
-    for (std::size_t field = 0; field < field_count; ++field) take(field);
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) take(field);
     check_supply();
     if (!is_of_line_film()) check_outputs();
     check_speed_range();
@@ -92,7 +92,7 @@ class SceneBinder {
 
   void refuse_section(const Entry& entry) {
     problems_.error(entry.path, wrong_kind(entry.value, "a table of " + names_in(entry.path)));
-    for (std::size_t field = 0; field < field_count; ++field)
+    for (std::size_t field = 0; field < scene_fields().size(); ++field)
       if (section_of(scene_fields()[field].path) == entry.path) explained_.set(field);
     if (entry.path == "supply") supply_explained_ = true;
   }
@@ -111,7 +111,7 @@ class SceneBinder {
   // One mistake, one line: what is probably meant by a misspelt name is not also called missing.
   void explain(std::string_view name) {
     if (name == "supply" || section_of(name) == "supply") supply_explained_ = true;
-    for (std::size_t field = 0; field < field_count; ++field) {
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
       const std::string_view path = scene_fields()[field].path;
       if (!name.empty() && (path == name || section_of(path) == name)) explained_.set(field);
     }
@@ -305,7 +305,7 @@ class SceneBinder {
   void check_outputs() {
     const bool asked = given_[named().outputs] != nullptr;
     if (!asked) scene_.outputs = OutputSet::all();
-    for (std::size_t field = 0; field < field_count; ++field) {
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
       const FieldInfo& info = scene_fields()[field];
       if (!info.needed_by || given_[field] != nullptr) continue;
       if (!scene_.outputs.contains(*info.needed_by) && asked) continue;
@@ -343,7 +343,7 @@ class SceneBinder {
   void refuse_group(const GroupPlaces& group, const FieldPlaces& given) {
     FieldPlaces so_far;
     std::string_view first;
-    for (std::size_t field = 0; field < field_count; ++field) {
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
       if (!given[field]) continue;
       const std::string_view path = scene_fields()[field].path;
       if (first.empty()) first = path;
@@ -405,7 +405,7 @@ class SceneBinder {
 
   void check_supply() {
     std::string_view first;
-    for (std::size_t field = 0; field < field_count; ++field) {
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
       if (given_[field] == nullptr || !named().of_supply[field]) continue;
       const std::string_view path = scene_fields()[field].path;
       if (first.empty())
@@ -440,11 +440,11 @@ class SceneBinder {
   Problems& problems_;
   SceneReading& reading_;
   Scene scene_;
-  std::array<const Entry*, field_count> given_{};
+  std::array<const Entry*, field_capacity> given_{};
   FieldPlaces is_given_;   // whether there is one
   FieldPlaces explained_;  // an error already says why the field is not there
   bool supply_explained_ = false;
-  std::array<std::string_view, section_count> sections_;  // the tables that were given
+  std::array<std::string_view, sections.size()> sections_;  // the tables that were given
   std::size_t section_count_ = 0;
 };
 

@@ -204,7 +204,8 @@ bool starts_like_infinity_or_nan(std::string_view text, std::size_t bytes) {
   std::string_view token = text.substr(start, 20);
   while (!token.empty() && (token.front() == ' ' || token.front() == '-' || token.front() == '+'))
     token.remove_prefix(1);
-  constexpr std::array<std::string_view, 6> words{"NaN", "nan", "NAN", "Inf", "inf", "INF"};
+  constexpr auto words =
+      std::to_array<std::string_view>({"NaN", "nan", "NAN", "Inf", "inf", "INF"});
   for (const std::string_view word : words)
     if (token.starts_with(word)) return true;
   return false;

@@ -136,7 +136,7 @@ constexpr Row face_row(std::string_view path, std::string_view meaning, Access a
           access};
 }
 
-constexpr std::array<Row, field_count> rows{{
+constexpr auto rows = std::to_array<Row>({
     {{.path = "id",
       .type = FieldType::text,
       .default_text = "the file's name without its ending",
@@ -295,7 +295,8 @@ constexpr std::array<Row, field_count> rows{{
       .type = FieldType::outputs,
       .default_text = "all that the given fields allow",
       .meaning = "what to compute"}},
-}};
+});
+static_assert(rows.size() <= field_capacity);
 
 constexpr std::array by_modulus{Words("bodies.effective_modulus")};
 constexpr std::array by_materials{
@@ -323,9 +324,9 @@ constexpr std::array summits{FieldSet{of_summits, beside_summits}, FieldSet{of_p
 
 constexpr std::array groups{FieldGroup(summits), FieldGroup(elasticity), FieldGroup(shapes)};
 
-constexpr std::array<FieldInfo, field_count> infos = [] {
-  std::array<FieldInfo, field_count> result;
-  for (std::size_t i = 0; i < field_count; ++i) result[i] = rows[i].info;
+constexpr auto infos = [] {
+  std::array<FieldInfo, rows.size()> result;
+  for (std::size_t i = 0; i < rows.size(); ++i) result[i] = rows[i].info;
   return result;
 }();
 
@@ -336,17 +337,14 @@ constexpr bool is_before(std::string_view left, std::string_view right) {
 }
 
 // Places in the table, in that order.
-constexpr std::array<std::size_t, field_count> by_path = [] {
-  std::array<std::size_t, field_count> places{};
-  for (std::size_t i = 0; i < field_count; ++i) places[i] = i;
+constexpr auto by_path = [] {
+  std::array<std::size_t, rows.size()> places{};
+  for (std::size_t i = 0; i < rows.size(); ++i) places[i] = i;
   std::sort(places.begin(), places.end(), [](std::size_t left, std::size_t right) {
     return is_before(rows[left].info.path, rows[right].info.path);
   });
   return places;
 }();
-
-constexpr std::array<Words, section_count> sections{"bodies", "closures", "friction", "lubricant",
-                                                    "speed",  "supply",   "surface"};
 
 // Keeps the nearest name seen so far. A name whose last part fits is near even where it was written
 // into the wrong section ("load" under [bodies]); the same section wins between equals.
@@ -451,7 +449,7 @@ std::optional<std::size_t> find_field(std::string_view path) {
   return *place;
 }
 
-std::size_t field_at(std::string_view path) { return find_field(path).value_or(field_count); }
+std::size_t field_at(std::string_view path) { return find_field(path).value_or(rows.size()); }
 
 const std::vector<GroupPlaces>& group_places() {
   static const std::vector<GroupPlaces> all = [] {

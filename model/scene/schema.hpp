@@ -16,8 +16,11 @@
 
 namespace tribo::scene_detail {
 
-inline constexpr std::size_t field_count = 44;
-inline constexpr std::size_t section_count = 7;
+inline constexpr std::size_t field_capacity = 64;  // of scene_fields(), for sets of their places
+
+// The tables of a scene. `speed` is one of them, as it may be a table.
+inline constexpr auto sections = std::to_array<std::string_view>(
+    {"bodies", "closures", "friction", "lubricant", "speed", "supply", "surface"});
 
 inline constexpr auto output_names = [] {
   std::array<std::string_view, output_infos.size()> names;
@@ -50,7 +53,7 @@ std::optional<std::size_t> find_field(std::string_view path);
 std::size_t field_at(std::string_view path);
 
 // Fields by their places in scene_fields(): a stream checks its scenes by these, not by names.
-using FieldPlaces = std::bitset<field_count>;
+using FieldPlaces = std::bitset<field_capacity>;
 struct SetPlaces {
   FieldSet names;
   FieldPlaces fields, optional;
@@ -63,7 +66,7 @@ struct GroupPlaces {
 // The groups of scene_field_groups(), by places.
 const std::vector<GroupPlaces>& group_places();
 
-// "surface", "bodies" …: the tables of a scene. `speed` is one of them, as it may be a table.
+// "surface", "bodies" …
 bool is_section(std::string_view name);
 
 // "surface" of "surface.summit_radius", empty for "load".

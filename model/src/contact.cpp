@@ -130,30 +130,6 @@ ContactWords words_of(const Scene& scene, const FilmLaw& film) {
           &film};
 }
 
-SceneNumbers<double> given_numbers(const Scene& scene) {
-  const Surface& surface = scene.surface;
-  const Bodies& bodies = scene.bodies;
-  const ContactShape shape = bodies.shape();
-  return {scene.load,
-          surface.summit_density,
-          surface.summit_radius,
-          surface.summit_height_sd,
-          surface.summit_plane_offset,
-          static_cast<double>(surface.offset_planes),
-          bodies.effective_modulus,
-          shape == ContactShape::circle ? bodies.reduced_radius : bodies.radius_x,
-          bodies.ellipticity,
-          scene.lubricant.viscosity,
-          scene.lubricant.pressure_viscosity,
-          scene.lubricant.eyring_stress.value_or(1),
-          scene.supply.value,
-          scene.friction.boundary_coefficient.value_or(0),
-          scene.friction.slide_roll_ratio,
-          scene.closures.damiens_exponent,
-          shape == ContactShape::line ? bodies.length : bodies.radius_y,
-          {}};
-}
-
 namespace {
 
 MixedContact<Wide> wide_contact(const ContactWords& words, const SceneNumbers<double>& scene) {

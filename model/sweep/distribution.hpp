@@ -15,8 +15,8 @@ namespace tribo::sweep {
 
 enum class DistributionKind : std::uint8_t { uniform, log_uniform, normal, log_normal };
 
-inline constexpr std::array<std::string_view, 4> distribution_names{"uniform", "log_uniform",
-                                                                    "normal", "log_normal"};
+inline constexpr auto distribution_names =
+    std::to_array<std::string_view>({"uniform", "log_uniform", "normal", "log_normal"});
 constexpr std::string_view name(DistributionKind kind) {
   return distribution_names[static_cast<std::size_t>(kind)];
 }

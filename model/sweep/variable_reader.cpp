@@ -128,9 +128,9 @@ class VariableReader {
   void read_table() {
     if (!takes_numbers())
       return refuse(wrong_kind(entry_.value, "one of its words, or a list of them"));
-    constexpr std::array<std::string_view, 10> names{"distribution", "printed", "from", "to",
-                                                     "count",        "spacing", "mean", "median",
-                                                     "sd",           "log_sd"};
+    constexpr auto names =
+        std::to_array<std::string_view>({"distribution", "printed", "from", "to", "count",
+                                         "spacing", "mean", "median", "sd", "log_sd"});
     TableReader table(std::string(field_.path), entry_.inner, names, problems_);
     if (!table.good())
       problem_ = true;

@@ -33,7 +33,8 @@ std::optional<double> optional_number(const json& row, const char* field) {
   return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
-constexpr std::array<const char*, 2> time_fields{"least_over_control", "median_over_control"};
+constexpr auto time_fields =
+    std::to_array<const char*>({"least_over_control", "median_over_control"});
 
 json row_json(const BenchRow& row, const std::optional<double>& control) {
   json made{

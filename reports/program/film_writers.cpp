@@ -25,26 +25,26 @@ struct Quantity {
   Measured FilmCase::*value;
   bool is_of_spike;
 };
-constexpr std::array<Quantity, 5> quantities{{
+constexpr auto quantities = std::to_array<Quantity>({
     {"central_film", "central film", "m", &FilmCase::central, false},
     {"minimum_film", "minimum film", "m", &FilmCase::minimum, false},
     {"film_at_greatest_pressure", "film at the greatest pressure", "m",
      &FilmCase::at_greatest_pressure, false},
     {"spike_pressure", "pressure of the spike", "Pa", &FilmCase::spike_pressure, true},
     {"spike_place", "place of the spike, x", "m", &FilmCase::spike_place, true},
-}};
+});
 
 // One of M, L and Hertz' numbers.
 struct Given {
   std::string_view name, words, unit;
   double FilmCase::*value;
 };
-constexpr std::array<Given, 4> given{{
+constexpr auto given = std::to_array<Given>({
     {"load_number", "load number M", "-", &FilmCase::load_number},
     {"material_number", "material number L", "-", &FilmCase::material_number},
     {"half_width", "half-width by Hertz, b", "m", &FilmCase::half_width},
     {"peak_pressure", "peak pressure by Hertz", "Pa", &FilmCase::peak_pressure},
-}};
+});
 
 constexpr std::size_t signed_width = number_width + 1, deviation_width = 11;
 

@@ -261,7 +261,7 @@ int told(Step&& step) {
 // "sweep show" for `sweep shwo`: no file, and nearly the name of a subcommand; else empty.
 std::string subcommand_meant(const SweepArguments& arguments) {
   if (arguments.files.empty() || std::filesystem::exists(arguments.files.front())) return {};
-  constexpr std::array<std::string_view, 2> names{"merge", "show"};
+  constexpr auto names = std::to_array<std::string_view>({"merge", "show"});
   const std::string_view meant = scene_detail::nearest_choice(arguments.files.front(), names);
   return meant.empty() ? "" : "sweep " + std::string(meant);
 }

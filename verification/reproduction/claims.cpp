@@ -17,8 +17,9 @@ namespace {
 
 using verification::ReferenceRow;
 
-constexpr std::array<std::string_view, 4> rule_names{"number", "order", "equal", "at_least"};
-constexpr std::array<std::string_view, 3> surface_names{"rough", "medium", "smooth"};
+constexpr auto rule_names =
+    std::to_array<std::string_view>({"number", "order", "equal", "at_least"});
+constexpr auto surface_names = std::to_array<std::string_view>({"rough", "medium", "smooth"});
 constexpr std::string_view nothing = "–";
 constexpr double near_by = 0.1;                       // “within 10 %”
 constexpr double order_factor = 3.16227766016837933;  // “order only”: √10
@@ -98,8 +99,8 @@ std::string_view name(PaperSurface surface) {
 }
 
 std::string_view name(Verdict verdict) {
-  constexpr std::array<std::string_view, 5> names{"reproduced", "within 10 %", "order only",
-                                                  "in part", "not reproduced"};
+  constexpr auto names = std::to_array<std::string_view>(
+      {"reproduced", "within 10 %", "order only", "in part", "not reproduced"});
   return names[static_cast<std::size_t>(verdict)];
 }
 

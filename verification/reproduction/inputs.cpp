@@ -45,7 +45,7 @@ struct FieldInfo {
 };
 double* no_place(Scene&) { return nullptr; }
 // In the order of Field.
-constexpr std::array<FieldInfo, field_count> fields{{
+constexpr auto fields = std::to_array<FieldInfo>({
     {"summit_density", [](Scene& scene) { return &scene.surface.summit_density; }},
     {"summit_radius", [](Scene& scene) { return &scene.surface.summit_radius; }},
     {"summit_height_sd", [](Scene& scene) { return &scene.surface.summit_height_sd; }},
@@ -60,7 +60,7 @@ constexpr std::array<FieldInfo, field_count> fields{{
     {"boundary_coefficient", [](Scene& scene) { return &*scene.friction.boundary_coefficient; }},
     {"film_constant", no_place},
     {"speed", no_place},
-}};
+});
 const FieldInfo& info(Field field) { return fields[static_cast<std::size_t>(field)]; }
 
 }  // namespace

@@ -41,7 +41,6 @@ enum class Field : std::uint8_t {
   film_constant,  // a factor on the film formula
   speed,          // a factor on the speed in it
 };
-inline constexpr std::size_t field_count = 14;
 std::string_view name(Field field);
 
 // One line of inputs.tsv.

@@ -9,10 +9,6 @@
 #include "tribo/spectral_moments.hpp"
 #include "tribo/starvation.hpp"
 
-namespace tribo {
-struct FilmLaw;
-}
-
 namespace tribo::detail {
 
 // Numbers of one surface under one load. T is double, or a vector of many surfaces' numbers.
@@ -82,12 +78,36 @@ InletLaw<T> inlet_law(const ContactWords& words, const Numbers<T>& numbers) {
   return {words.closure, numbers.damiens_exponent};
 }
 
-// The words of a scene that a contact needs, and its numbers as they are given.
+// The words of a scene that a contact needs.
 ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
-SceneNumbers<double> given_numbers(const Scene& scene);
 
-// The same numbers in another type, without the ellipse.
+// The numbers of a scene as they are given, and the same numbers in another type, without the
+// ellipse.
+inline SceneNumbers<double> given_numbers(const Scene& scene) {
+  const Surface& surface = scene.surface;
+  const Bodies& bodies = scene.bodies;
+  const ContactShape shape = bodies.shape();
+  return {scene.load,
+          surface.summit_density,
+          surface.summit_radius,
+          surface.summit_height_sd,
+          surface.summit_plane_offset,
+          static_cast<double>(surface.offset_planes),
+          bodies.effective_modulus,
+          shape == ContactShape::circle ? bodies.reduced_radius : bodies.radius_x,
+          bodies.ellipticity,
+          scene.lubricant.viscosity,
+          scene.lubricant.pressure_viscosity,
+          scene.lubricant.eyring_stress.value_or(1),
+          scene.supply.value,
+          scene.friction.boundary_coefficient.value_or(0),
+          scene.friction.slide_roll_ratio,
+          scene.closures.damiens_exponent,
+          shape == ContactShape::line ? bodies.length : bodies.radius_y,
+          {}};
+}
+
 template <class T>
 SceneNumbers<T> numbers_in(const SceneNumbers<double>& n) {
   return {T(n.load),

@@ -28,9 +28,9 @@ enum class FilmRegime : std::uint8_t {
   isoviscous_elastic,
   viscous_elastic
 };
-inline constexpr std::array<std::string_view, 5> film_regime_words{
-    "isoviscous_rigid", "viscous_rigid_barus", "viscous_rigid_roelands", "isoviscous_elastic",
-    "viscous_elastic"};
+inline constexpr auto film_regime_words = std::to_array<std::string_view>(
+    {"isoviscous_rigid", "viscous_rigid_barus", "viscous_rigid_roelands", "isoviscous_elastic",
+     "viscous_elastic"});
 
 // Ĥ:
 //   isoviscous_rigid        128 α φ² (0.131 atan(α/2) + 1.683)²,  φ = 1/(1 + 2/(3α))

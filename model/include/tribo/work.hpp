@@ -29,7 +29,7 @@ struct WorkInfo {
   std::string_view name;
 };
 
-inline constexpr std::array<WorkInfo, 11> work_infos{{
+inline constexpr auto work_infos = std::to_array<WorkInfo>({
     {Work::root_step, "root_steps"},
     {Work::share, "shares"},
     {Work::moment, "moments"},
@@ -41,7 +41,7 @@ inline constexpr std::array<WorkInfo, 11> work_infos{{
     {Work::share_is_nothing, "shares_skipped_as_nothing"},
     {Work::share_not_asked, "shares_skipped_not_asked"},
     {Work::supply_is_flooded, "starvation_skipped_flooded"},
-}};
+});
 
 struct NoWork {
   static constexpr bool counts = false;
