@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
