@@ -137,11 +137,6 @@ constexpr std::pair<std::string_view, double SharingReading::*> sharing_numbers[
     {"fit_end", &SharingReading::fit_end},
     {"fit_exponent", &SharingReading::fit_exponent}};
 
-struct ArgumentChange {
-  std::size_t place;
-  NumberChange change;
-  std::optional<double> is;
-};
 struct ResultChange {
   std::size_t place;
   NumberChange change;
@@ -171,22 +166,21 @@ void add_where(const Function& function, const MistakeEntry& entry, Mistake& mis
 }
 
 void add_inputs(const Function& function, const MistakeEntry& entry, Mistake& mistake) {
-  std::vector<ArgumentChange> inputs;
-  for (const auto& [name, change] : entry.input) {
-    ArgumentChange one{place_of(function.parameters, name), change, {}};
+  std::vector<std::pair<std::size_t, NumberChange>> inputs;  // by place
+  for (const auto& [name, written] : entry.input) {
+    const std::size_t place = place_of(function.parameters, name);
+    NumberChange change = written;
     if (!change.by.empty() || !change.over.empty())
       throw std::runtime_error(name + ": by and over are for results");
-    if (change.is) one.is = argument_of(function.parameters[one.place], *change.is);
+    if (change.is) change.value = argument_of(function.parameters[place], *change.is);
     // Factors can be made together, other changes of the same input cannot.
-    if (one.is || change.is_inverted) mistake.touches.push_back(name);
-    inputs.push_back(std::move(one));
+    if (change.is || change.is_inverted) mistake.touches.push_back(name);
+    inputs.emplace_back(place, std::move(change));
   }
   if (inputs.empty()) return;
   mistake.before = [inputs](Question& question) {
-    for (const ArgumentChange& one : inputs) {
-      double& argument = question.arguments[one.place];
-      argument = one.is ? *one.is : one.change.of(argument);
-    }
+    for (const auto& [place, change] : inputs)
+      question.arguments[place] = change.of(question.arguments[place]);
   };
 }
 

@@ -21,10 +21,13 @@ namespace tribo::conformance {
 struct NumberChange {
   double times = 1;
   bool is_inverted = false;
-  std::optional<nlohmann::json> is;  // this number or word
+  std::optional<nlohmann::json> is;  // this number or word,
+  std::optional<double> value = {};  // which is this number of an argument or of a field
   std::string by, over;              // arguments that a result is multiplied or divided by
 
-  double of(double number) const { return (is_inverted ? 1 / number : number) * times; }
+  double of(double number) const {
+    return value ? *value : (is_inverted ? 1 / number : number) * times;
+  }
 };
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 using NumberChanges = std::vector<std::pair<std::string, NumberChange>>;

@@ -84,27 +84,22 @@ Field field_at(const std::string& path) {
 }
 
 Mistake with_fields(const MistakeEntry& entry) {
-  struct FieldChange {
-    Field field;
-    NumberChange change;
-    std::optional<double> is;
-  };
-  std::vector<FieldChange> changes;
+  std::vector<std::pair<Field, NumberChange>> changes;
   std::vector<std::string> touches;
-  for (const auto& [path, change] : entry.scene) {
-    FieldChange one{field_at(path), change, {}};
+  for (const auto& [path, written] : entry.scene) {
+    const Field field = field_at(path);
+    NumberChange change = written;
     if (!change.by.empty() || !change.over.empty())
       throw std::runtime_error(path + ": by and over are for results");
-    if (change.is) one.is = number_of(*one.field.info, *change.is);
-    changes.push_back(std::move(one));
+    if (change.is) change.value = number_of(*field.info, *change.is);
+    changes.emplace_back(field, std::move(change));
     touches.push_back(path);
   }
   return changed(entry.name, entry.text, std::move(touches), [changes](Question& question) {
-    for (const FieldChange& one : changes) {
-      const json written = written_at(question.asked->inputs, *one.field.info);
+    for (const auto& [field, change] : changes) {
+      const json written = written_at(question.asked->inputs, *field.info);
       if (written.is_discarded()) continue;  // neither given nor with a default: of another shape
-      one.field.store(*question.scene,
-                      one.is ? *one.is : one.change.of(number_of(*one.field.info, written)));
+      field.store(*question.scene, change.of(number_of(*field.info, written)));
     }
   });
 }

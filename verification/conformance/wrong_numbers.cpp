@@ -291,46 +291,43 @@ std::string manner_of_errors(const std::vector<AnsweredCase>& cases, const std::
                              std::size_t place) {
   const std::vector<std::size_t> inputs = number_inputs(cases);
   if (inputs.size() != 1) return {};  // along one of several inputs errors look like noise
-  for (const std::size_t input : inputs) {
-    std::vector<InputPoint> points = along(cases, branch, place, input);
-    std::erase_if(points, [](const InputPoint& one) {
-      return !one.number->is_wrong || one.number->expected->high == 0;
-    });
-    if (points.size() < fewest_cases) return {};
-    const auto relative = [](const InputPoint& one) {
-      return one.number->error() / std::abs(one.number->expected->high);
-    };
-    std::size_t flips = 0, falls = 0, zeros = 0;
-    std::vector<double> sizes;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      sizes.push_back(std::abs(relative(points[i])));
-      zeros += points[i].number->got == 0 ? 1 : 0;
-      if (i == 0) continue;
-      flips += (relative(points[i]) < 0) != (relative(points[i - 1]) < 0) ? 1 : 0;
-      falls += sizes[i] < sizes[i - 1] ? 1 : 0;
-    }
-    const auto part = [&](std::size_t count) {
-      return static_cast<double>(count) / static_cast<double>(points.size());
-    };
-    const auto middle_of = [&](std::size_t first, std::size_t last) {
-      std::vector<double> some(sizes.begin() + static_cast<std::ptrdiff_t>(first),
-                               sizes.begin() + static_cast<std::ptrdiff_t>(last));
-      const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-      std::nth_element(some.begin(), middle, some.end());
-      return *middle;
-    };
-    if (part(zeros) > 0.9) return "the answers are 0 there, as of an integral that ends too early";
-    const std::size_t third = sizes.size() / 3;
-    const double before = middle_of(0, third),
-                 after = middle_of(sizes.size() - third, sizes.size());
-    if (flips >= 3 && part(flips) > 0.05 && (after > 100 * before || before > 100 * after))
-      return "the errors have no order and grow: digits cancel there";
-    const double greatest = *std::max_element(sizes.begin(), sizes.end());
-    const double least = *std::min_element(sizes.begin(), sizes.end());
-    if (part(flips) < 0.05 && greatest <= 1 && greatest > 3 * least &&
-        (part(falls) < 0.2 || part(falls) > 0.8))
-      return "the errors are smooth and grow, as of a quadrature or a series with too few terms";
+  std::vector<InputPoint> points = along(cases, branch, place, inputs.front());
+  std::erase_if(points, [](const InputPoint& one) {
+    return !one.number->is_wrong || one.number->expected->high == 0;
+  });
+  if (points.size() < fewest_cases) return {};
+  const auto relative = [](const InputPoint& one) {
+    return one.number->error() / std::abs(one.number->expected->high);
+  };
+  std::size_t flips = 0, falls = 0, zeros = 0;
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sizes.push_back(std::abs(relative(points[i])));
+    zeros += points[i].number->got == 0 ? 1 : 0;
+    if (i == 0) continue;
+    flips += (relative(points[i]) < 0) != (relative(points[i - 1]) < 0) ? 1 : 0;
+    falls += sizes[i] < sizes[i - 1] ? 1 : 0;
   }
+  const auto part = [&](std::size_t count) {
+    return static_cast<double>(count) / static_cast<double>(points.size());
+  };
+  const auto middle_of = [&](std::size_t first, std::size_t last) {
+    std::vector<double> some(sizes.begin() + static_cast<std::ptrdiff_t>(first),
+                             sizes.begin() + static_cast<std::ptrdiff_t>(last));
+    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+    std::nth_element(some.begin(), middle, some.end());
+    return *middle;
+  };
+  if (part(zeros) > 0.9) return "the answers are 0 there, as of an integral that ends too early";
+  const std::size_t third = sizes.size() / 3;
+  const double before = middle_of(0, third), after = middle_of(sizes.size() - third, sizes.size());
+  if (flips >= 3 && part(flips) > 0.05 && (after > 100 * before || before > 100 * after))
+    return "the errors have no order and grow: digits cancel there";
+  const double greatest = *std::max_element(sizes.begin(), sizes.end());
+  const double least = *std::min_element(sizes.begin(), sizes.end());
+  if (part(flips) < 0.05 && greatest <= 1 && greatest > 3 * least &&
+      (part(falls) < 0.2 || part(falls) > 0.8))
+    return "the errors are smooth and grow, as of a quadrature or a series with too few terms";
   return {};
 }
 

@@ -102,11 +102,6 @@ double rounded_moment(double order, double d) {  // for whole orders, in double
   return order == 1 ? density - d * tail : (1 + d * d) * tail - d * density;
 }
 
-TEST(Said, OfAnEllipticityOf103IsItsFormula) {
-  const std::string what = "an ellipticity fitted as 1.03 (R_y/R_x)^0.64";
-  expect_said(said_of("hamrock_dowson_central", film({}, "ellipticity", 1.03)), {what});
-}
-
 TEST(Said, OfTwoMistakesAreBoth) {
   expect_said(said_of("hamrock_dowson_central",
                       [](const json& inputs) {
