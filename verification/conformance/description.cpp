@@ -146,6 +146,7 @@ std::string constant_factor(const Part& part) {
 
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
   std::map<std::pair<std::size_t, std::string>, Part> parts;
+  std::map<std::string, std::pair<std::size_t, std::size_t>> counts;  // explained, left
   for (const AnsweredCase& one : cases)
     for (const AnsweredNumber& number : one.numbers) {
       Part& part = parts[{number.place, one.branch}];
@@ -153,14 +154,10 @@ std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
       part.branch = one.branch;
       ++part.answered;
       if (number.is_left()) part.wrong.push_back(&number);
-    }
-  // After a named mistake, a few other wrong answers, such as near a border, are no news.
-  std::map<std::string, std::pair<std::size_t, std::size_t>> counts;  // explained, left
-  for (const AnsweredCase& one : cases)
-    for (const AnsweredNumber& number : one.numbers) {
       counts[one.branch].first += number.is_wrong && number.is_explained ? 1 : 0;
       counts[one.branch].second += number.is_left() ? 1 : 0;
     }
+  // After a named mistake, a few other wrong answers, such as near a border, are no news.
   std::vector<Part> all;
   for (auto& [key, part] : parts) {
     const auto [explained, rest] = counts[part.branch];
