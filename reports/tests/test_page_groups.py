@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page's own arithmetic at its limits: verdicts, agreement of two samples, parts below a speed, and errors of maps, on data made up."""
+import json
 import math
 import os
 import pathlib
@@ -9,10 +10,12 @@ import unittest
 from unittest import mock
 
 sys.path.insert(0, str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page/groups"))
+import ellipse_fits  # noqa: E402
 import ledger  # noqa: E402
 import line_films  # noqa: E402
 import onset_uncertainty  # noqa: E402
 import paper  # noqa: E402
+from program import Program  # noqa: E402
 
 
 class Verdicts(unittest.TestCase):
@@ -26,6 +29,33 @@ class Verdicts(unittest.TestCase):
             for scale in (1, 3e-7, 2e9):
                 self.assertEqual(paper.judged(scale * sure, scale, 0.1 * scale), verdict, (sure, scale))
                 self.assertEqual(paper.judged(scale * beyond, scale, 0.1 * scale), next_verdict, (beyond, scale))
+
+
+class EllipseFits(unittest.TestCase):
+    @staticmethod
+    def integrals(k):
+        """K and E of the parameter 1 − 1/k², by means over the angle, which has a period."""
+        angles = [math.pi / 2 * (i + 0.5) / 4000 for i in range(4000)]
+        roots = [math.hypot(math.cos(angle), math.sin(angle) / k) for angle in angles]
+        return [math.pi / 2 * math.fsum(values) / 4000 for values in ([1 / root for root in roots], roots)]
+
+    def test_right_numbers_give_the_ellipse_of_the_program(self):
+        for k in (1.0, 2.0, 7.5):
+            first, second = self.integrals(k)
+            ratio = (k**2 * second - first) / (first - second) if k > 1 else 1.0
+            with mock.patch.dict(ellipse_fits.FORMULAS, {"right": lambda *_: (k, first, second)}):
+                got = ellipse_fits.ellipse_of({"formula": {"name": "right"}}, ratio)
+            question = {"function": "hertz_ellipse", "load": ellipse_fits.LOAD, "effective_modulus": ellipse_fits.MODULUS,
+                        "radius_x": ellipse_fits.RADIUS, "radius_y": ellipse_fits.RADIUS * ratio}
+            with Program(os.environ["TRIBOCHECK"]) as program:
+                right, = program.ask(json.dumps(question))
+            for name in ellipse_fits.TOLD:
+                self.assertAlmostEqual(got[name] / right[name], 1, delta=1e-13)
+
+    def test_the_first_integral_of_the_fit_by_logarithms_is_that_of_its_axes(self):
+        for ratio in (1.5, 20.0, 1e3):
+            k, first, _ = ellipse_fits.of_logarithms(ratio, None)
+            self.assertAlmostEqual(first / self.integrals(k)[0], 1, delta=1e-14)
 
 
 class Uncertainty(unittest.TestCase):
