@@ -178,5 +178,12 @@ TEST(Balance, MeetsAGivenFlowAtSecondOrder) {
   }
 }
 
+// The order of the sums in a product follows from these sizes.
+TEST(NewtonStep, ProductsAreCutByTheSameSizesOnEveryMachine) {
+  EXPECT_EQ(Eigen::l1CacheSize(), 32 * 1024);
+  EXPECT_EQ(Eigen::l2CacheSize(), 256 * 1024);
+  EXPECT_EQ(Eigen::l3CacheSize(), 2048 * 1024);
+}
+
 }  // namespace
 }  // namespace tribo::verification
