@@ -118,7 +118,7 @@ TEST(Iterations, TakeTheWorkThatWasMeasured) {
        }},
       {"greatest film behind an inlet", 1, 138,
        [](Sampler&) {
-         return calls_of([] { film_maximum_flooded_over_inlet<Dual>(flooded_inlet); });
+         return calls_of([] { InletLaw<Dual>{flooded_inlet, Dual(3)}.at_film_maximum(); });
        }},
       {"ellipse of Hertz", 300, 33.91,
        [](Sampler& s) {
