@@ -35,7 +35,7 @@ struct Inputs {
     supply,
     boundary,
     slide_roll,
-    gamma,
+    inlet_exponent,
     count
   };
   std::array<Ball, count> value;
@@ -161,7 +161,7 @@ inline Outputs solve(const Inputs& in, const Way& way) {
                                  : in.supply_kind == Supply::inlet_film
                                      ? given / sd
                                      : given / v[Inputs::speed] / sd;
-    y = way.film_ratio(in.inlet, flooded / inlet_parameter, v[Inputs::gamma]);
+    y = way.film_ratio(in.inlet, flooded / inlet_parameter, v[Inputs::inlet_exponent]);
   }
   const Ball lambda = flooded * y;
   // The separation is the floor only where the film is below it.

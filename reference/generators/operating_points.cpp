@@ -52,7 +52,7 @@ Inputs random_inputs(Sampler& sampler) {
   in.rough = sampler.pick({Rough::tripp, Rough::williamson});
   in.inlet = sampler.pick(
       {Inlet::flooded_inlet, Inlet::starved_inlet, Inlet::printed_exponents, Inlet::damiens});
-  v[Inputs::gamma] = sampler.uniform(1, 5);
+  v[Inputs::inlet_exponent] = sampler.uniform(1, 5);
   return in;
 }
 
