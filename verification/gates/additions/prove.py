@@ -36,6 +36,7 @@ FIELDS = {"adds": str, "wanted": int, "limit": int, "hand": list, "texts": list,
 ASKED = {"contains", "value", "equal", "between"}
 CHECK_FIELDS = {"says", "run", "of", "input", "files", "solver", "code", "read", *ASKED}
 SCHEMA = "reference/scene.schema.json"
+VERIFY = ["verify", "--format", "json"]
 NOT_WRITTEN = {"python": "return None", "c": "return TRIBOCHECK_NOT_OFFERED;"}  # what `init` has in place of a result
 ENDINGS = {"python": "py", "c": "c"}
 
@@ -230,6 +231,8 @@ class Copy:
 
     def make(self, kinds):
         """Writes the additions, builds, and makes the files anew that programs of the build write."""
+        # All kinds stand in one copy: where one of them makes `verify` red, it is red for all.
+        self.verify_code = max((check.get("code", 0) for kind in kinds for check in kind.checks if check["run"] == VERIFY), default=0)
         scratch.copy_tree(ROOT, self.tree)
         changed = Tree(self.tree)
         for kind in kinds:
@@ -257,7 +260,7 @@ class Copy:
     @functools.cached_property
     def verified(self):
         """The answer to the question that several kinds ask."""
-        return run([self.program("tribocheck"), "verify", "--format", "json"], cwd=self.tree)
+        return run([self.program("tribocheck"), *VERIFY], self.verify_code, cwd=self.tree)
 
     def solver(self, asked, folder):
         """A solver from `init` whose one function has a body: its file, or its library."""
@@ -286,7 +289,7 @@ class Copy:
             if "solver" in check:
                 names["{solver}"] = self.solver(check["solver"], folder)
             words = [functools.reduce(lambda word, one: word.replace(one, str(names[one])), names, word) for word in check["run"]]
-            if words == ["verify", "--format", "json"]:
+            if words == VERIFY:
                 text, said = self.verified
             else:
                 text, said = run([self.program(check.get("of", "tribocheck")), *words], check.get("code", 0), cwd=self.tree,
