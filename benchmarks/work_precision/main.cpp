@@ -87,7 +87,7 @@ void write_json(const std::string& path, const Json& parts) {
   write_text(path, text + "\n}\n");
 }
 
-// What is to be measured.
+// The jobs to measure.
 struct Chosen {
   std::vector<Measured> jobs;
   bool are_all_jobs, ranges, line_film;

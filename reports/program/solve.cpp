@@ -186,6 +186,11 @@ void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts
     append_title(to, fmt::format("{}: {}", scene.id, facts.part));
     for (const Fact& one : facts.all) {
       if (one.value.is_null()) continue;
+      if (one.value.is_boolean()) {  // an output
+        append_line(
+            to, fmt::format("  {:<30}{}", one.name, one.value.get<bool>() ? "asked" : "not asked"));
+        continue;
+      }
       const std::string unit =
           one.value.is_number_float() && one.unit.empty() ? "-" : std::string(one.unit);
       append_line(to, fmt::format("  {:<30}{}{}", one.name, text_of(one, readable),

@@ -195,6 +195,9 @@ class About(SolveTest):
         for _, one in entries:
             self.assertEqual(len([line for line in table.splitlines() if line.split()[:1] == [one["name"]]]) > 0, one["value"] is not None)
         self.assertIn("\n  load                          50 [N]\n", table)
+        film = self.solved(quiet_scene(outputs=["film"]), "--about").out
+        self.assertRegex(film, r"\n  film +asked\n")
+        self.assertRegex(film, r"\n  friction +not asked\n")
 
 
 class Formats(SolveTest):

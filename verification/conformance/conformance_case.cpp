@@ -207,7 +207,7 @@ std::vector<TestCase> paper_points(const std::string& folder) {
 // Asperities, or a film, that carry less of the load play no part in a point.
 constexpr double least_share = 1e-9;
 
-// What is known of a case's fields from its function and inputs: their names among all quantities,
+// The fields of a case that follow from its function and inputs: their names among all quantities,
 // units and places, and whether they are in the physical range.
 void complete(TestCase& one) {
   const Question question = question_of(one);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is read off a film whose numbers are known: polynomials on uneven nodes.
+// Features of films whose numbers are known: polynomials on uneven nodes.
 #include "ehl/film_features.hpp"
 
 #include <gtest/gtest.h>
