@@ -393,8 +393,7 @@ void add_output_options(CLI::App& app, SweepArguments& arguments) {
 }  // namespace
 
 Command add_sweep(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "sweep", "many cases of scenes: grids, uncertain inputs, sensitivities");
+  CLI::App* app = program.add_subcommand("sweep", sweep_description);
   app->footer(footer_with_scenes(footer()));
   const auto arguments = std::make_shared<SweepArguments>();
   app->add_option("SWEEP", arguments->files, "sweep files in TOML; - is stdin");
