@@ -13,9 +13,6 @@ namespace {
 
 using enum StarvationClosure;
 
-constexpr std::array closures{flooded_inlet, starved_inlet, printed_exponents, damiens};
-constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
-
 // Compares two numbers in 50 digits; `bound` is relative.
 testing::AssertionResult agree(const Reference& got, const Reference& expected, double bound,
                                std::initializer_list<Input> inputs, double condition = 1) {
@@ -44,7 +41,7 @@ TEST(Sensitivity, FloodedFilmSlopeIsTheClosedForm) {
   Sampler sampler(81);
   int compared = 0;
   while (compared < 40) {
-    const auto model = sampler.pick({models[0], models[1]});
+    const auto model = sampler.pick(asperity_models);
     const Reference stiffness = sampler.log_uniform(1e-6, 10), offset = sampler.uniform(0, 3);
     const Reference lambda0 = sampler.log_uniform(1e-2, 30);
     const LoadSharing<Reference> sharing(model, stiffness, offset);
@@ -64,7 +61,7 @@ TEST(Sensitivity, FloodedFilmSlopeIsTheClosedForm) {
 
 TEST(Sensitivity, StarvationSlopeIsTheDerivativeOfTheRatio) {
   Sampler sampler(82);
-  for (const auto closure : closures)
+  for (const auto closure : starvation_closures)
     for (int i = 0; i < 25; ++i) {
       const Reference r = closure == flooded_inlet ? sampler.uniform(1e-3, 1 - 1e-3)
                                                    : sampler.log_uniform(1e-4, 1e6);
@@ -227,15 +224,15 @@ Dual onset_speed(const Scene& scene, const Variables& v, const Dual& ellipticity
 // asperities or without, the exponent of η₀ is exactly −1, and that of α −0.53/0.67.
 TEST(Sensitivity, OnsetSpeedHasTheDerivedExponentOfEachInput) {
   Sampler sampler(85);
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const auto criterion : {OnsetCriterion::film_maximum, OnsetCriterion::film_departure})
       for (const bool asperities : {false, true})
-        for (const auto closure : closures) {
+        for (const auto closure : starvation_closures) {
           if (criterion == OnsetCriterion::film_maximum && closure != flooded_inlet &&
               closure != printed_exponents)
             continue;  // no maximum at constant h_oil
-          Scene scene = paper_scene(PaperSurface::medium, model);
-          scene.closures.starvation = closure;
+          Scene scene =
+              starved_scene(PaperSurface::medium, closure, SupplyKind::inlet_film_ratio, model);
           scene.bodies.ellipticity = sampler.uniform(0.5, 4);
           scene.supply.value = sampler.uniform(3.5, 5);
           if (!asperities) scene.surface.summit_density = 1e-30;
@@ -298,10 +295,8 @@ TEST(Sensitivity, OnsetItselfFollowsThePowerLaws) {
   };
   for (const auto criterion : {OnsetCriterion::film_maximum, OnsetCriterion::film_departure})
     for (const auto supply : {SupplyKind::inlet_film, SupplyKind::inlet_flow})
-      for (const auto closure : closures) {
-        Scene scene = paper_scene(PaperSurface::medium);
-        scene.closures.starvation = closure;
-        scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 2e-7};
+      for (const auto closure : starvation_closures) {
+        const Scene scene = starved_scene(PaperSurface::medium, closure, supply);
         const double unstretched = speed(scene, criterion);
         if (unstretched == 0) continue;  // the closure has no such onset
         for (const bool asperities : {false, true})

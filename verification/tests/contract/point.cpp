@@ -9,6 +9,7 @@
 
 #include "support/condition.hpp"
 #include "support/film_laws.hpp"
+#include "support/orders.hpp"
 #include "support/scenes.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/film_regimes.hpp"
@@ -24,36 +25,8 @@
 namespace tribo::verification {
 namespace {
 
-constexpr std::string_view kind_names[] = {"scene",
-                                           "extreme_scene",
-                                           "load_sharing",
-                                           "film_ratio",
-                                           "moment",
-                                           "scaled_moment",
-                                           "deficit",
-                                           "hertz",
-                                           "film",
-                                           "rough_contact",
-                                           "viscosity",
-                                           "shear",
-                                           "effective_modulus",
-                                           "reduced_radius",
-                                           "hertz_ellipse",
-                                           "hertz_line",
-                                           "film_law",
-                                           "moes_line",
-                                           "film_regime",
-                                           "thermal_reduction",
-                                           "density",
-                                           "pressure_viscosity",
-                                           "astm_d341",
-                                           "spectral_moments"};
-static_assert(std::size(kind_names) == kind_count);
 // The rows of the kinds up to `moment` are counted here.
 static_assert(stress_rows == 2 * (number_count + 1) + 2 + 4 + 6);
-
-constexpr std::array orders{Order::zero,         Order::half, Order::one,
-                            Order::three_halves, Order::two,  Order::five_halves};
 
 std::uint64_t mixed(std::uint64_t x) {  // the finalizer of splitmix64
   x += 0x9e3779b97f4a7c15;
@@ -105,11 +78,8 @@ double near_one(Sampler& sampler) {
 }
 
 void draw_load_sharing(Sampler& sampler, Point& point) {
-  if (sampler.pick({0, 0, 1}) == 1)
-    point.film = sampler.pick(
-        {other_film_laws[0], other_film_laws[1], other_film_laws[2], other_film_laws[3]});
-  point.scene.closures.asperity =
-      sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
+  if (sampler.pick({0, 0, 1}) == 1) point.film = sampler.pick(other_film_laws);
+  point.scene.closures.asperity = sampler.pick(asperity_models);
   point.x[1] = sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
   const int region = sampler.pick({0, 0, 1, 2});
   if (region == 0) {  // everything
@@ -126,9 +96,7 @@ void draw_load_sharing(Sampler& sampler, Point& point) {
 }
 
 void draw_film_ratio(Sampler& sampler, Point& point) {
-  point.scene.closures.starvation =
-      sampler.pick({StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
-                    StarvationClosure::printed_exponents, StarvationClosure::damiens});
+  point.scene.closures.starvation = sampler.pick(starvation_closures);
   const int region = sampler.pick({0, 1, 2});
   point.x[0] = region == 0   ? sampler.log_uniform(1e-300, 1e300)
                : region == 1 ? sampler.log_uniform(1e-3, 1e3)
@@ -219,10 +187,6 @@ double logarithm_condition(double value) {
   const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
   return std::max(1.0, std::abs(value)) * 0x1p-52 / ulp;
 }
-
-}  // namespace
-
-namespace {
 
 // All rows, and the place of the first row of each kind.
 struct RowTable {
@@ -315,8 +279,6 @@ Point point_at(std::uint64_t seed, std::uint64_t index) {
   draw(sampler, point);
   return point;
 }
-
-std::string_view name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 void draw(Sampler& sampler, Point& point) {
   const auto numbers = [&](std::initializer_list<std::pair<double, double>> ranges) {
