@@ -177,19 +177,14 @@ TEST(SceneFields, ANumberOutsideIsRefusedWithTheRange) {
 
 TEST(SceneFields, EndsOfTheRangeAreJudgedToTheLastBit) {
   for (const FieldInfo& field : number_fields()) {
-    if (field.type == FieldType::integer) {
-      expect_judged(field, decimal(field.minimum), true);
-      expect_judged(field, decimal(field.minimum - 1), false);
-      expect_judged(field, decimal(*field.maximum), true);
-      expect_judged(field, decimal(*field.maximum + 1), false);
-    } else {
-      const double least = std::nextafter(field.minimum, 1);
-      if (field.path != "speed.to")  // which has to be above speed.from
-        expect_judged(field, decimal(least), true);
-      const double greatest = field.maximum.value_or(std::numeric_limits<double>::max());
-      if (field.path != "speed.from") expect_judged(field, decimal(greatest), true);
-      if (field.maximum) expect_judged(field, decimal(std::nextafter(greatest, 1)), false);
-    }
+    const bool is_whole = field.type == FieldType::integer;
+    const double least = is_whole ? field.minimum : std::nextafter(field.minimum, 1);
+    const double greatest = field.maximum.value_or(std::numeric_limits<double>::max());
+    // speed.to has to be above speed.from.
+    if (field.path != "speed.to") expect_judged(field, decimal(least), true);
+    if (field.path != "speed.from") expect_judged(field, decimal(greatest), true);
+    if (field.maximum && !is_whole)
+      expect_judged(field, decimal(std::nextafter(greatest, 1)), false);
   }
 }
 
