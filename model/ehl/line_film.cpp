@@ -171,7 +171,6 @@ class Newton {
       slopes.by_pressure[2] += stored * contact_.fluid.density_slope(pressure) * at.film[i];
     }
     Jacobian jacobian(kernel_, balance.slopes, free);
-    result_.bytes = std::max(result_.bytes, kernel_.bytes() + jacobian.bytes());
     VectorXd by_separation = jacobian.solve(std::move(side));
     return {std::move(balance), std::move(free), std::move(jacobian), std::move(by_separation)};
   }

@@ -26,7 +26,6 @@ struct LineFilm {
   double separation = 0;           // H₀
   int steps = 0;                   // with the steps on the grids before, and the steps in time
   double last_change = 0;          // of the pressure, in the last step
-  std::size_t bytes = 0;           // what the matrices took
 };
 
 // The watch is told this before every step; its answer false stops the work.

@@ -57,7 +57,6 @@ struct SolveOptions {
   double tolerance = 1e-4;  // relative, of the three films
   // Relative, of the spike's pressure.
   double spike_tolerance = std::numeric_limits<double>::infinity();
-  int first_cells = 64;       // of the coarsest grid
   int greatest_cells = 8192;  // of the finest
   double at_edge = 0.05;      // share of the nodes in the constriction: more resolve sharper spikes
 };
