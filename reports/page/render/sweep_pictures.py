@@ -35,7 +35,7 @@ class Picture(typing.NamedTuple):
     blocks: str  # the picture's data: blocks of tab-separated rows
 
     def drawn(self, folder="."):
-        return {"frame": "sweep.gp", "script": self.script, "data": folder, "name": self.stem, "height": self.height,
+        return {"script": self.script, "data": folder, "name": self.stem, "height": self.height,
                 "title": drawing.enhanced(self.heading), "subtitle": self.subtitle}
 
 
