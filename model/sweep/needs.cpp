@@ -33,7 +33,7 @@ std::size_t widest(const SceneSweep& scene) {
   return widest;
 }
 
-// A scene at so many of its speeds, in chunks of so many groups.
+// The scene at `speeds` of its speeds, in chunks of `chunk_groups` groups.
 SweepPlan thinned(const SceneSweep& scene, std::size_t speeds, std::uint64_t chunk_groups) {
   SceneSweep thin = scene;
   const Speeds& all = scene.scene.speeds;
@@ -109,7 +109,7 @@ std::uint64_t place_of_sample(std::uint64_t k, std::uint64_t parts, std::uint64_
                                     static_cast<double>(chunks) / static_cast<double>(parts));
 }
 
-// Samples chunks for so many seconds, and at least `least` chunks.
+// Samples chunks for `seconds` seconds, and at least `least` chunks.
 Sample sample_of(const SweepPlan& plan, double seconds, int least = 2) {
   const SceneSweep& scene = plan.scenes.front();
   std::vector<std::vector<ValueSummary>> merged;

@@ -29,7 +29,7 @@ using ChunkList = std::vector<std::uint64_t>;  // numbers, ascending
 // Cuts chunks into at most some 4096 parts of some seconds of one processor each. The borders
 // follow from the plan and the chunks alone: from the number of points, and the time that a point
 // of its kind takes on an ordinary machine. TRIBOCHECK_PART_CHUNKS in the environment, for tests,
-// asks for so many chunks a part.
+// says how many chunks a part has.
 std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chunks);
 
 // The most chunks that a part of cut_in_parts() has, when all chunks of the plan are cut. It is
@@ -48,7 +48,7 @@ void remove_begun(const std::string& output);
 // The journals of an output: files that older versions of tribocheck wrote in place of parts.
 std::vector<std::string> journals_of(const std::string& output);
 
-// The part, among so many, with which this process begins: by its host and number, and the turn.
+// The one of `parts` parts with which this process begins: by its host and number, and the turn.
 std::size_t place_of_process(std::size_t parts, std::uint64_t turn = 0);
 
 class PartsInHand {
@@ -60,7 +60,7 @@ class PartsInHand {
     bool in_memory = false;      // all parts are of this process, and none is written
     std::function<bool()> over;  // asked before a part is begun: is nobody waiting for it any more?
   };
-  // there: the parts that need not be computed. Throws std::runtime_error, with a text that names
+  // `there`: the parts that need not be computed. Throws std::runtime_error, with a text that names
   // the file, where the others could not be written.
   PartsInHand(Settings settings, std::vector<ChunkList> parts, const std::vector<bool>& there);
 

@@ -81,7 +81,7 @@ std::string speed_text(const SceneResult& scene, const ColumnResult& column, std
              : "–";
 }
 
-// For a caption.
+// A remark for a caption; empty if all speeds are shown.
 std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
   return with_speed && scene.speeds.size() > most_speeds
              ? fmt::format("; {} of {} speeds, evenly chosen", most_speeds, scene.speeds.size())

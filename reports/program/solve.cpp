@@ -179,7 +179,7 @@ void append_csv(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
                          text_of(one, report::exact), one.unit, report::csv_text(one.meaning)));
 }
 
-// Without what the scene does not have.
+// Leaves out the facts that the scene does not have.
 void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
   for (const Facts& facts : parts) {
     if (&facts != &parts.front()) to.push_back('\n');

@@ -111,7 +111,7 @@ ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
                         Conversation conversation, const Tolerance& tolerance);
 
 // The cases that a tolerance asks for: all but the strict one leave out the extreme cases. With a
-// sample every k-th of these, so that at most so many of each function remain, the first always.
+// sample every k-th of these, so that at most `sample` of each function remain, always the first.
 std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance,
                                 std::size_t sample = 0);
 

@@ -219,7 +219,7 @@ class Asker {
     return has_answered_ ? limits_.one_case : std::max(limits_.first_answer, limits_.one_case);
   }
 
-  // To read is to go on, where all cases are there to be read.
+  // Where all cases were sent at once, a subject that reads on makes progress.
   void note_reading() {
     const std::size_t unread = process_->unread();
     if (at_once_ && unread < unread_) last_progress_ = Clock::now();

@@ -184,7 +184,7 @@ std::optional<Results> ellipse_eccentricity(const Arguments& a, Constants) {
   return right;
 }
 
-// With another R.
+// The ellipse with `radius` in place of R.
 std::optional<Results> ellipse_with_radius(const Arguments& a, double radius) {
   return ellipse_with(a, ellipse_shape(radii_ratio(a)), radius);
 }

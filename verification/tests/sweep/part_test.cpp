@@ -354,7 +354,7 @@ struct Process {
                    std::function<bool()> over = {})
       : parts({folder.file("out"), header, begin, false, std::move(over)}, four_parts,
               std::vector<bool>(4)) {}
-  // Takes and keeps so many chunks; gives their numbers.
+  // Takes and keeps at most `most` chunks; gives their numbers.
   ChunkList compute(int most) {
     ChunkList numbers;
     for (int i = 0; i < most; ++i) {

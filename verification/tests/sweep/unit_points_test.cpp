@@ -136,7 +136,7 @@ TEST(MonteCarlo, IsPhiloxOfPointAndDimension) {
     }
 }
 
-// P(χ² > x) for so many degrees of freedom.
+// P(χ² > x) with `freedom` degrees of freedom.
 double chi_squared_tail(double x, double freedom) {
   return boost::math::gamma_q(freedom / 2, x / 2);
 }
