@@ -19,7 +19,7 @@ using sweep::SceneResult;
 using sweep::SweepResult;
 
 constexpr std::size_t most_speeds = 11;
-constexpr int digits = 4;  // a quantile has three and a half
+constexpr int digits = 4;  // a quantile is exact to three and a half
 
 std::string number(double value, double factor = 1) {
   return std::isnan(value) ? "–" : rounded(factor * value, digits);

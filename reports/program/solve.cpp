@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck solve: the outputs at the scene's speeds, by the root find.
+// tribocheck solve: the outputs at the scene's speeds, each from a root of load sharing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ struct Facts {
   std::vector<Fact> all;
 };
 
-// All fields but those of a name, of lists and of steps. Speeds have their least and greatest.
+// The value of a field as JSON. Of speeds, however they are given, the least and the greatest.
 ordered_json input_of(const Scene& scene, std::size_t field) {
   const FieldInfo& info = scene_fields()[field];
   if (info.path == "speed.from") return detail::speed_span(scene.speeds).low;

@@ -76,7 +76,7 @@ TEST(Hertz, TableOneGivesTheHandChecks) {
   EXPECT_TRUE(is_within(hertz.peak_pressure, 1.077e9, 0.0005e9));
 }
 
-// The mean pressure times the area is the load; the peak is that of the other textbook form.
+// The mean pressure times the area is the load; the peak is 2E*a/(πR), as other textbooks have it.
 TEST(Hertz, StressesBalance) {
   Sampler sampler(3);
   for (int i = 0; i < 500; ++i) {
