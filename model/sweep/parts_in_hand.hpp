@@ -58,7 +58,7 @@ class PartsInHand {
     PartHeader header;
     std::size_t begin = 0;       // the part with which this process begins
     bool in_memory = false;      // all parts are of this process, and none is written
-    std::function<bool()> over;  // asked before a part is begun: is nobody waiting for it any more?
+    std::function<bool()> over;  // asked before a part is begun: is the sweep over?
   };
   // `there`: the parts that need not be computed. Throws std::runtime_error, with a text that names
   // the file, where the others could not be written.
@@ -67,14 +67,14 @@ class PartsInHand {
   // Looks for work of this process: chunks in hand, or else a part that it claims. False where all
   // parts are there or claimed.
   bool has_work();
-  // Is every part there, or the whole over?
+  // Is every part there, or is the sweep over?
   bool is_done();
   // The next chunk of this process. Any thread may ask.
   std::optional<std::uint64_t> next();
   // Keeps a chunk that next() has given; the last one of its part writes the part. Any thread may
   // call. Throws std::runtime_error, with a text that names the file, where it cannot be written.
   void keep(std::uint64_t chunk, Bytes bytes);
-  // Chunks that are there or kept, as far as is known: of other processes once a second.
+  // Chunks that are there or kept. Those of other processes are looked for once a second.
   std::uint64_t chunks_there();
   ChunksInMemory take_memory() { return std::move(in_memory_); }
 

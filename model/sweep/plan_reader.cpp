@@ -572,7 +572,7 @@ SweepReading parse_sweep(std::string_view text, const std::string& source) {
   if (!entries) return reading;
   SweepBinder(std::move(*entries), source, reading).bind();
   if (reading.sweep) {
-    reading.sweep->file = source.substr(source.rfind('/') + 1);  // the result is not to tell where
+    reading.sweep->file = source.substr(source.rfind('/') + 1);  // the result tells no folder
     reading.sweep->text = text;
   }
   return reading;

@@ -50,7 +50,7 @@ struct SobolIndex {
 };
 struct SobolIndices {
   std::vector<SobolIndex> first_order, total;  // of each variable
-  std::uint64_t groups = 0;                    // that they rest on
+  std::uint64_t groups = 0;                    // that they are computed from
 };
 SobolIndices sobol_indices(const SensitivityBlocks& blocks);
 
