@@ -72,7 +72,7 @@ void kill_children() {
   ::closedir(processes);
 }
 
-// The children of who dies become the guard's, which is why it kills until there are none.
+// The children of a process that dies become the guard's: so it kills until there are none.
 void end_all(pid_t program) {
   for (int i = 0; i < milliseconds_to_end; ++i) {
     pid_t ended = 0;
@@ -85,7 +85,7 @@ void end_all(pid_t program) {
   }
 }
 
-// The guard ends as the program ended, so that its end tells of that one.
+// The guard ends as the program ended, so that the guard's status tells the program's.
 [[noreturn]] void end_as(int status) {
   if (WIFSIGNALED(status)) {
     const rlimit no_core{0, 0};
@@ -229,7 +229,7 @@ void GuardedChild::end() {
   has_ended();
   ::kill(guard_, SIGTERM);
   for (int i = 0; ::waitpid(guard_, nullptr, WNOHANG) == 0; ++i) {
-    if (i == milliseconds_to_end + 1000) ::kill(guard_, SIGKILL);  // somebody has stopped it
+    if (i == milliseconds_to_end + 1000) ::kill(guard_, SIGKILL);  // the guard itself was stopped
     ::usleep(1000);
   }
   guard_ = -1;
