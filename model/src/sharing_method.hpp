@@ -27,7 +27,7 @@ constexpr double square_beyond_free(double film_exponent) {
 }
 
 // The range in which the engine's root may be used: nothing in it overflows or loses digits. Beyond
-// this range the formula text in long double is used.
+// this range the template in long double is used.
 inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiffness = 1e300;
 inline constexpr double sharing_greatest_offset = 40;
 inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;

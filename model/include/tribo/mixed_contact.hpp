@@ -256,7 +256,7 @@ class MixedContact {
 
 // In double the numbers come from the engine (src/engine.hpp): a point has the same bits alone and
 // in a batch of any size, on every x86-64 with fused multiply-add. Where its range might not be
-// enough (src/sharing_method.hpp) they are those of the formula text in long double, rounded.
+// enough (src/sharing_method.hpp) they are those of the template in long double, rounded.
 // Error: operating_point_contract; next to 0, where doubles are subnormal, the spacing of doubles.
 template <>
 class MixedContact<double> {

@@ -546,7 +546,7 @@ template Values<Reference> values_of(const Point& point);
 
 namespace {
 
-// max(1, Σ|d ln value/d ln input|) for each value, by differences of the text in 50 digits.
+// max(1, Σ|d ln value/d ln input|) for each value, by differences of the template in 50 digits.
 std::vector<double> conditions_by_differences(const Point& point) {
   constexpr double step = 0x1p-26;
   const std::vector<Reference> before = values_of<Reference>(point).numbers;
