@@ -15,7 +15,7 @@ namespace tribo::verification {
 namespace {
 
 // The film is a polynomial of the fourth order. The pressure is a parabola, under another that
-// makes a spike, lower or higher than the first; or that makes a dip upstream, which is none.
+// makes a spike, lower or higher than the first; or that makes a dip upstream, which is no spike.
 TEST(FilmFeatures, AreThoseOfTheCurve) {
   Sampler sampler(310);
   const ehl::LineContact contact{10, 5, {.exponent = 3, .density_pressure = 2}};

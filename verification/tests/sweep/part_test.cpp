@@ -26,7 +26,7 @@ namespace {
 
 const PartHeader header{"0.1.0", 1, "00ff", "FMA", {{"sweep.toml", "load = 20\n"}}, "7:8:9:10"};
 
-// The content of chunk `number`; sizes from nothing on.
+// The content of chunk `number`; the sizes begin at 0.
 Bytes content(std::uint64_t number) {
   std::mt19937_64 random(number);
   Bytes bytes(number * 37 % 200);
