@@ -56,7 +56,7 @@ std::string refusal(const LineContact& contact) {
   return {};
 }
 
-// The contact by its own numbers.
+// The contact in words, by the numbers that determine its film.
 std::string name_of(const LineContact& contact) {
   const Fluid& fluid = contact.fluid;
   std::string name = text("M = %.3g and L = %.3g", contact.load_number, contact.material_number);
@@ -167,8 +167,8 @@ CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales
 
 namespace {
 
-// The film by the grids that follow from one coarsest grid. The tolerance only says which is the
-// last: a contact solved to one is solved to each greater one, in fewer steps.
+// The film by the grids that follow from one coarsest grid. The tolerance only decides which grid
+// is the last: if one tolerance is met, each greater one is met too, on fewer grids.
 SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const SolveOptions& options,
                                const Watch& watch) {
   SolvedFilm solved;
@@ -198,7 +198,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     LineFilm finer = grids.empty() ? std::move(coarse.film)
                                    : solve_on(contact, coarse.density.nodes(cells), film, noting);
     if (failed(finer)) break;
-    // A second look at the finest grid, from as many cells less an eighth.
+    // A grid beside the finest one, with an eighth fewer cells, shows how much its values waver.
     const int cells_beside = cells - cells / 8;
     FilmFeatures beside;
     if (grids.size() >= 2) {
@@ -238,7 +238,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
   }
   solved.outcome = Outcome::solved;
   if (worst <= options.tolerance) {
-    solved.reason.clear();  // the failure of a grid that was not needed
+    solved.reason.clear();  // a finer grid may have failed, but was not needed
     return solved;
   }
   std::string met =

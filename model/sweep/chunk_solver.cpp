@@ -13,7 +13,7 @@
 namespace tribo::sweep {
 namespace {
 
-// A block of so many numbers is solved and then summed up while it is in the cache.
+// A block of this many numbers is solved and then summed up while it is in the cache.
 constexpr std::size_t block_numbers = 8192;
 
 }  // namespace

@@ -535,7 +535,7 @@ SweepReading parse_sweep(std::string_view text, const std::string& source) {
   if (auto entries = scene_detail::toml_entries(text, problems))
     sweep = SweepBinder(std::move(*entries), source, scene, problems).bind();
   if (sweep) {
-    sweep->file = source.substr(source.rfind('/') + 1);  // the result is not to tell where
+    sweep->file = source.substr(source.rfind('/') + 1);  // the result tells no folder
     sweep->text = text;
   }
   return {std::move(sweep), std::move(scene.errors), std::move(scene.warnings)};

@@ -28,7 +28,7 @@ class QuantileSketch {
   void merge(const QuantileSketch& other);
 
   std::uint64_t count() const { return count_; }
-  // The greatest memory() with so many values.
+  // The greatest memory() with `values` values.
   static double most_memory(double values);
   // Bytes that the sketch has allocated.
   std::size_t memory() const {

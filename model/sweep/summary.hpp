@@ -61,8 +61,8 @@ struct Quantile {
 Quantile quantile_of(const ValueSummary& summary, double p);
 
 // At most `most` bins from the least value to the greatest, without gaps, each made of the same
-// number of neighbouring bins of the sketch, so that the counts are exact: nearly of one width in
-// the logarithm.
+// number of neighbouring bins of the sketch, so that the counts are exact. In the logarithm the
+// bins are nearly of one width.
 std::vector<QuantileSketch::Bin> histogram_of(const QuantileSketch& sketch, std::size_t most);
 
 }  // namespace tribo::sweep

@@ -418,7 +418,7 @@ Command add_sweep(CLI::App& program) {
   app->add_flag("--without-fma", arguments->without_fma,
                 "compute as a processor without fused multiply-add does, to the last digit");
   app->add_flag("--mixed-fma", arguments->mixed_fma,
-                "with --resume: go on with what was computed with it, or without, as this is not");
+                "with --resume: also take parts of processors that differ in fused multiply-add");
 
   const auto merged = std::make_shared<SweepArguments>();
   CLI::App* merge = app->add_subcommand("merge", "put shards together");

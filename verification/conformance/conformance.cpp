@@ -157,7 +157,7 @@ class Judge {
   }
 
   void fail(QuantityVerdict& verdict, std::size_t i, std::size_t k, const Measured& measured) {
-    // The first failure is told, but rather one in the physical range.
+    // The first failure in the physical range is told, or else the first one of all.
     const bool is_physical = cases_[i].expected[k].is_physical;
     if (verdict.failed == 0 || (is_physical && verdict.failed_physical == 0))
       verdict.first_reason = fmt::format("{}: {}", cases_[i].id, measured.reason);
@@ -264,7 +264,7 @@ std::vector<std::string> notes_on(const std::vector<TestCase>& cases,
   return notes;
 }
 
-// A function stands for each of its quantities.
+// The name of a function stands for each of its quantities.
 bool stands_for(const std::string& wanted, const std::string& quantity) {
   return quantity == wanted || quantity.starts_with(wanted + ".");
 }
@@ -320,7 +320,7 @@ Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cas
     if (!(words >> quantity)) continue;
     if (!known.contains(quantity))
       throw std::runtime_error(fmt::format(
-          "{}:{}: {} is no quantity; `default`, or as in the table", text, number, quantity));
+          "{}:{}: {} is no quantity; give one of the table or `default`", text, number, quantity));
     if (!(words >> relative) || words >> rest || !(relative > 0) || !(relative < 1))
       throw std::runtime_error(
           fmt::format("{}:{}: {} needs one number above 0 and below 1", text, number, quantity));
@@ -342,7 +342,7 @@ std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& to
   std::vector<TestCase> kept;
   for (TestCase& one : cases) {
     const std::size_t i = seen[one.function]++, n = count[one.function];
-    // The first, and whenever i·sample/n reaches another whole number.
+    // Keeps the first case, and each one at which i·sample/n reaches another whole number.
     if (n <= sample || i == 0 || i * sample / n != (i - 1) * sample / n)
       kept.push_back(std::move(one));
   }

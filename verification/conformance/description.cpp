@@ -113,7 +113,7 @@ std::string exponents_in_words(const Part& part, const std::vector<AnsweredCase>
   for (std::size_t i = 0; i < extra.size(); ++i) {
     if (std::abs(extra[i]) <= 1e-4) continue;
     const catalogue::Parameter& input = function.parameters[i];
-    // Those of E* and R follow from those of U, G and W.
+    // The exponents of E* and R follow from those of U, G and W.
     if (!in_groups.empty() && (input.name == "effective_modulus" || input.unit == "m")) continue;
     const std::string symbol = symbol_of(input);
     if (std::abs(got->exponents[i]) <= 1e-4)
@@ -157,7 +157,7 @@ std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
       counts[one.branch].first += number.is_wrong && number.is_explained ? 1 : 0;
       counts[one.branch].second += number.is_left() ? 1 : 0;
     }
-  // After a named mistake, a few other wrong answers, such as near a border, are no news.
+  // After a named mistake, a few other wrong answers, such as near a border, are not told.
   std::vector<Part> all;
   for (auto& [key, part] : parts) {
     const auto [explained, rest] = counts[part.branch];

@@ -22,8 +22,8 @@ struct Part {
   const std::string& quantity() const { return wrong.front()->expected->quantity; }
 };
 
-// The parts with wrong answers that are still to be told. Few of them after a named mistake, such
-// as near a border, are no news.
+// The parts with wrong answers that are still to be told. After a named mistake a few wrong
+// answers, such as near a border, are not told.
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);
 
 // "27.5 % low everywhere": how the wrong numbers are off.

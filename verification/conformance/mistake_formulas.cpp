@@ -112,7 +112,7 @@ Results ellipse_with(const Arguments& a, const EllipseShape<double>& shape) {
 }
 Results right_ellipse(const Arguments& a) { return ellipse_with(a, ellipse_shape(radii_ratio(a))); }
 
-// Integrals of the parameter q^power in place of q = 1 − 1/k²; 1/2: the modulus, 2: the other way.
+// Integrals of q^power, not of q = 1 − 1/k². 1/2: the modulus √q was taken for q; 2: q for √q.
 EllipseShape<double> integrals_of_power(double k, double power) {
   const double q = (k - 1) * (k + 1) / (k * k), wrong = std::pow(q, power);
   // 1 − q^p without the cancellation of long ellipses
@@ -184,7 +184,7 @@ std::optional<Results> ellipse_eccentricity(const Arguments& a, Constants) {
   return right;
 }
 
-// With another R.
+// The ellipse with `radius` in place of R.
 std::optional<Results> ellipse_with_radius(const Arguments& a, double radius) {
   return ellipse_with(a, ellipse_shape(radii_ratio(a)), radius);
 }

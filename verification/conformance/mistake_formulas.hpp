@@ -17,7 +17,7 @@ namespace tribo::conformance {
 using FunctionFormula = std::optional<catalogue::Results> (*)(const catalogue::Arguments& arguments,
                                                               std::span<const double> numbers);
 
-// Null where there is no formula of this name for the function that takes so many numbers.
+// Null where the function has no formula of this name that takes this count of `numbers`.
 FunctionFormula find_formula(std::string_view function, std::string_view name, std::size_t numbers);
 
 }  // namespace tribo::conformance

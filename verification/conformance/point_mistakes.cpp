@@ -33,7 +33,7 @@ Mistake changed(const std::string& name, const std::string& text, std::vector<st
           .after = {}};
 }
 
-// A point of which another formula gives a part; it says nothing where that gives nothing.
+// A point with a part by another formula. Where `instead` gives nothing, the mistake says nothing.
 Mistake with_formula(const std::string& name, const std::string& text,
                      std::function<std::optional<Numbers>(const Question&)> instead) {
   return {.function = "operating_point",

@@ -18,7 +18,7 @@ struct AnsweredNumber {
   const Expected* expected;
   std::size_t place;  // in Numbers
   double got;
-  double allowed;  // error, absolute
+  double allowed;  // absolute error
   bool is_wrong;
   bool is_explained = false;  // by a mistake that was named
 
@@ -28,13 +28,13 @@ struct AnsweredNumber {
 
 struct AnsweredCase {
   Question question;
-  // The branch of the function that the case is of, as one may be wrong alone: "order 1.5",
+  // The case's branch of the function, because one branch may be wrong alone: "order 1.5",
   // "greenwood_tripp". Empty: the function has no branches.
   std::string branch;
   std::vector<AnsweredNumber> numbers;
 };
 
-// Without the cases that were not answered, and without fields that are no finite number.
+// The answered cases of a function, without fields that are no finite number.
 std::vector<AnsweredCase> answered_cases(const std::string& function,
                                          const std::vector<TestCase>& cases,
                                          const Conversation& conversation,
@@ -44,7 +44,7 @@ std::vector<AnsweredCase> answered_cases(const std::string& function,
 struct PowerLaw {
   std::vector<double> exponents;  // of each parameter; 0 for those that were held fixed
   double constant = 0;            // with its sign
-  double residual = 0;            // the greatest, of the logarithm
+  double residual = 0;            // the greatest error of the logarithm
   std::string held = {};          // "k = 1" where the fit is of those cases alone
 };
 
@@ -52,8 +52,8 @@ struct PowerLaw {
 // ratio.
 using NumberOf = std::function<double(const AnsweredCase&, const AnsweredNumber&)>;
 
-// Fits the result at `place`, over the cases of one branch (empty: all). An input that is in the
-// numbers not as a power, such as the ellipticity in the film's constant, is held at the value that
+// Fits the result at `place`, over the cases of one branch (empty: all). An input that does
+// not enter as a power, such as the ellipticity in the film's constant, is held at the value that
 // most cases have. Empty: there are too few cases, or the numbers are no product of powers, to
 // `closeness` of the logarithm.
 std::optional<PowerLaw> fit_power_law(const std::vector<AnsweredCase>& cases,
@@ -74,9 +74,9 @@ std::string symbol_of(const catalogue::Parameter& parameter);
 std::string where_wrong(const std::vector<AnsweredCase>& cases, const std::string& branch,
                         std::size_t place);
 
-// The manner of the errors along an input: as of an integral that ends too early, of digits that
-// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: no such
-// manner.
+// How the errors run along an input: as those of an integral that ends too early, of digits that
+// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: as none
+// of these.
 std::string manner_of_errors(const std::vector<AnsweredCase>& cases, const std::string& branch,
                              std::size_t place);
 

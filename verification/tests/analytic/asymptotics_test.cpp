@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ends of the ranges: how the film goes with the speed where one term is far greater than the
+// The ends of the ranges: how the film depends on the speed where one term is far greater than the
 // others. The comment above each limit proves a bound on the distance to the limit, and mostly a
 // bound from below, too, so that no window is loose. Slopes are by automatic differentiation in 50
 // digits, and nothing but the rounding of these digits is allowed for.

@@ -717,7 +717,7 @@ TEST(Continuity, OnsetEndsOnTheFloor) {
       EXPECT_TRUE(is_close(last.film_parameter, Reference(floor) * Reference(law.film_ratio(r)),
                            64 * ulp, {{"h_oil", edge.above}}));
       EXPECT_GT(last.speed, 0);
-      // 1 − A is at most the rounding of λ; u goes as (1 − A)^{0.14/0.67}
+      // 1 − A is at most the rounding of λ; u is proportional to (1 − A)^{0.14/0.67}
       const double fluid = contact.sharing().surface().hazard * 8 * ulp * floor;
       EXPECT_LE(last.speed, contact.speed_at(contact.sharing().flooded_film_parameter(
                                 floor * (1 + 8 * ulp), fluid)));

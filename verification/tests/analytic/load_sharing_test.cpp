@@ -86,7 +86,7 @@ TEST(LoadSharing, AsperitiesCarryAllAtTheFloorAndLessAbove) {
   EXPECT_GT(floors, 60);
 }
 
-// By the Taylor series near the floor, as the difference 1 − A beyond: no step where they meet.
+// The share comes from a Taylor series near the floor, and from 1 − A beyond: no step between them.
 TEST(LoadSharing, FluidShareAboveTheFloorKeepsItsDigits) {
   for (const auto model : asperity_models)
     for (const double stiffness : {2.0, 10.0, 1e6, 1e300}) {
@@ -103,7 +103,7 @@ TEST(LoadSharing, FluidShareAboveTheFloorKeepsItsDigits) {
     }
 }
 
-// K around 1/F(−δ), where A(0) = 1: ill-conditioned, but never lost.
+// K around 1/F(−δ), where A(0) = 1: ill-conditioned, but a root is always found.
 TEST(LoadSharing, CriticalStiffnessIsSolvedOnBothSides) {
   const double critical = 1 / gaussian_moment(Order::five_halves, -1.146);
   for (const double distance : {-1e-3, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-3})

@@ -82,8 +82,8 @@ TEST(Onset, FilmMaximumIsThatOfADenseSweep) {
         }
 }
 
-// With a rule that fades over many decades of r (a small γ), and asperities that carry nearly all
-// of the load up to λ = δ, the film has two maxima: one before the asperities let go, one after.
+// If starvation sets in over many decades of r (a small γ) and asperities carry nearly all of the
+// load up to λ = δ, the film has two maxima: one below that λ and one above.
 TEST(Onset, FilmMaximumAtConstantFlowIsTheGreatestOfSeveral) {
   constexpr std::array<std::pair<double, bool>, 2> flows{{{0.0111, true}, {0.0249, false}}};
   for (const auto& [flow, first_is_greatest] : flows) {
@@ -133,8 +133,8 @@ TEST(Onset, FrictionMinimumIsThatOfADenseSweep) {
     }
 }
 
-// Under little boundary friction the load that goes over to the fluid costs more than it saves: a
-// maximum parts the minimum of mixed lubrication from others near the greatest film.
+// With little boundary friction, load that passes from asperities to the fluid raises friction: a
+// maximum separates the minimum of mixed lubrication from others near the greatest film.
 TEST(Onset, FrictionMinimumIsTheLowestOfSeveral) {
   constexpr std::array<std::pair<double, bool>, 2> slide_roll_ratios{
       {{0.001, true}, {0.01, false}}};
@@ -231,7 +231,7 @@ TEST(Onset, ConstantFlowWithoutAsperitiesHasItsMaximumAtAConstantRatio) {
 }
 
 // The walk in long double, which solves no root, against the engine's roots. A film maximum is
-// flat: the error of its speed is the root of that of its film.
+// flat: the error of its speed is the square root of its film's error.
 TEST(Onset, IsThatOfTheWalkInLongDouble) {
   for (const auto model : asperity_models)
     for (const PaperSurface surface : paper_surfaces)

@@ -34,7 +34,7 @@ Reference film_slope(const LoadSharing<Reference>& sharing, const LoadShares<Ref
          (1 + ratio<Reference>(film.sharing_exponent) * hardening);
 }
 
-// In 50 digits, times 1/(1 − A): near the floor `sharing_residual` cancels.
+// The error of 50 digits. Near the floor it grows by 1/(1 − A), because `sharing_residual` cancels.
 constexpr double rounding = 1e-48;
 
 TEST(Sensitivity, FloodedFilmSlopeIsTheClosedForm) {
@@ -78,7 +78,7 @@ TEST(Sensitivity, StarvationSlopeIsTheDerivativeOfTheRatio) {
 }
 
 // d ln h*/d ln u = s + e·d ln y/d ln r with e = d ln r/d ln u: s at constant h_oil, 1 + s at
-// constant flow. The whole model with a derivative, against slopes of its parts.
+// constant flow. The derivative of the whole model is held against slopes of its parts.
 TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
   Sampler sampler(83);
   int compared = 0;
@@ -104,8 +104,8 @@ TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
     const double condition = static_cast<double>(1 / (film.shares.fluid * abs(expected)));
     EXPECT_TRUE(
         agree(film_log_slope(scene, u), expected, rounding, inputs, std::max(1.0, condition)));
-    // The model as it is called by its users. Newton's loop may end without its last step, and its
-    // derivative is then no better than the square root of ε.
+    // The model as its users call it. Newton's loop may end one step early, and the derivative that
+    // it gives is then no better than the square root of ε.
     EXPECT_TRUE(agree(log_slope(MixedContact<Dual>(scene).solve(variable(u)).film, u), expected,
                       1e-22, inputs, std::max(1.0, condition)));
   }

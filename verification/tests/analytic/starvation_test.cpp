@@ -56,7 +56,7 @@ TEST(Starvation, RatioSatisfiesItsDefiningEquation) {
     }
 }
 
-// Near each border between two ways of computing the ratio, and far from it; by the formula text
+// Near each border between two ways of computing the ratio, and far from it; by the template
 // and by the engine; with exponents that are legal, though nobody uses them.
 TEST(Starvation, KeepsItsContractOnBothSidesOfEachBranch) {
   std::vector<double> ratios{std::nextafter(1.0, 0.0), 1, std::nextafter(1.0, 2.0)};

@@ -147,7 +147,7 @@ struct Case {
   Values<Enclosure> truth;
   std::vector<double> condition;
 };
-// The point with its truth; empty where a branch of the text was not certain, or a root not proven.
+// The point with its truth; empty where a branch of the model was uncertain, or a root not proven.
 std::optional<Case> case_of(const Point& point) {
   try {
     Case made{point, enclose(point), {}};

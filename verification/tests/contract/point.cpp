@@ -106,7 +106,7 @@ void draw_film_ratio(Sampler& sampler, Point& point) {
 
 void draw_moment(Sampler& sampler, Point& point) {
   const int region = sampler.pick({0, 0, 0, 0, 0, 0, 1, 2});
-  // Arguments at which a series, the fraction or the factor of e^{−d²/2} ends, or underflows.
+  // Arguments at which another formula of F_n begins, or at which e^{−d²/2} or F_n underflows.
   const double branch = sampler.pick({0.0, 0.0625, 0.5, 1.0, 10.0, 10.845, 25.0, 32.27553, 36.6,
                                       37.0, 37.3, 37.5, 38.0, 38.4, 38.6, 40.0, 45.0});
   const double sign = sampler.pick({-1.0, 1.0});
@@ -165,7 +165,7 @@ void draw_film(Sampler& sampler, Point& point) {
              sampler.log_uniform(0.01, 20)};
 }
 
-// p₀, E*, S, β, η₀, u, k_f, with which the numerator is above 0, for some near 0.
+// Draws p₀, E*, S, β, η₀, u, k_f with the numerator of φ_T above 0, sometimes hardly above.
 void draw_heated_inlet(Sampler& sampler, Point& point) {
   auto& x = point.x;
   x = {0,
@@ -182,7 +182,7 @@ void draw_heated_inlet(Sampler& sampler, Point& point) {
 
 bool is_share(double x) { return x >= 0 && x <= 1; }
 
-// d ln/d ln of ln F is 1/ln F, but next to ln F = 0 the logarithm has the error of F, ε at least.
+// ln F has the relative error of F, at least ε, as its absolute error: many ulp if it is near 0.
 double logarithm_condition(double value) {
   const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
   return std::max(1.0, std::abs(value)) * 0x1p-52 / ulp;
@@ -387,7 +387,7 @@ std::vector<std::pair<std::string, double>> inputs_of(const Point& point) {
       std::vector<std::pair<std::string, double>> all;
       for (const auto& [name, number] : describe_numbers(point.scene))
         all.emplace_back(name, number);
-      if (point.kind > Kind::moment)  // the words alone count
+      if (point.kind > Kind::moment)  // these kinds use the words of the scene and x
         for (std::size_t i = 0; i < point.x.size(); ++i)
           all.emplace_back(fmt::format("x{}", i), point.x[i]);
       return all;
@@ -508,7 +508,7 @@ template Values<Reference> values_of(const Point& point);
 
 namespace {
 
-// max(1, Σ|d ln value/d ln input|) for each value, by differences of the text in 50 digits.
+// max(1, Σ|d ln value/d ln input|) for each value, by differences of the template in 50 digits.
 std::vector<double> conditions_by_differences(const Point& point) {
   constexpr double step = 0x1p-26;
   const std::vector<Reference> before = values_of<Reference>(point).numbers;
@@ -561,7 +561,7 @@ std::vector<double> conditions_of(const Point& point) {
     case Kind::astm_d341:
     case Kind::spectral_moments:
       return conditions_by_differences(point);
-    case Kind::shear:  // e^thickening carries its rounding
+    case Kind::shear:  // the condition of e^x is x, here ln(η/η₀)
       return {1 + point.x[4]};
     default:
       return std::vector<double>(6, 1);
@@ -590,8 +590,8 @@ Evaluation evaluate(const Point& point) {
 Values<Enclosure> enclose(const Point& point) {
   reference::undecided_comparisons = 0;
   Values<Enclosure> values = values_of<Enclosure>(point);
-  // A root that no ball tells from the floor: the ball of the one that the text takes for the
-  // greater holds both.
+  // The root may be so near the floor that no ball tells them apart. The model then takes one of
+  // the two, whose ball holds both.
   if (reference::undecided_comparisons != 0 && point.kind <= Kind::extreme_scene &&
       point.scene.supply.kind == SupplyKind::flooded) {
     const MixedContact<Enclosure> contact(point.scene);

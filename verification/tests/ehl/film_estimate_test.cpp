@@ -225,7 +225,7 @@ TEST(SolvedFilm, LongerInletMovesItByNoMoreThanStated) {
     const ehl::FilmFeatures after = ehl::features_of(contact, longer);
     EXPECT_GE(film.central.error, film.domain_error * film.central.value);
     EXPECT_GE(film.minimum.error, film.domain_error * film.minimum.value);
-    // An inlet eight times as long is endless but for a 64th.
+    // An inlet eight times as long leaves a 64th of the error of this one.
     for (const auto number : {&ehl::FilmFeatures::central, &ehl::FilmFeatures::minimum,
                               &ehl::FilmFeatures::at_greatest_pressure})
       EXPECT_TRUE(is_within(after.*number / before.*number, 1, film.domain_error))

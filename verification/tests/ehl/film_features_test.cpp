@@ -25,7 +25,7 @@ ehl::LineFilm curve_of(const ehl::Numbers& x, const Film& film, const Pressure& 
 }
 
 // The film is a polynomial of the fourth order. The pressure is a parabola, under another that
-// makes a spike, lower or higher than the first; or that makes a dip upstream, which is none.
+// makes a spike, lower or higher than the first; or that makes a dip upstream, which is no spike.
 TEST(FilmFeatures, AreThoseOfTheCurve) {
   Sampler sampler(310);
   const ehl::LineContact contact{10, 5, {.exponent = 3, .density_pressure = 2}};

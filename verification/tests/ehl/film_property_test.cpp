@@ -45,7 +45,7 @@ TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
         EXPECT_GT(film.film[row], 0);
         if (i == 0) continue;
         if (film.pressure[row] > 0) {
-          // The flow is the dragged flow less the driven one, and is met to the rounding of these.
+          // The flow is the dragged flow less the flow by pressure: their rounding is allowed.
           const double dragged = film.film[row];
           EXPECT_TRUE(is_within(balance.flow[row], film.mass_flow, 1e-8 * (1 + dragged)))
               << "X = " << film.x[i];
@@ -57,7 +57,7 @@ TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
       // The pressure is 0 at the ends, but for the rounding of linear equations.
       EXPECT_LT(film.pressure[0], 1e-30);
       EXPECT_LT(film.pressure[film.pressure.size() - 1], 1e-30);
-      // The film is that of the pressure.
+      // The film follows from the pressure.
       const Eigen::VectorXd elastic = ehl::FilmKernel(film.x) * film.pressure;
       for (std::size_t i = 0; i < film.x.size(); i += 17) {
         const auto row = static_cast<Eigen::Index>(i);
@@ -217,7 +217,7 @@ TEST(SolveLineFilm, SolvesToEachLooserToleranceInNoMoreWork) {
   std::vector<ehl::LineContact> contacts;
   ContactSampler sampler(32);
   for (int i = 0; i < 8; ++i) contacts.push_back(sampler.next().contact);
-  // Steel at 3 and 2 GPa, once solved to 3e-5, but refused to 1e-2.
+  // Steel at 3 and 2 GPa, which an earlier version solved to 3e-5 but not to 1e-2.
   for (const double index : {0.68, 1.0}) {
     ehl::LineContact heavy = ehl::barus_contact(300, 25);
     heavy.fluid.roelands_pressure = 15;

@@ -80,7 +80,7 @@ std::vector<Comparison> comparisons(const Models& models) {
           {"C13", 1e-4, &models.smooth_gw, &models.smooth, &Point::film_parameter},
           {"C14", 1e-4, &models.smooth, &models.smooth_gw, &Point::friction}};
 }
-// The speed at which the area has fallen halfway, by halving.
+// The speed at which the area has fallen halfway, by bisection.
 double transition(const MixedContact<double>& contact, double onset) {
   constexpr double lowest = 1e-4;
   const auto area = [&](double speed) { return contact.solve(speed).real_area_ratio; };
@@ -101,7 +101,7 @@ TEST(Extremes, LeastAreaOfTheTransitionIsThatOfADenseSweep) {
   EXPECT_TRUE(is_close(*got.value, expected, 1e-9, {}));
   EXPECT_TRUE(is_within(*got.value, 1.3469, 5e-5));
   EXPECT_LT(got.error, 1e-10);
-  // The reading that a coarse grid let pass: 1.112 is more than 1 % of the axis.
+  // A coarse grid took this reading for reproduced, but 1.112 is more than 1 % of the axis.
   const ItemResult lost =
       judged(item("C10"),
              evaluate(scenes(),
@@ -278,7 +278,7 @@ TEST(FloodedSlope, IsThatOfTheFilm) {
   }
 }
 
-// The rounding error that errors are computed from, against the model in a wider type.
+// rounding(), from which the numbers' errors are computed, bounds the distance to a wider type.
 TEST(Rounding, OfAPointIsBelowWhatItIsTakenFor) {
   Sampler sampler(33);
   const ReadInlet inlet(corrected_reading());
@@ -342,7 +342,7 @@ std::optional<Estimate> held_fall(const SampledCurve<Function>& curve, const Fun
   return fall;
 }
 
-// Extremes, parts and falls of a function with several waves, by either effort: the true number
+// Extremes, parts and falls of a function with several waves, by each Effort: the true number
 // lies within the error.
 TEST(SampledCurves, AreWithinTheirErrors) {
   Sampler sampler(34);
@@ -424,8 +424,8 @@ TEST(SampledCurves, OfACrossingWithinTheNoiseHaveTheWholeCellForAnError) {
 
 // sin(x + phase) on [0, 6], whose values are all off by their noise: errors cover the true ones,
 // and are not far above them. A number is off by the noise over the slope there, a part by twice
-// that over the length. What lies between nodes is judged by its mean, as a node may be on an
-// extremum.
+// that over the length. Errors of extremes on the grid are judged by their mean, because a node may
+// lie on an extremum.
 TEST(SampledCurves, StateErrorsOfTheSizeOfTheTrueOnes) {
   Sampler sampler(36);
   double stated = 0, true_ones = 0;
@@ -581,7 +581,7 @@ TEST(Margins, OfAPartOfTheSpeedsAreFromOneHalf) {
   // Where the worst number is nearer to its threshold, its distance is the margin.
   EXPECT_EQ(margin_of_verdict(item("C14"), {0.99, 1.2, 0.7, {}, 1e-12, 1e-3})->of,
             MarginOf::number);
-  // Where numbers are few, the greatest that at least half of them reach decides.
+  // Where there are few numbers, the greatest value that at least half of them reach decides.
   const Margin middle = *margin_of_verdict(item("C5"), {0.5, 1.01, 0.5, {}, 1e-12, {}, 1.01});
   EXPECT_TRUE(is_close(middle.distance, std::log(1.01), 1e-12, {}));
 }

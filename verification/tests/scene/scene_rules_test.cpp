@@ -537,8 +537,8 @@ TEST(SceneThresholds, ChangeTheVerdictAtTheirLimit) {
   for (const char* face :
        {"first_radius_x", "second_radius_x", "first_radius_y", "second_radius_y"})
     ball.set(std::string("bodies.") + face, "1");
-  // Loads at which an axis is half a radius: a³ = 3FR/(4E*), b² = 4FR/(πE*L), and of an ellipse a³
-  // goes as F; α = (k²E − K)/(K − E) at k = 8.
+  // Loads at which an axis is half a radius: a³ = 3FR/(4E*), b² = 4FR/(πE*L), and of an ellipse
+  // a³ ∝ F; α = (k²E − K)/(K − E) at k = 8.
   const auto with = [](SceneText text, const char* path, const char* value) {
     return text.set(std::string("bodies.") + path, value);
   };

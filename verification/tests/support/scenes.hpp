@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that the checks use: the paper's surfaces, and random ones within what is built in steel.
+// Scenes that the checks use: the paper's surfaces, and random contacts as they are built of steel.
 #pragma once
 
 #include <fmt/format.h>
