@@ -79,6 +79,7 @@ HWY_INLINE void add_hertz(D d, ContactShape shape, const detail::SceneNumbers<V>
 }
 
 // Are the numbers of a contact within the bounds of sharing_method.hpp? So is 0, where it is legal.
+// Each number of SceneNumbers that is multiplied, divided by or raised to a power stands here.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, ContactShape shape, const detail::SceneNumbers<V>& scene,
                                    const detail::ContactNumbers<V>& contact) {

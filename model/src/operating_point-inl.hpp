@@ -239,6 +239,7 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
     put(Output::summit_count, moment_at(d, order, count_order(words.model), surface,
                                         contact.count_factor, apart, shares.asperity));
   }
+  // Only friction is left. An output that is computed without it stands above this line.
   if (to.numbers[static_cast<std::size_t>(Output::friction)] == nullptr) return;
   // μ = μ_b A + τ (1 − A_r/A_nom)/p̄
   add(Work::shear_stress, present);

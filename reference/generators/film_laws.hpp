@@ -15,7 +15,7 @@ struct Law {
   std::uint64_t seed;
   int rows;
 };
-// The first eight in the order of film_formula_words (tribo/film_laws.hpp).
+// Those that scenes name come first, in the order of film_formula_words (tribo/film_laws.hpp).
 inline constexpr Law laws[] = {
     {"hamrock_dowson_central", "h0 = 2.69 R U^0.67 G^0.53 W^-0.067 (1 - 0.61 exp(-0.73k))", "f",
      false, 2690, 1000, 670, 530, -67, 61, 73, 505, 120},

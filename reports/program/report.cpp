@@ -62,7 +62,7 @@ Command add_report(CLI::App& program) {
       "report", "the paper's figures and onsets recomputed: a page, pictures, data");
   app->footer(report_footer);
   const auto options = std::make_shared<report::ReportOptions>();
-  app->add_option("--out", options->out, "folder to write to (default: reports/out)");
+  app->add_option("-o,--out", options->out, "folder to write to (default: reports/out)");
   app->add_option("--section", options->sections,
                   "only this section, by its id (claims, uncertainty, gates, …); may be repeated")
       ->allow_extra_args(false);

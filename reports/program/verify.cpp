@@ -40,7 +40,8 @@ std::string summary(const std::vector<QuantityResult>& results) {
     if (one.passed())
       ++held;
     else
-      failed += (failed.empty() ? "" : ", ") + one.quantity;
+      failed += (failed.empty() ? "" : ", ") + one.quantity +
+                (one.cases == 0 ? " (no table of reference/exact has a row of it)" : "");
   }
   return fmt::format("{}: {} of {} quantities held, in {} cases{}.",
                      failed.empty() ? "COMPLETE" : "FAILED", held, results.size(), cases,

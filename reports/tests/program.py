@@ -10,7 +10,7 @@ import tempfile
 
 PROGRAM = os.environ["TRIBOCHECK"]
 SWEEP_PROGRAM = PROGRAM + "_sweep"  # which `tribocheck sweep` becomes
-TIMEOUT = 120  # seconds; against hanging, not a measure of speed
+TIMEOUT = 280  # seconds; against hanging, not a measure of speed
 
 ENVIRONMENT = dict(os.environ)
 # Under nohup, or in the background of a shell, a process ignores these signals, and so would the programs that it starts.

@@ -14,7 +14,7 @@ import page_pictures
 import page_sentences
 import page_tables
 from page_perturbed import perturbed
-from report_files import FIGURES, ROOT, SECTIONS, WORK_FIGURES, PageReader, WrittenReport, report
+from report_files import FIGURES, ROOT, SECTIONS, WORK_FIGURES, PageReader, WrittenReport, report, table
 
 
 class Page(WrittenReport):
@@ -66,6 +66,16 @@ class Page(WrittenReport):
                 self.assertIn(f'<a id="{target[1:]}"></a>', text)
             elif not target.startswith("https://"):
                 self.assertTrue((self.out / target).is_file(), target)
+
+    def test_pictures_take_the_columns_of_a_curve_by_their_places(self):
+        names = next(iter(table(self.out / "data/curve_rough.tsv")))
+        frame = (ROOT / "reports/page/gnuplot/stribeck.gp").read_text()
+        places = dict(re.findall(r"(\w+) = (\d+)[;\n]", frame))
+        called = {"asperity_share": "asperity_load_share", "fluid_share": "fluid_load_share", "area": "real_area_ratio",
+                  "summits": "summit_count"}
+        self.assertEqual(set(places), {"speed", "film", "film_parameter", "friction", "inlet", *called})
+        for name, place in places.items():
+            self.assertEqual(list(names)[int(place) - 1], called.get(name, name), "stribeck.gp counts other columns than curves have")
 
     def test_sections_and_tables_are_whole(self):
         report = json.loads((self.out / "report.json").read_text())

@@ -69,7 +69,7 @@ struct PointResult {
   WordResult<Inlet> inlet;
 };
 // Its numbers, in the order of Output.
-inline constexpr std::array<double PointResult::*, number_count> point_numbers{
+inline constexpr auto point_numbers = std::to_array<double PointResult::*>({
     &PointResult::film_flooded,
     &PointResult::film,
     &PointResult::separation,
@@ -78,7 +78,9 @@ inline constexpr std::array<double PointResult::*, number_count> point_numbers{
     &PointResult::fluid_load_share,
     &PointResult::real_area_ratio,
     &PointResult::summit_count,
-    &PointResult::friction};
+    &PointResult::friction,
+});
+static_assert(point_numbers.size() == number_count);
 
 // Instead of a result.
 enum class Status : std::uint8_t { done, skipped, undefined, failed };

@@ -26,9 +26,9 @@ class Sampler {
   Choice pick(std::initializer_list<Choice> choices) {
     return choices.begin()[engine_() % choices.size()];
   }
-  template <class Choice, std::size_t count>
-  Choice pick(const std::array<Choice, count>& choices) {
-    return choices[engine_() % count];
+  template <class Choices>
+  auto pick(const Choices& choices) {
+    return choices[engine_() % choices.size()];
   }
 
  private:

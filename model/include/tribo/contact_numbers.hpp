@@ -24,6 +24,7 @@ struct SurfaceNumbers {
   T film_at_unit_speed;  // λ₀/u^a; NaN of a contact beyond the kernels' range
 };
 
+// What a scene gives only to be multiplied into another number is not here.
 template <class T>
 struct ContactNumbers {
   SurfaceNumbers<T> surface;
@@ -82,52 +83,58 @@ InletLaw<T> inlet_law(const ContactWords& words, const Numbers<T>& numbers) {
 ContactWords words_of(const Scene& scene);
 ContactWords words_of(const Scene& scene, const FilmLaw& film);
 
-// The numbers of a scene as they are given, and the same numbers in another type, without the
-// ellipse.
+// The numbers of a scene as they are given, without the ellipse. A sweep writes its values into
+// them (Access::number of scene/schema.hpp): a field is handed on unchanged.
 inline SceneNumbers<double> given_numbers(const Scene& scene) {
   const Surface& surface = scene.surface;
   const Bodies& bodies = scene.bodies;
   const ContactShape shape = bodies.shape();
-  return {scene.load,
-          surface.summit_density,
-          surface.summit_radius,
-          surface.summit_height_sd,
-          surface.summit_plane_offset,
-          static_cast<double>(surface.offset_planes),
-          bodies.effective_modulus,
-          shape == ContactShape::circle ? bodies.reduced_radius : bodies.radius_x,
-          bodies.ellipticity,
-          scene.lubricant.viscosity,
-          scene.lubricant.pressure_viscosity,
-          scene.lubricant.eyring_stress.value_or(1),
-          scene.supply.value,
-          scene.friction.boundary_coefficient.value_or(0),
-          scene.friction.slide_roll_ratio,
-          scene.closures.damiens_exponent,
-          shape == ContactShape::line ? bodies.length : bodies.radius_y,
-          {}};
+  return {.load = scene.load,
+          .summit_density = surface.summit_density,
+          .summit_radius = surface.summit_radius,
+          .summit_height_sd = surface.summit_height_sd,
+          .summit_plane_offset = surface.summit_plane_offset,
+          .offset_planes = static_cast<double>(surface.offset_planes),
+          .effective_modulus = bodies.effective_modulus,
+          .radius_x = shape == ContactShape::circle ? bodies.reduced_radius : bodies.radius_x,
+          .ellipticity = bodies.ellipticity,
+          .viscosity = scene.lubricant.viscosity,
+          .pressure_viscosity = scene.lubricant.pressure_viscosity,
+          .eyring_stress = scene.lubricant.eyring_stress.value_or(1),
+          .supply = scene.supply.value,
+          .boundary_coefficient = scene.friction.boundary_coefficient.value_or(0),
+          .slide_roll_ratio = scene.friction.slide_roll_ratio,
+          .damiens_exponent = scene.closures.damiens_exponent,
+          .across = shape == ContactShape::line ? bodies.length : bodies.radius_y,
+          .ellipse = {}};
+}
+
+// `convert` is called with each number, in the order of the struct.
+template <class T, class Convert>
+SceneNumbers<T> numbers_by(const SceneNumbers<double>& n, Convert&& convert) {
+  return {.load = convert(n.load),
+          .summit_density = convert(n.summit_density),
+          .summit_radius = convert(n.summit_radius),
+          .summit_height_sd = convert(n.summit_height_sd),
+          .summit_plane_offset = convert(n.summit_plane_offset),
+          .offset_planes = convert(n.offset_planes),
+          .effective_modulus = convert(n.effective_modulus),
+          .radius_x = convert(n.radius_x),
+          .ellipticity = convert(n.ellipticity),
+          .viscosity = convert(n.viscosity),
+          .pressure_viscosity = convert(n.pressure_viscosity),
+          .eyring_stress = convert(n.eyring_stress),
+          .supply = convert(n.supply),
+          .boundary_coefficient = convert(n.boundary_coefficient),
+          .slide_roll_ratio = convert(n.slide_roll_ratio),
+          .damiens_exponent = convert(n.damiens_exponent),
+          .across = convert(n.across),
+          .ellipse = {}};
 }
 
 template <class T>
 SceneNumbers<T> numbers_in(const SceneNumbers<double>& n) {
-  return {T(n.load),
-          T(n.summit_density),
-          T(n.summit_radius),
-          T(n.summit_height_sd),
-          T(n.summit_plane_offset),
-          T(n.offset_planes),
-          T(n.effective_modulus),
-          T(n.radius_x),
-          T(n.ellipticity),
-          T(n.viscosity),
-          T(n.pressure_viscosity),
-          T(n.eyring_stress),
-          T(n.supply),
-          T(n.boundary_coefficient),
-          T(n.slide_roll_ratio),
-          T(n.damiens_exponent),
-          T(n.across),
-          {}};
+  return numbers_by<T>(n, [](double x) { return T(x); });
 }
 
 // The numbers that a contact is prepared from. An ellipse's axes are computed here, once for all

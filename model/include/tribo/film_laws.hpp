@@ -108,7 +108,8 @@ inline constexpr FilmLaw ertel_grubin_law{.constant = {195, 100},
                                           .load_exponent = {-1, 11},
                                           .is_of_lines = true};
 
-// The laws that scenes name: those of points first, then those of lines.
+// The laws that scenes name: those of points first, then those of lines. A law has its row above,
+// its value here and its word below; messages, sweeps and the JSON Schema follow.
 enum class FilmFormula : std::uint8_t {
   hamrock_dowson_central,
   hamrock_dowson_minimum,

@@ -47,15 +47,12 @@ struct OperatingPoint {
 // The numbers of a point, in the order of Output.
 template <class T>
 std::array<T, number_count> numbers_of(const OperatingPoint<T>& point) {
-  return {point.film_flooded,
-          point.film,
-          point.separation,
-          point.film_parameter,
-          point.asperity_load_share,
-          point.fluid_load_share,
-          point.real_area_ratio,
-          point.summit_count,
-          point.friction};
+  const auto numbers =
+      std::to_array<T>({point.film_flooded, point.film, point.separation, point.film_parameter,
+                        point.asperity_load_share, point.fluid_load_share, point.real_area_ratio,
+                        point.summit_count, point.friction});
+  static_assert(numbers.size() == number_count);
+  return numbers;
 }
 
 namespace detail {

@@ -49,7 +49,8 @@ struct OutputInfo {
   std::span<const std::string_view> words = {};  // empty: a number
 };
 
-// In the order of Output, numbers first.
+// In the order of Output, numbers first. The columns of curves follow it;
+// reports/page/gnuplot/stribeck.gp has their places.
 inline constexpr auto output_infos = std::to_array<OutputInfo>({
     {Output::film_flooded, "film_flooded", "m",
      "h_ff, film of the fully flooded contact with load sharing; the film law's h₀, which is that "
@@ -115,7 +116,8 @@ class OutputSet {
   std::uint32_t bits_ = 0;
 };
 
-// The outputs that depend on the balance of the load.
+// The outputs that depend on the balance of the load: an output that is computed from A belongs
+// here.
 constexpr OutputSet balance_outputs() {
   OutputSet set;
   for (const Output output :

@@ -31,7 +31,7 @@ struct FieldInfo {
   std::span<const std::string_view> choices = {};  // choice: the legal words
   std::string_view default_text = "";              // empty: no default
   bool required = false;                 // always, or in the table `speed` where that is given
-  std::optional<Output> needed_by = {};  // the only output that needs the field
+  std::optional<Output> needed_by = {};  // the one output that needs the field
   double plausible_minimum = 0;          // legal numbers beyond these two get a warning
   double plausible_maximum = std::numeric_limits<double>::infinity();
   std::string_view meaning = "";

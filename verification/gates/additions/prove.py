@@ -111,7 +111,8 @@ class Tree:
             raise Red(f"{file} is not there")
         found = change["find"]
         if old.count(found) != 1:
-            raise Red(f"{file}: this text stands {old.count(found)} times, not once: {found.strip().splitlines()[0]}")
+            raise Red(f"{file}: additions.toml puts its change beside a text that stands here {old.count(found)} times, not once; where your "
+                      f"own change of this file is right, give additions.toml the new text: {found.strip().splitlines()[0]}")
         self.texts[file] = old.replace(found, change.get("replace", change.get("before", "") + found + change.get("after", "")))
 
     def write(self, to):

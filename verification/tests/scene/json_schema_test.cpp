@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // reference/scene.schema.json says what the table of fields says, no more and no less: the schema
 // is built from the table and compared with the committed file. To write the file anew:
-//   TRIBOCHECK_UPDATE_SCHEMA=1 scene_tests --gtest_filter=JsonSchema.*
+//   TRIBOCHECK_UPDATE_SCHEMA=1 build/release/verification/tests/json_schema_test
 // reports/tests/test_schema.py then shows that schema and reader judge the same scenes alike.
 #include <gtest/gtest.h>
 
@@ -232,7 +232,9 @@ TEST(JsonSchema, SaysWhatTheTableOfFieldsSays) {
   ASSERT_TRUE(file) << schema_file;
   const Json committed = Json::parse(file, nullptr, false);
   ASSERT_FALSE(committed.is_discarded()) << schema_file << " is not JSON";
-  EXPECT_EQ(committed, wanted) << "to make " << schema_file << " follow the table:\n"
+  EXPECT_EQ(committed, wanted) << schema_file << " does not follow the table of fields; with "
+                               << "TRIBOCHECK_UPDATE_SCHEMA=1 in the environment this program "
+                               << "writes it anew. The difference:\n"
                                << Json::diff(committed, wanted).dump(2);
 }
 

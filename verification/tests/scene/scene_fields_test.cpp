@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every field of the schema, spoilt in every way, in TOML and in JSON: the legal values follow from
 // the row of the table alone, so that a new row is tested as soon as it is there.
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "scene/scene_text.hpp"
+#include "scene/schema.hpp"
+#include "support/scenes.hpp"
 #include "support/threshold.hpp"
+#include "tribo/mixed_contact.hpp"
 
 namespace tribo::scene_test {
 namespace {
@@ -310,6 +315,39 @@ TEST(SceneFields, PlausibleRangesLieWithinTheLegalOnes) {
           << field.path << ' ' << end;
     }
     EXPECT_FALSE(field.meaning.empty()) << field.path;
+  }
+}
+
+// Two texts of a formula are compared at random scenes: a field that none of these draws is held by
+// no comparison. Sets that take the place of others are left out, as a scene has one of them.
+TEST(RandomScenes, DrawEachFieldOfTheTable) {
+  const auto takes_the_place_of_others = [](std::string_view path) {
+    for (const FieldGroup& group : scene_field_groups())
+      for (const FieldSet& set : group.subspan(1))
+        if (std::find(set.fields.begin(), set.fields.end(), path) != set.fields.end()) return true;
+    return false;
+  };
+  for (const FieldInfo& field : number_fields()) {
+    if (field.path.starts_with("speed") || takes_the_place_of_others(field.path)) continue;
+    const std::size_t place = scene_detail::field_at(field.path);
+    verification::Sampler sampler(12);
+    std::optional<double> first;
+    bool varies = false, moves = false;
+    for (int i = 0; i < 500 && !(varies && moves); ++i) {
+      const Scene scene = verification::random_scene(sampler);
+      const std::optional<double> value = scene_detail::value_in(scene, place);
+      if (!value) continue;
+      varies = varies || *value != first.value_or(*value);
+      first = value;
+      Scene moved = scene;
+      scene_detail::store_of(place)(moved, *value == 0 ? 1 : *value * 2);
+      const double speed = scene.speeds.list.front();
+      moves = moves || numbers_of(MixedContact<double>(scene).solve(speed)) !=
+                           numbers_of(MixedContact<double>(moved).solve(speed));
+    }
+    EXPECT_EQ(varies, true) << field.path << " is the same in 500 random scenes: draw it in "
+                            << "verification/tests/support/scenes.hpp";
+    EXPECT_EQ(moves, true) << field.path << " moves no output of 500 random scenes";
   }
 }
 

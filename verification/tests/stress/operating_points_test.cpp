@@ -17,7 +17,7 @@
 namespace tribo::verification {
 namespace {
 
-constexpr std::array<std::vector<double> OperatingPoints::*, number_count> arrays{
+constexpr auto arrays = std::to_array<std::vector<double> OperatingPoints::*>({
     &OperatingPoints::film_flooded,
     &OperatingPoints::film,
     &OperatingPoints::separation,
@@ -26,7 +26,9 @@ constexpr std::array<std::vector<double> OperatingPoints::*, number_count> array
     &OperatingPoints::fluid_load_share,
     &OperatingPoints::real_area_ratio,
     &OperatingPoints::summit_count,
-    &OperatingPoints::friction};
+    &OperatingPoints::friction,
+});
+static_assert(arrays.size() == number_count);
 
 OutputSet only(std::initializer_list<Output> outputs) {
   OutputSet set;

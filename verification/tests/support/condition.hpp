@@ -135,25 +135,13 @@ template <>
 inline SceneNumbers<verification::Dual> numbers_of(const Scene& scene) {
   const SceneNumbers<double> n = numbers_of<double>(scene);
   std::size_t input = 1;
-  const auto seed = [&](double x) { return verification::Dual(x, input++); };
-  SceneNumbers<verification::Dual> numbers{seed(n.load),
-                                           seed(n.summit_density),
-                                           seed(n.summit_radius),
-                                           seed(n.summit_height_sd),
-                                           seed(n.summit_plane_offset),
-                                           n.offset_planes,
-                                           seed(n.effective_modulus),
-                                           seed(n.radius_x),
-                                           seed(n.ellipticity),
-                                           seed(n.viscosity),
-                                           seed(n.pressure_viscosity),
-                                           seed(n.eyring_stress),
-                                           seed(n.supply),
-                                           seed(n.boundary_coefficient),
-                                           seed(n.slide_roll_ratio),
-                                           seed(n.damiens_exponent),
-                                           seed(n.across),
-                                           {}};
+  SceneNumbers<verification::Dual> numbers =
+      numbers_by<verification::Dual>(n, [&](const double& x) -> verification::Dual {
+        if (&x == &n.offset_planes) return x;
+        return {x, input++};
+      });
+  if (input != verification::Dual::inputs)
+    throw std::logic_error("Dual::inputs is not the number of inputs of a scene");
   if (scene.bodies.shape() == ContactShape::ellipse) numbers.set_ellipse();
   return numbers;
 }

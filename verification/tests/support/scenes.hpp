@@ -21,6 +21,15 @@ inline constexpr std::array starvation_closures{
     StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
     StarvationClosure::printed_exponents, StarvationClosure::damiens};
 
+// The laws that scenes of lines, or of points, may name.
+inline std::vector<FilmFormula> film_formulas(bool of_lines) {
+  std::vector<FilmFormula> formulas;
+  for (std::size_t i = 0; i < named_film_laws.size(); ++i)
+    if (named_film_laws[i].law->is_of_lines == of_lines)
+      formulas.push_back(static_cast<FilmFormula>(i));
+  return formulas;
+}
+
 // Table 1 of the paper with its misprints mended (model/README.md, section 10).
 enum class PaperSurface : int { rough, medium, smooth };
 inline constexpr std::array paper_surfaces{PaperSurface::rough, PaperSurface::medium,
@@ -55,6 +64,7 @@ inline Scene starved_scene(PaperSurface surface, StarvationClosure closure,
   return scene;
 }
 
+// Random numbers and words of each field of the usual sets (RandomScenes.DrawEachFieldOfTheTable).
 inline Scene random_scene(Sampler& sampler) {
   Scene scene;
   scene.load = sampler.log_uniform(0.1, 1e4);
@@ -90,13 +100,7 @@ inline Scene random_scene(Sampler& sampler) {
   scene.closures.asperity = sampler.pick(asperity_models);
   scene.closures.starvation = sampler.pick(starvation_closures);
   scene.closures.damiens_exponent = sampler.uniform(1, 5);
-  scene.closures.film =
-      shape == ContactShape::line
-          ? sampler.pick({FilmFormula::dowson_higginson_minimum, FilmFormula::dowson_toyoda_central,
-                          FilmFormula::pan_hamrock_minimum, FilmFormula::pan_hamrock_central})
-          : sampler.pick({FilmFormula::hamrock_dowson_central, FilmFormula::hamrock_dowson_minimum,
-                          FilmFormula::hamrock_dowson_soft_central,
-                          FilmFormula::hamrock_dowson_soft_minimum});
+  scene.closures.film = sampler.pick(film_formulas(shape == ContactShape::line));
   return scene;
 }
 

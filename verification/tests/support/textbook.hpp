@@ -153,6 +153,7 @@ inline constexpr FilmFit film_fits[] = {
     {7.32, 0.64, 0, -0.22, 0.72, 0.28},     {7.43, 0.65, 0, -0.21, 0.85, 0.31},
     {2.65, 0.7, 0.54, -0.13, 0, 0},         {3.06, 0.69, 0.56, -0.1, 0, 0},
     {1.714, 0.694, 0.568, -0.128, 0, 0},    {2.922, 0.692, 0.47, -0.166, 0, 0}};
+static_assert(std::size(film_fits) == named_film_laws.size());
 
 inline Point solve(const Scene& scene, double u) {
   const Surface& s = scene.surface;

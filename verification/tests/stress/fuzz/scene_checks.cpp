@@ -141,7 +141,7 @@ void check_words(const Scene& scene) {
           "asperity is known", scene.id);
   require(is_among(scene.closures.starvation, StarvationClosure::damiens), "starvation is known",
           scene.id);
-  require(is_among(scene.closures.film, FilmFormula::pan_hamrock_central), "film is known",
+  require(static_cast<std::size_t>(scene.closures.film) < named_film_laws.size(), "film is known",
           scene.id);
   require(is_among(scene.supply.kind, SupplyKind::inlet_flow), "supply is known", scene.id);
   require(is_among(scene.speeds.spacing, Spacing::lin), "spacing is known", scene.id);
