@@ -431,9 +431,9 @@ class Run {
       if (start.replaceable.only) header_.replaces = start.replaceable.only->text();
       OwnersNote note{header_, settings_.shard.value_or(no_shard)};
       note.header.files.clear();
-      Sender sender;
-      sender(note);
-      lock_->note(sender.bytes);
+      Bytes bytes;
+      Sender{bytes}(note);
+      lock_->note(bytes);
     });
     settings_.result = ranks_.from_first(settings_.result);
     header_.replaces = ranks_.from_first(header_.replaces);

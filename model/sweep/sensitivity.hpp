@@ -37,7 +37,7 @@ struct SensitivitySums {
   void add(std::span<const double> values, double nominal);
   void merge(const SensitivitySums& other);
   void write(Bytes& to) const;
-  static SensitivitySums read(ByteReader& from);
+  static SensitivitySums read(Receiver& from);
 };
 
 // The sums of one column in each block.
