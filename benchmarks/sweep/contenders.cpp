@@ -132,8 +132,10 @@ void set_points(benchmark::State& state, std::size_t points) {
 
 // --- One thread: the needed work alone, and the sweep.
 
-void run_alone(const Subject& subject, benchmark::State& state) {
-  Alone solver(subject.scene());
+// From values to results, by Alone or by the sweep's own CaseSolver.
+template <class Solver>
+void solve_cases(const Subject& subject, benchmark::State& state) {
+  Solver solver(subject.scene());
   std::vector<double> results(subject.cases() * subject.scene().width());
   std::uint64_t turn = 0;
   for (const auto _ : state) {
@@ -163,19 +165,6 @@ void draw(const Subject& subject, benchmark::State& state) {
   for (const auto _ : state) {
     generator.groups(turn++ % chunks_in_turn * subject.scene().chunk_groups, values);
     benchmark::DoNotOptimize(values.data());
-    benchmark::ClobberMemory();
-  }
-  set_points(state, subject.cases());
-}
-
-// The sweep's own way from values to results.
-void solve_cases(const Subject& subject, benchmark::State& state) {
-  sweep::CaseSolver solver(subject.scene());
-  std::vector<double> results(subject.cases() * subject.scene().width());
-  std::uint64_t turn = 0;
-  for (const auto _ : state) {
-    solver.solve(subject.inputs(turn++), results);
-    benchmark::DoNotOptimize(results.data());
     benchmark::ClobberMemory();
   }
   set_points(state, subject.cases());
@@ -324,7 +313,7 @@ Contender whole_run(std::string_view kept, int threads) {
 
 void register_sweep(const Workload& workload) {
   const auto subject = std::make_shared<const Subject>(workload);
-  add(subject, alone, run_alone);
+  add(subject, alone, solve_cases<Alone>);
   add(subject, "summaries", sweep_of(&Subject::summaries));
   add(subject, "points", sweep_of(&Subject::points));
   add(subject, "stage: draw", draw);
@@ -345,7 +334,7 @@ void register_sweep(const Workload& workload) {
           }));
     }
   }
-  add(subject, "stage: cases", solve_cases);
+  add(subject, "stage: cases", solve_cases<sweep::CaseSolver>);
   add(subject, "stage: sum up", sum_up);
   add(subject, "stage: pack points", pack);
   add(subject, "stage: parts of points", keep);
