@@ -29,9 +29,7 @@ Measured curve_job(const CurveContender& contender, const std::string& job, std:
             }
             contender.run(curve_scene(), room->speeds, room->points);
           },
-          [=] { return judge(contender); },
-          {},
-          {}};
+          [=] { return judge(contender); }};
 }
 
 }  // namespace

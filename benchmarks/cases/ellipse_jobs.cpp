@@ -79,9 +79,7 @@ std::vector<Measured> jobs_of(const std::vector<EllipseContender>& contenders) {
                       contender.name,
                       count,
                       [=] { contender.run(*cases, *answers); },
-                      [=] { return judge(contender); },
-                      {},
-                      {}};
+                      [=] { return judge(contender); }};
     if (contender.counted)
       measured.evaluations = [=] {
         return evaluations_of([&] { contender.counted(*cases, *answers); }) /

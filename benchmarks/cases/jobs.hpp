@@ -26,8 +26,8 @@ struct Measured {
   std::size_t points;         // solved by one call of run
   std::function<void()> run;  // all of it is timed
   std::function<Errors()> judge;
-  std::function<double()> evaluations;  // a point; empty: none
-  std::function<double()> own_seconds;  // CPU time of the last run, if in another process
+  std::function<double()> evaluations{};  // a point; empty: none
+  std::function<double()> own_seconds{};  // CPU time of the last run, if in another process
 };
 
 std::vector<Measured> all_jobs(Settings settings);

@@ -14,25 +14,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-template <class Count>
+template <template <class> class Integrand>
 struct GaussKronrod {
-  double tolerance;
-  double operator()(double d) const {
-    using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-    return value_or_nan(
-        [&] { return Rule::integrate(RootIntegrand<Count>{d}, d, infinity, 15, tolerance); });
-  }
-};
-
-template <class Count>
-struct GaussKronrodPow {
-  double tolerance;
-  double operator()(double d) const {
-    using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
-    return value_or_nan([&] {
-      return Rule::integrate(PowIntegrand<Count>{d, 2.5}, d, infinity, 15, tolerance);
-    });
-  }
+  template <class Count>
+  struct Method {
+    double tolerance;
+    double operator()(double d) const {
+      using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+      return value_or_nan([&] {
+        return Rule::integrate(Integrand<Count>{d, 2.5}, d, infinity, 15, tolerance);
+      });
+    }
+  };
 };
 
 // The integral gets a finite upper end: on an infinite range the abscissas of this rule are so
@@ -71,9 +64,9 @@ std::vector<MomentContender> boost_quadratures(Settings settings) {
   std::vector<MomentContender> all;
   for (const double tolerance :
        chosen(settings, {1e-8, 1e-13}, {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13})) {
-    all.push_back(quadrature<GaussKronrodPow>(
+    all.push_back(quadrature<GaussKronrod<PowIntegrand>::Method>(
         "Boost", fmt::format("Gauss-Kronrod 31 {:.0e} pow", tolerance), order, tolerance));
-    all.push_back(quadrature<GaussKronrod>(
+    all.push_back(quadrature<GaussKronrod<RootIntegrand>::Method>(
         "Boost", fmt::format("Gauss-Kronrod 31 {:.0e} sqrt", tolerance), order, tolerance));
   }
   for (const double tolerance : chosen(settings, {1e-8}, {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})) {

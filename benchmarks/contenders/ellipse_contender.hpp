@@ -28,7 +28,7 @@ struct EllipseContender {
   std::string family;
   std::string name;
   EllipseBatch run;
-  EllipseBatch counted;  // counts pairs of integrals in Counted; empty if it uses none
+  EllipseBatch counted{};  // counts pairs of integrals in Counted; empty if it uses none
 };
 
 // The axes' ratio k, and E of parameter 1 − 1/k², which the contact needs, too.

@@ -43,7 +43,7 @@ constexpr std::array fits{
 std::vector<EllipseContender> ellipse_fits() {
   std::vector<EllipseContender> all;
   for (const EllipseFit& fit : fits)
-    all.push_back({"published fit", std::string(fit.name), by_shape(fit.shape), {}});
+    all.push_back({"published fit", std::string(fit.name), by_shape(fit.shape)});
   return all;
 }
 
@@ -52,8 +52,7 @@ std::vector<EllipseContender> ellipse_fits() {
 std::vector<EllipseContender> ellipse_contenders(Settings settings) {
   std::vector<EllipseContender> all = ellipse_roots(settings);
   for (EllipseContender& fit : ellipse_fits()) all.push_back(std::move(fit));
-  all.push_back({"tribocheck",
-                 "scalar",
+  all.push_back({"tribocheck", "scalar",
                  [](std::span<const EllipseCase> cases, std::span<EllipseAnswer> answers) {
                    for (std::size_t i = 0; i < cases.size(); ++i) {
                      const EllipseCase& c = cases[i];
@@ -61,8 +60,7 @@ std::vector<EllipseContender> ellipse_contenders(Settings settings) {
                          hertz_ellipse(c.load, c.effective_modulus, c.radius_x, c.radius_y);
                      answers[i] = {hertz.semi_axis_x, hertz.peak_pressure};
                    }
-                 },
-                 {}});
+                 }});
   return all;
 }
 

@@ -40,19 +40,23 @@ Rule laguerre(double exponent, std::size_t points) {
           gsl_integration_fixed_free};
 }
 
+template <class Integrand>
+double by_rule(const Rule& rule, Integrand integrand) {
+  gsl_function f = gsl_view(integrand);
+  double result = 0;
+  gsl_integration_fixed(&f, &result, rule.get());
+  return result;
+}
+
 template <class Count>
 struct Plain {
   std::size_t points;
   Rule rule = laguerre(0, points);
   double operator()(double d) const {
-    auto integrand = [d](double u) {
+    return by_rule(rule, [d](double u) {
       Count::one();
       return u * u * std::sqrt(u) * std::exp(u) * normal_density(u + d);
-    };
-    gsl_function f = gsl_view(integrand);
-    double result = 0;
-    gsl_integration_fixed(&f, &result, rule.get());
-    return result;
+    });
   }
 };
 
@@ -61,14 +65,10 @@ struct Generalised {
   std::size_t points;
   Rule rule = laguerre(2.5, points);
   double operator()(double d) const {
-    auto integrand = [d](double u) {
+    return by_rule(rule, [d](double u) {
       Count::one();
       return std::exp(u) * normal_density(u + d);
-    };
-    gsl_function f = gsl_view(integrand);
-    double result = 0;
-    gsl_integration_fixed(&f, &result, rule.get());
-    return result;
+    });
   }
 };
 

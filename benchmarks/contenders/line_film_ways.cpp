@@ -62,15 +62,8 @@ LineFilmAnswer uniform(const ehl::LineContact& contact, int cells) {
 }
 
 LineFilmAnswer solved_to(const ehl::LineContact& contact, double tolerance) {
-  const ehl::SolvedFilm solved =
-      ehl::solve_line_film(contact, {.tolerance = tolerance, .greatest_cells = 16384});
-  LineFilmAnswer answer;
-  answer.steps = solved.steps;
-  if (solved.outcome != ehl::Outcome::solved) return answer;
-  answer.central = contact.film_number(solved.central.value);
-  answer.minimum = contact.film_number(solved.minimum.value);
-  answer.at_greatest_pressure = contact.film_number(solved.at_greatest_pressure.value);
-  return answer;
+  return film_numbers(
+      contact, ehl::solve_line_film(contact, {.tolerance = tolerance, .greatest_cells = 16384}));
 }
 
 double LineFilmAnswer::*place_of(ehl::FilmQuantity quantity) {
@@ -80,6 +73,16 @@ double LineFilmAnswer::*place_of(ehl::FilmQuantity quantity) {
 }
 
 }  // namespace
+
+LineFilmAnswer film_numbers(const ehl::LineContact& contact, const ehl::SolvedFilm& solved) {
+  LineFilmAnswer answer;
+  answer.steps = solved.steps;
+  if (solved.outcome != ehl::Outcome::solved) return answer;
+  answer.central = contact.film_number(solved.central.value);
+  answer.minimum = contact.film_number(solved.minimum.value);
+  answer.at_greatest_pressure = contact.film_number(solved.at_greatest_pressure.value);
+  return answer;
+}
 
 ehl::CoarseFilm coarse_film(const ehl::LineContact& contact) {
   return ehl::solve_coarse_film(contact, coarse_cells, ehl::scales_of(contact),

@@ -19,6 +19,9 @@ struct LineFilmAnswer {
   int steps = 0;  // Newton steps
 };
 
+// The numbers of a film; NaN where it is not solved.
+LineFilmAnswer film_numbers(const ehl::LineContact& contact, const ehl::SolvedFilm& solved);
+
 struct LineFilmWay {
   std::string family;
   std::string series;  // a diagram joins the ways of a series by a line

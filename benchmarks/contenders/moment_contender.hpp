@@ -31,7 +31,7 @@ struct MomentContender {
   std::string name;
   Order order;
   MomentBatch run;
-  MomentBatch counted;  // counts its integrand in Counted; empty: it has no integrand
+  MomentBatch counted{};  // counts its integrand in Counted; empty: it has no integrand
   Range claimed{};
   // CPU time of the last call, if another process did the work; empty: this process does it.
   std::function<double()> own_seconds{};
@@ -48,13 +48,8 @@ MomentBatch point_by_point(Function function) {
 template <class Function>
 MomentContender closed_form(std::string family, std::string name, Order order, Function function,
                             Range claimed = {}) {
-  return {std::move(family),
-          std::move(name),
-          order,
-          point_by_point(std::move(function)),
-          {},
-          claimed,
-          {}};
+  return {
+      std::move(family), std::move(name), order, point_by_point(std::move(function)), {}, claimed};
 }
 
 // Method<Count>(argument…) is a function of d that calls Count::one() for each value of its
@@ -62,13 +57,9 @@ MomentContender closed_form(std::string family, std::string name, Order order, F
 template <template <class> class Method, class... Arguments>
 MomentContender quadrature(std::string family, std::string name, Order order,
                            const Arguments&... arguments) {
-  return {std::move(family),
-          std::move(name),
-          order,
+  return {std::move(family), std::move(name), order,
           point_by_point(Method<Uncounted>{arguments...}),
-          point_by_point(Method<Counted>{arguments...}),
-          {},
-          {}};
+          point_by_point(Method<Counted>{arguments...})};
 }
 
 // All contenders, family by family; our own last.

@@ -22,13 +22,10 @@ std::vector<MomentContender> own_moments() {
     all.push_back(closed_form("tribocheck", "scalar", order,
                               [order](double d) { return gaussian_moment(order, d); }));
     for (const std::string_view set : instruction_sets())
-      all.push_back({"tribocheck",
-                     "batch " + std::string(set),
-                     order,
+      all.push_back({"tribocheck", "batch " + std::string(set), order,
                      [order, set](std::span<const double> d, std::span<double> moments) {
                        batch(order, set, d, moments);
-                     },
-                     {}});
+                     }});
   }
   all.push_back(
       closed_form("tribocheck", "template in long double", Order::five_halves, [](double d) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "cases/errors.hpp"
 #include "conformance/plugin_scene.hpp"
@@ -22,28 +23,10 @@ constexpr int unset = -1;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double slow = 5e-6;  // seconds a case
 
-// Arrays that are made before the timed call.
-struct MomentRoom {
-  std::vector<double> order;
-  std::vector<int> status;
-};
-struct RootRoom {
-  std::vector<double> asperity;
-  std::vector<int> status;
-};
-struct PointRoom {
-  std::vector<tribocheck_point> points;
-  std::vector<int> status;
-};
-
 // A number counts where its status is done, as in `verify`.
 double answer_of(int status, double value) {
   if (status == TRIBOCHECK_NOT_OFFERED) return not_offered;
   return status == TRIBOCHECK_DONE && std::isfinite(value) ? value : no_number;
-}
-
-void drop_numbers_not_done(const std::vector<int>& status, std::span<double> values) {
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = answer_of(status[i], values[i]);
 }
 
 // The time of the second of two calls: in the first one a library may set itself up.
@@ -55,68 +38,84 @@ double seconds_of(Call&& call) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Calls gaussian_moment of a plug-in at the arguments. False: the plug-in does not offer it.
-bool moments_of(const PluginFunctions& functions, const double* order, std::span<const double> d,
-                double* moments, int* status) {
-  const std::array arguments{order, d.data()};
-  return functions.function("gaussian_moment", d.size(), arguments.data(), &moments, status) != 0;
+// Arrays that are made before the timed call: an argument that all cases share, and their statuses.
+struct Room {
+  std::vector<double> shared;
+  std::vector<int> status;
+};
+
+// Calls a function of the plug-in at all cases of its arguments. False: the plug-in does not offer
+// it.
+bool ask(const PluginFunctions& functions, const char* function,
+         std::span<const double* const> arguments, std::span<double> values,
+         std::vector<int>& status) {
+  status.assign(values.size(), unset);
+  std::fill(values.begin(), values.end(), no_number);
+  double* const to = values.data();
+  const bool is_offered =
+      functions.function(function, values.size(), arguments.data(), &to, status.data()) != 0;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = answer_of(status[i], values[i]);
+  return is_offered;
+}
+
+bool ask_moments(const PluginFunctions& functions, Order order, std::span<const double> d,
+                 std::span<double> moments, Room& room) {
+  room.shared.resize(d.size(), value_of<double>(order));
+  return ask(functions, "gaussian_moment", std::array{std::as_const(room.shared).data(), d.data()},
+             moments, room.status);
 }
 
 MomentBatch moment_batch(const PluginFunctions& functions, Order order) {
-  const auto room = std::make_shared<MomentRoom>();
-  return [=](std::span<const double> d, std::span<double> moments) {
-    room->order.resize(d.size(), value_of<double>(order));
-    room->status.assign(d.size(), unset);
-    std::fill(moments.begin(), moments.end(), no_number);
-    moments_of(functions, room->order.data(), d, moments.data(), room->status.data());
-    drop_numbers_not_done(room->status, moments);
-  };
+  return
+      [=, room = std::make_shared<Room>()](std::span<const double> d, std::span<double> moments) {
+        ask_moments(functions, order, d, moments, *room);
+      };
 }
 
 bool offers(const PluginFunctions& functions, Order order) {
   if (functions.function == nullptr) return false;
-  const double n = value_of<double>(order);
   const double d = 0.5;
   double value = no_number;
-  int status = unset;
-  return moments_of(functions, &n, {&d, 1}, &value, &status) && status != TRIBOCHECK_NOT_OFFERED;
+  Room room;
+  return ask_moments(functions, order, {&d, 1}, {&value, 1}, room) && value != not_offered;
 }
 
-// Calls load_sharing of a plug-in. False: the plug-in does not offer it.
-bool roots_of(const PluginFunctions& functions, const double* asperity, const RootCases& cases,
-              double* film, int* status) {
-  const std::array arguments{asperity, cases.flooded.data(), cases.stiffness.data(),
-                             cases.offset.data()};
-  return functions.function("load_sharing", cases.size(), arguments.data(), &film, status) != 0;
+bool ask_roots(const PluginFunctions& functions, const RootCases& cases, std::span<double> film,
+               Room& room) {
+  room.shared.resize(cases.size(), TRIBOCHECK_GREENWOOD_TRIPP);
+  return ask(functions, "load_sharing",
+             std::array{std::as_const(room.shared).data(), cases.flooded.data(),
+                        cases.stiffness.data(), cases.offset.data()},
+             film, room.status);
 }
 
 RootRun root_run(const PluginFunctions& functions) {
-  const auto room = std::make_shared<RootRoom>();
-  return [=](const RootCases& cases, std::span<double> film) {
-    room->asperity.resize(cases.size(), TRIBOCHECK_GREENWOOD_TRIPP);
-    room->status.assign(cases.size(), unset);
-    std::fill(film.begin(), film.end(), no_number);
-    roots_of(functions, room->asperity.data(), cases, film.data(), room->status.data());
-    drop_numbers_not_done(room->status, film);
+  return [=, room = std::make_shared<Room>()](const RootCases& cases, std::span<double> film) {
+    ask_roots(functions, cases, film, *room);
   };
+}
+
+RootCases ordinary_root() {
+  static constexpr double flooded = 1, stiffness = 0.3, offset = 1.146;
+  return {{&stiffness, 1}, {&offset, 1}, {&flooded, 1}};
 }
 
 bool offers_roots(const PluginFunctions& functions) {
   if (functions.function == nullptr) return false;
-  const double asperity = TRIBOCHECK_GREENWOOD_TRIPP;
-  const double flooded = 1, stiffness = 0.3, offset = 1.146;
-  const RootCases one{{&stiffness, 1}, {&offset, 1}, {&flooded, 1}};
-  double value = no_number;
-  int status = unset;
-  return roots_of(functions, &asperity, one, &value, &status) && status != TRIBOCHECK_NOT_OFFERED;
+  double film = no_number;
+  Room room;
+  return ask_roots(functions, ordinary_root(), {&film, 1}, room) && film != not_offered;
 }
 
 double seconds_of_root(const RootRun& run) {
-  const double stiffness = 0.3, offset = 1.146, flooded = 1;
-  double film = 0;
-  const RootCases one{{&stiffness, 1}, {&offset, 1}, {&flooded, 1}};
-  return seconds_of([&] { run(one, {&film, 1}); });
+  double film = no_number;
+  return seconds_of([&] { run(ordinary_root(), {&film, 1}); });
 }
+
+struct PointRoom {
+  std::vector<tribocheck_point> points;
+  std::vector<int> status;
+};
 
 void solve_points(const PluginFunctions& functions, PointRoom& room, const Scene& scene,
                   std::span<const double> speeds, OperatingPoints& points) {
@@ -162,7 +161,7 @@ std::vector<MomentContender> plugin_moments(const Plugin& plugin) {
   std::vector<MomentContender> all;
   for (const Order order : {Order::five_halves, Order::two})
     if (offers(plugin.functions, order))
-      all.push_back({family, plugin.name, order, moment_batch(plugin.functions, order), {}});
+      all.push_back({family, plugin.name, order, moment_batch(plugin.functions, order)});
   return all;
 }
 

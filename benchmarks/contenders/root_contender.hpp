@@ -34,7 +34,7 @@ struct RootContender {
   std::function<RootRun(const RootCases&)> prepare;
   // The number of moments that these cases take; a moment with its derivative counts once. Empty:
   // moments are not counted.
-  std::function<double(const RootCases&)> evaluations;
+  std::function<double(const RootCases&)> evaluations{};
   bool is_slow = false;                   // tens of microseconds a case, or more
   std::function<double()> own_seconds{};  // CPU time of the last call in another process
 };

@@ -87,7 +87,7 @@ std::vector<RootContender> inverse_tables(Settings settings) {
               film[i] = std::exp(table(std::log(cases.flooded[i])));
           };
     };
-    all.push_back({"table", fmt::format("inverse spline {} knots", knots), prepare, {}});
+    all.push_back({"table", fmt::format("inverse spline {} knots", knots), prepare});
   }
   return all;
 }

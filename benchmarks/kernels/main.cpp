@@ -2,11 +2,15 @@
 // All contenders in one Google Benchmark program: job/family/name. `tribocheck bench` runs it and
 // makes the table.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <regex>
 #include <span>
@@ -16,14 +20,86 @@
 #include <utility>
 #include <vector>
 
+#include "cases/jobs.hpp"
 #include "conformance/plugin.hpp"
 #include "conformance/serve.hpp"
-#include "kernels/registered.hpp"
 #include "tribo/scene_reader.hpp"
 
+namespace tribo::benchmarks {
 namespace {
 
 constexpr int exit_plugin_refused = 3;
+
+// A line on stderr that each step overwrites, shown on a terminal only; empty: wipes the line.
+void show_progress(std::string_view step) {
+  static const bool is_watched = ::isatty(STDERR_FILENO) != 0;
+  if (!is_watched) return;
+  const std::string line = fmt::format("\r{}\033[K", step);
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+// Values that are the same in all repetitions, found once outside of the timed loop.
+class Known {
+ public:
+  explicit Known(const Measured& measured) {
+    if (measured.judge) errors = measured.judge();
+    if (measured.evaluations) evaluations = measured.evaluations();
+  }
+  void count_in(benchmark::State& state) const {
+    if (errors && errors->judged > 0) {
+      state.counters["judged"] = static_cast<double>(errors->judged);
+      state.counters["failures"] = static_cast<double>(errors->failures);
+      state.counters["max_ulp"] = errors->max_ulp;
+      state.counters["p99_ulp"] = errors->p99_ulp;
+      state.counters["mean_ulp"] = errors->mean_ulp;
+    }
+    if (evaluations) state.counters["evaluations"] = *evaluations;
+  }
+
+ private:
+  std::optional<Errors> errors;
+  std::optional<double> evaluations;
+};
+
+class Benchmark {
+ public:
+  explicit Benchmark(Measured measured) : measured_(std::move(measured)) {}
+
+  void operator()(benchmark::State& state) {
+    show_progress(measured_.job + ", " + measured_.family + ", " + measured_.name);
+    try {
+      if (!known_) known_ = std::make_unique<Known>(measured_);
+      for (const auto _ : state) {
+        measured_.run();
+        if (measured_.own_seconds) state.SetIterationTime(measured_.own_seconds());
+      }
+      known_->count_in(state);
+    } catch (const std::exception& error) {
+      state.SkipWithError(error.what());
+    }
+    state.counters["points"] = static_cast<double>(measured_.points);
+  }
+
+ private:
+  Measured measured_;
+  std::unique_ptr<Known> known_;
+};
+
+// The names "job/family/name" of all registered contenders.
+std::vector<std::string>& registered_names() {
+  static std::vector<std::string> all;
+  return all;
+}
+
+void register_benchmark(Measured measured) {
+  const std::string name = measured.job + "/" + measured.family + "/" + measured.name;
+  registered_names().push_back(name);
+  const bool elsewhere = static_cast<bool>(measured.own_seconds);
+  const auto shared = std::make_shared<Benchmark>(std::move(measured));
+  auto* const registered = benchmark::RegisterBenchmark(
+      name.c_str(), [shared](benchmark::State& state) { (*shared)(state); });
+  if (elsewhere) registered->UseManualTime();
+}
 
 // Debian builds Google Benchmark with its assertions, and it then calls itself DEBUG. This slows
 // only its own bookkeeping around the timed loop: the timed code is built as Release.
@@ -73,9 +149,8 @@ std::optional<std::string> take_plugin(int& count, char** arguments) {
   return path;
 }
 
-void register_all(std::vector<tribo::benchmarks::Measured> jobs) {
-  for (tribo::benchmarks::Measured& measured : jobs)
-    tribo::benchmarks::register_benchmark(std::move(measured));
+void register_all(std::vector<Measured> jobs) {
+  for (Measured& measured : jobs) register_benchmark(std::move(measured));
 }
 
 // Writes a text in one piece.
@@ -101,32 +176,32 @@ int refuse(int code, const std::string& why, int output) {
   if (output >= 0)
     write_whole(output, why + '\n');
   else
-    std::cerr << "tribocheck_bench: " << tribo::printable(why, std::string::npos) << '\n';
+    std::cerr << "tribocheck_bench: " << printable(why, std::string::npos) << '\n';
   return code;
 }
 
 // Registers the jobs that the plug-in offers. Throws PluginRefused, also where no job would run.
 void register_plugin(const std::string& path) {
-  const std::size_t before = tribo::benchmarks::registered_names().size();
-  register_all(tribo::benchmarks::plugin_jobs(tribo::conformance::load_plugin(path)));
-  const std::span<const std::string> names =
-      std::span(tribo::benchmarks::registered_names()).subspan(before);
+  const std::size_t before = registered_names().size();
+  register_all(plugin_jobs(conformance::load_plugin(path)));
+  const std::span<const std::string> names = std::span(registered_names()).subspan(before);
   if (names.empty())
-    throw tribo::conformance::PluginRefused(path + ": it offers none of the jobs of bench");
+    throw conformance::PluginRefused(path + ": it offers none of the jobs of bench");
   if (!matches_any(benchmark::GetBenchmarkFilter(), names))
-    throw tribo::conformance::PluginRefused(path + ": the filter leaves it out; its first row is " +
-                                            names.front());
+    throw conformance::PluginRefused(path + ": the filter leaves it out; its first row is " +
+                                     names.front());
 }
 
 }  // namespace
+}  // namespace tribo::benchmarks
 
 int main(int count, char** arguments) {
+  using namespace tribo::benchmarks;
   const std::optional<std::string> plugin = take_plugin(count, arguments);
   const bool is_json = asks_for("--benchmark_format=json", count, arguments);
   const bool is_console = !asks_for_another_format(count, arguments);
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
-  using namespace tribo::benchmarks;
   for (const auto& [job, title] : job_titles()) benchmark::AddCustomContext(job, title);
   register_all(all_jobs(Settings::usual));
   const int output = is_json ? tribo::conformance::take_stdout() : -1;

@@ -132,8 +132,10 @@ void set_points(benchmark::State& state, std::size_t points) {
 
 // --- One thread: the needed work alone, and the sweep.
 
-void run_alone(const Subject& subject, benchmark::State& state) {
-  Alone solver(subject.scene());
+// From values to results, by Alone or by the sweep's own CaseSolver.
+template <class Solver>
+void solve_cases(const Subject& subject, benchmark::State& state) {
+  Solver solver(subject.scene());
   std::vector<double> results(subject.cases() * subject.scene().width());
   std::uint64_t turn = 0;
   for (const auto _ : state) {
@@ -168,21 +170,8 @@ void draw(const Subject& subject, benchmark::State& state) {
   set_points(state, subject.cases());
 }
 
-// The sweep's own way from values to results.
-void solve_cases(const Subject& subject, benchmark::State& state) {
-  sweep::CaseSolver solver(subject.scene());
-  std::vector<double> results(subject.cases() * subject.scene().width());
-  std::uint64_t turn = 0;
-  for (const auto _ : state) {
-    solver.solve(subject.inputs(turn++), results);
-    benchmark::DoNotOptimize(results.data());
-    benchmark::ClobberMemory();
-  }
-  set_points(state, subject.cases());
-}
-
-// Times one step of Alone on a block that was solved already. The last of the steps gives results,
-// and has to give the same ones again.
+// A step of Alone on a block that was solved already. The last step has to give the results again,
+// else the step did not do its work.
 enum class Gives { nothing, results };
 Contender stage(Gives gives, std::function<void(Alone&, const Subject&, std::span<double>)> step) {
   return [gives, step = std::move(step)](const Subject& subject, benchmark::State& state) {
@@ -324,7 +313,7 @@ Contender whole_run(std::string_view kept, int threads) {
 
 void register_sweep(const Workload& workload) {
   const auto subject = std::make_shared<const Subject>(workload);
-  add(subject, alone, run_alone);
+  add(subject, alone, solve_cases<Alone>);
   add(subject, "summaries", sweep_of(&Subject::summaries));
   add(subject, "points", sweep_of(&Subject::points));
   add(subject, "stage: draw", draw);
@@ -345,7 +334,7 @@ void register_sweep(const Workload& workload) {
           }));
     }
   }
-  add(subject, "stage: cases", solve_cases);
+  add(subject, "stage: cases", solve_cases<sweep::CaseSolver>);
   add(subject, "stage: sum up", sum_up);
   add(subject, "stage: pack points", pack);
   add(subject, "stage: parts of points", keep);

@@ -59,11 +59,7 @@ std::vector<JudgedContact> judged_contacts() {
     const ehl::SolvedFilm solved =
         ehl::solve_line_film(contact, {.tolerance = 1e-9, .greatest_cells = 16384});
     if (solved.outcome != ehl::Outcome::solved) throw std::runtime_error(solved.reason);
-    LineFilmAnswer exact;
-    exact.central = contact.film_number(solved.central.value);
-    exact.minimum = contact.film_number(solved.minimum.value);
-    exact.at_greatest_pressure = contact.film_number(solved.at_greatest_pressure.value);
-    all.push_back({contact, exact});
+    all.push_back({contact, film_numbers(contact, solved)});
   }
   return all;
 }
@@ -81,9 +77,8 @@ Rows line_film_errors(const std::vector<LineFilmWay>& ways,
     if (seconds.back() > slow) continue;
     repeated.push_back(i);
     timed.push_back({[&, i] {
-                       for (const JudgedContact& one : contacts) ways[i].run(one.contact);
-                     },
-                     {}});
+      for (const JudgedContact& one : contacts) ways[i].run(one.contact);
+    }});
   }
   const std::vector<double> medians =
       median_seconds(timed, std::min(effort.rounds, 3), effort.least_seconds);

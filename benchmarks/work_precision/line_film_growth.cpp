@@ -70,7 +70,7 @@ Rows line_film_growth(const Effort& effort) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   const int rounds = std::min(effort.rounds, 3);
   const auto seconds = [&](auto&& work) {
-    return median_seconds({{work, {}}}, rounds, effort.least_seconds).front();
+    return median_seconds({{work}}, rounds, effort.least_seconds).front();
   };
   Rows rows;
   for (int cells = least_cells; cells <= most_cells; cells *= 2) {

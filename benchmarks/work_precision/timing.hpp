@@ -16,7 +16,7 @@ struct Effort {
 
 struct Timed {
   std::function<void()> run;
-  std::function<double()> own_seconds;  // CPU time of the last call, if in another process
+  std::function<double()> own_seconds{};  // CPU time of the last call, if in another process
 };
 
 // CPU seconds of a call of each function: the median of `rounds` rounds. In a round each function

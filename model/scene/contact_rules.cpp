@@ -14,8 +14,6 @@
 namespace tribo::scene_detail {
 namespace {
 
-using Numbers = detail::SceneNumbers<double>;
-
 std::string_view film_word(const Scene& scene) {
   return film_formula_words[static_cast<std::size_t>(scene.closures.film)];
 }

@@ -34,11 +34,13 @@ class SceneFile : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Makes a descriptor standard input for a while.
+// Makes an open file standard input for a while, in place of its own descriptor.
 class StandardInput {
  public:
   explicit StandardInput(int descriptor) : kept_(::dup(STDIN_FILENO)) {
+    EXPECT_GE(descriptor, 0);
     ::dup2(descriptor, STDIN_FILENO);
+    ::close(descriptor);
   }
   StandardInput(const StandardInput&) = delete;
   StandardInput& operator=(const StandardInput&) = delete;
@@ -115,27 +117,18 @@ TEST_F(SceneFile, IsRefusedIfItIsEmptyOrTooLarge) {
 }
 
 TEST_F(SceneFile, MayBeStandardInput) {
-  const int file = ::open(write("scene", nameless_toml).c_str(), O_RDONLY);
-  ASSERT_GE(file, 0);
-  const StandardInput redirected(file);
+  const StandardInput redirected(::open(write("scene", nameless_toml).c_str(), O_RDONLY));
   EXPECT_EQ(id_of("-"), "");
-  ::close(file);
 }
 
 TEST_F(SceneFile, OfStandardInputIsNotReadBeyondTheLimit) {
-  const int zero = ::open("/dev/zero", O_RDONLY);
-  ASSERT_GE(zero, 0);
-  const StandardInput redirected(zero);
+  const StandardInput redirected(::open("/dev/zero", O_RDONLY));
   expect_refused("-", "too large");
-  ::close(zero);
 }
 
 TEST_F(SceneFile, OfADirectoryAsStandardInputIsRefused) {
-  const int directory = ::open(folder_.path().c_str(), O_RDONLY);
-  ASSERT_GE(directory, 0);
-  const StandardInput redirected(directory);
+  const StandardInput redirected(::open(folder_.path().c_str(), O_RDONLY));
   expect_refused("-", "Is a directory");
-  ::close(directory);
 }
 
 TEST_F(SceneFile, OfAPipeIsReadInPieces) {
@@ -151,7 +144,6 @@ TEST_F(SceneFile, OfAPipeIsReadInPieces) {
   const StandardInput redirected(ends[0]);
   EXPECT_EQ(id_of("-"), "");
   writer.join();
-  ::close(ends[0]);
 }
 
 }  // namespace

@@ -54,6 +54,15 @@ std::string text(const Points& points, std::size_t i) {
       {{"K", points.stiffness[i]}, {"delta", points.offset[i]}, {"lambda0", points.flooded[i]}});
 }
 
+// The film parameter by the templates in long double.
+long double exact_root(AsperityModel model, double k, double delta, double lambda0,
+                       const FilmLaw& film = hamrock_dowson_central_law) {
+  return LoadSharing<long double>(model, static_cast<long double>(k),
+                                  static_cast<long double>(delta), film)
+      .solve(static_cast<long double>(lambda0))
+      .film_parameter;
+}
+
 double uniform_offset(Sampler& sampler) {
   return sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
 }
@@ -78,9 +87,7 @@ TEST(BatchRoot, KeepsItsContractWithOtherFilmLaws) {
       std::vector<double> allowed;
       for (std::size_t i = 0; i < points.size(); ++i) {
         const double k = points.stiffness[i], delta = points.offset[i], film0 = points.flooded[i];
-        const LoadSharing<long double> exact(model, static_cast<long double>(k),
-                                             static_cast<long double>(delta), *film);
-        roots.emplace_back(exact.solve(static_cast<long double>(film0)).film_parameter);
+        roots.emplace_back(exact_root(model, k, delta, film0, *film));
         allowed.push_back(allowed_by(load_sharing_contract, roots[i],
                                      root_condition(model, k, delta, film0, *film), 1));
       }
@@ -152,10 +159,7 @@ TEST(BatchRoot, IsRarelyLeftToNewtonsMethodWithinTheRangeOfTheKernels) {
         const double film0 = outside.flooded[i], got = beyond.film_parameter[i];
         EXPECT_EQ(got, LoadSharing<double>(model, k, delta).film_parameter(film0))
             << text(outside, i);
-        const Reference root(LoadSharing<long double>(model, static_cast<long double>(k),
-                                                      static_cast<long double>(delta))
-                                 .solve(static_cast<long double>(film0))
-                                 .film_parameter);
+        const Reference root(exact_root(model, k, delta, film0));
         EXPECT_TRUE(is_close(
             got, root,
             allowed_by(load_sharing_contract, root, root_condition(model, k, delta, film0), 1),
@@ -201,12 +205,9 @@ TEST(BatchRoot, IsTheFilmItselfWhereTheBoundSaysSo) {
       if (!(from > 1e-3)) continue;
       const double lambda0 = from * (1 + sampler.log_uniform(1e-14, 0.5));
       points.add(k, delta, lambda0);
-      const long double root = LoadSharing<long double>(model, static_cast<long double>(k),
-                                                        static_cast<long double>(delta))
-                                   .solve(static_cast<long double>(lambda0))
-                                   .film_parameter;
-      EXPECT_TRUE(is_close(lambda0, Reference(root), allowed_by({0.5, 0}, Reference(root), 1, 1),
-                           {{"K", k}, {"delta", delta}}));
+      const Reference root(exact_root(model, k, delta, lambda0));
+      EXPECT_TRUE(
+          is_close(lambda0, root, allowed_by({0.5, 0}, root, 1, 1), {{"K", k}, {"delta", delta}}));
       const LoadSharing<double> surface(model, k, delta);
       const LoadShares<double> shares = surface.solve(lambda0);
       EXPECT_EQ(shares.film_parameter, lambda0);

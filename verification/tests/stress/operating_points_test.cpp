@@ -36,6 +36,17 @@ OutputSet only(std::initializer_list<Output> outputs) {
   return set;
 }
 
+struct Counted {
+  OperatingPoints points;
+  WorkCounts work;
+};
+Counted counted(const MixedContact<double>& contact, std::span<const double> speeds,
+                OutputSet outputs = OutputSet::all()) {
+  Counted result;
+  result.points.resize(speeds.size(), outputs);
+  solve(contact, speeds, outputs, result.points, result.work);
+  return result;
+}
 OperatingPoints solved(const MixedContact<double>& contact, std::span<const double> speeds,
                        OutputSet outputs = OutputSet::all()) {
   OperatingPoints points;
@@ -45,11 +56,7 @@ OperatingPoints solved(const MixedContact<double>& contact, std::span<const doub
 }
 WorkCounts work_of(const MixedContact<double>& contact, std::span<const double> speeds,
                    OutputSet outputs = OutputSet::all()) {
-  OperatingPoints points;
-  points.resize(speeds.size(), outputs);
-  WorkCounts work;
-  solve(contact, speeds, outputs, points, work);
-  return work;
+  return counted(contact, speeds, outputs).work;
 }
 
 std::vector<std::uint64_t> bits_of_all(const std::vector<double>& numbers) {
@@ -86,10 +93,11 @@ std::vector<Scene> paper_scenes() {
   return scenes;
 }
 
-// Smoother and rougher, stiffer and softer: films on the floor, mixed, and free of asperities.
-std::vector<Scene> random_scenes(int count) {
+// These, and so many random ones: smoother and rougher, stiffer and softer, with films on the
+// floor, mixed, and free of asperities.
+std::vector<Scene> paper_and_random_scenes(int count) {
   Sampler sampler(181);
-  std::vector<Scene> scenes;
+  std::vector<Scene> scenes = paper_scenes();
   for (int i = 0; i < count; ++i) scenes.push_back(random_scene(sampler));
   return scenes;
 }
@@ -120,8 +128,7 @@ std::vector<Scene> pure_rolling_scenes() {
 // half an ulp of 1 where 1 − A is set to 1 by a bound.
 TEST(OperatingPoints, OfAPartOfTheOutputsHaveTheBitsOfAll) {
   const std::vector<double> speeds = speeds_between(1e-4, 30, 41);
-  std::vector<Scene> scenes = paper_scenes();
-  for (const Scene& scene : random_scenes(30)) scenes.push_back(scene);
+  std::vector<Scene> scenes = paper_and_random_scenes(30);
   for (const Scene& scene : pure_rolling_scenes()) scenes.push_back(scene);
   std::size_t hardly_carried = 0;
   for (const Scene& scene : scenes) {
@@ -180,17 +187,14 @@ TEST(OperatingPoints, BitsAndWorkDoNotDependOnParts) {
   for (std::size_t i = 0; i < speeds.size(); i += 37) speeds[i] = i % 2 == 0 ? 1e-70 : 1e70;
   std::size_t left_to_newton = 0;
   std::vector<Scene> scenes{paper_scene(PaperSurface::rough), paper_scene(PaperSurface::smooth),
-                            random_scenes(9).back(), paper_scene(PaperSurface::rough)};
+                            paper_and_random_scenes(9).back(), paper_scene(PaperSurface::rough)};
   scenes.back().surface.summit_plane_offset = 50;  // all its points are beyond the range
   for (const Scene& scene : scenes) {
     const MixedContact<double> contact(scene);
     const bool is_beyond = scene.surface.summit_plane_offset == 50;
     const auto all = std::span(speeds).first(is_beyond ? 1100 : speeds.size());
     on_each_instruction_set([&] {
-      OperatingPoints whole;
-      whole.resize(all.size(), OutputSet::all());
-      WorkCounts whole_work;
-      solve(contact, all, OutputSet::all(), whole, whole_work);
+      const auto [whole, whole_work] = counted(contact, all);
       left_to_newton += whole_work[Work::root_by_newton];
       std::size_t differing = 0;
       for (std::size_t i = 0; i < all.size(); i += is_beyond ? 7 : 1)
@@ -302,10 +306,7 @@ TEST(OperatingPointWork, WithASupplyHasAStarvationRatioAPoint) {
     if (scene.supply.kind == SupplyKind::flooded) continue;
     const MixedContact<double> contact(scene);
     on_each_instruction_set([&] {
-      OperatingPoints points;
-      points.resize(speeds.size(), OutputSet::all());
-      WorkCounts work;
-      solve(contact, speeds, OutputSet::all(), points, work);
+      const auto [points, work] = counted(contact, speeds);
       const auto collapsed = static_cast<std::size_t>(
           std::count(points.inlet.begin(), points.inlet.end(), Inlet::collapsed));
       EXPECT_EQ(work[Work::starvation] + collapsed, 200u);
@@ -359,10 +360,8 @@ TEST(OperatingPointWork, IsOnlyWhatAnOutputNeeds) {
 // λ = λ₀ and λ = λ_b: at each speed where the bounds say so, and at no other.
 TEST(OperatingPointWork, SkipsRootsWhereTheBoundsSaySo) {
   std::uint64_t at_film = 0, at_floor = 0;
-  std::vector<Scene> scenes = paper_scenes();
-  for (const Scene& scene : random_scenes(40)) scenes.push_back(scene);
   const std::vector<double> speeds = speeds_between(1e-9, 1e4, 300);
-  for (const Scene& scene : scenes) {
+  for (const Scene& scene : paper_and_random_scenes(40)) {
     const MixedContact<double> contact(scene);
     const LoadSharing<double>& sharing = contact.sharing();
     std::uint64_t film = 0, floor = 0;
@@ -398,10 +397,8 @@ bool is_free_of_asperities(const LoadSharing<double>& sharing, double film) {
 // 1 to half an ulp.
 TEST(OperatingPointWork, SkipsSharesThatAreNothing) {
   std::uint64_t skipped = 0;
-  std::vector<Scene> scenes = paper_scenes();
-  for (const Scene& scene : random_scenes(40)) scenes.push_back(scene);
   const std::vector<double> speeds = speeds_between(1e-2, 100, 40);
-  for (const Scene& scene : scenes) {
+  for (const Scene& scene : paper_and_random_scenes(40)) {
     const MixedContact<double> contact(scene);
     const MixedContact<long double> exact(scene);
     const OperatingPoints all = solved(contact, speeds);

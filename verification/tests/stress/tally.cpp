@@ -85,9 +85,9 @@ void Tally::merge(const Tally& other) {
     row.beyond_contract += its.beyond_contract;
     row.not_a_number += its.not_a_number;
     row.broken.index = std::min(row.broken.index, its.broken.index);
-    row.ulp.add(its.ulp.value, its.ulp.index);
-    row.ulp_per_condition.add(its.ulp_per_condition.value, its.ulp_per_condition.index);
-    row.part_of_bound.add(its.part_of_bound.value, its.part_of_bound.index);
+    row.ulp.add(its.ulp);
+    row.ulp_per_condition.add(its.ulp_per_condition);
+    row.part_of_bound.add(its.part_of_bound);
     for (const Suspect& suspect : its.suspects) keep(row, suspect);
   }
 }
@@ -133,10 +133,9 @@ void merge(std::vector<ProofTally>& into, const std::vector<ProofTally>& from) {
     proof.cases += from[i].cases;
     proof.undecided += from[i].undecided;
     proof.beyond_contract += from[i].beyond_contract;
-    proof.ulp.add(from[i].ulp.value, from[i].ulp.index);
-    proof.ulp_per_condition.add(from[i].ulp_per_condition.value, from[i].ulp_per_condition.index);
-    proof.long_double_ulp_per_condition.add(from[i].long_double_ulp_per_condition.value,
-                                            from[i].long_double_ulp_per_condition.index);
+    proof.ulp.add(from[i].ulp);
+    proof.ulp_per_condition.add(from[i].ulp_per_condition);
+    proof.long_double_ulp_per_condition.add(from[i].long_double_ulp_per_condition);
   }
 }
 

@@ -20,6 +20,7 @@ struct Worst {
   void add(double candidate, std::uint64_t at) {
     if (candidate > value || (candidate == value && at < index)) *this = {candidate, at};
   }
+  void add(const Worst& other) { add(other.value, other.index); }
 };
 
 // A point that is to be judged again, with its error over the bound.

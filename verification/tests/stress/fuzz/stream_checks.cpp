@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -195,37 +196,24 @@ void check_point(const Json& answer, const std::string& text) {
       require(!answer.contains(none) || answer[none].is_null(), "nothing balances the load", text);
 }
 
+// The parts of the answers of functions that have more than one value.
+const std::map<std::string_view, std::vector<const char*>> parts_of_functions{
+    {"hertz_point", {"radius", "mean_pressure", "peak_pressure", "approach"}},
+    {"hertz_ellipse",
+     {"semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure", "peak_pressure", "approach"}},
+    {"hertz_line", {"half_width", "mean_pressure", "peak_pressure", "peak_shear"}},
+    {"reduced_radius", {"radius_x", "radius_y", "reduced_radius"}},
+    {"summits_from_spectral_moments",
+     {"bandwidth", "summit_density", "summit_radius", "summit_height_sd", "summit_plane_offset"}}};
+
 void check_function(const Json& question, const Json& answer, const std::string& text) {
   const std::string name = question["function"];
-  if (name == "hertz_point") {
-    for (const char* part : {"radius", "mean_pressure", "peak_pressure", "approach"})
-      require(number_or(answer, part, 0) >= 0 && answer.contains(part), "Hertz, not negative",
-              text);
-    return;
-  }
-  if (name == "hertz_ellipse" || name == "hertz_line") {
-    const bool is_line = name == "hertz_line";
-    for (const char* part :
-         is_line ? std::vector{"half_width", "mean_pressure", "peak_pressure", "peak_shear"}
-                 : std::vector{"semi_axis_x", "semi_axis_y", "ellipticity", "mean_pressure",
-                               "peak_pressure", "approach"})
-      require(number_or(answer, part, 0) >= 0 && answer.contains(part), "Hertz, not negative",
-              text);
+  if (const auto several = parts_of_functions.find(name); several != parts_of_functions.end()) {
+    for (const char* part : several->second)
+      require(answer.contains(part) && number_or(answer, part, 0) >= 0,
+              "a part is there, and not negative", text);
     require(number_or(answer, "mean_pressure", 0) <= number_or(answer, "peak_pressure", HUGE_VAL),
             "no mean above the peak", text);
-    return;
-  }
-  if (name == "reduced_radius") {
-    for (const char* part : {"radius_x", "radius_y", "reduced_radius"})
-      require(number_or(answer, part, 0) >= 0 && answer.contains(part), "radii, not negative",
-              text);
-    return;
-  }
-  if (name == "summits_from_spectral_moments") {
-    for (const char* part : {"bandwidth", "summit_density", "summit_radius", "summit_height_sd",
-                             "summit_plane_offset"})
-      require(number_or(answer, part, 0) >= 0 && answer.contains(part), "summits, not negative",
-              text);
     return;
   }
   require(answer.contains("value"), "a function has a value", text);
