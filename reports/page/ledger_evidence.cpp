@@ -125,9 +125,8 @@ TextTable departure_table(const Ledger& ledger) {
       {false, true, true},
       {},
       {}};
-  constexpr const char* names[] = {"rough", "medium", "smooth"};
   for (std::size_t i = 0; i < surface_count; ++i)
-    table.rows.push_back({names[i], number(found.own[i]), rounded(found.factor[i], 3)});
+    table.rows.push_back({surface_names[i], number(found.own[i]), rounded(found.factor[i], 3)});
   std::array<double, surface_count> reported{}, computed_speed{};
   for (std::size_t i = 0; i < ledger.items.size(); ++i) {
     const Item& item = ledger.items[i];
@@ -137,13 +136,10 @@ TextTable departure_table(const Ledger& ledger) {
         ledger.readings.front().results[i].observed.value.value_or(0);
   }
   table.note = fmt::format(
-      "The best common ε is {}. A criterion on r = h_ff/h_oil alone puts the onset at one λ on "
-      "all "
-      "surfaces, so that the speeds rise as σ_s^1/0.67 but for load sharing: by {} from smooth "
-      "to "
+      "The best common ε is {}. A criterion on r = h_ff/h_oil alone puts the onset at one λ on all "
+      "surfaces, so that the speeds rise as σ_s^1/0.67 but for load sharing: by {} from smooth to "
       "medium and by {} from medium to rough (film_maximum). The reported ones rise by {} and by "
-      "{}, "
-      "the one less and the other more: no common criterion fits all three.",
+      "{}, the one less and the other more: no common criterion fits all three.",
       rounded(found.best, 4), rounded(computed_speed[1] / computed_speed[2], 3),
       rounded(computed_speed[0] / computed_speed[1], 3), rounded(reported[1] / reported[2], 3),
       rounded(reported[0] / reported[1], 3));
@@ -162,7 +158,6 @@ TextTable uncertainty_table(const Ledger& ledger) {
         return item.reported;
     return std::nan("");
   };
-  constexpr const char* names[] = {"rough", "medium", "smooth"};
   for (const Uncertainty& one : ledger.uncertainty) {
     const char* const spread = one.spread == Spread::print ? "print precision" : "plausible ranges";
     const auto add = [&](const std::string& what, const Interval& interval, double printed) {
@@ -171,7 +166,7 @@ TextTable uncertainty_table(const Ledger& ledger) {
                             std::isnan(printed) ? no_entry : rounded(printed, 3)});
     };
     for (std::size_t i = 0; i < surface_count; ++i)
-      add(fmt::format("onset speed, {}, m/s", names[i]), one.onset_speed[i],
+      add(fmt::format("onset speed, {}, m/s", surface_names[i]), one.onset_speed[i],
           reported(Quantity::onset_speed, i));
     add("onset speeds, medium/smooth", one.medium_over_smooth,
         reported(Quantity::onset_speed, 1) / reported(Quantity::onset_speed, 2));
@@ -179,7 +174,7 @@ TextTable uncertainty_table(const Ledger& ledger) {
         reported(Quantity::onset_speed, 0) / reported(Quantity::onset_speed, 1));
     add("λ at the onset", one.film_parameter, reported(Quantity::onset_film_parameter, 0));
     for (std::size_t i = 0; i < surface_count; ++i)
-      add(fmt::format("asperity share at the lowest speed, {}", names[i]),
+      add(fmt::format("asperity share at the lowest speed, {}", surface_names[i]),
           one.slow_asperity_share[i], reported(Quantity::slow_asperity_share, i));
     table.note +=
         fmt::format("{}{}: {} draws; all three onset speeds print as reported in {} of them.",

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "page/ledger_tables.hpp"
 
 namespace tribo::report {
@@ -105,13 +103,13 @@ Json interval_json(const Interval& one) {
 }
 
 Json uncertainty_json(const Uncertainty& one) {
-  constexpr const char* surfaces[] = {"rough", "medium", "smooth"};
   Json object{{"inputs_varied", one.spread == Spread::print ? "print" : "plausible"},
               {"draws", one.draws},
               {"all_onsets_as_reported", one.all_onsets_reported}};
   for (std::size_t i = 0; i < surface_count; ++i) {
-    object["onset_speed"][surfaces[i]] = interval_json(one.onset_speed[i]);
-    object["slow_asperity_share"][surfaces[i]] = interval_json(one.slow_asperity_share[i]);
+    object["onset_speed"][ledger_cells::surface_names[i]] = interval_json(one.onset_speed[i]);
+    object["slow_asperity_share"][ledger_cells::surface_names[i]] =
+        interval_json(one.slow_asperity_share[i]);
   }
   object["onset_speed_medium_over_smooth"] = interval_json(one.medium_over_smooth);
   object["onset_speed_rough_over_medium"] = interval_json(one.rough_over_medium);
@@ -165,9 +163,6 @@ Json departure_json(const CommonDeparture& found) {
 
 Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings,
                  const std::vector<std::string>& claims) {
-  const auto is_wanted = [&](const std::string& claim) {
-    return claims.empty() || std::find(claims.begin(), claims.end(), claim) != claims.end();
-  };
   Json object{{"summary", verdict_sentence(ledger, ledger.readings.front())},
               {"headline", headline_items},
               {"switches", switches_json()},
@@ -180,7 +175,7 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
                                   {"departures", departures(reading.reading)},
                                   {"switches", switches(reading.reading)}});
   for (std::size_t k = 0; k < ledger.claims.size(); ++k) {
-    if (!is_wanted(ledger.claims[k])) continue;
+    if (!ledger_cells::is_wanted(claims, ledger.claims[k])) continue;
     Json claim{{"claim", ledger.claims[k]},
                {"statement", ledger.statements[k]},
                {"met_by", ledger.claim_parts[k]}};
@@ -193,7 +188,8 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
     object["claims"].push_back(claim);
   }
   for (std::size_t i = 0; i < ledger.items.size(); ++i)
-    if (is_wanted(ledger.items[i].claim)) object["items"].push_back(item_json(ledger, readings, i));
+    if (ledger_cells::is_wanted(claims, ledger.items[i].claim))
+      object["items"].push_back(item_json(ledger, readings, i));
   object["ranking"] = ranking_json(ledger);
   for (const Argument& one : ledger.arguments) {
     Json argument{
@@ -207,7 +203,7 @@ Json ledger_json(const Ledger& ledger, const std::vector<NamedReading>& readings
   }
   object["requirements"] = Json::array();
   for (const Requirement& one : ledger.requirements)
-    if (is_wanted(ledger.items[one.item].claim))
+    if (ledger_cells::is_wanted(claims, ledger.items[one.item].claim))
       object["requirements"].push_back(requirement_json(ledger, one));
   object["common_departure"] = departure_json(ledger.departure);
   for (const Uncertainty& one : ledger.uncertainty)

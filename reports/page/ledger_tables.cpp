@@ -120,10 +120,8 @@ TextTable reading_table(const Ledger& ledger, const NamedReading& reading,
       "half a unit of its last printed digit, else within 10 %, else to the order of "
       "magnitude (a factor √10: “order only”); a comparison, where it holds at all speeds "
       "compared; in part, where at half of them (logarithmically) or more. “1 ± 2 %”: the greater "
-      "is "
-      "at most 2 % above the other. Margin: by how much ln of the computed number, or the part of "
-      "the "
-      "speeds, differs from what would change the verdict, ± its numerical error."};
+      "is at most 2 % above the other. Margin: by how much ln of the computed number, or the part "
+      "of the speeds, differs from what would change the verdict, ± its numerical error."};
   for (std::size_t i = 0; i < ledger.items.size(); ++i) {
     const Item& item = ledger.items[i];
     if (!is_wanted(claims, item.claim)) continue;

@@ -60,6 +60,7 @@ nlohmann::ordered_json ledger_json(const reproduction::Ledger& ledger,
 namespace ledger_cells {
 
 inline constexpr const char* no_entry = "–";
+inline constexpr const char* surface_names[] = {"rough", "medium", "smooth"};
 
 // Rounded, or no_entry.
 std::string number(const std::optional<double>& value, int digits = 4);

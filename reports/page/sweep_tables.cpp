@@ -57,8 +57,6 @@ std::pair<std::string_view, std::string_view> split_name(std::string_view column
   return {column.substr(0, dot), column.substr(dot + 1)};
 }
 
-std::string code(std::string_view name) { return std::string(name); }
-
 // The places of at most eleven values, the first and the last among them.
 std::vector<std::size_t> chosen(std::size_t width) {
   std::vector<std::size_t> places(std::min(width, most_speeds));
@@ -108,7 +106,7 @@ TextTable number_table(const SceneResult& scene) {
     const ReadableUnit unit = readable_unit(column);
     for (const std::size_t i : chosen(column.values.size())) {
       const ColumnResult::Value& value = column.values[i];
-      std::vector<std::string> row{code(column.name), unit.name.empty() ? "–" : unit.name,
+      std::vector<std::string> row{column.name, unit.name.empty() ? "–" : unit.name,
                                    speed_text(scene, column, i), grouped(value.count),
                                    grouped(value.undefined)};
       const std::vector<double> numbers =
@@ -131,8 +129,8 @@ TextTable number_table(const SceneResult& scene) {
 
 TextTable word_table(const SceneResult& scene, const ColumnResult& column) {
   const bool with_speed = column.values.size() > 1;
-  TextTable table{fmt::format("{}: {}, part of the cases in per cent{}", scene.id,
-                              code(column.name), chosen_speeds(scene, with_speed)),
+  TextTable table{fmt::format("{}: {}, part of the cases in per cent{}", scene.id, column.name,
+                              chosen_speeds(scene, with_speed)),
                   {},
                   {},
                   {},
@@ -188,7 +186,7 @@ bool is_nothing(const Columns& columns, std::size_t variable) {
 TextTable index_table(const SceneResult& scene, const Columns& columns) {
   const std::string_view prefix = split_name(columns.front()->name).first;
   TextTable table{fmt::format("{}: Sobol indices{} ± 1.96 standard errors", scene.id,
-                              prefix.empty() ? "" : " of " + code(prefix)),
+                              prefix.empty() ? "" : fmt::format(" of {}", prefix)),
                   {"variable"},
                   {false},
                   {},
@@ -209,7 +207,7 @@ TextTable index_table(const SceneResult& scene, const Columns& columns) {
       ++left_out;
       continue;
     }
-    std::vector<std::string> row{code(scene.sensitivity_variables[v])};
+    std::vector<std::string> row{scene.sensitivity_variables[v]};
     for (const ColumnResult* const column : columns) {
       const sweep::SobolIndices& indices = column->values.front().sensitivity;
       row.push_back(with_error(indices.first_order[v]));

@@ -2,11 +2,14 @@
 """Runs the real program and writes scenes for it. TRIBOCHECK is the program's path."""
 
 import copy
+import csv
+import io
 import json
 import os
 import signal
 import subprocess
 import tempfile
+import unittest
 
 PROGRAM = os.environ["TRIBOCHECK"]
 SWEEP_PROGRAM = PROGRAM + "_sweep"  # which `tribocheck sweep` becomes
@@ -106,6 +109,10 @@ class Result:
     def json_lines(self):
         return [strict_json(line) for line in self.out.splitlines()]
 
+    def rows(self):
+        """The rows of CSV, by the names of their columns."""
+        return list(csv.DictReader(io.StringIO(self.out, newline="")))
+
 
 def strict_json(text):
     """Reads JSON strictly: Python's own reader lets NaN and Infinity through."""
@@ -114,9 +121,10 @@ def strict_json(text):
     return json.loads(text, parse_constant=refuse)
 
 
-def run(*arguments, stdin="", **options):
-    done = subprocess.run([PROGRAM, *map(str, arguments)], input=stdin.encode(),
-                          capture_output=True, timeout=TIMEOUT, env=ENVIRONMENT, **options)
+def run(*arguments, stdin="", environment=None, **options):
+    """`environment`: the variables that differ from this process's."""
+    done = subprocess.run([PROGRAM, *map(str, arguments)], input=stdin.encode(), capture_output=True, timeout=TIMEOUT,
+                          env=ENVIRONMENT | (environment or {}), **options)
     return Result(done.returncode, done.stdout.decode(), done.stderr.decode())
 
 
@@ -156,3 +164,18 @@ class Folder(tempfile.TemporaryDirectory):
         with open(self.path(name), "wb") as file:
             file.write(text if isinstance(text, bytes) else text.encode())
         return self.path(name)
+
+
+class ProgramTest(unittest.TestCase):
+    """Tests that write files for the program."""
+
+    def setUp(self):
+        self.folder = Folder()
+        self.addCleanup(self.folder.cleanup)
+
+    def assert_refused(self, result, *words, code=2):
+        """Asserts one line on stderr, with these words in it, and nothing on stdout."""
+        self.assertEqual((result.code, result.out, len(result.error_lines)), (code, "", 1), result.err)
+        self.assertTrue(result.err.startswith("tribocheck: "), result.err)
+        for word in words:
+            self.assertIn(word, result.err)

@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs `tribocheck report`, and lists the files that it has to write."""
 
+import atexit
+import functools
 import html.parser
 import json
 import os
 import pathlib
 import re
-import subprocess
+import shutil
 import tempfile
 import unittest
 
-from program import ENVIRONMENT, OF_SUMMITS, PROGRAM, TIMEOUT
+from program import run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 PUBLISHED = ROOT / "reference/published"
@@ -54,14 +56,8 @@ SECTIONS = ["figures", "comparison", "claims", "readings", "requirements", "unce
             "environment"]
 
 
-def report(*arguments, environment=None, cwd=ROOT):
-    done = subprocess.run([PROGRAM, "report", *map(str, arguments)], cwd=cwd,
-                          env={**ENVIRONMENT, **(environment or {})}, stdin=subprocess.DEVNULL,
-                          capture_output=True, encoding="utf-8", timeout=TIMEOUT)
-    lines = done.stderr.splitlines(keepends=True)
-    done.of_summits = [line for line in lines if OF_SUMMITS in line]
-    done.stderr = "".join(line for line in lines if OF_SUMMITS not in line)
-    return done
+def report(*arguments, cwd=ROOT, **options):
+    return run("report", *arguments, cwd=cwd, **options)
 
 
 def files_below(folder):
@@ -117,16 +113,35 @@ class PageReader(html.parser.HTMLParser):
             self.problems.append(f"</{tag}> closes nothing")
 
 
+@functools.cache
+def written(sections):
+    """The folder of a report of these sections, and how the program ended. Made once for all tests of a process."""
+    folder = tempfile.TemporaryDirectory()
+    atexit.register(folder.cleanup)
+    out = pathlib.Path(folder.name) / "it's here"  # gnuplot must cope with the quote
+    return out, report("--out", out, *(f"--section={one}" for one in sections))
+
+
 class WrittenReport(unittest.TestCase):
-    """One report for all the tests that only look at it."""
+    """A report for all the tests that only look at it, and a folder for what they write."""
     sections = ()  # empty: all sections
 
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.out = pathlib.Path(cls.folder.name) / "it's here"  # gnuplot must cope with the quote
-        cls.done = report("--out", cls.out, *(f"--section={one}" for one in cls.sections))
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.out, cls.done = cls.written()
+        cls.told = json.loads((cls.out / "report.json").read_text())
+        cls.text = (cls.out / "report.md").read_text()
 
     @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
+    def written(cls):
+        return written(cls.sections)
+
+
+def project_copy(folder, *parts):
+    """A project of its own: the scripts of the page, and these parts of reference/."""
+    project = pathlib.Path(folder) / "project"
+    for part in (*(f"reference/{one}" for one in parts), *(f"reports/page/{one}" for one in ("gnuplot", "groups", "render"))):
+        shutil.copytree(ROOT / part, project / part)
+    return project

@@ -10,9 +10,8 @@ import signal
 import struct
 import subprocess
 import time
-import unittest
 
-from program import ENVIRONMENT, PROGRAM, Folder, run
+from program import ENVIRONMENT, PROGRAM, ProgramTest, run
 
 ONE_LINE = {"load": "50", "bodies.effective_modulus": "107.9e9", "bodies.reduced_radius": "9.5e-3",
             "surface.summit_density": "2e11", "surface.summit_radius": "1e-5",
@@ -56,7 +55,7 @@ DAYS = sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }',
 MINI = sweep({"lubricant.viscosity": UNIFORM}, onset='["film_maximum"]', draws=30000)
 
 
-class SweepTest(unittest.TestCase):
+class SweepTest(ProgramTest):
     def check_kills(self, kills, begin, end, pick):
         """Kills at random moments: begin(*options) starts processes on MINI, pick() gives the process to kill for each
         one, end() goes on with what is left, until out.h5 is there."""
@@ -103,10 +102,6 @@ class SweepTest(unittest.TestCase):
         self.swept(MINI, "--force", out="whole.h5")
         return self.bytes_of("whole.h5")
 
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
     def path(self, name):
         return self.folder.path(name)
 
@@ -118,9 +113,20 @@ class SweepTest(unittest.TestCase):
         return [name for name in self.names() if re.fullmatch(re.escape(out) + r"\.part-\d+-\d+(-\d+)?", name)]
 
     def wait_until(self, is_so):
+        """Whether it is so within a minute."""
         end = time.monotonic() + 60
-        while not is_so() and time.monotonic() < end:
+        while not is_so():
+            if time.monotonic() > end:
+                return False
             time.sleep(0.002)
+        return True
+
+    def wait_for_parts(self, count=3):
+        return self.wait_until(lambda: len(self.parts()) >= count)
+
+    def put(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
 
     def bytes_of(self, name):
         with open(self.path(name), "rb") as file:
@@ -134,12 +140,6 @@ class SweepTest(unittest.TestCase):
         result = self.sweep(text, *options, out=out, **more)
         self.assertEqual(result.code, 0, result.err)
         return result
-
-    def assert_refused(self, result, *words):
-        self.assertEqual((result.code, result.out), (2, ""), result.err)
-        self.assertEqual(len(result.error_lines), 1, result.err)
-        for word in words:
-            self.assertIn(word, result.err)
 
 
 XXHASH = ctypes.CDLL("libxxhash.so.0")

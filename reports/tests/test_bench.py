@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import unittest
 
-from program import PROGRAM, TIMEOUT, run
+from program import PROGRAM, TIMEOUT, ProgramTest, run
 
 CLOSED_FORM = "^moment_2/(closed form|tribocheck)/"
 COLUMNS = ["job", "family", "name", "ns", "ratio", "max_ulp", "p99_ulp", "mean_ulp", "evaluations",
@@ -129,22 +129,16 @@ class Baselines(unittest.TestCase):
         self.assertIn("there is no such baseline", done.err)
 
 
-class Refusals(unittest.TestCase):
-    def one_line(self, done, *words):
-        self.assertEqual((done.code, done.out), (2, ""))
-        self.assertEqual(len(done.error_lines), 1, done.err)
-        for word in words:
-            self.assertIn(word, done.err)
-
+class Refusals(ProgramTest):
     def test_a_filter_that_is_no_expression(self):
-        self.one_line(bench("--filter", "("), "--filter", "regular expression")
+        self.assert_refused(bench("--filter", "("), "--filter", "regular expression")
 
     def test_a_filter_that_matches_nothing(self):
-        self.one_line(bench("--filter", "no such contender"), "no such contender",
-                      "the jobs are moment_5_2, ", "points_1e6, hertz_ellipse; the families are GSL, ", "tribocheck")
+        self.assert_refused(bench("--filter", "no such contender"), "no such contender",
+                            "the jobs are moment_5_2, ", "points_1e6, hertz_ellipse; the families are GSL, ", "tribocheck")
 
     def test_an_unknown_format(self):
-        self.one_line(bench("--format", "xml"), "--format")
+        self.assert_refused(bench("--format", "xml"), "--format")
 
     def test_a_program_that_is_not_built(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """bench as a gate: a stand-in for tribocheck_bench gives the rows, so that each limit can be tested exactly."""
 import json
-import os
 import pathlib
 import shlex
 import shutil
@@ -10,7 +9,7 @@ import tempfile
 import unittest
 
 from plugins import plugin
-from program import ENVIRONMENT, PROGRAM, TIMEOUT, Result
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, Result, run
 
 CONTROL = "moment_5_2/control/std::exp"
 MINE = "moment_5_2/plugin/mine"
@@ -272,11 +271,9 @@ class Gate(unittest.TestCase):
 
 class Plugins(unittest.TestCase):
     def bench(self, library, ending, *arguments):
-        done = subprocess.run([PROGRAM, "bench", "--quick", "--plugin", plugin(library), *arguments],
-                              capture_output=True, text=True, timeout=TIMEOUT,
-                              env={**ENVIRONMENT, "TRIBOCHECK_ENDING": ending})
-        self.assertEqual((done.stdout, done.stderr.count("\n")), ("", 1), done.stderr)
-        return done.returncode, done.stderr
+        done = run("bench", "--quick", "--plugin", plugin(library), *arguments, environment={"TRIBOCHECK_ENDING": ending})
+        self.assertEqual((done.out, done.said.count("\n")), ("", 1), done.said)
+        return done.code, done.said
 
     def test_one_that_ends_the_process_or_hangs_is_one_line(self):
         for code in ("0", "1", "2", "3", "77"):

@@ -8,7 +8,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from conformance import BUILT, PYTHON, altered, subject, verify
-from program import PROGRAM, Folder, run
+from program import PROGRAM, Folder, ProgramTest, run
 
 
 class RightSolvers(unittest.TestCase):
@@ -82,11 +82,7 @@ class RightSolvers(unittest.TestCase):
         self.assertEqual({one["asked"] for one in quantities if "operating_point" not in one["quantity"]}, {7})
 
 
-class Outputs(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class Outputs(ProgramTest):
     def test_markdown_and_junit_tell_the_same(self):
         path = self.folder.path("junit.xml")
         result = run("verify", "--subject", subject("small_python/my_solver.py"), "--format", "markdown",
@@ -137,10 +133,9 @@ class Outputs(unittest.TestCase):
             self.assertIn(words, result.err)
 
 
-class Baselines(unittest.TestCase):
+class Baselines(ProgramTest):
     def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
+        super().setUp()
         self.path = self.folder.path("baseline.json")
 
     def gate(self, script, *more):
@@ -316,12 +311,8 @@ class Baselines(unittest.TestCase):
             self.assertFalse(pathlib.Path(self.folder.path("asked")).exists())
 
 
-class Ends(unittest.TestCase):
+class Ends(ProgramTest):
     """How a subject ends after its last answer."""
-
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
 
     def test_one_that_ends_badly_has_failed(self):
         for end, words in (("sys.exit(77)", "exits with code 77"), ("sys.exit(1)", "exits with code 1"),

@@ -9,7 +9,7 @@ import subprocess
 import unittest
 
 from plugins import plugin
-from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, TIMEOUT, Folder, run
+from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, TIMEOUT, Folder, ProgramTest, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 
@@ -31,11 +31,10 @@ def examples(*command, **options):
     return re.findall(r"(?m)^  (\S.*(?:\n    .*)*)", block)
 
 
-class Examples(unittest.TestCase):
+class Examples(ProgramTest):
     def setUp(self):
         """A folder like the project's, with the program called `tribocheck`."""
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
+        super().setUp()
         os.symlink(ROOT / "reference", self.folder.path("reference"))
         os.mkdir(self.folder.path("bin"))
         # A link would not do for `bench`, which looks for its helper beside the program.
@@ -120,12 +119,8 @@ class Examples(unittest.TestCase):
                     self.assertEqual(done.returncode, 0, done.stderr)
 
 
-class Elsewhere(unittest.TestCase):
+class Elsewhere(ProgramTest):
     """Outside of the project the examples name the scenes by their full path."""
-
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
 
     def scenes_in_help(self, program, *command):
         done = subprocess.run([program, *command, "--help"], cwd=self.folder.name,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""verify --subject names the mistake of each fake, and none where nothing is wrong."""
+"""verify --subject names the mistake of each fake, all of two or three mistakes at once, and none where nothing is wrong."""
 
 import concurrent.futures
 import unittest
@@ -131,6 +131,53 @@ NAMED = {
 }
 
 
+# The fakes of each function that are put together.
+TOGETHER = {
+    "hamrock_dowson_central": """
+        film_half_radius+film_modulus_single        film_half_radius+film_speed_sum
+        film_half_radius+film_constant_0_6          film_half_radius+film_constant_without_bracket
+        film_half_radius+film_modulus_in_speed      film_half_radius+film_modulus_in_load
+        film_radius_in_mm+film_modulus_doubled      film_radius_in_mm+film_constant_0_6
+        film_speed_sum+film_modulus_single          film_speed_sum+film_constant_0_6
+        film_speed_sum+film_modulus_in_material     film_speed_sum+film_constant_without_bracket
+        film_modulus_in_speed+film_modulus_in_load  film_modulus_in_material+film_constant_0_6
+        film_modulus_single+film_constant_0_6       film_modulus_doubled+film_constant_without_bracket
+        film_minimum+film_half_radius               film_minimum+film_speed_sum
+        film_minimum+film_radius_in_mm              film_minimum+film_modulus_single
+        film_half_radius+film_modulus_single+film_constant_0_6
+        film_half_radius+film_speed_sum+film_constant_0_6
+        film_minimum+film_half_radius+film_speed_sum
+        film_radius_in_mm+film_modulus_in_load+film_constant_without_bracket""",
+    "hertz_point": """
+        hertz_modulus_doubled+hertz_area_without_pi   hertz_modulus_doubled+hertz_peak_without_3_2
+        hertz_modulus_halved+hertz_area_without_pi    hertz_modulus_halved+hertz_peak_without_3_2
+        hertz_half_radius+hertz_area_without_pi       hertz_half_radius+hertz_peak_without_3_2
+        hertz_half_radius+hertz_modulus_halved        hertz_half_radius+hertz_radius_in_mm
+        hertz_radius_in_mm+hertz_modulus_doubled      hertz_area_without_pi+hertz_peak_without_3_2
+        hertz_half_radius+hertz_area_without_pi+hertz_peak_without_3_2
+        hertz_radius_in_mm+hertz_modulus_doubled+hertz_peak_without_3_2""",
+    "load_sharing": """
+        asperity_offset_none+sharing_order_of_williamson        asperity_offset_none+sharing_share_exponent_one
+        asperity_offset_none+sharing_film_exponent_067          asperity_offset_other_sign+sharing_film_exponent_067
+        asperity_offset_other_sign+sharing_order_of_williamson  asperity_offset_other_sign+sharing_share_exponent_one
+        sharing_order_of_williamson+sharing_film_exponent_067   sharing_share_exponent_one+sharing_film_exponent_067""",
+    "starvation_ratio": """
+        inlet_ratio_to_oil+inlet_circular_gap""",
+    "operating_point": """
+        asperity_stiffness_halved+asperity_sd_of_one_face       asperity_stiffness_halved+friction_viscosity_ambient
+        asperity_sd_of_one_face+asperity_stiffness_of_williamson asperity_offset_two_planes+asperity_stiffness_halved
+        friction_slide_roll_ignored+friction_viscosity_ambient  asperity_sd_of_one_face+friction_slide_roll_ignored
+        friction_boundary_by_fluid_share+friction_slide_roll_ignored""",
+}
+SETS = [(function, fakes) for function, sets in TOGETHER.items() for fakes in sets.split()]
+
+
+def all_verdicts(asked, ones):
+    """What asked(one) returns of each, two at a time."""
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        return dict(zip(ones, pool.map(asked, ones)))
+
+
 class Fakes(unittest.TestCase):
     """Every fake is caught, and its mistake is named."""
 
@@ -145,8 +192,7 @@ class Fakes(unittest.TestCase):
         def asked(fake):
             only = [] if fake in first.values() else ["--only", functions[fake]]
             return verify("--subject", subject("fakes/fake.py", "--mistake", fake, *only), "--sample", "400")
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            results = dict(zip(NAMED, pool.map(asked, NAMED)))
+        results = all_verdicts(asked, NAMED)
         for fake, mistake in NAMED.items():
             with self.subTest(fake):
                 result = results[fake]
@@ -176,6 +222,23 @@ class Fakes(unittest.TestCase):
         self.assertEqual(result.code, 1)
         self.assertIn("hamrock_dowson_central is 27.5 % low everywhere. These are the numbers that this gives: "
                       "R/2 in place of R", result.out)
+
+
+class Together(unittest.TestCase):
+    def test_there_are_at_least_forty(self):
+        self.assertGreaterEqual(len(set(SETS)), 40)
+
+    def test_all_mistakes_of_a_set_are_named(self):
+        def asked(one):
+            function, fakes = one
+            return verify("--subject", subject("fakes/fake.py", "--mistake", fakes, "--only", function))
+        for (function, fakes), result in all_verdicts(asked, SETS).items():
+            with self.subTest(fakes):
+                self.assertEqual(result.code, 1)
+                diagnoses = result.json()["diagnoses"]
+                named = {name for one in diagnoses for cause in one["mistakes"] for name in cause.split(" + ")}
+                self.assertLessEqual({NAMED[fake] for fake in fakes.split("+")}, named,
+                                     [one["text"] for one in diagnoses])
 
 
 if __name__ == "__main__":

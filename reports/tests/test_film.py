@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """film: solved line contacts, their errors, each formula beside them, and failures."""
 
-import csv
-import io
 import math
 import os
 import pty
@@ -16,7 +14,7 @@ import xml.etree.ElementTree as xml
 
 import page_pictures
 import svg_plots
-from program import ENVIRONMENT, PROGRAM, Folder, read_terminal, run, scene, start, strict_json, toml
+from program import ENVIRONMENT, PROGRAM, ProgramTest, read_terminal, run, scene, start, strict_json, toml
 from report_files import ROOT
 
 ROLLER = ROOT / "reference/scenes/roller.toml"
@@ -43,11 +41,7 @@ def film_number(film):
     return film/RADIUS*math.sqrt(MODULUS*RADIUS/VISCOSITY)
 
 
-class FilmTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class FilmTest(ProgramTest):
     def write(self, tree, name="scene.toml"):
         return self.folder.write(name, tree)
 
@@ -60,11 +54,8 @@ class FilmTest(unittest.TestCase):
         found, = self.films(tree, *arguments)
         return found
 
-    def assert_refused(self, part, *arguments, **options):
-        result = run("film", *arguments, **options)
-        self.assertEqual((result.code, result.out), (2, ""))
-        self.assertEqual(len(result.error_lines), 1, result.err)
-        self.assertIn(part, result.err)
+    def assert_film_refused(self, part, *arguments):
+        self.assert_refused(run("film", *arguments), part)
 
 
 class Numbers(FilmTest):
@@ -189,7 +180,7 @@ class Formats(FilmTest):
     def test_they_agree(self):
         path = self.write(line(10, 5, speed=[0.5, 1]))
         found = run("film", path, "--format", "json").json()
-        rows = list(csv.DictReader(io.StringIO(run("film", path, "--format", "csv").out)))
+        rows = run("film", path, "--format", "csv").rows()
         tables = re.split(r"(?m)^(?=line: line contact at )", run("film", path).out)[1:]
         self.assertEqual(len(found), 2)
         for film, row, table in zip(found, rows, tables, strict=True):
@@ -229,7 +220,7 @@ class Formats(FilmTest):
 
     def test_profiles_of_several_speeds_as_rows(self):
         path = self.write(line(10, 5, speed=[0.5, 1]))
-        rows = list(csv.DictReader(io.StringIO(run("film", path, "--profile", "--format", "csv").out)))
+        rows = run("film", path, "--profile", "--format", "csv").rows()
         self.assertEqual(list(rows[0]), ["id", "speed", "x", "x_over_half_width", "pressure", "film"])
         for found in run("film", path, "--profile", "--format", "json").json():
             mine = [row for row in rows if float(row["speed"]) == found["speed"]]
@@ -251,19 +242,19 @@ class Scenes(FilmTest):
         self.assertTrue(result.out.startswith("stdin: line contact"))
 
     def test_circles_and_ellipses_are_refused(self):
-        self.assert_refused("scene.toml: bodies.reduced_radius: this is the contact of a circle, and the film is solved "
-                            "of line contacts alone; allowed: radius_x and length", self.write(scene(supply=None)))
-        self.assert_refused("bodies.first_radius_y", ROOT / "reference/scenes/bearing_outer_ring.toml")
+        self.assert_film_refused("scene.toml: bodies.reduced_radius: this is the contact of a circle, and the film is solved "
+                                 "of line contacts alone; allowed: radius_x and length", self.write(scene(supply=None)))
+        self.assert_film_refused("bodies.first_radius_y", ROOT / "reference/scenes/bearing_outer_ring.toml")
 
     def test_what_is_needed_and_missing(self):
         for section, field in [("", "load"), ("", "speed"), ("lubricant", "viscosity"),
                                ("lubricant", "pressure_viscosity")]:
             tree = line(10, 5)
             del (tree[section] if section else tree)[field]
-            self.assert_refused(f"{section}.{field}: missing".lstrip("."), self.write(tree))
+            self.assert_film_refused(f"{section}.{field}: missing".lstrip("."), self.write(tree))
         tree = line(10, 5)
         del tree["bodies"]["length"]
-        self.assert_refused("radius_x and length", self.write(tree))
+        self.assert_film_refused("radius_x and length", self.write(tree))
         self.assertEqual(self.film(line(10, 5, speed=None), "--speed", "1"), self.film(line(10, 5)))
 
     def test_a_supply_is_warned_of(self):
@@ -323,8 +314,8 @@ class Scenes(FilmTest):
     def test_roelands_law_needs_a_viscosity(self):
         tree = line(10, 5)
         tree["lubricant"]["viscosity"] = 6e-5
-        self.assert_refused("lubricant.viscosity: 6e-05 is not allowed with --viscosity roelands", self.write(tree),
-                            "--viscosity", "roelands")
+        self.assert_film_refused("lubricant.viscosity: 6e-05 is not allowed with --viscosity roelands", self.write(tree),
+                                 "--viscosity", "roelands")
 
 
 class Failures(FilmTest):
@@ -334,9 +325,9 @@ class Failures(FilmTest):
                                "--format": ["xml"], "--viscosity": ["eyring"], "--density": ["1000"],
                                "--picture": ["film.jpg", "png", ""]}.items():
             for value in values:
-                self.assert_refused(option, path, option, value)
-        self.assert_refused("--picture draws one contact, and this would be 2", self.write(line(10, 5, speed=[1, 2])),
-                            "--picture", self.folder.path("film.png"))
+                self.assert_film_refused(option, path, option, value)
+        self.assert_film_refused("--picture draws one contact, and this would be 2", self.write(line(10, 5, speed=[1, 2])),
+                                 "--picture", self.folder.path("film.png"))
 
     def test_contacts_that_are_not_solved_leave_the_others(self):
         # M ∝ u^(−1/2), L ∝ u^(1/4): a film below the grids' resolution, a contact as good as rigid.
@@ -354,7 +345,7 @@ class Failures(FilmTest):
             self.assertIn(film["reason"], said)
             self.assertEqual(set(film["undefined"].values()), {film["reason"]})
         self.assertEqual(run("film", path).out.count("- not solved: "), 2)
-        rows = list(csv.DictReader(io.StringIO(run("film", path, "--format", "csv").out)))
+        rows = run("film", path, "--format", "csv").rows()
         self.assertEqual([row["central_film"] == "" for row in rows], [True, False, True])
         self.assertEqual([row["cells"] == "0" for row in rows], [True, False, True])
 

@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import ENVIRONMENT, PROGRAM, TIMEOUT, Folder, Result, run
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, ProgramTest, Result, run
 from subjects import all_lines, answers_of, python
 
 TEMPLATES = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "verification/conformance/templates"
@@ -25,17 +25,7 @@ def run_on_path(path, *arguments, **options):
     return Result(done.returncode, done.stdout, done.stderr)
 
 
-class Init(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
-    def assert_refused(self, result, code, *words):
-        self.assertEqual((result.code, result.out), (code, ""))
-        line, = result.error_lines
-        for word in words:
-            self.assertIn(word, line)
-
+class Init(ProgramTest):
     def assert_all_functions(self, text):
         """Each function with its arguments and results is there, and no mark of the template is left."""
         functions = json.loads(run("functions", "--format", "json").out)
@@ -149,22 +139,22 @@ class Init(unittest.TestCase):
 
     def test_a_file_that_is_there_is_left_alone_unless_forced(self):
         path = self.folder.write("solver.py", "mine")
-        self.assert_refused(init("python", cwd=self.folder.name), 2, "solver.py", "--force")
+        self.assert_refused(init("python", cwd=self.folder.name), "solver.py", "--force")
         self.assertEqual(pathlib.Path(path).read_text(), "mine")
         self.assertEqual(init("python", "--force", cwd=self.folder.name).code, 0)
         self.assert_all_functions(pathlib.Path(path).read_text())
 
     def test_places_that_cannot_be_written(self):
-        self.assert_refused(init("python", "--out", self.folder.path("no/such/solver.py")), 1, "no/such")
-        self.assert_refused(init("python", "--out", self.folder.name), 2, "is there already")
-        self.assert_refused(init("python", "--force", "--out", self.folder.name), 1, "irectory")
-        self.assert_refused(init("python", "--force", "--out", "/dev/full"), 1, "/dev/full", "no regular file")
+        self.assert_refused(init("python", "--out", self.folder.path("no/such/solver.py")), "no/such", code=1)
+        self.assert_refused(init("python", "--out", self.folder.name), "is there already")
+        self.assert_refused(init("python", "--force", "--out", self.folder.name), "irectory", code=1)
+        self.assert_refused(init("python", "--force", "--out", "/dev/full"), "/dev/full", "no regular file", code=1)
 
     def test_bad_usage(self):
-        self.assert_refused(init("cobol"), 2, "cobol", "python, octave")
-        self.assert_refused(run("init", "subject"), 2, "--language")
-        self.assert_refused(run("init", "--language", "python"), 2, "what")
-        self.assert_refused(run("init", "scene", "--language", "python"), 2, "scene")
+        self.assert_refused(init("cobol"), "cobol", "python, octave")
+        self.assert_refused(run("init", "subject"), "--language")
+        self.assert_refused(run("init", "--language", "python"), "what")
+        self.assert_refused(run("init", "scene", "--language", "python"), "scene")
 
 
 if __name__ == "__main__":

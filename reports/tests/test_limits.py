@@ -7,7 +7,7 @@ import subprocess
 import threading
 import unittest
 
-from program import Folder, json_value, run, quiet_scene, start, strict_json, wait_for
+from program import ProgramTest, json_value, quiet_scene, run, start, strict_json, wait_for
 
 MEMORY = 100  # MB
 GIGABYTE = 1000 * (1 << 20)
@@ -31,11 +31,7 @@ def repeated(part, total):
         yield part
 
 
-class Limits(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class Limits(ProgramTest):
     def fed(self, parts, *arguments):
         """Exit code, memory, stdout and stderr."""
         with open(self.folder.path("err"), "w+") as err, open(self.folder.path("out"), "w+") as out:

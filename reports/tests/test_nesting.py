@@ -9,7 +9,7 @@ import shutil
 import sys
 import unittest
 
-from program import Folder, run, scene, toml
+from program import ProgramTest, run, scene, toml
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 MOST, FAR = 16, 100_000
@@ -50,12 +50,8 @@ for line in sys.stdin:
 """
 
 
-class Deep(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
-    def assert_refused(self, result, depth, code=2):
+class Deep(ProgramTest):
+    def assert_depth_told(self, result, depth, code=2):
         """Asserts the sentence on nesting beyond the allowed depth, whether or not brackets pair up, and another refusal at that depth."""
         self.assertEqual(result.code, code, result.said[:500])
         said = result.said + result.out
@@ -72,7 +68,7 @@ class Scenes(Deep):
             for depth in self.depths():
                 with self.subTest(name, depth=depth):
                     text = f'{{"x": {nest(depth - 1)}}}'
-                    self.assert_refused(run("solve", self.folder.write("scene.json", text)), depth)
+                    self.assert_depth_told(run("solve", self.folder.write("scene.json", text)), depth)
                     answers = run("stream", stdin=f'{text}\n{{"function": "gaussian_moment", "x": {nest(depth - 1)}}}\n')
                     self.assertEqual(answers.code, 0)
                     for answer in answers.json_lines():
@@ -85,7 +81,7 @@ class Scenes(Deep):
                 path = self.folder.write("scene.toml", f"{toml(scene())}\n{nest(depth)}\n")
                 for command in commands if depth == FAR else commands[:1]:
                     with self.subTest(name, depth=depth, command=command):
-                        self.assert_refused(run(*command, path), depth)
+                        self.assert_depth_told(run(*command, path), depth)
 
     def test_mistakes(self):
         reference = pathlib.Path(self.folder.path("reference"))
@@ -101,7 +97,7 @@ class Scenes(Deep):
                     for part in ("exact", "published"):
                         (tree / "reference" / part).symlink_to(ROOT / "reference" / part)
                     (tree / "reference/mistakes.toml").write_text(nest(depth) + "\n")
-                    self.assert_refused(run("verify", "--subject", subject, "--sample", "1", cwd=tree), depth)
+                    self.assert_depth_told(run("verify", "--subject", subject, "--sample", "1", cwd=tree), depth)
 
 
 class Answers(Deep):
@@ -113,7 +109,7 @@ class Answers(Deep):
                     command = shlex.join([sys.executable, path, name, str(depth - 1)])
                     result = run("verify", "--subject", command, "--sample", "2", "--format", "json")
                     if depth > MOST or name not in CLOSED:
-                        self.assert_refused(result, depth)
+                        self.assert_depth_told(result, depth)
                         continue
                     self.assertEqual(result.code, 1, result.err)
                     self.assertNotIn(SENTENCE, result.out)
@@ -135,7 +131,7 @@ class Baselines(Deep):
             for depth in self.depths():
                 with self.subTest(name, depth=depth):
                     path = self.folder.write("base.json", f'{{"x": {nest(depth - 1)}}}')
-                    self.assert_refused(run("verify", "--subject", subject, "--sample", "1", "--baseline", path), depth)
+                    self.assert_depth_told(run("verify", "--subject", subject, "--sample", "1", "--baseline", path), depth)
 
     def test_of_the_report(self):
         tree = pathlib.Path(self.folder.path("tree"))

@@ -8,7 +8,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from conformance import PYTHON, subject
-from program import ENVIRONMENT, PROGRAM, TIMEOUT, Folder, Result, run
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, ProgramTest, Result, run
 
 # A solver that answers radius and skips all else. {before} is run first, {each} for each question.
 SOLVER = """
@@ -30,11 +30,7 @@ def questions(sample):
     return sample * (len(run("functions").out.splitlines()) + 4)
 
 
-class Trips(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class Trips(ProgramTest):
     def command(self, before="", each="", flush=True):
         path = self.folder.write("solver.py", SOLVER.format(before=before, each=each, flush=flush))
         return f"{PYTHON} -B {path}"

@@ -1,21 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """onset: the four criteria, and the reasons where there is no onset."""
 
-import csv
-import io
 import unittest
 
-from program import Folder, run, scene
+from program import ProgramTest, run, scene
 
 CRITERIA = ["film_maximum", "film_departure", "friction_minimum", "asperity_minimum"]
 VALUES = ["speed", "film", "film_parameter"]
 
 
-class OnsetTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class OnsetTest(ProgramTest):
     def found(self, tree, *arguments):
         result = run("onset", self.folder.write("scene.toml", tree), *arguments, "--format", "json")
         self.assertEqual((result.code, result.err), (0, ""))
@@ -70,8 +64,7 @@ class OnsetTest(unittest.TestCase):
         path = self.folder.write("thin.toml", tree)
         found = run("onset", path, "--criterion", "film_maximum", "--format", "json").json()[0]
         self.assertEqual([found[value] for value in VALUES], [None] * 3)
-        row = next(csv.DictReader(io.StringIO(
-            run("onset", path, "--criterion", "film_maximum", "--format", "csv").out)))
+        row = run("onset", path, "--criterion", "film_maximum", "--format", "csv").rows()[0]
         self.assertEqual([row[value] for value in VALUES], [""] * 3)
         self.assertEqual(row["reason"], found["undefined"]["speed"])
 
@@ -85,7 +78,7 @@ class OnsetTest(unittest.TestCase):
             tree = scene(supply=supply)
             path = self.folder.write("scene.toml", tree)
             found = self.found(tree)
-            rows = list(csv.DictReader(io.StringIO(run("onset", path, "--format", "csv").out)))
+            rows = run("onset", path, "--format", "csv").rows()
             table = run("onset", path).out.splitlines()[5:]
             for row, line in zip(rows, table, strict=True):
                 self.assert_agree(found[row["criterion"]], row, line)

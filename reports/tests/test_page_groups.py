@@ -9,7 +9,7 @@ import types
 import unittest
 from unittest import mock
 
-sys.path.insert(0, str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page/groups"))
+sys.path[:0] = [str(pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reports/page" / folder) for folder in ("groups", "render")]
 import ellipse_fits  # noqa: E402
 import ledger  # noqa: E402
 import line_films  # noqa: E402

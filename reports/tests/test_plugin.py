@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 from plugins import (ask_plugin, ask_program, film, hertz, lines, moment, plugin, point, shared, starved)
-from program import ENVIRONMENT, PROGRAM, TIMEOUT, run, start
+from program import ENVIRONMENT, PROGRAM, TIMEOUT, ProgramTest, run, start
 
 CLOSURES = ["flooded_inlet", "starved_inlet", "printed_exponents", "damiens"]
 ASPERITIES = ["greenwood_tripp", "greenwood_williamson"]
@@ -191,28 +191,24 @@ class Process(unittest.TestCase):
         process.stderr.close()
 
 
-class Refusals(unittest.TestCase):
-    def one_line(self, path, *words):
-        done = run("plugin-host", path, stdin=lines([hertz()]))
-        self.assertEqual((done.code, done.out), (2, ""))
-        self.assertEqual(len(done.error_lines), 1, done.err)
-        for word in [str(path), *words]:
-            self.assertIn(word, done.err)
+class Refusals(ProgramTest):
+    def assert_not_loaded(self, path, *words):
+        self.assert_refused(run("plugin-host", path, stdin=lines([hertz()])), str(path), *words)
 
     def test_a_file_that_is_not_there(self):
-        self.one_line("no_such.so", "No such file")
+        self.assert_not_loaded("no_such.so", "No such file")
 
     def test_a_text_a_folder_and_nothing(self):
         with tempfile.TemporaryDirectory() as folder:
             text = pathlib.Path(folder) / "text.so"
             text.write_text("int main;\n" * 100)
-            self.one_line(text, "cannot be loaded")
-            self.one_line(folder, "cannot be loaded")
-        self.one_line("/dev/null", "cannot be loaded")
+            self.assert_not_loaded(text, "cannot be loaded")
+            self.assert_not_loaded(folder, "cannot be loaded")
+        self.assert_not_loaded("/dev/null", "cannot be loaded")
 
     def test_versions(self):
-        self.one_line(plugin("wrong_version"), "version 4", "version 3")
-        self.one_line(plugin("no_version"), "tribocheck_plugin_version")
+        self.assert_not_loaded(plugin("wrong_version"), "version 4", "version 3")
+        self.assert_not_loaded(plugin("no_version"), "tribocheck_plugin_version")
 
     def test_no_library_is_named(self):
         done = run("plugin-host")

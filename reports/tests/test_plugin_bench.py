@@ -3,7 +3,7 @@
 import unittest
 
 from plugins import plugin
-from program import run
+from program import ProgramTest, run
 
 
 def bench(library, pattern, *arguments):
@@ -52,21 +52,15 @@ class Rows(unittest.TestCase):
         self.assertGreater(row["judged"], all_of_them["judged"] / 2)
 
 
-class Refusals(unittest.TestCase):
-    def one_line(self, done, code, *words):
-        self.assertEqual((done.code, done.out), (code, ""))
-        self.assertEqual(len(done.error_lines), 1, done.err)
-        for word in words:
-            self.assertIn(word, done.err)
-
+class Refusals(ProgramTest):
     def test_a_library_that_cannot_be_used(self):
         for library, word in [("no_such.so", "No such file"), (plugin("wrong_version"), "version 3"),
                               (plugin("no_version"), "tribocheck_plugin_version")]:
-            self.one_line(bench(library, "/plugin/"), 2, library, word)
+            self.assert_refused(bench(library, "/plugin/"), library, word)
 
     def test_a_crash_is_told_of_the_plugin(self):
         library = plugin("crashing")
-        self.one_line(bench(library, "/plugin/"), 1, library, "signal 6")
+        self.assert_refused(bench(library, "/plugin/"), library, "signal 6", code=1)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from program import ENVIRONMENT, PROGRAM, Folder, quiet_scene
+from program import ENVIRONMENT, PROGRAM, ProgramTest, quiet_scene
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 PYTHON = sys.executable
@@ -70,12 +70,11 @@ def wait_until(what, seconds):
     return what()
 
 
-class Left(unittest.TestCase):
+class Left(ProgramTest):
     """Processes that a subject leaves behind, with a new session and a new parent."""
 
     def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
+        super().setUp()
         self.script = self.folder.write("leaver.py", LEAVER)
         self.addCleanup(lambda: [os.kill(one, signal.SIGKILL) for one in self.left() if is_running(one)])
 
@@ -132,12 +131,8 @@ class Left(unittest.TestCase):
             other.kill()
 
 
-class Stopping(unittest.TestCase):
+class Stopping(ProgramTest):
     """Ctrl-C reaches each process of the terminal's group; `kill` reaches the program alone."""
-
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
 
     def fake(self, name):
         """A folder for PATH with a program of that name, which tells that it runs and then never ends."""

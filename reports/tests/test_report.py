@@ -19,10 +19,10 @@ import tomllib
 import unittest
 import xml.etree.ElementTree as xml
 
-from program import run
+from program import OF_SUMMITS, run
 from report_files import (DATA, FIGURES, JOBS, NOT_RUN, PAGES, PAPER_FIGURES, PICTURES, PUBLISHED, RESULTS,
                           ROOT, SCENES, WORK_FIGURES, PageReader, WrittenReport, files_below,
-                          report, table, told_page)
+                          project_copy, report, table, told_page)
 
 
 def solved(folder, speeds, scene, **changes):
@@ -33,7 +33,7 @@ def solved(folder, speeds, scene, **changes):
     path.write_text(json.dumps({key: value for key, value in tree.items() if value is not None}))
     done = run("solve", path, "--format", "csv")
     assert done.code == 0, done.err
-    return list(csv.DictReader(io.StringIO(done.out)))
+    return done.rows()
 
 
 def without_environment(name, text):
@@ -49,22 +49,21 @@ def without_environment(name, text):
 
 class EveryPromisedFile(WrittenReport):
     def test_exit_code_and_silence(self):
-        self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
+        self.assertEqual((self.done.code, self.done.err), (0, ""))
 
     def test_what_all_scenes_are_warned_of_is_one_line(self):
-        self.assertEqual(len(self.done.of_summits), 1)
-        self.assertRegex(self.done.of_summits[0], r"^tribocheck: warning: .*/rough\.toml: surface: .*; the same of 5 more scenes\n$")
+        warning, = (line for line in self.done.said.splitlines() if OF_SUMMITS in line)
+        self.assertRegex(warning, r"^tribocheck: warning: .*/rough\.toml: surface: .*; the same of 5 more scenes$")
 
     def test_files_are_those_promised(self):
         self.assertEqual(files_below(self.out), sorted(DATA + RESULTS + PICTURES + PAGES))
 
     def test_it_ends_with_the_verdict_in_short_and_the_page(self):
-        told = json.loads((self.out / "report.json").read_text())
-        self.assertIn(f"\nThe paper: {told['ledger']['summary']}.\n", self.done.stdout)
-        lines = self.done.stdout.splitlines()
+        self.assertIn(f"\nThe paper: {self.told['ledger']['summary']}.\n", self.done.out)
+        lines = self.done.out.splitlines()
         start = next(i for i, line in enumerate(lines) if line.startswith("This software: "))
         software, *missed, page = lines[start:]
-        count = collections.Counter(one["standing"] for one in told["findings"] if one["about"] == "software")
+        count = collections.Counter(one["standing"] for one in self.told["findings"] if one["about"] == "software")
         self.assertEqual(software, f"This software: {count['holds']} checks hold, 0 fail, {count['missed']} missed a target, "
                                    "0 did not run.")
         self.assertEqual(len(missed), count["missed"])
@@ -113,7 +112,7 @@ class EveryPromisedFile(WrittenReport):
         for path in (again / name for name in files_below(again)):
             os.utime(path, (0, 0))
         self.assertEqual(report("--out", again, "--commit", "another",
-                                environment={"SOURCE_DATE_EPOCH": "4102444800"}).returncode, 0)
+                                environment={"SOURCE_DATE_EPOCH": "4102444800"}).code, 0)
         self.assertEqual(files_below(again), files_below(self.out))
         for name in DATA + PAGES + [p for p in PICTURES if p.endswith(".svg")]:
             with self.subTest(name):
@@ -161,19 +160,18 @@ class Numbers(WrittenReport):
 
     def test_groups_are_what_the_commands_answer(self):
         """`reproduce`, `verify` and `film`, each number."""
-        told = json.loads((self.out / "report.json").read_text())
         ledger = run("reproduce", "--format", "json", cwd=ROOT).json()
-        self.assertEqual({name: told["ledger"][name] for name in ledger}, ledger)
+        self.assertEqual({name: self.told["ledger"][name] for name in ledger}, ledger)
         quantities = run("verify", "--format", "json", cwd=ROOT).json()
         shown = {line.split()[0]: line.split() for line in run("verify", cwd=ROOT).out.splitlines() if " held" in line}
-        for mine, other in zip(told["certified"]["quantities"], quantities, strict=True):
+        for mine, other in zip(self.told["certified"]["quantities"], quantities, strict=True):
             other["held"] = other.pop("passed")
             self.assertEqual(mine, other | {"worst_part_of_bound": mine["worst_part_of_bound"]})
             allowed = f"{other['allowed_ulp']:g}" + (f" or {other['allowed_ulp_per_condition']:g} × cond." if other["allowed_ulp_per_condition"] else "")
             self.assertEqual(" ".join(shown[other["quantity"]]), " ".join((
                 other["quantity"], str(other["cases"]), f"{other['worst_ulp']:.3g}", f"{other['worst_ulp_per_condition']:.3g}", allowed,
                 f"{100 * mine['worst_part_of_bound']:.3g}", other["worst_row"], "held")))
-        profile = told["line_films"]["profile"]
+        profile = self.told["line_films"]["profile"]
         film, = run("film", ROOT / profile["file"], "--speed", profile["speed"], "--format", "json").json()
         for name in ("load_number", "material_number", "half_width", "peak_pressure"):
             self.assert_close(profile[name], film[name])
@@ -184,7 +182,7 @@ class Numbers(WrittenReport):
 
     def test_scenes_of_the_json_are_those_of_solve(self):
         """Points of the scenes: half the load on the asperities, the least friction, and the share of faces in contact."""
-        scenes = json.loads((self.out / "report.json").read_text())["paper"]["scenes"]
+        scenes = self.told["paper"]["scenes"]
         marks = {(row["event"], row["surface"], row["model"]): row for row in table(self.out / "data/marks.tsv")}
         for name, one in scenes.items():
             speeds = [one[point]["speed"] for point in ("slowest", "onset", "fastest")] + [one["equal_share_speed"]]
@@ -208,7 +206,7 @@ class Numbers(WrittenReport):
                 self.assert_close(printed["asperity_load_share"], one["contact_share"])
 
     def test_slopes_of_figure_4_are_those_of_its_curves(self):
-        two = json.loads((self.out / "report.json").read_text())["paper"]["two_slopes"]
+        two = self.told["paper"]["two_slopes"]
         guides = {}
         for row in table(self.out / "data/figure_04_guides.tsv"):
             guides.setdefault(row["slope of ln film in ln speed"], []).append((math.log(float(row["speed"])), math.log(float(row["film"]))))
@@ -307,17 +305,15 @@ class Numbers(WrittenReport):
 
     def test_verdicts_count_what_agrees(self):
         rows = table(self.out / "data/comparison.tsv")
-        page = json.loads((self.out / "report.json").read_text())
-        for quantity, found in page["paper"]["comparisons"].items():
+        for quantity, found in self.told["paper"]["comparisons"].items():
             told = [row for row in rows if row["quantity"] == quantity and row["reported"] != "NaN"
                     and row["criterion"] in ("-", "film_maximum")]
             inside = sum(row["verdict"] == "reproduced" for row in told)
             self.assertEqual((found["agreeing"], found["counted"]), (inside, len(told)))
             factors = [float(row["computed/reported"]) for row in told]
             self.assertEqual(found["factors"], [min(factors), max(factors)])
-            self.assertRegex((self.out / "report.md").read_text(),
-                             rf"{inside} of {len(told)} values \([^)]*\) round to what it prints")
-            standing = next(one["standing"] for one in page["findings"] if one["id"] == quantity)
+            self.assertRegex(self.text, rf"{inside} of {len(told)} values \([^)]*\) round to what it prints")
+            standing = next(one["standing"] for one in self.told["findings"] if one["id"] == quantity)
             self.assertEqual(standing, "holds" if inside == len(told) else "differs")
 
     def test_claims_are_told_by_their_verdicts(self):
@@ -330,20 +326,20 @@ class Numbers(WrittenReport):
             told[verdict if verdict in told else "in between"].append(claim)
         count = [len(claims) for claims in told.values()]
         summary = "{} of the paper's 17 claims are reproduced, {} partly, {} not".format(*count)
-        self.assertEqual(json.loads((self.out / "report.json").read_text())["ledger"]["summary"], summary)
+        self.assertEqual(self.told["ledger"]["summary"], summary)
         lists = [", ".join(claims) or "none of them" for claims in told.values()]
-        self.assertIn("reproduced: {}; partly: {}; not: {}.".format(*lists), (self.out / "report.md").read_text())
+        self.assertIn("reproduced: {}; partly: {}; not: {}.".format(*lists), self.text)
 
     def test_page_and_terminal_begin_with_the_ledgers_numbers(self):
         ledger = {row["item"]: row for row in csv.DictReader(io.StringIO((self.out / "data/ledger.csv").read_text()))
                   if row["reading"] == "corrected"}
-        first = (self.out / "report.md").read_text().split("\n## ")[0]
+        first = self.text.split("\n## ")[0]
         for item in ("C1.smooth", "C1.medium", "C1.rough", "C2.smooth", "C4.rough", "C4.smooth"):
             row = ledger[item]
             computed = f"{float(row['computed']):.4g}"
             shown = {"reproduced": "agrees", "within 10 %": "near: "}.get(row["verdict"], "differs: ")
             self.assertRegex(first, rf"\| {float(row['reported']):g} \| {float(row['computed']):#.3g} \| {shown}")
-            self.assertRegex(self.done.stdout, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* "
+            self.assertRegex(self.done.out, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* "
                                                rf"{row['verdict']}$")
 
     def test_the_least_friction_has_the_same_digits_everywhere(self):
@@ -354,7 +350,7 @@ class Numbers(WrittenReport):
 
     def test_inputs_are_those_of_the_scenes(self):
         """All inputs, with the defaults for fields that the file does not have."""
-        inputs = {one["field"]: one for one in json.loads((self.out / "report.json").read_text())["paper"]["inputs"]}
+        inputs = {one["field"]: one for one in self.told["paper"]["inputs"]}
         for scene in SCENES:
             self.assertEqual((self.out / f"data/scenes/{scene}.toml").read_bytes(),
                              (PUBLISHED / f"{scene}.toml").read_bytes())
@@ -393,11 +389,11 @@ class Failures(unittest.TestCase):
         self.path = pathlib.Path(self.folder.name)
 
     def assert_refused(self, done, *words, code=2):
-        self.assertEqual(done.returncode, code, done.stderr)
-        self.assertEqual(done.stdout, "")
+        self.assertEqual(done.code, code, done.err)
+        self.assertEqual(done.out, "")
         for word in words:
-            self.assertIn(word, done.stderr)
-        self.assertTrue(all(line.startswith("tribocheck: ") for line in done.stderr.splitlines()))
+            self.assertIn(word, done.err)
+        self.assertTrue(all(line.startswith("tribocheck: ") for line in done.error_lines))
 
     def scenes(self):
         copy = self.path / "scenes"
@@ -410,12 +406,12 @@ class Failures(unittest.TestCase):
         (out / "figures/figure_07.svg").write_text("an old one")
         (self.path / "empty").mkdir()
         done = report("--out", out, environment={"PATH": str(self.path / "empty")})
-        self.assertEqual(done.returncode, 1)
-        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-        self.assertIn("gnuplot was not found", done.stderr)
-        self.assertIn("onset speed, smooth", done.stdout)
+        self.assertEqual(done.code, 1)
+        self.assertEqual(len(done.error_lines), 1, done.err)
+        self.assertIn("gnuplot was not found", done.err)
+        self.assertIn("onset speed, smooth", done.out)
         self.assertEqual(files_below(out), sorted(DATA + RESULTS + PAGES))
-        self.assertEqual(told_page(done.stdout), (out / "index.html", len(files_below(out))))
+        self.assertEqual(told_page(done.out), (out / "index.html", len(files_below(out))))
         page = PageReader((out / "index.html").read_text())
         self.assertEqual((page.problems, page.pictures), ([], []))
         text = (out / "index.html").read_text()
@@ -427,9 +423,9 @@ class Failures(unittest.TestCase):
         (self.path / "jinja2.py").write_text('raise ImportError(name="jinja2")\n')
         out = self.path / "out"
         done = report("--out", out, "--section", "work-precision", environment={"PYTHONPATH": str(self.path)})
-        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
-        self.assertIn("jinja2 is missing", done.stderr)
-        self.assertIn(f"The data: {out}/report.json", done.stdout)
+        self.assertEqual((done.code, len(done.error_lines)), (1, 1), done.err)
+        self.assertIn("jinja2 is missing", done.err)
+        self.assertIn(f"The data: {out}/report.json", done.out)
         written = json.loads((out / "report.json").read_text())
         self.assertEqual(files_below(out), sorted([*written["files"], "report.json", "report.schema.json"]))
 
@@ -440,9 +436,9 @@ class Failures(unittest.TestCase):
         out = self.path / "out"
         done = report("--out", out,
                       environment={"PATH": f"{self.path}:{os.environ.get('PATH', '')}"})
-        self.assertEqual(done.returncode, 1)
-        self.assertEqual(len(done.stderr.splitlines()), len(FIGURES + WORK_FIGURES))
-        self.assertIn("no such terminal", done.stderr)
+        self.assertEqual(done.code, 1)
+        self.assertEqual(len(done.error_lines), len(FIGURES + WORK_FIGURES))
+        self.assertIn("no such terminal", done.err)
         self.assertEqual(files_below(out), sorted(DATA + RESULTS + PAGES))
 
     def test_unwritable_folder_is_one_clear_line(self):
@@ -452,7 +448,7 @@ class Failures(unittest.TestCase):
             with self.subTest(str(out)):
                 done = report("--out", out)
                 self.assert_refused(done, "cannot write", str(out), code=1)
-                self.assertEqual(len(done.stderr.splitlines()), 1)
+                self.assertEqual(len(done.error_lines), 1)
 
     def test_file_that_cannot_replace_a_folder(self):
         out = self.path / "out"
@@ -488,7 +484,7 @@ class Failures(unittest.TestCase):
                                   path.read_text())
                     path.write_text(text.replace("[closures]", f'[closures]\nfilm = "{film}"'))
                 done = report("--scenes", scenes, "--out", out, "--section", "comparison", "--section", "claims")
-                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.code, 0, done.err)
                 told = json.loads((out / "report.json").read_text())
                 inputs = {one["field"]: one["values"]["smooth"] for one in told["paper"]["inputs"]}
                 self.assertEqual({name: inputs.get(f"bodies.{name}") for name in
@@ -499,7 +495,7 @@ class Failures(unittest.TestCase):
                 rows = table(out / "data/curve_smooth.tsv")
                 path = scenes / "smooth.toml"
                 path.write_text(re.sub(r"(?m)^speed = .*", f"speed = {float(rows[99]['speed'])!r}", path.read_text()))
-                solved = next(csv.DictReader(io.StringIO(run("solve", path, "--format", "csv").out)))
+                solved = run("solve", path, "--format", "csv").rows()[0]
                 self.assertAlmostEqual(float(rows[99]["film"]) / float(solved["film"]), 1, delta=1e-12)
 
     def test_scene_without_a_range_of_speeds(self):
@@ -532,14 +528,14 @@ class Failures(unittest.TestCase):
                                    path.read_text()))
         out = self.path / "out"
         done = report("--scenes", scenes, "--out", out, "--section", "figures", "--section", "comparison")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual((done.code, done.err), (0, ""))
         self.assertNotIn("onset\trough", (out / "data/marks.tsv").read_text())
 
     def test_folder_outside_the_project(self):
         """The program finds the project above itself, or tells where it has looked."""
         done = report("--out", self.path / "out", "--section", "environment", cwd=self.path)
-        self.assertIn(done.returncode, (0, 2))
-        if done.returncode == 2:
+        self.assertIn(done.code, (0, 2))
+        if done.code == 2:
             self.assert_refused(done, "reports/page/render")
 
     def test_scenes_folder_that_is_none(self):
@@ -547,22 +543,16 @@ class Failures(unittest.TestCase):
                             "none", "--scenes")
 
     def test_default_folders_are_the_projects(self):
-        project = self.path / "project"
-        shutil.copytree(PUBLISHED, project / "reference/published")
-        for folder in ("gnuplot", "groups", "render"):
-            shutil.copytree(ROOT / "reports/page" / folder, project / "reports/page" / folder)
+        project = project_copy(self.path, "published")
         (project / "deep/below").mkdir(parents=True)
         done = report("--section", "comparison", cwd=project / "deep/below")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.code, 0, done.err)
         self.assertTrue((project / "reports/out/index.html").is_file())
         self.assertIn("reference/published/rough.toml",
                       (project / "reports/out/data/curve_rough.tsv").read_text())
 
     def test_a_changed_verdict_breaks_the_ledgers_promise_and_a_moved_number_does_not(self):
-        project = self.path / "project"
-        for part in ("reference/published", "reference/baselines", "reports/page/gnuplot", "reports/page/render",
-                     "reports/page/groups"):
-            shutil.copytree(ROOT / part, project / part)
+        project = project_copy(self.path, "published", "baselines")
         path = project / "reference/baselines/ledger.csv"
         whole = path.read_text()
         rows = list(csv.reader(io.StringIO(whole)))
@@ -573,19 +563,19 @@ class Failures(unittest.TestCase):
                 if column is None:
                     path.unlink()
                 done = report("--section", "claims", cwd=project)
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertEqual((done.code, done.err), (0, ""))
                 page = json.loads((project / "reports/out/report.json").read_text())
                 self.assertEqual([one["standing"] for one in page["findings"] if one["id"] == "committed_ledger"],
                                  [standing])
-                self.assertEqual("  FAILS: committed_ledger: verdict changed: C1.rough" in done.stdout,
-                                 standing == "fails", done.stdout)
+                self.assertEqual("  FAILS: committed_ledger: verdict changed: C1.rough" in done.out,
+                                 standing == "fails", done.out)
                 self.assertEqual([one["how_to"] for one in page["not_run"]],
                                  ["`make ledger`"] if standing == "absent" else [])
 
     def test_help_has_an_example(self):
         done = report("--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertIn("Example", done.stdout)
+        self.assertEqual(done.code, 0)
+        self.assertIn("Example", done.out)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 
 import json
 import math
-import pathlib
 import random
 import re
 import shutil
@@ -12,7 +11,7 @@ import unittest
 
 import page_sources
 from page_perturbed import changed
-from report_files import FIGURES, FITS_FIGURES, ROOT, PageReader, report
+from report_files import FIGURES, FITS_FIGURES, ROOT, PageReader, project_copy, report
 
 
 class Baselines(unittest.TestCase):
@@ -34,10 +33,7 @@ class Baselines(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        self.project = pathlib.Path(self.folder.name) / "project"
-        for part in ("reference/published", "reference/scenes", "reference/ehl", "reference/exact", "reference/baselines",
-                     "reports/page/gnuplot", "reports/page/groups", "reports/page/render"):
-            shutil.copytree(ROOT / part, self.project / part)
+        self.project = project_copy(self.folder.name, "published", "scenes", "ehl", "exact", "baselines")
         shutil.copy(ROOT / "reference/mistakes.toml", self.project / "reference")
         # A ledger lacks new faults until the next run that plants a part of them.
         path = self.project / "reference/baselines/planted_faults.json"
@@ -57,9 +53,9 @@ class Baselines(unittest.TestCase):
             sections = ["environment", *self.FILES.values()]
         asked = [word for name in sections for word in ("--section", name)]
         done = report(*asked, cwd=self.project, environment={"PATH": str(self.project / "empty")})
-        self.assertIn(done.returncode, (0, 1), done.stderr)  # 1: no figures where there are some
+        self.assertIn(done.code, (0, 1), done.err)  # 1: no figures where there are some
         page = json.loads((self.project / "reports/out/report.json").read_text())
-        self.terminal = done.stdout
+        self.terminal = done.out
         self.text = (self.project / "reports/out/report.md").read_text()
         self.sections = {part.partition("\n")[0]: part for part in self.text.split("\n## ")[1:]}
         self.missing = [row for row in self.rows("What is missing from this page") if "gnuplot" not in row[1]]
@@ -106,8 +102,8 @@ class Baselines(unittest.TestCase):
             self.assertEqual(set(page["sections"]), set(sections))
             self.assertEqual(set(page) - {"tribocheck", "sections", "findings", "not_run", "files"}, groups)
         done = report("--section", "sweeps", cwd=self.project)
-        self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("sweeps is not one of figures, comparison", done.stderr)
+        self.assertEqual((done.code, done.out), (2, ""))
+        self.assertIn("sweeps is not one of figures, comparison", done.err)
 
     def test_one_that_is_not_json(self):
         path = self.project / "reference/baselines/stress.json"

@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report's contacts of machines: their numbers against `solve`, `onset` and the functions of `stream`."""
 
-import csv
-import io
 import json
 import pathlib
 import re
-import shutil
 import tempfile
 import tomllib
 import unittest
 
 from program import run
-from report_files import CONTACT_DATA, CONTACT_FIGURES, CONTACTS, ROOT, WrittenReport, files_below, report, table
+from report_files import CONTACT_DATA, CONTACT_FIGURES, CONTACTS, ROOT, WrittenReport, files_below, project_copy, report, table
 
 SCENES = ROOT / "reference/scenes"
 POINT = ("film", "film_parameter", "asperity_load_share", "friction")
@@ -32,7 +29,7 @@ class Contacts(WrittenReport):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.told = json.loads((cls.out / "report.json").read_text())["contacts"]
+        cls.told = cls.told["contacts"]
         cls.trees = {name: tomllib.loads((SCENES / f"{name}.toml").read_text()) for name in CONTACTS}
 
     def assert_close(self, mine, other, tolerance=1e-13):
@@ -44,10 +41,10 @@ class Contacts(WrittenReport):
         path.write_text(json.dumps(self.trees[name] | {"speed": speeds}))
         done = run("solve", path, "--format", "csv")
         self.assertEqual(done.code, 0, done.err)
-        return list(csv.DictReader(io.StringIO(done.out)))
+        return done.rows()
 
     def test_files_are_those_promised(self):
-        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        self.assertEqual(self.done.code, 0, self.done.err)
         pictures = [f"figures/{figure}.{kind}" for figure in CONTACT_FIGURES for kind in ("svg", "png")]
         self.assertLessEqual({*CONTACT_DATA, *pictures}, set(files_below(self.out)))
         for name in CONTACTS:
@@ -109,7 +106,7 @@ class Contacts(WrittenReport):
 
     def test_least_friction_is_that_of_onset(self):
         done = run("onset", *(SCENES / f"{name}.toml" for name in CONTACTS), "--format", "csv")
-        speeds = {row["id"]: float(row["speed"]) for row in csv.DictReader(io.StringIO(done.out))
+        speeds = {row["id"]: float(row["speed"]) for row in done.rows()
                   if row["criterion"] == "friction_minimum"}
         marks = {row["name"]: row for row in table(self.out / "data/contact_marks.tsv")}
         for name, one in self.told["scenes"].items():
@@ -121,10 +118,7 @@ class WithoutThem(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.project = pathlib.Path(folder.name) / "project"
-        for part in ("reference/published", "reference/scenes", "reports/page/gnuplot", "reports/page/render",
-                     "reports/page/groups"):
-            shutil.copytree(ROOT / part, self.project / part)
+        self.project = project_copy(folder.name, "published", "scenes")
 
     def test_a_scene_that_is_missing_or_wrong_is_named_on_the_page(self):
         path = self.project / "reference/scenes/gear_flank.toml"
@@ -138,7 +132,7 @@ class WithoutThem(unittest.TestCase):
                     self.assertNotEqual(changed, text)
                     path.write_text(changed)
                 done = report("--section", "contacts", cwd=self.project)
-                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertEqual(done.code, 0, done.err)
                 told = json.loads((self.project / "reports/out/report.json").read_text())
                 self.assertIn("gear_flank.toml", told["contacts"]["missing"]["why"])
                 self.assertIn(why, told["contacts"]["missing"]["why"])

@@ -4,13 +4,12 @@
 import csv
 import json
 import math
-import pathlib
 import re
 import shutil
 import tempfile
 import unittest
 
-from report_files import LINE_DATA, LINE_FIGURES, ROOT, WrittenReport, files_below, report, table
+from report_files import LINE_DATA, LINE_FIGURES, ROOT, WrittenReport, files_below, project_copy, report, table
 
 TABLES = {"barus": ROOT / "reference/ehl/line_films.csv", "compressible": ROOT / "reference/ehl/line_films_compressible.csv"}
 U = 1e-11  # as on the page
@@ -51,11 +50,10 @@ class LineFilms(WrittenReport):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.told = json.loads((cls.out / "report.json").read_text())["line_films"]
-        cls.text = (cls.out / "report.md").read_text()
+        cls.told = cls.told["line_films"]
 
     def test_files(self):
-        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+        self.assertEqual(self.done.code, 0, self.done.err)
         pictures = [f"figures/{figure}.{kind}" for figure in LINE_FIGURES for kind in ("svg", "png")]
         self.assertEqual(sorted(name for name in files_below(self.out) if "/" in name), sorted(LINE_DATA + pictures))
 
@@ -139,14 +137,11 @@ class OtherFiles(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
-        self.project = pathlib.Path(folder.name) / "project"
-        for part in ("reference/published", "reference/scenes", "reference/ehl", "reports/page/gnuplot", "reports/page/render",
-                     "reports/page/groups"):
-            shutil.copytree(ROOT / part, self.project / part)
+        self.project = project_copy(folder.name, "published", "scenes", "ehl")
 
     def told(self, *arguments):
         done = report("--section", "film-solved", *arguments, cwd=self.project)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.code, 0, done.err)
         return json.loads((self.project / "reports/out/report.json").read_text())["line_films"]
 
     def test_a_line_contact_of_the_user_is_on_the_map(self):

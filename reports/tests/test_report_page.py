@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page of `tribocheck report` as HTML, Markdown and JSON. Needs gnuplot, as the program does."""
 
+import copy
 import datetime
 import json
 import math
@@ -10,11 +11,15 @@ import subprocess
 import sys
 import unittest
 
+import jsonschema
 import page_pictures
 import page_sentences
 import page_tables
 from page_perturbed import perturbed
 from report_files import FIGURES, ROOT, SECTIONS, WORK_FIGURES, PageReader, WrittenReport, report, table
+
+
+COMMON = {"tribocheck", "sections", "findings", "not_run", "files"}
 
 
 class Page(WrittenReport):
@@ -58,7 +63,7 @@ class Page(WrittenReport):
             self.assertIn(f'<a href="figures/{figure}.png">', caption)
 
     def test_markdown_targets_exist(self):
-        text = re.sub(r"(?<!`)(`+)(?!`).*?(?<!`)\1(?!`)", "", (self.out / "report.md").read_text())  # without code
+        text = re.sub(r"(?<!`)(`+)(?!`).*?(?<!`)\1(?!`)", "", self.text)  # without code
         targets = re.findall(r"\]\(([^)]+)\)", text)
         self.assertEqual(sorted(re.findall(r"!\[[^\]]*\]\(figures/([^)]+)\.png\)", text)), sorted(FIGURES + WORK_FIGURES))
         for target in targets:
@@ -78,9 +83,8 @@ class Page(WrittenReport):
             self.assertEqual(list(names)[int(place) - 1], called.get(name, name), "stribeck.gp counts other columns than curves have")
 
     def test_sections_and_tables_are_whole(self):
-        report = json.loads((self.out / "report.json").read_text())
         text = (self.out / "index.html").read_text()
-        self.assertEqual(report["sections"], SECTIONS)
+        self.assertEqual(self.told["sections"], SECTIONS)
         self.assertEqual(re.findall(r'<section id="([^"]+)"', text), SECTIONS + ["not-run", "data"])
         tables = re.findall(r"<table>.*?</table>", text, re.DOTALL)
         self.assertGreater(len(tables), 20)
@@ -89,11 +93,11 @@ class Page(WrittenReport):
             self.assertTrue(rows, table[:200])
             for row in rows:
                 self.assertEqual(row.count("<td") + row.count("<th"), head.count("<th"), row)
-        self.assertGreater(len(report["findings"]), 8)
-        standings = {one["standing"] for one in report["findings"]}
+        self.assertGreater(len(self.told["findings"]), 8)
+        standings = {one["standing"] for one in self.told["findings"]}
         self.assertLessEqual(standings, {"holds", "differs", "missed", "measured"})
-        self.assertLessEqual({one["section"] for one in report["findings"]}, set(SECTIONS))
-        self.assertEqual(len(re.findall('<div class="finding ', text)), len(report["findings"]))
+        self.assertLessEqual({one["section"] for one in self.told["findings"]}, set(SECTIONS))
+        self.assertEqual(len(re.findall('<div class="finding ', text)), len(self.told["findings"]))
         self.assertNotIn("It has no data.", text)
 
     def assert_tells(self, page, told):
@@ -120,14 +124,14 @@ class Page(WrittenReport):
             (one for one in told["findings"] if one["about"] == about), key=lambda one: ranks.get(one["standing"], 2))])
 
     def test_each_cell_and_each_number_of_the_prose_is_that_of_the_json(self):
-        self.assert_tells((self.out / "index.html").read_text(), json.loads((self.out / "report.json").read_text()))
+        self.assert_tells((self.out / "index.html").read_text(), self.told)
 
     def test_so_are_those_of_other_numbers(self):
         """Real numbers that are equal, or never at a limit, would not show exchanged fields and wrong thresholds."""
         out = pathlib.Path(self.folder.name) / "other"
         out.mkdir()
         for seed in (1, 2, 3):
-            told = perturbed(json.loads((self.out / "report.json").read_text()), seed)
+            told = perturbed(self.told, seed)
             (out / "report.json").write_text(json.dumps(told))
             done = subprocess.run([sys.executable, "-B", ROOT / "reports/page/render/render.py", out], env={"PATH": ""}, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -136,23 +140,22 @@ class Page(WrittenReport):
 
     def test_summaries_are_of_their_rows(self):
         """The fits' greatest errors are those of their table, up to both ratios; the numbers of skipped work add up."""
-        told = json.loads((self.out / "report.json").read_text())
-        fits = told["ellipse_fits"]
+        fits = self.told["ellipse_fits"]
         names = {"ellipticity": "ellipticity", "semi_axis_x": "semi-axis a_x", "peak_pressure": "peak pressure", "approach": "approach"}
         for one, (title, rows) in zip(fits["fits"], page_pictures.blocks(self.out / "data/ellipse_fits.blocks.tsv"), strict=True):
             self.assertEqual(one["name"], title)
             for to, ratio in (("moderate", fits["moderate_ratio"]), ("greatest", fits["greatest_ratio"])):
                 for key, column in names.items():
                     self.assertEqual(one[to][key], max(abs(float(row[column])) for row in rows if float(row["R_y/R_x"]) <= ratio))
-        work = told["skipped_work"]
+        work = self.told["skipped_work"]
         saved = [row["saved"] for row in work["rows"]]
         self.assertEqual((work["least_saved"], work["greatest_saved"]), (min(saved), max(saved)))
         speeds = {}
         for row in work["rows"]:
-            collapsed = told["paper"]["scenes"][row["scene"]]["collapse"]
+            collapsed = self.told["paper"]["scenes"][row["scene"]]["collapse"]
             self.assertEqual(row["starvation_skipped"] > 0, collapsed is not None)
             if collapsed:  # even in the logarithm, from the collapse to the end
-                low, high = (told["paper"]["scenes"][row["scene"]][end]["speed"] for end in ("slowest", "fastest"))
+                low, high = (self.told["paper"]["scenes"][row["scene"]][end]["speed"] for end in ("slowest", "fastest"))
                 part = math.log(high / collapsed["speed"]) / math.log(high / low)
                 self.assertAlmostEqual(row["starvation_skipped"] / work["speeds"], part, delta=2 / work["speeds"])
             both = row["roots_that_are_film"] + row["roots_that_are_floor"]
@@ -161,7 +164,7 @@ class Page(WrittenReport):
 
     def test_each_picture_draws_its_data_at_the_places_that_its_axes_tell(self):
         """Each series has the name, the colour and the points of its data, and nothing is drawn where no point is."""
-        data = page_pictures.Data(self.out, json.loads((self.out / "report.json").read_text()))
+        data = page_pictures.Data(self.out, self.told)
         for figure in FIGURES + WORK_FIGURES:
             with self.subTest(figure):
                 self.assertEqual(page_pictures.differences(self.out / f"figures/{figure}.svg", figure, data), [])
@@ -177,19 +180,18 @@ class Page(WrittenReport):
                 self.assertIsNone(found, found and (name, found[0]))
 
     def test_the_paper_and_this_software_are_told_apart(self):
-        text = (self.out / "report.md").read_text()
+        text = self.text
         paper = text.split("\n## Results: the paper\n")[1].split("\n## ")[0]
         software = text.split("\n## Results: checks of this software\n")[1].split("\n## ")[0]
-        told = json.loads((self.out / "report.json").read_text())
         for about, part in (("paper", paper), ("software", software)):
-            found = sorted(one["section"] for one in told["findings"] if one["about"] == about)
+            found = sorted(one["section"] for one in self.told["findings"] if one["about"] == about)
             self.assertEqual(sorted(re.findall(r"\(#([a-z-]+)\)", part)), found)
 
     def test_environment_says_where_and_what(self):
         again = pathlib.Path(self.folder.name) / "told"
         done = report("--out", again, "--commit", "0123abc & more", "--section", "environment",
                       environment={"SOURCE_DATE_EPOCH": "4102444800"})  # 2100-01-01
-        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.code, 0)
         told = json.loads((again / "report.json").read_text())["environment"]
         page = (again / "report.md").read_text()
         self.assertEqual((told["commit"], told["date"]), ("0123abc & more", "2100-01-01"))
@@ -201,6 +203,62 @@ class Page(WrittenReport):
             days = (datetime.date(2100, 1, 1) - datetime.date.fromisoformat(left["date"])).days
             self.assertEqual((row["date"], row["age_in_days"], row["commit"]), (left["date"], days, left["commit"]))
             self.assertRegex(page, rf"\| `{row['file']}` .*`{left['commit'][:12]}[^|]*` \| {left['date']} \| {days} \|")
+
+
+def values(schema, path="report"):
+    """Each schema of a value within a schema, with its path; without schemas that only choose between others."""
+    yield path, schema
+    for name, one in schema.get("properties", {}).items():
+        yield from values(one, f"{path}.{name}")
+    for key in ("items", "additionalProperties"):
+        if isinstance(schema.get(key), dict):
+            yield from values(schema[key], f"{path}.{key}")
+    for one in schema.get("oneOf", []):
+        for name, inner in one.get("properties", {}).items():
+            yield from values(inner, f"{path}.{name}")
+
+
+class Schema(WrittenReport):
+    """report.json agrees with report.schema.json beside it, which describes each of its values."""
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.schema = json.loads((cls.out / "report.schema.json").read_text())
+
+    def problems(self, report):
+        return [f"{error.json_path}: {error.message[:300]}"
+                for error in jsonschema.Draft202012Validator(self.schema).iter_errors(report)]
+
+    def test_the_schema_is_one(self):
+        jsonschema.Draft202012Validator.check_schema(self.schema)
+
+    def test_the_report_is_what_it_says(self):
+        self.assertEqual(self.problems(self.told), [])
+
+    def test_each_group_is_there_and_described(self):
+        groups = set(self.told) - COMMON
+        self.assertEqual(self.schema, json.loads((ROOT / "reports/page/groups/report.schema.json").read_text()))
+        self.assertEqual(set(self.schema["properties"]), groups | COMMON)
+        for name in groups:
+            self.assertNotIn("missing", self.told[name], name)
+
+    def test_each_value_says_what_it_is(self):
+        for path, schema in values(self.schema):
+            if not path.endswith((".items", ".additionalProperties")):
+                self.assertTrue(schema.get("description"), path)
+            if schema.get("type") == "object" and schema.get("properties"):
+                self.assertIs(schema["additionalProperties"], False, path)
+
+    def test_what_is_lacking_unknown_or_of_another_type_is_seen(self):
+        for name in set(self.told) - COMMON:
+            for key, value in self.told[name].items():
+                with self.subTest(group=name, key=key):
+                    other = copy.deepcopy(self.told)
+                    other[name][key] = "text" if isinstance(value, list) else [[]]
+                    self.assertTrue(self.problems(other))
+            with self.subTest(group=name):
+                self.assertTrue(self.problems(self.told | {name: self.told[name] | {"unknown": 1}}))
+                self.assertTrue(self.problems(self.told | {name: dict(list(self.told[name].items())[1:])}))
 
 
 if __name__ == "__main__":

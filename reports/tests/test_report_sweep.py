@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report's section on how sure the onset speeds are. Needs gnuplot, as the program does."""
 
-import csv
-import io
 import json
 import pathlib
 import re
@@ -25,18 +23,12 @@ class Reported(WrittenReport):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.read()
-
-    @classmethod
-    def read(cls):
-        cls.report = json.loads((cls.out / "report.json").read_text())
-        cls.group = cls.report["onset_uncertainty"]
-        cls.page = (cls.out / "report.md").read_text()
+        cls.group = cls.told["onset_uncertainty"]
         cls.speeds = {(one["surface"], speed["criterion"]): speed
                       for one in cls.group["surfaces"] for speed in one["speeds"]}
         shown = run("sweep", "show", cls.out / "sweep/onset_uncertainty.h5", "--format", "csv")
         cls.swept = {(row["scene"], row["column"]): row
-                     for row in csv.DictReader(io.StringIO(shown.out))}
+                     for row in shown.rows()}
 
     def column(self, surface, criterion, name="speed"):
         return self.swept[surface, f"onset.{criterion}.{name}"]
@@ -80,23 +72,23 @@ class OnsetUncertainty(Reported):
                 self.assertEqual(one["value"], float(column[f"quantile_{one['level']:g}"]))
             self.assertEqual((value["count"], value["undefined"]), (int(column["count"]), int(column["undefined"])))
             done = run("onset", PUBLISHED / f"{surface}.toml", "--criterion", criterion, "--format", "csv")
-            self.assertEqual(speed["as_printed"], float(next(csv.DictReader(io.StringIO(done.out)))["speed"]))
+            self.assertEqual(speed["as_printed"], float(done.rows()[0]["speed"]))
 
     def test_what_carries_most_is_named(self):
         for surface in SURFACES:
             column = self.column(surface, "film_maximum")
             totals = {name[len("total:"):]: float(cell) for name, cell in column.items() if name.startswith("total:")}
             most = max(totals, key=totals.get)
-            self.assertRegex(self.page, f"`{most}` on the {surface} surface \\({100 * totals[most]:.0f} %\\)")
+            self.assertRegex(self.text, f"`{most}` on the {surface} surface \\({100 * totals[most]:.0f} %\\)")
 
     def test_both_ways_of_drawing_agree(self):
-        finding, = (one for one in self.report["findings"] if one["id"] == "onset_speeds_drawn_twice")
+        finding, = (one for one in self.told["findings"] if one["id"] == "onset_speeds_drawn_twice")
         self.assertEqual(finding["standing"], "holds")
         agreement = self.group["agreement"]
         self.assertTrue(agreement["agree"])
         self.assertTrue(0 < agreement["in_deviations"] <= agreement["most_deviations"] == 3.5)
         self.assertLess(agreement["farthest"], 0.03)
-        self.assertIn("**Onset speeds drawn twice:** two generators agree.", self.page)
+        self.assertIn("**Onset speeds drawn twice:** two generators agree.", self.text)
 
     def test_figures(self):
         html = (self.out / "index.html").read_text()
@@ -112,7 +104,7 @@ class OnsetUncertainty(Reported):
             (scenes / "sweeps/onset_medium.toml").unlink()
             out = pathlib.Path(folder) / "out"
             done = report("--scenes", scenes, "--out", out, "--section", "uncertainty")
-            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.code, 0, done.err)
             written = json.loads((out / "report.json").read_text())
             self.assertIn("onset_medium.toml", written["onset_uncertainty"]["missing"]["why"])
             finding, = (one for one in written["findings"] if one["id"] == "onset_uncertainty")
@@ -129,23 +121,21 @@ class OtherSpeeds(Reported):
     test_reported_speeds_lie_where_the_quantiles_say = Reported.check_that_reported_speeds_lie_where_the_quantiles_say
 
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        scenes, cls.out = (pathlib.Path(cls.folder.name) / name for name in ("scenes", "out"))
+    def written(cls):
+        scenes, out = (pathlib.Path(cls.folder.name) / name for name in ("scenes", "out"))
         shutil.copytree(PUBLISHED, scenes)
         text = (scenes / "claims.tsv").read_text()
         for surface, speed in cls.reported.items():
             text = re.sub(rf"(?m)^(C1\.{surface}\t(?:[^\t]*\t){{5}})[^\t]*\t[^\t]*\t[^\t]*", rf"\g<1>{speed}\t{speed}\t0.001", text)
         (scenes / "claims.tsv").write_text(text)
-        cls.done = report("--scenes", scenes, "--out", cls.out, "--section", "uncertainty")
-        cls.read()
+        return out, report("--scenes", scenes, "--out", out, "--section", "uncertainty")
 
     def test_they_are_told_as_parts(self):
         within = {name: speed["reported_is_within_95_percent"] for (name, criterion), speed in self.speeds.items() if criterion == "film_maximum"}
         self.assertEqual(within, {"rough": True, "medium": True, "smooth": False})
         for surface in SURFACES:
             part = self.speeds[surface, "film_maximum"]["cases_below_reported"]
-            self.assertIn(f"{surface} {self.reported[surface]:g} m/s: {percent(part, 2)}", self.page)
+            self.assertIn(f"{surface} {self.reported[surface]:g} m/s: {percent(part, 2)}", self.text)
 
 
 if __name__ == "__main__":

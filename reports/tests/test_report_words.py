@@ -84,8 +84,8 @@ class Baselines(unittest.TestCase):
         asked = [word for name in sections for word in ("--section", name)]
         environment = {} if pictures else {"PATH": str(self.project / "empty")}
         done = report(*asked, *options, cwd=self.project, environment=environment)
-        self.assertIn(done.returncode, (0, 1), done.stderr)
-        self.assertIsNone(CONTROLS.search(done.stdout + done.stderr))
+        self.assertIn(done.code, (0, 1), done.err)
+        self.assertIsNone(CONTROLS.search(done.out + done.said))
         page = (self.out / "index.html").read_text(encoding="utf-8")
         for text in (page, (self.out / "report.md").read_text(encoding="utf-8")):
             self.assertIsNone(CONTROLS.search(text))

@@ -14,7 +14,7 @@ import termios
 import unittest
 
 import page_tables
-from program import Folder, read_terminal, run, start
+from program import ProgramTest, read_terminal, run, start
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 LEDGER = ROOT / "reference/baselines/ledger.csv"
@@ -27,15 +27,11 @@ def reproduced(*arguments):
     return run("reproduce", *arguments)
 
 
-class ReproduceTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class ReproduceTest(ProgramTest):
     def rows(self, *arguments):
         result = reproduced("--format", "csv", *arguments)
         self.assertEqual((result.code, result.err), (0, ""))
-        return list(csv.DictReader(io.StringIO(result.out)))
+        return result.rows()
 
     def changed_ledger(self, change):
         with LEDGER.open() as file:

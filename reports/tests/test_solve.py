@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """solve and curve: numbers, formats that agree to the last bit, several scenes."""
 
-import csv
-import io
 import math
 import unittest
 
-from program import Folder, Literal, json_value, quiet_scene, run, scene
+from program import Literal, ProgramTest, json_value, quiet_scene, run, scene
 
 NUMBERS = ["film_flooded", "film", "separation", "film_parameter", "asperity_load_share",
            "fluid_load_share", "real_area_ratio", "summit_count", "friction"]
@@ -15,15 +13,7 @@ UNBALANCED = ["asperity_load_share", "fluid_load_share", "friction"]
 COLLAPSED = "the film has collapsed: nothing balances the load"
 
 
-def rows_of(text):
-    return list(csv.DictReader(io.StringIO(text, newline="")))
-
-
-class SolveTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class SolveTest(ProgramTest):
     def solved(self, tree, *arguments, command="solve"):
         result = run(command, self.folder.write("scene.toml", tree), *arguments)
         self.assertEqual((result.code, result.err), (0, ""))
@@ -77,7 +67,7 @@ class Numbers(SolveTest):
     def test_the_id_is_the_files_name_where_the_scene_has_none(self):
         self.assertEqual(self.points(scene(id=None, speed=1))[0]["id"], "scene")
         result = run("solve", "-", "--format", "csv", stdin=json_value(scene(id=None, speed=1)))
-        self.assertEqual(rows_of(result.out)[0]["id"], "stdin")
+        self.assertEqual(result.rows()[0]["id"], "stdin")
 
     def test_what_is_undefined_says_why(self):
         point = self.points(scene("smooth", speed=3))[0]
@@ -113,7 +103,7 @@ class Numbers(SolveTest):
         self.assertIsNone(point["film_parameter"])
         self.assertEqual(point["undefined"]["film_parameter"],
                          "outside the range of double precision")
-        row = rows_of(run("solve", path, "--format", "csv").out)[0]
+        row = run("solve", path, "--format", "csv").rows()[0]
         self.assertEqual(row["film_parameter"], "")
         table = run("solve", path).out
         self.assertIn("  - film_parameter: outside the range of double precision\n", table)
@@ -181,7 +171,7 @@ class About(SolveTest):
         tree = quiet_scene()
         told, = self.solved(tree, "--about", "--format", "json").json()
         entries = [(part, one) for part in ("inputs", "contact", "outputs", "work") for one in told[part]]
-        rows = rows_of(self.solved(tree, "--about", "--format", "csv").out)
+        rows = self.solved(tree, "--about", "--format", "csv").rows()
         for (part, one), row in zip(entries, rows, strict=True):
             self.assertEqual((row["id"], row["part"], row["name"], row["unit"], row["meaning"]),
                              ("rough", part, one["name"], one["unit"], one["meaning"]))
@@ -231,7 +221,7 @@ class Formats(SolveTest):
                     self.assertEqual(len(points), 20)
                     table = self.solved(tree, command=command).out.splitlines()
                     self.assert_csv_agrees(
-                        points, rows_of(self.solved(tree, "--format", "csv", command=command).out))
+                        points, self.solved(tree, "--format", "csv", command=command).rows())
                     self.assert_table_agrees(points, table[5:25])
 
     def test_the_stream_agrees_to_the_last_bit(self):
@@ -250,7 +240,7 @@ class Formats(SolveTest):
         second = self.folder.write("b.toml", scene(speed=1, outputs=["film", "inlet"]))
         result = run("solve", first, second, "--format", "csv")
         self.assertEqual(result.out.splitlines()[0], "id,speed,film,friction,inlet")
-        rows = rows_of(result.out)
+        rows = result.rows()
         self.assertEqual([row["id"] for row in rows], ['a,"b"', "rough"])
         self.assertEqual((rows[0]["inlet"], rows[1]["friction"]), ("", ""))
         self.assertNotEqual(rows[0]["friction"], "")
@@ -276,7 +266,7 @@ class Formats(SolveTest):
                 tree = json_value(scene(id=name, speed=1))
                 self.assertEqual(run("solve", "-", "--format", "json", stdin=tree).json()[0]["id"],
                                  name)
-                rows = rows_of(run("solve", "-", "--format", "csv", stdin=tree).out)
+                rows = run("solve", "-", "--format", "csv", stdin=tree).rows()
                 self.assertEqual([row["id"] for row in rows], [name])
                 self.assertEqual(run("stream", stdin=tree).json_lines()[0]["id"], name)
 
@@ -359,13 +349,13 @@ class SeveralScenes(SolveTest):
     def test_stdin_among_files(self):
         file = self.folder.write("rough.toml", scene(speed=1))
         result = run("solve", file, "-", "--format", "csv", stdin=json_value(scene("smooth", speed=1)))
-        self.assertEqual([row["id"] for row in rows_of(result.out)], ["rough", "smooth"])
+        self.assertEqual([row["id"] for row in result.rows()], ["rough", "smooth"])
 
     def test_implausible_values_get_a_warning_and_a_result(self):
         tree = scene(speed=1)
         tree["bodies"]["reduced_radius"] = 9.5
         result = run("solve", self.folder.write("ball.toml", tree), "--format", "csv")
-        self.assertEqual((result.code, len(rows_of(result.out))), (0, 1))
+        self.assertEqual((result.code, len(result.rows())), (0, 1))
         self.assertRegex(result.err, r"warning: .*ball\.toml: bodies\.reduced_radius: 9\.5")
 
 

@@ -8,7 +8,6 @@ import resource
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 from program import ENVIRONMENT, PROGRAM, run, start
@@ -63,11 +62,6 @@ class Killed(SweepTest):
         self.assertEqual(process.returncode, 130, said)
         self.assertIn(b"--resume goes on", said)
         self.assert_resumes_to(whole)
-
-    def wait_for_parts(self):
-        end = time.monotonic() + 30
-        while len(self.parts()) < 3 and time.monotonic() < end:
-            time.sleep(0.002)
 
     def stopped_in_the_middle(self, *options, **more):
         process = self.started(*options, **more)
@@ -226,10 +220,6 @@ class Damage(SweepTest):
         self.swept(SHORT, "--shard", "1/1", out="all.shard")
         self.part = self.bytes_of("all.shard")  # a shard is a part with all its chunks
 
-    def put(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content)
-
     def resumed(self, part):
         self.put("out.h5.part-0-9", part)
         return self.sweep(SHORT, "--resume")
@@ -377,8 +367,7 @@ class Damage(SweepTest):
             damages.append(bytes(zeroed))
         for i, damaged in enumerate(damages):
             with self.subTest(i=i):
-                with open(self.path("out.h5"), "wb") as file:
-                    file.write(damaged)
+                self.put("out.h5", damaged)
                 self.assert_refused(run("sweep", "show", self.path("out.h5")), "out.h5")
                 if i % 6 == 0:
                     self.assert_refused(self.sweep(SHORT, "--resume"), "out.h5", "--force")
@@ -398,8 +387,7 @@ class Damage(SweepTest):
             place = film.get_chunk_info(0).byte_offset
         damaged = bytearray(self.whole)
         damaged[place + 200] ^= 4
-        with open(self.path("damaged.h5"), "wb") as written:
-            written.write(damaged)
+        self.put("damaged.h5", damaged)
         with opened(self.path("damaged.h5")) as file:
             with self.assertRaises(OSError):
                 file["smooth/outputs/film"][()]
@@ -407,8 +395,7 @@ class Damage(SweepTest):
     def test_a_damaged_shard_is_not_merged(self):
         damaged = bytearray(self.part)
         damaged[len(damaged) // 2] ^= 1
-        with open(self.path("all.shard"), "wb") as file:
-            file.write(damaged)
+        self.put("all.shard", damaged)
         merged = run("sweep", "merge", self.path("all.shard"), "-o", self.path("merged.h5"))
         self.assert_refused(merged, "all.shard is damaged")
         self.assertNotIn("merged.h5", self.names())
@@ -422,8 +409,7 @@ class Damage(SweepTest):
         self.assert_refused(self.sweep(other, "--resume", out="whole.h5"), "another sweep")
         self.assertEqual(self.bytes_of("whole.h5"), self.whole)
         for damaged in (self.whole[: len(self.whole) // 2], b"", b"no HDF5 at all"):
-            with open(self.path("cut.h5"), "wb") as file:
-                file.write(damaged)
+            self.put("cut.h5", damaged)
             self.assert_refused(self.sweep(SHORT, "--resume", out="cut.h5"), "cut.h5")
             self.assert_refused(run("sweep", "show", self.path("cut.h5")), "cut.h5")
 

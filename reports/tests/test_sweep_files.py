@@ -22,10 +22,6 @@ BESIDE = (".lock", ".part", ".part-0-3.lock")
 
 
 class Shared(SweepTest):
-    def put(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content)
-
     def commands(self):
         """A sweep, a shard and a merge, all to out.h5."""
         self.swept(SHORT, "--shard", "1/1", out="all.shard")
@@ -225,16 +221,15 @@ class Meanwhile(SweepTest):
         _, said = process.communicate(timeout=60)
         return process.returncode, said.decode()
 
-    def put(self, content=b"of somebody"):
-        with open(self.path("made"), "wb") as file:
-            file.write(content)
+    def put_output(self, content=b"of somebody"):
+        self.put("made", content)
         os.replace(self.path("made"), self.path("out.h5"))
 
     def test_a_file_put_at_the_output_is_replaced_with_force_alone(self):
         self.swept(LONG, out="whole.h5")
         whole = self.bytes_of("whole.h5")
         process = self.stopped_in_the_middle()
-        self.put()
+        self.put_output()
         code, said = self.ended(process)
         self.assertEqual((code, len(said.splitlines())), (1, 1), said)
         self.assertIn("out.h5 was put there by another process", said)
@@ -248,17 +243,17 @@ class Meanwhile(SweepTest):
         self.assertIn("going on", resumed.err)
         self.assertEqual((resumed.code, self.bytes_of("out.h5")), (0, whole), resumed.err)
         process = self.stopped_in_the_middle("--force")
-        self.put()
+        self.put_output()
         code, said = self.ended(process)
         self.assertEqual((code, self.bytes_of("out.h5")), (0, whole), said)
 
     def test_after_a_kill_resume_replaces_only_the_file_that_force_was_to_replace(self):
-        self.put(b"old")
+        self.put_output(b"old")
         process = self.stopped_in_the_middle("--force")
         process.kill()
         process.communicate()
         os.rename(self.path("out.h5"), self.path("old.h5"))
-        self.put()
+        self.put_output()
         self.assert_refused(self.sweep(LONG, "--resume"), "out.h5", "move it away")
         self.assertEqual(self.bytes_of("out.h5"), b"of somebody")
         os.rename(self.path("old.h5"), self.path("out.h5"))

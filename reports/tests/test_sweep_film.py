@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """tribocheck sweep with solved_film = true: the film of lines over M and L, on threads."""
 
-import csv
-import io
 import math
 import unittest
 
@@ -46,7 +44,7 @@ class SolvedFilms(SweepTest):
                     "[2e-9, 1.5e-8]", str(coefficient))
                 done = run("film", self.folder.write("line.toml", scene), "--format", "csv")
                 self.assertEqual(done.code, 0, done.err)
-                for at, row in enumerate(csv.DictReader(io.StringIO(done.out))):
+                for at, row in enumerate(done.rows()):
                     for name in ("central", "minimum"):
                         value, error = float(row[f"{name}_film"]), float(row[f"{name}_film_error"])
                         got, own_error = found[name][case][at], found[f"{name}_error"][case][at]
@@ -79,8 +77,7 @@ class SolvedFilms(SweepTest):
             outcome = [[words[place] for place in row] for row in films["outcome"][:]]
             self.assertEqual(outcome, 4 * [["not_solved", "solved"]])
             self.assertTrue(all(math.isnan(slow) and fast > 0 for slow, fast in films["central"][:]))
-        rows = list(csv.DictReader(io.StringIO(
-            run("sweep", "show", self.path("out.h5"), "--cases", "--format", "csv").out)))
+        rows = run("sweep", "show", self.path("out.h5"), "--cases", "--format", "csv").rows()
         for row in rows:
             self.assertEqual(row["solved_film.outcome"] == "not_solved", row["solved_film.central [m]"] == "", row)
         shown = run("sweep", "show", self.path("out.h5"))

@@ -13,7 +13,7 @@ import subprocess
 import time
 import unittest
 
-from program import ENVIRONMENT, PROGRAM, run
+from program import ENVIRONMENT, PROGRAM
 from sweeps import UNIFORM, SweepTest, sealed, sweep
 
 FORGED = int(os.environ.get("TRIBOCHECK_FORGED", 40))
@@ -319,8 +319,7 @@ class Forged(SweepTest):
                 continue
             kinds, forged = made
             with self.subTest(number=number, kinds=kinds):
-                with open(self.path("forged.h5"), "wb") as file:
-                    file.write(sealed(forged))
+                self.put("forged.h5", sealed(forged))
                 was_refused, seconds = self.check(kinds)
                 refused, longest = refused + was_refused, max(longest, seconds)
         print(f"{FORGED} forged results, {refused} refused, {longest:.1f} s at most", flush=True)
@@ -330,8 +329,7 @@ class Forged(SweepTest):
         for name, content in self.good.items():
             with self.subTest(name=name):
                 self.assertEqual(sealed(content), self.bytes_of(f"{name}.h5"))
-                with open(self.path("forged.h5"), "wb") as file:
-                    file.write(sealed(content))
+                self.put("forged.h5", sealed(content))
                 self.assertEqual(self.check(["none"])[0], False)
 
 

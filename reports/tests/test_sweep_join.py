@@ -37,9 +37,6 @@ class Join(SweepTest):
         self.addCleanup(process.kill)
         return process
 
-    def wait_for_parts(self):
-        self.wait_until(lambda: len(self.parts()) >= 3)
-
     def assert_whole(self, process):
         out, said = process.communicate(timeout=100)
         self.assertEqual((process.returncode, out), (0, self.told), said)

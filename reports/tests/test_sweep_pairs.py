@@ -40,10 +40,6 @@ class Pairs(SweepTest):
         elif state != "nothing":
             self.put("out.h5", self.whole[state[-1]])
 
-    def put(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content)
-
     def started(self, kind, name):
         arguments = [self.path(f"{name}.toml")] + ([kind] if kind.startswith("-") else [])
         if kind == "merge":

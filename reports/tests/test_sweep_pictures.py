@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Output of tribocheck sweep: tables, CSV, JSON, and pictures, which need gnuplot."""
 
-import csv
-import io
 import math
 import os
 import pathlib
@@ -42,7 +40,7 @@ class Summaries(SweepTest):
         return result
 
     def rows(self, out):
-        return list(csv.DictReader(io.StringIO(self.shown(out, "csv").out)))
+        return self.shown(out, "csv").rows()
 
     def assert_number(self, text, expected):
         self.assertEqual(float(text) if text else math.nan, expected) if not math.isnan(expected) \
@@ -226,7 +224,7 @@ class Pictures(SweepTest):
         grid = "{ from = 1e-8, to = 1e-7, count = 12 }"
         self.drawn(sweep({"surface.summit_height_sd": grid, "speed": SPEEDS}))
         axes, rows, *_ = self.blocks("film_map")
-        cases = list(csv.DictReader(io.StringIO(run("sweep", "show", self.path("out.h5"), "--format", "csv", "--cases").out)))
+        cases = run("sweep", "show", self.path("out.h5"), "--format", "csv", "--cases").rows()
         films = sorted(tuple(factor * float(case[name]) for name, factor in (
             ("surface.summit_height_sd [m]", 1e9), ("speed [m/s]", 1), ("film [m]", 1e9))) for case in cases)
         drawn = sorted((float(row["field"]), float(row["speed"]), float(row["film_nm"])) for row in rows)

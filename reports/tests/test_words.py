@@ -13,7 +13,7 @@ import sys
 import unittest
 import xml.etree.ElementTree
 
-from program import ENVIRONMENT, PROGRAM, Folder, quiet_scene, run, strict_json
+from program import ENVIRONMENT, PROGRAM, ProgramTest, quiet_scene, run, strict_json
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 # Escape sequences of both kinds, signs that turn the text around, that end a line, a cell, a quotation or an element, and formulas.
@@ -23,11 +23,7 @@ HOSTILE = ["\x1b[2J\x1b]0;owned\x07", "a\u009b31mred", "a\u202egpj.exe", "a\u206
 LIVE = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff]")
 
 
-class Words(unittest.TestCase):
-    def setUp(self):
-        self.folder = Folder()
-        self.addCleanup(self.folder.cleanup)
-
+class Words(ProgramTest):
     def assert_dead(self, result):
         for text in (result.out, result.said):
             self.assertIsNone(LIVE.search(text), repr(text[:2000]))

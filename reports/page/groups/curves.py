@@ -4,7 +4,7 @@ import dataclasses
 import math
 
 import scenes
-from group import exact
+from numbers_text import exact
 
 POINTS = 601
 
@@ -101,7 +101,7 @@ class Tables:
         return f"# {what}\n# tribocheck {self.version}, from {made_from}\n"
 
     def cells(self, point):
-        return "\t".join(value if isinstance(value, str) else "NaN" if value is None else exact(value)
+        return "\t".join(value if isinstance(value, str) else exact(value)
                          for value in (point["speed"], *(point[one["name"]] for one in self.outputs)))
 
     def curve(self, what, made_from, curve):

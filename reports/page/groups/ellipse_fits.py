@@ -5,7 +5,8 @@ import json
 import math
 
 import scenes
-from group import Group, Missing, exact
+from group import Group, Missing
+from numbers_text import exact
 
 GREATEST_RATIO, MODERATE_RATIO = 1e4, 10.0
 RATIO_STEPS = 320  # steps of α, even in its logarithm

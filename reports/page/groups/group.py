@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A group of report.json: the numbers of one part of the page, computed and judged once. The page's templates
 (../render/templates) take every number and every verdict from it."""
-import math
 import re
 import typing
 
@@ -43,11 +42,6 @@ def promise(name, section, held, count):
 def not_run(what, why, how_to):
     """An entry on a part that was not run. `how_to` is Markdown: the command that gives the part."""
     return {"what": what, "why": why, "how_to": how_to}
-
-
-def exact(value):
-    """A text that reads back to the same double; NaN for an undefined number."""
-    return "NaN" if math.isnan(value) else repr(float(value)).removesuffix(".0")
 
 
 CONTROLS = re.compile("[\x00-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff]")

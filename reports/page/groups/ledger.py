@@ -4,7 +4,8 @@ import json
 import math
 
 import scenes
-from group import Group, Missing, Refused, exact, finding, not_run
+from group import Group, Missing, Refused, finding, not_run
+from numbers_text import exact
 
 SURFACES = ("rough", "medium", "smooth")
 COLUMNS = ("item", "quantity", "surface", "model", "rule", "value", "last_digit")
@@ -72,12 +73,8 @@ def comparison(committed):
                    f"verdict changed: {changed[0]}" if changed else ""), []
 
 
-def cell(value):
-    return "NaN" if value is None else exact(value)
-
-
 def row(cells):
-    return "\t".join(map(cell, cells)) + "\n"
+    return "\t".join(map(exact, cells)) + "\n"
 
 
 def ends(interval):

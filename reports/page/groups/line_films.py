@@ -11,7 +11,8 @@ import typing
 
 import contour_labels
 import scenes
-from group import Group, Missing, exact, finding
+from group import Group, Missing, finding
+from numbers_text import exact
 
 QUANTITIES = ("central", "minimum", "at_greatest_pressure")
 SPEED_NUMBER = 1e-11  # U, on which some formulas depend a little

@@ -6,7 +6,8 @@ import typing
 import curves
 import ledger
 import scenes
-from group import Group, exact, finding
+from group import Group, finding
+from numbers_text import exact
 from published import Published
 
 TOLD = ("speed", "film", "film_parameter", "asperity_load_share", "real_area_ratio", "summit_count", "friction")
@@ -246,7 +247,7 @@ def comparison_file(tables, comparisons):
              "# quantity\tsurface\tmodel\tcriterion\tcomputed\treported\tcomputed/reported\tverdict\n")
     for quantity, (compared, _) in comparisons.items():
         for row in compared["rows"]:
-            numbers = ("NaN" if row[name] is None else exact(row[name]) for name in ("computed", "reported", "factor"))
+            numbers = (exact(row[name]) for name in ("computed", "reported", "factor"))
             text += "\t".join((quantity, row["surface"], row["model"], row["criterion"] or "-", *numbers,
                                row.get("none") or row["verdict"] or "no number in the paper")) + "\n"
     return "data/comparison.tsv", text

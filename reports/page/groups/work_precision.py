@@ -3,7 +3,8 @@
 import re
 
 from baselines import copied, count, from_baseline, number, number_or_none, run_of, text
-from group import Group, Missing, exact, finding, printable
+from group import Group, Missing, finding, printable
+from numbers_text import exact
 
 OURS = "tribocheck"
 

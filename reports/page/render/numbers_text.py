@@ -6,6 +6,11 @@ SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NO_ENTRY = "–"
 
 
+def exact(value):
+    """A text that reads back to the same double; NaN for an undefined number, which may be None."""
+    return "NaN" if value is None or math.isnan(value) else repr(float(value)).removesuffix(".0")
+
+
 def rounded(value, digits):
     """`digits` significant digits; −1.8 × 10⁻¹⁰ where the plain number would be long; – where there is no number."""
     if value is None or not math.isfinite(value):

@@ -19,7 +19,7 @@ import re
 import typing
 
 import drawing
-from numbers_text import NO_ENTRY, grouped, percent, rounded
+from numbers_text import NO_ENTRY, exact, grouped, percent, rounded
 
 OKABE_ITO = (0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x8C6D00, 0x000000)
 OF_SURFACES = {"rough": 0xD55E00, "medium": 0x009E73, "smooth": 0x0072B2}  # the colours of colour() in style.gp
@@ -40,13 +40,6 @@ class Picture(typing.NamedTuple):
 
 
 # --- Texts and numbers of the data files.
-
-def exact(value):
-    """A text that reads back to the same double; NaN for an undefined number."""
-    if value is None or math.isnan(value):
-        return "NaN"
-    return repr(value).removesuffix(".0")
-
 
 def row(*cells):
     return "\t".join(one if isinstance(one, str) else exact(one) for one in cells) + "\n"
