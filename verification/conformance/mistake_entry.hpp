@@ -82,8 +82,11 @@ std::vector<const catalogue::Function*> functions_of(const MistakeEntry& entry);
 // one for each other film law. Throws std::runtime_error that says what is wrong with the entry.
 std::vector<Mistake> mistakes_of(const catalogue::Function& function, const MistakeEntry& entry);
 
-// "inlet-{given}-for-{asked}" with the two words.
-std::string with_words(std::string text, std::string_view given, std::string_view asked);
+// The entry with the two words in its name and text: "inlet-{given}-for-{asked}".
+MistakeEntry with_words(MistakeEntry entry, std::string_view given, std::string_view asked);
+
+// A mistake of the function with the entry's name and text, which changes nothing yet.
+Mistake titled(const MistakeEntry& entry, std::string_view function);
 
 // The mistakes of an entry for operating_point: one, or with `swapped` one for each pair of words.
 // Throws std::runtime_error that says what is wrong with the entry.
