@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "conformance/mistake_entry.hpp"
-#include "conformance/mistake_formulas.hpp"
 
 namespace tribo::conformance {
 namespace {

@@ -74,6 +74,14 @@ void add_reading(const std::string& kind, Reading Question::*reading,
   };
 }
 
+// A wrong formula that entries have by its name: what is no change of an argument, of a result or
+// of the film's numbers. It gives the results of a function at its arguments, from the numbers of
+// the entry; empty: it says nothing of these arguments.
+using FunctionFormula = std::optional<Numbers> (*)(const catalogue::Arguments& arguments,
+                                                   std::span<const double> numbers);
+// Null where there is no formula of this name for the function that takes so many numbers.
+FunctionFormula find_formula(std::string_view function, std::string_view name, std::size_t numbers);
+
 // The functions of an entry: the one that it names; of film_laws all film laws that have the
 // arguments and exponents that the entry changes. Throws std::runtime_error where there is none.
 std::vector<const catalogue::Function*> functions_of(const MistakeEntry& entry);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "conformance/mistake_formulas.hpp"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "conformance/mistake_entry.hpp"
 #include "tribo/film_regimes.hpp"
 #include "tribo/gaussian_moment.hpp"
 #include "tribo/hertz.hpp"
