@@ -179,8 +179,6 @@ Overall overall_of(const ConformanceResult& result) {
                                                                 : Overall::complete;
 }
 
-using nlohmann::json;
-
 std::string with_unit(const std::string& number, std::string_view unit) {
   return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
@@ -346,7 +344,7 @@ std::string expected_text(const Expected& expected, double allowed) {
 
 std::string got_text(const Example& example) {
   if (!example.got) return fmt::format("nothing ({})", example.reason);
-  const std::string text = example.got->dump(-1, ' ', true, json::error_handler_t::replace);
+  const std::string text = line_of(*example.got);
   return example.got->is_number() ? with_unit(text, example.expected.unit) : start_of(text);
 }
 

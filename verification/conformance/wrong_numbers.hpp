@@ -43,7 +43,7 @@ struct Part {
     const AnsweredCase* of;
     const AnsweredNumber* answered;
 
-    double input(std::size_t place) const { return of->question.arguments[place]; }
+    double input(std::size_t parameter) const { return of->question.arguments[parameter]; }
   };
 
   std::size_t place = 0;
