@@ -10,11 +10,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "protocol/question.hpp"
-#include "scene/text.hpp"
 #include "tribo/operating_points.hpp"
 #include "tribo/scene_reader.hpp"
 

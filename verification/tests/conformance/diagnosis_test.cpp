@@ -329,25 +329,22 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
     limits.push_back({sentence, -1e-6, above, is_named, 2e-8});
   };
   const double pi = std::numbers::pi;
-  const std::vector<double> factors{
-      2,   pi,  std::sqrt(2), 1.5, 4.0 / 3, std::sqrt(2 * pi), std::sqrt(pi), 1e3,
-      1e6, 1e9, 100,          4,   2 * pi};
-  const std::vector<std::string> names{"2.",
-                                       "π.",
-                                       "√2.",
-                                       "3/2.",
-                                       "4/3.",
-                                       "√(2π).",
-                                       "√π.",
-                                       "1000, as between m and mm.",
-                                       "10⁶, as between m and µm.",
-                                       "10⁹, as between m and nm.",
-                                       "100, as with percent.",
-                                       "4.",
-                                       "2π."};
-  for (std::size_t k = 0; k < factors.size(); ++k) {
-    add_factor(factors[k], "too large by a factor of " + names[k]);
-    add_factor(1 / factors[k], "too small by a factor of " + names[k]);
+  const std::vector<std::pair<double, std::string>> factors{{2, "2."},
+                                                            {pi, "π."},
+                                                            {std::sqrt(2), "√2."},
+                                                            {1.5, "3/2."},
+                                                            {4.0 / 3, "4/3."},
+                                                            {std::sqrt(2 * pi), "√(2π)."},
+                                                            {std::sqrt(pi), "√π."},
+                                                            {1e3, "1000, as between m and mm."},
+                                                            {1e6, "10⁶, as between m and µm."},
+                                                            {1e9, "10⁹, as between m and nm."},
+                                                            {100, "100, as with percent."},
+                                                            {4, "4."},
+                                                            {2 * pi, "2π."}};
+  for (const auto& [factor, name] : factors) {
+    add_factor(factor, "too large by a factor of " + name);
+    add_factor(1 / factor, "too small by a factor of " + name);
   }
   add_factor(-1, "another sign convention");
   // A factor, or a pattern, is named where all answers have it.
