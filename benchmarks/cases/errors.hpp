@@ -10,8 +10,8 @@ namespace tribo::benchmarks {
 
 struct Errors {
   std::size_t judged = 0;
-  // Answers without a number, or off by more than failed_beyond times the condition, the tolerance
-  // `engineering` of `verify`.
+  // Answers that are no number or are off by more than failed_beyond times the condition, which is
+  // the tolerance `engineering` of `verify`.
   std::size_t failures = 0;
   std::size_t no_numbers = 0;  // failures without a number
   double max_ulp = 0;          // over the answers that are numbers, like the next two

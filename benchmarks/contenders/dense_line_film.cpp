@@ -117,7 +117,6 @@ ehl::LineFilm DenseNewton::run() {
   now_.pressure.maxCoeff(&peak);
   const ehl::Balance balance = ehl::balance_of(contact_, now_.x, now_.pressure, now_.film, false);
   now_.mass_flow = balance.flow[std::min(peak, balance.flow.size() - 1)];
-  now_.bytes = bytes();
   return now_;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The film of a line contact as textbooks program it: the same equations as model/ehl, with the
-// whole matrix of the films that each pressure raises, and Newton's linear equations solved by
-// Eigen's PartialPivLU: N³ operations a step.
+// The film of a line contact as textbooks program it: the equations of model/ehl, with a full
+// matrix of how the pressure at each node changes the film at each node, and Newton's linear
+// equations solved by Eigen's PartialPivLU in N³ operations a step.
 #pragma once
 
 #include <Eigen/Dense>
@@ -17,9 +17,9 @@ class DenseNewton {
   DenseNewton(const ehl::LineContact& contact, const ehl::Numbers& x);
 
   void start_from(const ehl::LineFilm& film);
-  // Makes a step, damped as ours. Gives the change of the pressure; NaN: no step could be made.
+  // Makes a step, damped as in model/ehl. Gives the change of the pressure; NaN: no step is made.
   double step();
-  // Makes steps until one changes less than 1e-8, but at most 60.
+  // Makes steps until one changes the pressure by less than 1e-8, but at most 60.
   ehl::LineFilm run();
   std::size_t bytes() const;  // size of both matrices
 

@@ -48,8 +48,8 @@ LineFilmAnswer dense(const ehl::LineContact& contact, int cells) {
   return answer_of(contact, film);
 }
 
-// From four half-widths before the contact, as textbooks have it, to one half behind it; both more
-// where the film reaches further.
+// On a uniform grid from X = −4, as textbooks have it, to X = 1.5; both ends lie further out where
+// the film reaches further.
 LineFilmAnswer uniform(const ehl::LineContact& contact, int cells) {
   const ehl::CoarseFilm coarse = coarse_film(contact);
   const double reach = (ehl::scales_of(contact).outlet_end - 1) / 2;

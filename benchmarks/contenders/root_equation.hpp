@@ -83,7 +83,7 @@ Bracket bracket_over_roughness(const RootCase& root_case, const Residual& residu
   return {root_case.flooded, high, residual(root_case.flooded), residual(high)};
 }
 
-// A contender from a function of one case, and the same function when it counts its moments.
+// Makes a contender from `solve` of one case, and from `counted`, which counts moments too.
 template <class Solve, class CountedSolve>
 RootContender one_by_one(std::string family, std::string name, Solve solve, CountedSolve counted) {
   return {std::move(family), std::move(name),

@@ -136,7 +136,7 @@ def hold_gate(gate, program, base_program, baseline, say=print):
         return verdict.skip(f"this machine has no {measure.VALGRIND_SET}")
     if base_program is None:
         if not baseline.get(gate):
-            return verdict.skip("the baseline has none: make gate-baseline")
+            return verdict.skip("the baseline has no such rows: make gate-baseline")
         different = rules.environment_differences(
             baseline["environment"], measure.environment(program), ENVIRONMENT_OF[gate])
         if different:

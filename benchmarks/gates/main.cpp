@@ -140,7 +140,11 @@ int main(int count, char** argv) {
   modes->add_flag("--environment", environment, "compiler, C library and instruction sets");
   program.add_option("--workload", only, "this one alone");
   program.add_option("--set", set, "batches on this instruction set alone");
-  CLI11_PARSE(program, count, argv);
+  try {
+    program.parse(count, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : 2;
+  }
   if (environment) {
     print_environment();
     return 0;

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Do the gates bite? A program against itself has to pass each of them; with more work planted in a kernel
-(planted_work.toml) it has to fail those that the plant names.
+"""Are the gates red when they should be? A program against itself has to pass each of them; with more work
+planted in a kernel (planted_work.toml) it has to fail those that this change names.
 
-The plant is made in a scratch copy of the tree, where only tribocheck_gate_kernels is built; the base is a
+The change is made in a scratch copy of the tree, where only tribocheck_gate_kernels is built; the base is a
 build of the tree as it is. A patch's text stands exactly once in its file.
 
   benchmarks/gates/prove.py build/release/tribocheck_gate_kernels --out reference/baselines/gates.json

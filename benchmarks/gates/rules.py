@@ -83,7 +83,7 @@ def slower(base, now):
 
 
 def slower_twice(first, second):
-    """The red keys after two runs, of each of which the slower keys are given."""
+    """The red keys after two runs: those that were slower in both."""
     return first & second
 
 

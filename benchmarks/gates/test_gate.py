@@ -197,7 +197,7 @@ class Holds(OnAProgram):
         self.assertEqual(self.held("--gates", "instructions", sets=["AVX9"])[:2],
                          (0, ["instructions", "  not held: this machine has no AVX2", "Ran 0 cases"]))
         self.baseline.write_text("{}")
-        self.assertEqual(self.held("--gates", "time")[1][1], "  not held: the baseline has none: make gate-baseline")
+        self.assertEqual(self.held("--gates", "time")[1][1], "  not held: the baseline has no such rows: make gate-baseline")
 
     def test_without_valgrind_it_says_so(self):
         code, lines, _ = self.gate(self.now, "--baseline", self.baseline, "--gates", "instructions", tools="without")
@@ -298,6 +298,9 @@ class Kernels(unittest.TestCase):
                             (["--workload", "root_wide_batch", "--set", "lost"], "no workload root_wide_batch on lost")):
             done = subprocess.run([self.PROGRAM, "--counters", *words], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr), (2, f"tribocheck_gate_kernels: {said}; --counters lists them\n"))
+        done = subprocess.run([self.PROGRAM, "--lost"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--lost", done.stderr)
 
 
 if __name__ == "__main__":

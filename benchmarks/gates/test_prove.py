@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""prove.py on a tree and plants of its own: its builds, the files that it leaves, and when the gates count as proved."""
+"""prove.py on a made-up tree with planted changes: its builds, the files that it leaves, and when the gates count as proved."""
 import contextlib
 import io
 import json

@@ -181,8 +181,8 @@ void solve_cases(const Subject& subject, benchmark::State& state) {
   set_points(state, subject.cases());
 }
 
-// A step of Alone on a block that was solved already. The last step has to give the results again,
-// else the step did not do its work.
+// Times one step of Alone on a block that was solved already. The last of the steps gives results,
+// and has to give the same ones again.
 enum class Gives { nothing, results };
 Contender stage(Gives gives, std::function<void(Alone&, const Subject&, std::span<double>)> step) {
   return [gives, step = std::move(step)](const Subject& subject, benchmark::State& state) {

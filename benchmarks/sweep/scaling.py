@@ -8,9 +8,9 @@
   memory    greatest resident memory of each rank, at a hundred million points (--billion: a thousand)
 
 All of it goes to reference/baselines/sweep.json and is printed. Times by the clock are taken in turn, and
-medians are of those repetitions in which other processes used the processors least; how much they did is
-kept beside. Threads are timed without what others made them wait; of ranks there is the CPU time too, which
-says how they would scale at most if nobody else were there.
+medians are of those repetitions in which other processes used the processors least; how much they used is
+kept too. Times of threads leave out their waits for other processes; ranks have their CPU time too, which
+says how they would scale at most without other processes.
 
   benchmarks/sweep/scaling.py build/release
   benchmarks/sweep/scaling.py build/release --only ratios,memory
@@ -37,7 +37,7 @@ BASELINE = ROOT / "reference/baselines/sweep.json"
 PARTS = ("ratios", "threads", "ranks", "memory")
 REPETITIONS = 21  # runs of a contender, interleaved with those of all others
 ROUNDS = 7       # timings by the clock
-KEPT = 3         # the timings kept, with the least work of others meanwhile
+KEPT = 3         # the timings kept: those with the least work of other processes
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 SCENE = """id = "rough"
@@ -138,7 +138,7 @@ def quietest(runs):
 # --- Measurements.
 
 def ratios(sweeps):
-    """Workload → contender → ns a point; by CPU time, runs and those on threads by the clock."""
+    """Workload → contender → ns a point, of CPU time; runs and contenders on threads: by the clock."""
     found = bench(sweeps, "/(alone|summaries|points|stage.*)$", REPETITIONS)
     for workload, contenders in bench(sweeps, "/run of", 3).items():
         found[workload] |= contenders
@@ -146,8 +146,7 @@ def ratios(sweeps):
 
 
 def bench(sweeps, chosen, repetitions):
-    """Medians of the fastest third, whose contenders had the processor as quick as it gets: a neighbour slows
-    all that runs beside it, but not all repetitions alike."""
+    """Medians of the fastest third of the repetitions, which other processes slowed least."""
     found = {}
     for run in json.loads(sweeps.run([sweeps.bench_program, "--benchmark_format=json",
                                       f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.02",
@@ -233,7 +232,7 @@ def tables(found):
     if "threads" in found:
         of = found["threads"]["speedup"]
         say(f"\ntwo threads: {of['summaries']:.2f} times one with summaries, {of['points']:.2f} with points; by the "
-            "clock, without what others made them wait")
+            "clock, without their waits for others")
     if "ranks" in found:
         of = found["ranks"]
         for count in ("2", "4"):

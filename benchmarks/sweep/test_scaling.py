@@ -179,7 +179,7 @@ class Output(Folder):
     def test_tables_say_each_number(self):
         self.assertEqual(self.printed(FOUND), [
             "", f"{'film':34}  ns a point   / alone", f"  {'alone':32}        20.0      1.00", f"  {'points':32}        50.1      2.50",
-            "", "two threads: 1.88 times one with summaries, 1.65 with points; by the clock, without what others made them wait",
+            "", "two threads: 1.88 times one with summaries, 1.65 with points; by the clock, without their waits for others",
             "2 ranks on 2 processors: 1.51 times one by the clock, at most 1.91 by their CPU time",
             "4 ranks on 2 processors: 1.73 times one by the clock, at most 3.63 by their CPU time",
             "weak, 2 ranks with twice the points: 81 % by the clock, at most 94 % by CPU time",

@@ -87,7 +87,7 @@ const std::vector<Workload>& workloads() {
 std::string text_of(const Workload& workload, std::uint64_t draws, std::string_view keep) {
   std::string text;
   for (const auto& [path, value] : rough_surface()) {
-    // With onsets, outputs would add operating points.
+    // A workload of onsets has no outputs, which would add operating points.
     if (path == "outputs" && !workload.settings.empty()) continue;
     const auto varied = std::find_if(workload.varied.begin(), workload.varied.end(),
                                      [&](const auto& field) { return field.first == path; });

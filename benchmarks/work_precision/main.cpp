@@ -180,7 +180,11 @@ int main(int count, char** argv) {
   program.add_flag("--quick", arguments.quick, "fewer and shorter repetitions");
   program.add_option("--jobs", arguments.jobs,
                      "only the jobs that this regular expression finds, as line_film does");
-  CLI11_PARSE(program, count, argv);
+  try {
+    program.parse(count, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : 2;
+  }
   int exit_code = 2;
   try {
     tribo::benchmarks::Chosen chosen = tribo::benchmarks::chosen_by(arguments);

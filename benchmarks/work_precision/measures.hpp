@@ -23,8 +23,8 @@ struct JudgedContact {
   LineFilmAnswer exact;
 };
 
-// From a nearly rigid contact of constant viscosity to a heavy one of a very viscous liquid, with
-// the film of our solver on up to 16384 cells, extrapolated. Throws std::runtime_error.
+// Contacts from a nearly rigid one of constant viscosity to a heavy one of a very viscous liquid,
+// each with the extrapolated film of our solver on up to 16384 cells. Throws std::runtime_error.
 std::vector<JudgedContact> judged_contacts();
 
 // Films of line contacts: job, family, series, name, ns, steps, max_relative, mean_relative,
@@ -33,8 +33,8 @@ std::vector<JudgedContact> judged_contacts();
 Rows line_film_errors(const std::vector<LineFilmWay>& ways,
                       const std::vector<JudgedContact>& contacts, const Effort& effort);
 
-// solver, cells, kernel_ns, step_ns, bytes: of the matrix of influences, of one step of Newton's
-// method, and of both matrices.
+// solver, cells, kernel_ns to fill the matrix of influences, step_ns for the linear equations of
+// one Newton step, bytes of both matrices.
 Rows line_film_growth(const Effort& effort);
 
 // solver, quantity, exponent, uncertainty, from_cells, to_cells: least squares of the logarithms of

@@ -19,8 +19,8 @@ struct Timed {
   std::function<double()> own_seconds;  // CPU time of the last call, if in another process
 };
 
-// CPU seconds a call of each: the median of so many rounds. In a round each function is called, in
-// a new random order, until `least` seconds have passed.
+// CPU seconds of a call of each function: the median of `rounds` rounds. In a round each function
+// is called, in a new random order, until `least` seconds have passed.
 std::vector<double> median_seconds(const std::vector<Timed>& all, int rounds, double least);
 
 double cpu_seconds();  // used by this process

@@ -6,7 +6,7 @@
 
 namespace tribo::catalogue {
 
-// A parameter's word from its place.
+// The word of a parameter as an enumerator, from the word's place in the list.
 template <class Enum>
 Enum enum_at(double place) {
   return static_cast<Enum>(static_cast<int>(place));

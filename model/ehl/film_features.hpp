@@ -10,8 +10,8 @@ namespace tribo::ehl {
 struct FilmFeatures {
   double central = 0;  // H at X = 0
   double minimum = 0;  // the least H, between nodes too
-  // H where P is greatest upstream of the spike: the spike is too sharp for many grids, and in a
-  // compressible liquid H would fall with its height.
+  // H where P is greatest upstream of the spike. The spike is left out: many grids do not resolve
+  // it, and in a compressible liquid H at the spike falls as the spike rises.
   double at_greatest_pressure = 0;
   double greatest_pressure = 0;         // P at that place
   double pressure_beside_greatest = 0;  // the lesser P of the two nodes beside

@@ -42,7 +42,7 @@ Scales scales_of(const LineContact& contact);
 NodeDensity first_density(const Scales& scales);
 
 // A density for a solved film: by the root of the pressure's curvature (the error of pressure that
-// is linear between nodes goes with the curvature), by the film's slope and by the distance. At
+// is linear between nodes is proportional to it), by the film's slope and by the distance. At
 // most `at_edge` of all nodes fall into the width of the outlet's constriction, so that a sharp
 // spike does not draw all of them.
 NodeDensity density_of(std::span<const double> x, std::span<const double> pressure,

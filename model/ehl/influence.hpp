@@ -29,15 +29,11 @@ inline double log_potential_of_half_hat(double r, double length) {
   return sum;
 }
 
-// ∫ φ(s) ln|r − s| ds of the hat φ that rises from 0 at −left to 1 at 0 and falls to 0 at right.
-// Error: 1e-13 of the hat's area and of the result.
-inline double log_potential_of_hat(double r, double left, double right) {
-  return log_potential_of_half_hat(-r, left) + log_potential_of_half_hat(r, right);
-}
-
-// The film at distance r from a hat's top, for 1 of pressure there.
+// The film at distance r from the top of a hat of pressure that rises from 0 at −left to 1 at 0 and
+// falls to 0 at right. Error: 1e-13 of the hat's area and of the result.
 inline double film_of_hat(double r, double left, double right) {
-  return -log_potential_of_hat(r, left, right) / std::numbers::pi;
+  return -(log_potential_of_half_hat(-r, left) + log_potential_of_half_hat(r, right)) /
+         std::numbers::pi;
 }
 
 }  // namespace tribo::ehl

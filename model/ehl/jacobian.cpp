@@ -84,8 +84,8 @@ void Jacobian::factor(int index) {
   solve_part(part.first, upper.left);
   solve_part(part.second, lower.left);
   const Eigen::Index of_upper = upper.left.cols(), of_lower = lower.left.cols();
-  // Let s = upper.rightᵀ x₂ and t = lower.rightᵀ x₁. Solutions of the halves alone have, in place
-  // of t and s, t + (lower.rightᵀ first_left) s and s + (upper.rightᵀ second_left) t.
+  // Let s = upper.rightᵀ x₂ and t = lower.rightᵀ x₁. If each half is solved alone, these become
+  // s + (upper.rightᵀ second_left) t and t + (lower.rightᵀ first_left) s: equations for s and t.
   Eigen::MatrixXd joint = Eigen::MatrixXd::Identity(of_upper + of_lower, of_upper + of_lower);
   joint.topRightCorner(of_upper, of_lower) = upper.right.transpose() * lower.left;
   joint.bottomLeftCorner(of_lower, of_upper) = lower.right.transpose() * upper.left;

@@ -75,7 +75,7 @@ class Newton {
   const State& state() const { return now_; }
   void return_to(const State& state) { now_ = state; }
 
-  // Newton's method; of each step it makes a part that comes nearer to the solution.
+  // Newton's method; where a whole step leads too far, a part of it is made.
   void converge(const NewtonLimits& limits, const Watch& watch) {
     result_.outcome = Outcome::not_converged;
     for (int step = 0; step < limits.steps && goes_on(watch); ++step) {
@@ -141,8 +141,8 @@ class Newton {
     return false;
   }
 
-  // How much of a node's balance its own pressure changes. Where the liquid is so viscous that
-  // pressure drives none of it, the film that the pressure lifts still does.
+  // How much the pressure at a node changes the balance there: it drives liquid, and it lifts the
+  // film. Where the liquid is too viscous to be driven, only the second part is left.
   double own_part(const Balance& balance, Eigen::Index row, double rate) const {
     const int node = static_cast<int>(row);
     return balance.diffusion[row] + (1 + rate * weights_[row]) * kernel_.entry(node, node);
@@ -171,7 +171,6 @@ class Newton {
       slopes.by_pressure[2] += stored * contact_.fluid.density_slope(pressure) * at.film[i];
     }
     Jacobian jacobian(kernel_, balance.slopes, free);
-    result_.bytes = std::max(result_.bytes, kernel_.bytes() + jacobian.bytes());
     VectorXd by_separation = jacobian.solve(std::move(side));
     return {std::move(balance), std::move(free), std::move(jacobian), std::move(by_separation)};
   }
@@ -211,10 +210,10 @@ class Newton {
     return next;
   }
 
-  // Makes the greatest part of a step, by halves, after which the same linear equations ask for
-  // less change. Returns the part; 0: none. That test is P. Deuflhard's: Newton methods for
-  // nonlinear problems (2004), section 3.3: it does not change with the scale of an equation. After
-  // a whole step, the change that they ask for is the one that is left, to second order.
+  // Halves a step until the same linear equations ask for a lesser change after it, and makes this
+  // part. Returns the part; 0: no part will do. The test is P. Deuflhard's: Newton methods for
+  // nonlinear problems (2004), section 3.3: it does not depend on the scale of an equation. After
+  // a whole step, the change that is asked for is the one still left, to second order.
   double make_step() {
     ++result_.steps;
     const Linear linear = linear_at(now_, 0);
@@ -264,11 +263,11 @@ class Newton {
   FilmKernel kernel_;
   VectorXd weights_, parabola_;
   State now_;
-  double change_left_ = 0;  // by the equations of the last Newton step
+  double change_left_ = 0;  // asked for after the last Newton step, by its equations
   LineFilm result_;
 };
 
-// The contact with a liquid whose viscosity rises by a share of the rise.
+// The contact with a liquid whose viscosity rises by only a share of this liquid's rise.
 LineContact with_share_of_rise(LineContact contact, double share) {
   contact.material_number *= share;
   contact.fluid.exponent *= share;

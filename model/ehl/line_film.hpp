@@ -14,8 +14,8 @@ namespace tribo::ehl {
 
 enum class Outcome : std::uint8_t {
   solved,
-  not_converged,  // no part of a step came nearer, or the steps were too few
-  stopped         // the caller said so
+  not_converged,  // no part of a step led nearer, or the steps were too few
+  stopped         // the caller stopped it
 };
 
 struct LineFilm {
@@ -26,10 +26,9 @@ struct LineFilm {
   double separation = 0;           // H₀
   int steps = 0;                   // with the steps on the grids before, and the steps in time
   double last_change = 0;          // of the pressure, in the last step
-  std::size_t bytes = 0;           // what the matrices took
 };
 
-// The watch is told this before every step; its answer false stops the work.
+// The watch is called with this before every step. The work stops where it returns false.
 struct Step {
   int cells;
   int step;

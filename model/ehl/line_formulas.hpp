@@ -47,8 +47,8 @@ inline constexpr auto line_formulas = std::to_array<LineFormula>({
 std::string_view name(FitLiquid liquid);
 
 // (h/R)(2U)^{−1/2} by a formula, at M > 0, L ≥ 0 (NaN where it has no film at L = 0) and the speed
-// number U = η₀u/(2E*R): Pan and Hamrock's films go with its powers −0.012 and −0.0085; the others
-// do not depend on it.
+// number U = η₀u/(2E*R): Pan and Hamrock's films contain U^−0.012 and U^−0.0085; the others do not
+// depend on it.
 double film_number(const LineFormula& formula, double load_number, double material_number,
                    double speed_number);
 

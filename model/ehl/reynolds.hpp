@@ -22,7 +22,7 @@ struct BalanceSlopes {
 struct Balance {
   Eigen::VectorXd surplus;            // of each node; 0 at both ends
   Eigen::VectorXd flow;               // of mass between a node and the next: one fewer than nodes
-  Eigen::VectorXd diffusion;          // how much of the surplus the node's own pressure drives out
+  Eigen::VectorXd diffusion;          // the surplus that 1 of pressure at the node drives out of it
   std::vector<BalanceSlopes> slopes;  // of each node
 };
 

@@ -9,12 +9,13 @@
 namespace tribo::ehl {
 namespace {
 
+using Feature = double FilmFeatures::*;
+
 // The values of one feature on all grids.
-template <class Feature>
-std::vector<double> over_grids(const std::vector<FilmFeatures>& grids, const Feature& feature) {
+std::vector<double> over_grids(const std::vector<FilmFeatures>& grids, Feature feature) {
   std::vector<double> values;
   values.reserve(grids.size());
-  for (const FilmFeatures& f : grids) values.push_back(feature(f));
+  for (const FilmFeatures& f : grids) values.push_back(f.*feature);
   return values;
 }
 
@@ -55,7 +56,7 @@ std::string refusal(const LineContact& contact) {
   return {};
 }
 
-// The contact by its own numbers.
+// The contact in words, by the numbers that determine its film.
 std::string name_of(const LineContact& contact) {
   const Fluid& fluid = contact.fluid;
   std::string name = text("M = %.3g and L = %.3g", contact.load_number, contact.material_number);
@@ -92,16 +93,15 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
                   const std::vector<FilmFeatures>& grids, const FilmFeatures& beside,
                   double cells_ratio) {
   const FilmCautions cautions = cautions_of(contact.fluid.density_pressure > 0, grids.size());
-  const auto estimate = [&](auto&& feature, const Caution& caution) {
-    Estimate e = estimate_of(over_grids(grids, feature), caution, {feature(beside), cells_ratio});
+  const auto estimate = [&](Feature feature, const Caution& caution) {
+    Estimate e = estimate_of(over_grids(grids, feature), caution, {beside.*feature, cells_ratio});
     e.error += solved.domain_error * std::fabs(e.value);
     return e;
   };
-  solved.central =
-      estimate([](const FilmFeatures& f) { return f.central; }, cautions.away_from_spike);
-  solved.at_greatest_pressure = estimate(
-      [](const FilmFeatures& f) { return f.at_greatest_pressure; }, cautions.away_from_spike);
-  solved.minimum = estimate([](const FilmFeatures& f) { return f.minimum; }, cautions.beside_spike);
+  solved.central = estimate(&FilmFeatures::central, cautions.away_from_spike);
+  solved.at_greatest_pressure =
+      estimate(&FilmFeatures::at_greatest_pressure, cautions.away_from_spike);
+  solved.minimum = estimate(&FilmFeatures::minimum, cautions.beside_spike);
   // In a compressible liquid this film follows the pressure, which between two nodes is known no
   // better than at the nodes.
   const FilmFeatures& finest = grids.back();
@@ -114,15 +114,10 @@ void estimate_all(SolvedFilm& solved, const LineContact& contact,
     if (!f.has_spike) with_spike.clear();
     if (f.has_spike) with_spike.push_back(f);
   }
-  if (with_spike.size() < 3) {
-    solved.spike_pressure = solved.spike_place = {};
-    return;
-  }
   constexpr Caution of_spike{1, 0.5, 0};
-  solved.spike_pressure = estimate_of(
-      over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_pressure; }), of_spike);
-  solved.spike_place = estimate_of(
-      over_grids(with_spike, [](const FilmFeatures& f) { return f.spike_place; }), of_spike);
+  solved.spike_pressure =
+      estimate_of(over_grids(with_spike, &FilmFeatures::spike_pressure), of_spike);
+  solved.spike_place = estimate_of(over_grids(with_spike, &FilmFeatures::spike_place), of_spike);
 }
 
 }  // namespace
@@ -172,8 +167,8 @@ CoarseFilm solve_coarse_film(const LineContact& contact, int cells, const Scales
 
 namespace {
 
-// The film by the grids that follow from one coarsest grid. The tolerance only says which is the
-// last: a contact solved to one is solved to each greater one, in fewer steps.
+// The film by the grids that follow from one coarsest grid. The tolerance only decides which grid
+// is the last: if one tolerance is met, each greater one is met too, on fewer grids.
 SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const SolveOptions& options,
                                const Watch& watch) {
   SolvedFilm solved;
@@ -203,7 +198,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
     LineFilm finer = grids.empty() ? std::move(coarse.film)
                                    : solve_on(contact, coarse.density.nodes(cells), film, noting);
     if (failed(finer)) break;
-    // A second look at the finest grid, from as many cells less an eighth.
+    // A grid beside the finest one, with an eighth fewer cells, shows how much its values waver.
     const int cells_beside = cells - cells / 8;
     FilmFeatures beside;
     if (grids.size() >= 2) {
@@ -243,7 +238,7 @@ SolvedFilm solve_from_coarsest(const LineContact& contact, int cells, const Solv
   }
   solved.outcome = Outcome::solved;
   if (worst <= options.tolerance) {
-    solved.reason.clear();  // the failure of a grid that was not needed
+    solved.reason.clear();  // a finer grid may have failed, but was not needed
     return solved;
   }
   std::string met =
@@ -263,11 +258,11 @@ SolvedFilm solve_line_film(const LineContact& contact, const SolveOptions& optio
   solved.reason = refusal(contact);
   if (!solved.reason.empty()) return solved;
   // Few cells are not enough for thin films under great loads, or where a spike draws most cells.
-  constexpr int coarsest_grids = 5;
+  constexpr int coarsest_grids = 5, first_cells = 64;
   constexpr double least_at_edge = 0.05;
   SolveOptions now = options;
   std::string tried;
-  for (int i = 0, cells = options.first_cells; i < coarsest_grids; ++i, cells *= 2) {
+  for (int i = 0, cells = first_cells; i < coarsest_grids; ++i, cells *= 2) {
     solved = solve_from_coarsest(contact, cells, now, watch);
     now.at_edge = std::max(now.at_edge / 2, std::min(now.at_edge, least_at_edge));
     if (solved.outcome != Outcome::not_converged) return solved;

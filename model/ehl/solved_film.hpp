@@ -46,8 +46,8 @@ struct Caution {
 Estimate estimate_of(const std::vector<double>& values, const Caution& caution = {},
                      const Beside& beside = {});
 
-// Smaller M than the first number and smaller films H than the second are refused. The solver was
-// tried up to the other two; beyond them it may converge, and says so where it does not.
+// Contacts whose M or film H is below the first two numbers are refused. The solver was tried up to
+// the other two; beyond them it may converge, and says so where it does not.
 inline constexpr double least_load_number = 1e-3;
 inline constexpr double least_film = 1e-8;
 inline constexpr double greatest_tried_load_number = 1e4;
@@ -57,7 +57,6 @@ struct SolveOptions {
   double tolerance = 1e-4;  // relative, of the three films
   // Relative, of the spike's pressure.
   double spike_tolerance = std::numeric_limits<double>::infinity();
-  int first_cells = 64;       // of the coarsest grid
   int greatest_cells = 8192;  // of the finest
   double at_edge = 0.05;      // share of the nodes in the constriction: more resolve sharper spikes
 };
@@ -71,7 +70,7 @@ struct SolvedFilm {
   int grids = 0;
   // H and P of film_features.hpp.
   Estimate central, minimum, at_greatest_pressure, spike_pressure, spike_place;
-  // The films' relative error because the inlet is not endless; the errors above have it in them.
+  // The films' relative error from the finite length of the inlet; the errors above include it.
   double domain_error = 0;
   int steps = 0;  // of Newton's method, on the way to the finest grid
 };

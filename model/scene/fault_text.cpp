@@ -15,7 +15,7 @@ namespace {
 constexpr auto kind_names = std::to_array<const char*>(
     {"a number", "a text", "a boolean", "null", "a date or time", "a list", "a table"});
 
-// The sentence of a rule: the value, where it tells that, then these words, then `what`.
+// The sentence of a rule: the value if `tells_value`, then `words`, then the fault's `what`.
 struct Clause {
   bool tells_value;
   std::string_view words;

@@ -108,7 +108,7 @@ class SceneBinder {
     if (section_of(entry.path) == "supply") supply_explained_ = true;
   }
 
-  // One mistake, one line: what is probably meant by a misspelt name is not also called missing.
+  // One mistake, one line: the field that a misspelt name probably means is not called missing.
   void explain(std::string_view name) {
     if (name == "supply" || section_of(name) == "supply") supply_explained_ = true;
     for (std::size_t field = 0; field < scene_fields().size(); ++field) {
@@ -262,7 +262,7 @@ class SceneBinder {
   }
 
   std::optional<double> speed_of(const FieldInfo& info, const Value& value, std::size_t i) {
-    if (!broken_rule(info, value)) return value.number;  // no name is made for good ones
+    if (!broken_rule(info, value)) return value.number;  // names are made for errors only
     const FieldInfo& element = scene_fields()[named().speed_from];
     return number_of(element, value, element_name("speed", i));
   }

@@ -55,7 +55,7 @@ class TomlCollector {
     entries_.push_back(entry_of(std::move(path), node, apart ? 0 : inner_depth));
   }
 
-  // The entry of a node, with so many levels of what the node holds.
+  // The entry of a node, with `levels` levels of what the node holds.
   Entry entry_of(std::string path, const toml::node& node, int levels) const {
     Entry entry{std::move(path), value_of(node), {}};
     if (const toml::array* const list = node.as_array()) {

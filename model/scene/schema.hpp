@@ -36,7 +36,7 @@ using Store = void (*)(Scene&, double);
 struct Access {
   Store store = nullptr;
   std::optional<double> (*load)(const Scene&) = nullptr;
-  double Numbers::*number = nullptr;  // null: no number of a contact is this field as given
+  double Numbers::*number = nullptr;  // null: the field is not itself a number of a contact
 };
 
 // Puts the value into the scene; of `speed`, in place of all its speeds.

@@ -13,10 +13,10 @@ std::size_t utf8_length(std::string_view text, std::size_t at);
 
 // The shortest decimal that reads back to the same double.
 std::string number_text(double number);
-// With three digits.
+// The number with three digits.
 std::string rounded_text(double number);
 
-// Edits (one sign more, less, other, or two neighbours swapped) that turn one word into the other.
+// The number of edits (a sign added, removed or changed, or two swapped) between two words.
 // Words over 64 bytes count as far from everything.
 std::size_t edit_distance(std::string_view left, std::string_view right);
 

@@ -33,7 +33,7 @@ struct TomlScreen {
   std::vector<TableHeader> headers;      // by rising row
 };
 
-// Mends `text`, whose size stays. The result looks into it. More fields than `most_fields` are
+// Mends `text`, whose size stays. The result has views of it. More fields than `most_fields` are
 // refused.
 TomlScreen screen_toml(std::string& text, std::size_t most_fields);
 

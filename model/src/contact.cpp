@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // LoadSharing<double> and MixedContact<double>: the engine's numbers, and beyond its range those of
-// the formula text in long double, rounded.
+// the template in long double, rounded.
 #include <cmath>
 
 #include "engine.hpp"

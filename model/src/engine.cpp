@@ -386,7 +386,7 @@ const Names& names() {
   return all;
 }
 
-// Before main, and so before any kernel is chosen.
+// The names are found before main() begins, and so before any kernel is chosen.
 [[maybe_unused]] const Names& found_before_main = names();
 
 // Calls kernel(first, count, roots), which returns its steps, for each block. The results go

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine's kernels as plain functions. Beyond their range they return NaN, and leave the point
-// to the formula text.
+// to the templates.
 #pragma once
 
 #include <array>
@@ -87,7 +87,7 @@ const Kernels& engine();
 // Are K and δ within the range of the kernels?
 bool is_within_engine(double stiffness, double offset);
 
-// Like the kernel `prepare`; beyond its range the floors come from the formula text.
+// Like the kernel `prepare`; beyond its range the floors come from the template.
 void prepare(const ContactWords& words, std::span<const SceneNumbers<double>> scenes,
              std::span<ContactNumbers<double>> contacts);
 

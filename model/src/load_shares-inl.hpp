@@ -178,7 +178,7 @@ HWY_INLINE Shares<V> shares_above_floor(D d, Order order, const detail::SurfaceN
           hn::IfThenElse(is_near, fluid, shares.fluid)};
 }
 
-// The floor of a surface, λ_b with A(λ_b) = 1, and what rests on it. ln A is concave and
+// The floor of a surface, λ_b with A(λ_b) = 1, and what follows from it. ln A is concave and
 // decreasing: steps of third order from the right of its zero. K and δ have to be in the kernels'
 // range.
 template <class D, class V = hn::Vec<D>>

@@ -255,7 +255,7 @@ HWY_INLINE void complete(D d, const detail::ContactWords& words,
   put(Output::friction, hn::IfThenElse(has_collapsed, nan, hn::Add(solid, fluid)));
 }
 
-// Do outputs rest on the load shares? Near a high floor the moments do too.
+// Do outputs depend on the load shares? Near a high floor the moments do too.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE bool needs_shares(D d, const NeededParts& needs,
                              const detail::SurfaceNumbers<V>& surface) {
@@ -284,7 +284,7 @@ HWY_INLINE V complete_root(D d, const detail::ContactWords& words,
   const bool has_floor = !hn::AllFalse(d, hn::Gt(contact.surface.hazard, zero));
   const bool shares = needs_shares(d, needs, contact.surface);
   Flooded<V> flooded{speed, film_parameter, {zero, one}};
-  // A starved film has shares of its own; only near a floor they rest on those of the flooded one.
+  // A starved film has shares of its own; only near a floor do they need those of the flooded one.
   if (shares && (!needs.is_starved || has_floor))
     flooded.shares = shares_at_root(d, load_order(words.model), *words.film, contact.surface,
                                     flooded_film, film_parameter);

@@ -27,15 +27,15 @@ constexpr double square_beyond_free(double film_exponent) {
 }
 
 // The range in which the engine's root may be used: nothing in it overflows or loses digits. Beyond
-// this range the formula text in long double is used.
+// this range the template in long double is used.
 inline constexpr double sharing_least_stiffness = 1e-300, sharing_greatest_stiffness = 1e300;
 inline constexpr double sharing_greatest_offset = 40;
 inline constexpr double sharing_least_film = 1e-280, sharing_greatest_film = 1e280;
 
 // The numbers of a contact, and speeds in m/s, within which nothing that a point is computed from
 // overflows or loses digits near 0: the greatest products are K and λ₀ over h_oil/σ_s, of eleven
-// and of some twelve such numbers. K, and the factors of area and summits, are bounded apart: where
-// F_n is set to 0 as below the least double, their product with it has to be as well.
+// and of some twelve such numbers. K and the factors of area and summits have bounds of their own:
+// where F_n is set to 0 as below the least double, its product with them has to be below it, too.
 inline constexpr double least_contact_number = 1e-20, greatest_contact_number = 1e20;
 inline constexpr double least_film_ratio = 1e-100;
 inline constexpr double least_speed = 1e-60, greatest_speed = 1e60;

@@ -11,7 +11,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,39 +32,6 @@ inline void put(Bytes& to, std::span<const std::byte> bytes) {
   put(to, static_cast<std::uint64_t>(bytes.size()));
   to.insert(to.end(), bytes.begin(), bytes.end());
 }
-inline void put_text(Bytes& to, std::string_view text) { put(to, std::as_bytes(std::span(text))); }
-
-// Takes from the front what put() wrote. Throws std::runtime_error where too few bytes are left.
-class ByteReader {
- public:
-  explicit ByteReader(std::span<const std::byte> bytes) : left_(bytes) {}
-
-  template <class T>
-  T take() {
-    static_assert(std::is_arithmetic_v<T>);
-    T value;
-    std::memcpy(&value, some(sizeof value).data(), sizeof value);
-    return value;
-  }
-  std::span<const std::byte> take_bytes() {
-    return some(static_cast<std::size_t>(take<std::uint64_t>()));
-  }
-  std::string take_text() {
-    const std::span<const std::byte> bytes = take_bytes();
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-  }
-  bool empty() const { return left_.empty(); }
-
- private:
-  std::span<const std::byte> some(std::size_t count) {
-    if (count > left_.size()) throw std::runtime_error("a record ends too early");
-    const auto first = left_.first(count);
-    left_ = left_.subspan(count);
-    return first;
-  }
-
-  std::span<const std::byte> left_;
-};
 
 // --- A struct is written as its fields, one after the other. A struct without write() and read()
 // of its own names its fields in a function each_field(to, of), or in its member
@@ -74,27 +40,28 @@ class ByteReader {
 template <class T>
 constexpr bool is_in_one_piece = std::is_same_v<T, double> || std::is_same_v<T, std::byte>;
 
+// Writes values behind the bytes that are there.
 class Sender {
  public:
+  explicit Sender(Bytes& to) : to_(to) {}
   template <class... T>
   void operator()(const T&... values) {
     (one(values), ...);
   }
-  Bytes bytes;
 
  private:
   template <class T>
   void one(const T& value) {
     if constexpr (std::is_arithmetic_v<T>)
-      put(bytes, value);
-    else if constexpr (requires { value.write(bytes); })
-      value.write(bytes);
+      put(to_, value);
+    else if constexpr (requires { value.write(to_); })
+      value.write(to_);
     else if constexpr (requires { T::fields(*this, value); })
       T::fields(*this, value);
     else
       each_field(*this, value);
   }
-  void one(const std::string& text) { put_text(bytes, text); }
+  void one(const std::string& text) { put(to_, std::as_bytes(std::span(text))); }
   template <class First, class Second>
   void one(const std::pair<First, Second>& pair) {
     (*this)(pair.first, pair.second);
@@ -102,7 +69,7 @@ class Sender {
   template <class T>
   void one(const std::vector<T>& list) {
     if constexpr (is_in_one_piece<T>)
-      put(bytes, std::as_bytes(std::span(list)));
+      put(to_, std::as_bytes(std::span(list)));
     else
       each_of(list);
   }
@@ -112,35 +79,55 @@ class Sender {
   }
   template <class List>
   void each_of(const List& list) {
-    put(bytes, std::uint64_t{list.size()});
+    put(to_, std::uint64_t{list.size()});
     for (const auto& element : list) one(element);
   }
+
+  Bytes& to_;
 };
 
-// Throws std::runtime_error where the bytes are not those of a Sender. It reserves no memory by a
-// count, which may be false: elements are added as they are read.
+// Takes from the front what a Sender wrote. Throws std::runtime_error where the bytes are not those
+// of a Sender. It reserves no memory by a count, which may be false: elements are added as they are
+// read.
 class Receiver {
  public:
-  explicit Receiver(std::span<const std::byte> bytes) : from_(bytes) {}
+  explicit Receiver(std::span<const std::byte> bytes) : left_(bytes) {}
   template <class... T>
   void operator()(T&... values) {
     (one(values), ...);
   }
-  bool empty() const { return from_.empty(); }
+  template <class T>
+  T take() {
+    T value{};
+    one(value);
+    return value;
+  }
+  bool empty() const { return left_.empty(); }
 
  private:
+  std::span<const std::byte> some(std::uint64_t count) {
+    if (count > left_.size()) throw std::runtime_error("a record ends too early");
+    const auto first = left_.first(static_cast<std::size_t>(count));
+    left_ = left_.subspan(first.size());
+    return first;
+  }
+  std::span<const std::byte> some() { return some(take<std::uint64_t>()); }
+
   template <class T>
   void one(T& value) {
     if constexpr (std::is_arithmetic_v<T>)
-      value = from_.take<T>();
-    else if constexpr (requires { T::read(from_); })
-      value = T::read(from_);
+      std::memcpy(&value, some(sizeof value).data(), sizeof value);
+    else if constexpr (requires { T::read(*this); })
+      value = T::read(*this);
     else if constexpr (requires { T::fields(*this, value); })
       T::fields(*this, value);
     else
       each_field(*this, value);
   }
-  void one(std::string& text) { text = from_.take_text(); }
+  void one(std::string& text) {
+    const std::span<const std::byte> bytes = some();
+    text.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  }
   template <class First, class Second>
   void one(std::pair<First, Second>& pair) {
     (*this)(pair.first, pair.second);
@@ -148,27 +135,27 @@ class Receiver {
   template <class T>
   void one(std::vector<T>& list) {
     if constexpr (is_in_one_piece<T>) {
-      const std::span<const std::byte> bytes = from_.take_bytes();
+      const std::span<const std::byte> bytes = some();
       if (bytes.size() % sizeof(T) != 0) throw std::runtime_error("a list ends within a number");
       list.resize(bytes.size() / sizeof(T));
-      if (!list.empty()) std::memcpy(list.data(), bytes.data(), list.size() * sizeof(T));
+      if (!list.empty()) std::memcpy(list.data(), bytes.data(), bytes.size());
     } else {
-      const auto count = from_.take<std::uint64_t>();
+      const auto count = take<std::uint64_t>();
       for (std::uint64_t i = 0; i < count; ++i) one(list.emplace_back());
     }
   }
   template <class Key, class T>
   void one(std::map<Key, T>& map) {
-    const auto count = from_.take<std::uint64_t>();
+    const auto count = take<std::uint64_t>();
     for (std::uint64_t i = 0; i < count; ++i) {
-      const auto key = from_.take<Key>();
+      const auto key = take<Key>();
       if (!map.empty() && map.rbegin()->first >= key)
         throw std::runtime_error("its keys do not ascend");
       one(map[key]);
     }
   }
 
-  ByteReader from_;
+  std::span<const std::byte> left_;
 };
 
 }  // namespace tribo::sweep

@@ -2,13 +2,12 @@
 #include "sweep/chunk.hpp"
 
 #include <stdexcept>
-#include <utility>
 
 namespace tribo::sweep {
 Bytes Chunk::bytes() const {
-  Sender to;
-  to(number, values, summaries, sensitivities);
-  return std::move(to.bytes);
+  Bytes bytes;
+  Sender{bytes}(number, values, summaries, sensitivities);
+  return bytes;
 }
 
 Chunk Chunk::from(std::span<const std::byte> bytes) {
@@ -18,6 +17,10 @@ Chunk Chunk::from(std::span<const std::byte> bytes) {
   for (const PackedValues& packed : chunk.values)
     if (packed.element_size != 1 && packed.element_size != 8)
       throw std::runtime_error("values of a size that no chunk has");
+  for (const auto& column : chunk.summaries)
+    for (const ValueSummary& summary : column)
+      if (summary.sketch.count() != summary.moments.count)
+        throw std::runtime_error("these bytes are no summary: its counts differ");
   for (const auto& column : chunk.sensitivities)
     for (const auto& blocks : column)
       if (!blocks.empty() && blocks.rbegin()->first >= jackknife_blocks)

@@ -13,113 +13,104 @@
 namespace tribo::sweep {
 namespace {
 
-// A block of so many numbers is solved and then summed up while it is in the cache.
+// A block of this many numbers is solved and then summed up while it is in the cache.
 constexpr std::size_t block_numbers = 8192;
 
 }  // namespace
 
 struct ChunkSolver::OfScene {
   OfScene(const SceneSweep& s, const std::function<bool()>& stopped)
-      : sweep(s), generator(s), solver(s, stopped) {
+      : sweep(s),
+        variables(s.variables.size()),
+        width(s.width()),
+        rows(s.cases_per_group()),
+        generator(s),
+        solver(s, stopped) {
+    if (s.keep_points) list_kept();
     if (!s.sensitivity) return;
     // The constants c of sensitivity.hpp are the results at the nominal values.
     std::vector<double> nominal_values;
     for (const Variable& variable : s.variables) nominal_values.push_back(variable.nominal);
-    nominal.resize(s.width());
+    nominal.resize(width);
     solver.solve(nominal_values, nominal);
     for (double& value : nominal)
       if (!std::isfinite(value)) value = 0;
   }
 
+  // The inputs and columns of the chunk that are kept, in their order.
+  struct Kept {
+    const std::vector<double>& block;  // a row of it has the numbers of a case
+    std::size_t row_size, at, width;   // so many numbers of a row, from `at` on
+    bool words;
+    std::vector<double> numbers = {};  // of the chunk
+
+    // A word is kept as its place in a list.
+    PackedValues packed() const {
+      if (!words) return pack(std::span<const double>(numbers));
+      std::vector<std::uint8_t> places(numbers.size());
+      std::transform(numbers.begin(), numbers.end(), places.begin(),
+                     [](double number) { return static_cast<std::uint8_t>(number); });
+      return pack(std::span<const std::uint8_t>(places));
+    }
+  };
+  void list_kept() {
+    for (std::size_t v = 0; v < variables; ++v)
+      kept.push_back({values, variables, v, 1, !sweep.variables[v].words.empty()});
+    std::size_t at = 0;
+    for (const Column& column : sweep.columns) {
+      kept.push_back({results, width, at, column.width, !column.words.empty()});
+      at += column.width;
+    }
+  }
+
   // Copies the kept cases of the block to their places in the chunk, from group `first` of the
   // chunk on.
-  void keep(std::uint64_t first) {
-    const std::size_t rows = sweep.cases_per_group(), kept_rows = sweep.cases_kept_per_group();
-    const std::size_t variables = sweep.variables.size(), width = sweep.width();
-    const std::size_t groups = values.size() / (rows * variables);
-    const auto for_each_case = [&](const auto& visit) {  // visit(its place, its row of the block)
+  void keep(std::uint64_t first, std::size_t groups) {
+    const std::size_t kept_rows = sweep.cases_kept_per_group();
+    for (Kept& one : kept)
       for (std::size_t g = 0; g < groups; ++g)
-        for (std::size_t row = 0; row < kept_rows; ++row)
-          visit((first + g) * kept_rows + row, g * rows + row);
-    };
-    for (std::size_t v = 0; v < variables; ++v)
-      for_each_case([&, to = kept[v].data()](std::size_t place, std::size_t row) {
-        to[place] = values[row * variables + v];
-      });
+        for (std::size_t row = 0; row < kept_rows; ++row) {
+          const double* const from = &one.block[(g * rows + row) * one.row_size + one.at];
+          double* const to = &one.numbers[((first + g) * kept_rows + row) * one.width];
+          if (one.width == 1)
+            *to = *from;
+          else
+            std::copy_n(from, one.width, to);
+        }
+  }
+
+  // Adds the results of the block, whose first group is `first` of the scene, to the sums.
+  void sum_up(Chunk& chunk, std::uint64_t first, std::size_t groups) {
+    const std::size_t kept_rows = sweep.cases_kept_per_group();
     std::size_t at = 0;
-    for (std::size_t c = 0; c < sweep.columns.size(); ++c) {
-      const std::size_t w = sweep.columns[c].width;
-      for_each_case([&, to = kept[variables + c].data()](std::size_t place, std::size_t row) {
-        std::copy_n(&results[row * width + at], w, to + place * w);
-      });
-      at += w;
-    }
+    for (std::size_t c = 0; c < sweep.columns.size(); ++c)
+      for (std::size_t j = 0; j < sweep.columns[c].width; ++j, ++at) {
+        take_column(at, 0, groups, kept_rows);
+        chunk.summaries[c][j].add(of_column);
+        for (std::size_t g = 0; sweep.sensitivity && g < groups; ++g) {
+          take_column(at, g, g + 1, rows);
+          const auto block = static_cast<std::uint32_t>(block_of(first + g, sweep.groups));
+          chunk.sensitivities[c][j][block].add(of_column, nominal[at]);
+        }
+      }
+  }
+  // The numbers of one column, of the first cases of each of some groups of the block.
+  void take_column(std::size_t at, std::size_t group, std::size_t end, std::size_t cases) {
+    of_column.clear();
+    for (; group < end; ++group)
+      for (std::size_t row = 0; row < cases; ++row)
+        of_column.push_back(results[(group * rows + row) * width + at]);
   }
 
   const SceneSweep& sweep;
+  const std::size_t variables, width, rows;  // of a block: numbers a case, and cases a group
   CaseGenerator generator;
   CaseSolver solver;
   std::vector<double> nominal;
-  std::vector<double> values, results;    // of a block
-  std::vector<std::vector<double>> kept;  // of the chunk: inputs, columns
+  std::vector<double> values, results;  // of a block
+  std::vector<Kept> kept;               // none where points are not kept
+  std::vector<double> of_column;
 };
-
-namespace {
-
-// A kept array as bytes; a word is kept as its place in a list.
-PackedValues packed(const std::vector<double>& values, bool words) {
-  if (!words) return pack(std::span<const double>(values));
-  std::vector<std::uint8_t> places(values.size());
-  std::transform(values.begin(), values.end(), places.begin(),
-                 [](double value) { return static_cast<std::uint8_t>(value); });
-  return pack(std::span<const std::uint8_t>(places));
-}
-
-class ChunkInHand {
- public:
-  ChunkInHand(const SceneSweep& sweep, Chunk& chunk) : sweep_(sweep), chunk_(chunk) {
-    for (const Column& column : sweep.columns) {
-      chunk_.summaries.emplace_back(column.width);
-      if (sweep.sensitivity) chunk_.sensitivities.emplace_back(column.width);
-    }
-  }
-
-  // The results of some groups' cases, row by row.
-  void add(std::uint64_t first, std::span<const double> results, std::span<const double> nominal) {
-    const std::size_t width = sweep_.width(), kept = sweep_.cases_kept_per_group();
-    const std::size_t group_size = sweep_.cases_per_group() * width;
-    std::size_t at = 0;
-    for (std::size_t c = 0; c < sweep_.columns.size(); ++c)
-      for (std::size_t j = 0; j < sweep_.columns[c].width; ++j, ++at) {
-        of_column_.clear();
-        for (std::size_t group = 0; group < results.size(); group += group_size)
-          for (std::size_t row = 0; row < kept; ++row)
-            of_column_.push_back(results[group + row * width + at]);
-        chunk_.summaries[c][j].add(of_column_);
-        if (!sweep_.sensitivity) continue;
-        for (std::size_t g = 0; g < results.size() / group_size; ++g)
-          add_sensitivity(first + g, c, j, at, results.subspan(g * group_size, group_size),
-                          nominal[at]);
-      }
-  }
-
- private:
-  void add_sensitivity(std::uint64_t group, std::size_t c, std::size_t j, std::size_t at,
-                       std::span<const double> results, double nominal) {
-    const std::size_t width = sweep_.width();
-    of_column_.resize(sweep_.cases_per_group());
-    for (std::size_t row = 0; row < of_column_.size(); ++row)
-      of_column_[row] = results[row * width + at];
-    const auto block = static_cast<std::uint32_t>(block_of(group, sweep_.groups));
-    chunk_.sensitivities[c][j][block].add(of_column_, nominal);
-  }
-
-  const SceneSweep& sweep_;
-  Chunk& chunk_;
-  std::vector<double> of_column_;  // the values of one column, of some groups or of one
-};
-
-}  // namespace
 
 ChunkSolver::ChunkSolver(const SweepPlan& plan, std::function<bool()> stopped)
     : plan_(plan), stopped_(std::move(stopped)), scenes_(plan.scenes.size()) {}
@@ -134,31 +125,23 @@ Chunk ChunkSolver::solve(std::uint64_t number) {
 
   Chunk chunk;
   chunk.number = number;
-  ChunkInHand in_hand(sweep, chunk);
-  const std::size_t variables = sweep.variables.size(), width = sweep.width();
-  const std::size_t rows = sweep.cases_per_group();
-  if (sweep.keep_points) {
-    of.kept.resize(variables + sweep.columns.size());
-    for (std::size_t v = 0; v < variables; ++v) of.kept[v].assign(sweep.chunk_cases(), 0);
-    for (std::size_t c = 0; c < sweep.columns.size(); ++c)
-      of.kept[variables + c].assign(sweep.chunk_cases() * sweep.columns[c].width, 0);
+  for (const Column& column : sweep.columns) {
+    chunk.summaries.emplace_back(column.width);
+    if (sweep.sensitivity) chunk.sensitivities.emplace_back(column.width);
   }
+  for (OfScene::Kept& one : of.kept) one.numbers.assign(sweep.chunk_cases() * one.width, 0);
   const std::uint64_t block =
-      std::max<std::uint64_t>(1, block_numbers / (rows * (width + variables)));
+      std::max<std::uint64_t>(1, block_numbers / (of.rows * (of.width + of.variables)));
   for (std::uint64_t first = 0; first < place.groups; first += block) {
-    const auto some = static_cast<std::size_t>(std::min(block, place.groups - first));
-    of.values.resize(some * rows * variables);
-    of.results.resize(some * rows * width);
+    const auto groups = static_cast<std::size_t>(std::min(block, place.groups - first));
+    of.values.resize(groups * of.rows * of.variables);
+    of.results.resize(groups * of.rows * of.width);
     of.generator.groups(place.first_group + first, of.values);
     of.solver.solve(of.values, of.results);
-    in_hand.add(place.first_group + first, of.results, of.nominal);
-    if (sweep.keep_points) of.keep(first);
+    of.sum_up(chunk, place.first_group + first, groups);
+    of.keep(first, groups);
   }
-  if (!sweep.keep_points) return chunk;
-  for (std::size_t v = 0; v < variables; ++v)
-    chunk.values.push_back(packed(of.kept[v], !sweep.variables[v].words.empty()));
-  for (std::size_t c = 0; c < sweep.columns.size(); ++c)
-    chunk.values.push_back(packed(of.kept[variables + c], !sweep.columns[c].words.empty()));
+  for (const OfScene::Kept& one : of.kept) chunk.values.push_back(one.packed());
   return chunk;
 }
 

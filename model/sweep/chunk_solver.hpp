@@ -22,8 +22,8 @@ class ChunkSolver {
   ChunkSolver(ChunkSolver&&) noexcept;
   ~ChunkSolver();
 
-  // number: below plan.chunks(). With one arithmetic a chunk has the same bits wherever, whenever
-  // and beside whatever other work it is computed.
+  // number: below plan.chunks(). The bits of a chunk depend on the plan and the arithmetic alone,
+  // not on the machine, the threads or other chunks.
   Chunk solve(std::uint64_t number);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of the system: opened only if they are files, read at any place, and closed once.
+// Files on a disk: opened only if they are regular files, read at any place, and closed once.
 #pragma once
 
 #include <fcntl.h>
@@ -39,8 +39,8 @@ class Descriptor {
 
 inline std::string error_text(int code) { return std::generic_category().message(code); }
 
-// Opens a regular file; a FIFO does not hang it. A failure is thrown as std::runtime_error, whose
-// text begins with `what`: "cannot read sweep.h5".
+// Opens a regular file, and refuses a FIFO without waiting. A failure is thrown as
+// std::runtime_error, whose text begins with `what`: "cannot read sweep.h5".
 inline Descriptor open_file(const std::string& path, int flags, const std::string& what) {
   Descriptor file(::open(path.c_str(), flags | O_NONBLOCK | O_CLOEXEC, 0666));
   if (file < 0) throw std::runtime_error(what + ": " + error_text(errno));

@@ -19,7 +19,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_part = 1e-300;
 
-constexpr std::size_t block = 256;  // so many numbers are computed at a time
+constexpr std::size_t block = 256;  // the numbers that are computed at a time
 
 double part_above(double z) { return gaussian_moment(Order::zero, z); }
 double part_below(double z) { return part_above(-z); }

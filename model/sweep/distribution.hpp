@@ -42,13 +42,13 @@ class Distribution {
   // ln x is normal around ln median with the sd log_sd; 0 < median, 0 <= from.
   static Distribution log_normal(double median, double log_sd, double from, double to);
 
-  // The value below which a part u in (0, 1) lies, for u as they come from unit_number() of
+  // The value below which a part u in (0, 1) lies, for u as it comes from unit_number() of
   // design.hpp. Error: uniform 1.5 ulp of the greater bound, log_uniform 3 ulp, normal 4 ulp of the
   // greatest of |value|, |mean| and sd, log_normal 3 + 3|ln(value/median)| + 3·log_sd ulp.
   double quantile(double u) const;
   // The quantiles of many numbers, with the same bits and far faster.
   void quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const;
-  // The quantile at the u that belongs to a standard normal z, P(Z < z) = u; and of many z.
+  // The quantile at u = P(Z < z) for a standard normal number z, and the quantiles for many z.
   double quantile_of_normal(double z) const;
   void quantiles_of_normals(Rows<const double> z, Rows<double> values, std::size_t count) const;
 

@@ -26,8 +26,8 @@ std::optional<std::string> take_failed_close();
 class QuietErrors {
  public:
   QuietErrors() {
-    // At exit HDF5 would close once more what it could not close on a full disk, and crash
-    // (1.10.8).
+    // Otherwise HDF5 (1.10.8) tries again at exit to close what it could not close on a full disk,
+    // and crashes.
     H5dont_atexit();
     take_failed_close();  // of another file
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);

@@ -33,7 +33,7 @@ std::size_t widest(const SceneSweep& scene) {
   return widest;
 }
 
-// A scene at so many of its speeds, in chunks of so many groups.
+// The scene at `speeds` of its speeds, in chunks of `chunk_groups` groups.
 SweepPlan thinned(const SceneSweep& scene, std::size_t speeds, std::uint64_t chunk_groups) {
   SceneSweep thin = scene;
   const Speeds& all = scene.scene.speeds;
@@ -109,7 +109,7 @@ std::uint64_t place_of_sample(std::uint64_t k, std::uint64_t parts, std::uint64_
                                     static_cast<double>(chunks) / static_cast<double>(parts));
 }
 
-// Samples chunks for so many seconds, and at least `least` chunks.
+// Samples chunks for `seconds` seconds, and at least `least` chunks.
 Sample sample_of(const SweepPlan& plan, double seconds, int least = 2) {
   const SceneSweep& scene = plan.scenes.front();
   std::vector<std::vector<ValueSummary>> merged;
@@ -160,8 +160,8 @@ Sample at_all_speeds(const SceneSweep& scene, std::uint64_t chunk_groups) {
           reach(&Sample::merged_memory)};
 }
 
-// Samples chunks of the scene. A chunk that takes long is sampled with fewer groups. Films take
-// long, some ten times as long as others: single films all over the sweep are sampled.
+// Samples chunks of the scene. A chunk that takes long is sampled with fewer groups. Some films
+// take ten times as long as others: single films from all over the sweep are sampled.
 Sample chunk_sample(const SceneSweep& scene) {
   constexpr std::uint64_t probed = 64;
   constexpr double seconds = 0.1;
@@ -341,7 +341,7 @@ Needs needs_of(const SweepPlan& plan, int threads) {
 Needs most_needs(const SweepPlan& plan, int threads) {
   constexpr double packed = 9;      // bytes of a number: eight, where it is not made shorter
   constexpr double a_dataset = 64;  // of a chunk of it, whatever its size
-  constexpr double in_sketch = 5;   // of a case in a part: four where its bin is, one how often
+  constexpr double in_sketch = 5;   // of a case in a part: four for its bin, one for the count
   constexpr double other = 128;     // of a summary, and of a block of sums, in a part
   const double held = chunks_held(plan);
   Needs needs{0, program_memory, 0, 0, {}};

@@ -48,7 +48,7 @@ int on_threads(int count, const Work& work) {
   return started;
 }
 
-// Calls use(i) for each i below `count`, on at most so many threads.
+// Calls use(i) for each i below `count`, on at most `threads` threads.
 template <class Use>
 void each_on_threads(int threads, std::size_t count, const Use& use) {
   std::atomic<std::size_t> next = 0;

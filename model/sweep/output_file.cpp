@@ -49,7 +49,7 @@ bool is_lock(std::span<const std::byte> start) {
   return start.size() >= mark.size() && std::equal(mark.begin(), mark.end(), start.begin());
 }
 
-// In the same folder, so that the rename stays within one file system.
+// A place in the target's folder, so that the rename stays within one file system.
 FilePlace unused_place(const std::string& target, Descriptor& file) {
   for (int number = 0;; ++number) {
     FilePlace place(target, '.' + std::to_string(::getpid()) + '-' + std::to_string(number), ".");
@@ -295,7 +295,7 @@ void OutputLock::check() const {
 
 std::string output_behind_links(const std::string& path) {
   fs::path behind(path);
-  constexpr int most_links = 40;  // as the system
+  constexpr int most_links = 40;  // as many as Linux follows
   std::error_code none;
   for (int links = 0; fs::is_symlink(behind, none); ++links) {
     if (links == most_links) throw RunRefused(path + " is a symbolic link that leads in a circle");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one way in which the program makes, claims, replaces and removes files. A file is opened
-// within its folder, which is held open; no symbolic link at its name is followed; and nothing is
-// taken up or removed that is not ours: a regular file of this user, of one name, that is empty or
-// carries our mark.
+// within its folder, which is held open; no symbolic link at its name is followed; and a file is
+// taken up or removed only if it is ours: a regular file of this user without a second name, which
+// is empty or carries our mark.
 #pragma once
 
 #include <sys/stat.h>
@@ -50,8 +50,8 @@ struct Replaceable {
 // the file.
 class FilePlace {
  public:
-  // Opens the folder; the file OUTPUT + ENDING, whose name then begins with `beginning`, need not
-  // be there.
+  // Opens the folder of the file OUTPUT + ENDING, which need not be there. `beginning` is put in
+  // front of the file's name.
   explicit FilePlace(const std::string& output, std::string_view ending = "",
                      std::string_view beginning = "");
 
@@ -113,7 +113,7 @@ class PartFile {
 };
 
 // Throws RunRefused where something that is not ours stands where PartFile(target, mark) writes, or
-// where the target is of another user, and its folder one in which nobody else may replace it.
+// where the target is of another user, and its folder (sticky) lets nobody else replace it.
 void check_place(const std::string& target, Mark mark);
 
 // --- Locks that end with the process that holds them. One process at a time owns an output: it
@@ -146,8 +146,8 @@ class OutputLock {
   // Leaves the file there with its note, as if this process were killed.
   void leave() { file_ = Descriptor(); }
 
-  // False if somebody has removed the lock's file, so that another process may have taken its
-  // place, or the folder.
+  // False if somebody has removed the lock's file or its folder: another process may have the lock
+  // by now.
   bool holds() const { return leads_to_it() && place_.is_folder_at_its_path(); }
   // Throws std::runtime_error, with a text that says why, if it does not hold.
   void check() const;

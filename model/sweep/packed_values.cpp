@@ -152,7 +152,7 @@ class Packer {
     }
   }
 
-  // False where storing is no longer; nothing is added then.
+  // False if the plane would not become shorter than it is stored as it is; nothing is added then.
   bool deflate_plane(std::span<const std::byte> plane, Method method) {
     const std::size_t stored = plane.size() + stored_header * (plane.size() / most_stored + 1);
     if (stored > 0xFFFFFFFF) throw std::length_error("too many values to pack");

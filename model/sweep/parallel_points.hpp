@@ -8,8 +8,8 @@
 
 namespace tribo {
 
-// solve() of operating_points.hpp on at most so many threads, 0: as many as the machine has. The
-// same bits for any number of them.
+// solve() of operating_points.hpp on at most `threads` threads, 0: as many as the machine has. The
+// bits are the same for any number of threads.
 void solve_in_parallel(const MixedContact<double>& contact, std::span<const double> speeds,
                        OutputSet outputs, OperatingPoints& points, int threads = 0);
 

@@ -138,10 +138,10 @@ Bytes read_head(const std::string& path) {
   for (std::size_t i = 0; i < names.size(); ++i) header.files.emplace_back(names[i], texts[i]);
   const Array chunks = array_in(file, "chunks", 1, 1), index = array_in(file, "index", 2, 8);
   if (index.extents[1] != index_width) throw hdf5::Error("its index has another width");
-  Sender head;
-  head(header, std::uint64_t{chunks.extents[0]}, chunks.offset, std::uint64_t{index.extents[0]},
-       index.offset);
-  return std::move(head.bytes);
+  Bytes head;
+  Sender{head}(header, std::uint64_t{chunks.extents[0]}, chunks.offset,
+               std::uint64_t{index.extents[0]}, index.offset);
+  return head;
 }
 
 // Throws std::runtime_error where the index is not of chunks in `size` bytes.

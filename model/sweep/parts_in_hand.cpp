@@ -193,7 +193,7 @@ PartsInHand::PartsInHand(Settings settings, std::vector<ChunkList> parts,
     if (const std::string path = path_of_part(settings_.output, parts_[part]);
         !there_[part] && path.size() > longest.size())
       longest = path;
-  if (!longest.empty()) static_cast<void>(PartFile(longest));  // goes again
+  if (!longest.empty()) static_cast<void>(PartFile(longest));  // is tried, and removed again
 }
 
 bool PartsInHand::has_chunks() const {
@@ -304,7 +304,7 @@ void PartsInHand::write(InHand done) {
   const std::string path = path_of_part(settings_.output, parts_[done.part]);
   if (FilePlace(path).status()) {
     // Another process has computed the same part, on a file system without locks. The two would
-    // meet at each part from here on: this one goes on somewhere else.
+    // meet at each part from here on: this one goes on at another part.
     const std::lock_guard lock(mutex_);
     settings_.begin = place_of_process(parts_.size(), ++jumps_);
     return;
@@ -313,7 +313,7 @@ void PartsInHand::write(InHand done) {
   try {
     write_part(path, file, settings_.header, content_of(done.kept), {.any = true, .only = {}});
   } catch (const std::runtime_error&) {
-    // Where another process has put the same part there at the same time, that one serves.
+    // Where another process has put the same part there at the same time, that one is used.
     const FilePlace place(path);
     if (!place.status() || place.leads_to(file.file())) throw;
   }

@@ -29,7 +29,7 @@ using ChunkList = std::vector<std::uint64_t>;  // numbers, ascending
 // Cuts chunks into at most some 4096 parts of some seconds of one processor each. The borders
 // follow from the plan and the chunks alone: from the number of points, and the time that a point
 // of its kind takes on an ordinary machine. TRIBOCHECK_PART_CHUNKS in the environment, for tests,
-// asks for so many chunks a part.
+// says how many chunks a part has.
 std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chunks);
 
 // The most chunks that a part of cut_in_parts() has, when all chunks of the plan are cut. It is
@@ -48,7 +48,7 @@ void remove_begun(const std::string& output);
 // The journals of an output: files that older versions of tribocheck wrote in place of parts.
 std::vector<std::string> journals_of(const std::string& output);
 
-// The part, among so many, with which this process begins: by its host and number, and the turn.
+// The one of `parts` parts with which this process begins: by its host and number, and the turn.
 std::size_t place_of_process(std::size_t parts, std::uint64_t turn = 0);
 
 class PartsInHand {
@@ -58,23 +58,23 @@ class PartsInHand {
     PartHeader header;
     std::size_t begin = 0;       // the part with which this process begins
     bool in_memory = false;      // all parts are of this process, and none is written
-    std::function<bool()> over;  // asked before a part is begun: is nobody waiting for it any more?
+    std::function<bool()> over;  // asked before a part is begun: is the sweep over?
   };
-  // there: the parts that need not be computed. Throws std::runtime_error, with a text that names
+  // `there`: the parts that need not be computed. Throws std::runtime_error, with a text that names
   // the file, where the others could not be written.
   PartsInHand(Settings settings, std::vector<ChunkList> parts, const std::vector<bool>& there);
 
   // Looks for work of this process: chunks in hand, or else a part that it claims. False where all
   // parts are there or claimed.
   bool has_work();
-  // Is every part there, or the whole over?
+  // Is every part there, or is the sweep over?
   bool is_done();
   // The next chunk of this process. Any thread may ask.
   std::optional<std::uint64_t> next();
   // Keeps a chunk that next() has given; the last one of its part writes the part. Any thread may
   // call. Throws std::runtime_error, with a text that names the file, where it cannot be written.
   void keep(std::uint64_t chunk, Bytes bytes);
-  // Chunks that are there or kept, as far as is known: of other processes once a second.
+  // Chunks that are there or kept. Those of other processes are looked for once a second.
   std::uint64_t chunks_there();
   ChunksInMemory take_memory() { return std::move(in_memory_); }
 

@@ -5,7 +5,7 @@
 //
 //   case    one set of values of the varied fields
 //   point   one case at one speed, or one case with its onsets where no operating point is asked
-//   chunk   so many cases in a row: what a thread computes as a whole
+//   chunk   a number of cases in a row, which a thread computes as a whole
 //   part    chunks of some seconds of work: what a process claims, writes and resumes as a whole
 #pragma once
 

@@ -59,7 +59,6 @@ const auto fields = std::to_array<SweepField>({
 
 std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
-  names.reserve(fields.size());
   for (const SweepField& field : fields) names.push_back(field.name);
   return names;
 }
@@ -90,52 +89,46 @@ struct VariedEntry {
 
 class SweepBinder {
  public:
-  SweepBinder(std::vector<Entry> entries, const std::string& source, SweepReading& reading)
-      : entries_(std::move(entries)), source_(source), reading_(reading) {}
+  // problems: those of `reading`, whose scene is not used.
+  SweepBinder(std::vector<Entry> entries, const std::string& source, SceneReading& reading,
+              Problems& problems)
+      : entries_(std::move(entries)), source_(source), reading_(reading), problems_(problems) {}
 
-  void bind() {
+  // The sweep; nothing where an error was reported.
+  std::optional<SceneSweep> bind() {
     take_sweep_table();
     take_variables();
     take_settings();
-    if (!ok()) return;
-    take_scene();
-    if (!ok()) return;
-    check_extremes();
-    take_correlation();
-    check_combinations();
-    if (!ok()) return;
-    check_size();
-    if (!ok()) return;
+    if (ok()) take_scene();
+    if (ok()) {
+      check_extremes();
+      take_correlation();
+      check_combinations();
+    }
+    if (ok()) check_size();
+    if (!ok()) return std::nullopt;
     lay_out(sweep_);
-    reading_.sweep = std::move(sweep_);
+    return std::move(sweep_);
   }
 
  private:
-  bool ok() const { return problems_reading_.errors.empty() && reading_.errors.empty(); }
-  void error(std::string_view field, Fault fault) {
-    problems_.error(field, std::move(fault));
-    hand_over();
-  }
+  bool ok() const { return !problems_.any(); }
+  void error(std::string_view field, Fault fault) { problems_.error(field, std::move(fault)); }
   void error(std::string_view field, std::string what, std::string allowed) {
     error(field, {Fault::other, "", std::move(what), std::move(allowed)});
-  }
-  void hand_over() {
-    for (InputProblem& problem : problems_reading_.errors)
-      reading_.errors.push_back(std::move(problem));
-    problems_reading_.errors.clear();
   }
 
   // --- Takes the table [sweep], and the fields that vary, out of the entries.
 
   void take_sweep_table() {
-    const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                    [](const Entry& entry) { return entry.path == "sweep"; });
-    if (found == entries_.end()) return;
+    const Entry* const found = entry_of(entries_, "sweep");
+    if (found == nullptr) return;
     if (found->value.kind != ValueKind::table)
       error("sweep", "not a table", "a table with the fields of [sweep]");
-    settings_ = std::move(*found);
-    entries_.erase(found);
+    settings_ = *found;
+    entries_.erase(entries_.begin() + (found - entries_.data()));
   }
+  const Entry* setting(std::string_view name) const { return entry_of(settings_.inner, name); }
 
   void take_variables() {
     gather_speed();
@@ -150,16 +143,10 @@ class SweepBinder {
         varied_.push_back({i, std::move(*variable)});
       }
     }
-    hand_over();
     // Grids first, then the schema's order: the order of the file is not known any more.
-    std::sort(varied_.begin(), varied_.end(),
-              [](const VariedEntry& left, const VariedEntry& right) {
-                const auto key = [](const VariedEntry& varied) {
-                  return std::pair(varied.variable.is_drawn(),
-                                   scene_detail::field_at(varied.variable.path));
-                };
-                return key(left) < key(right);
-              });
+    std::ranges::sort(varied_, {}, [](const VariedEntry& varied) {
+      return std::pair(varied.variable.is_drawn(), scene_detail::field_at(varied.variable.path));
+    });
     if (ok() && varied_.empty())
       error("", "nothing varies",
             "a grid or a distribution in place of a number, as in "
@@ -170,21 +157,17 @@ class SweepBinder {
 
   // `speed` is a section of the schema, whose fields have entries of their own.
   void gather_speed() {
-    const auto is_part = [](const Entry& entry) { return entry.path.starts_with("speed."); };
-    for (const Entry& entry : entries_)
-      speed_is_drawn_ =
-          speed_is_drawn_ || entry.path == "speed.distribution" || entry.path == "speed.printed";
+    constexpr std::string_view prefix = "speed.";
+    const auto is_part = [&](const Entry& entry) { return entry.path.starts_with(prefix); };
+    speed_is_drawn_ = entry_of(entries_, "speed.distribution") != nullptr ||
+                      entry_of(entries_, "speed.printed") != nullptr;
     if (!speed_is_drawn_) return;
     std::vector<Entry> parts;
-    for (const Entry& entry : entries_) {
-      if (!is_part(entry)) continue;
-      parts.push_back(entry);
-      parts.back().path.erase(0, 6);
-    }
+    std::copy_if(entries_.begin(), entries_.end(), std::back_inserter(parts), is_part);
     std::erase_if(entries_, is_part);
-    const auto speed = std::find_if(entries_.begin(), entries_.end(),
-                                    [](const Entry& entry) { return entry.path == "speed"; });
-    if (speed != entries_.end()) speed->inner = std::move(parts);
+    for (Entry& part : parts) part.path.erase(0, prefix.size());
+    for (Entry& entry : entries_)
+      if (entry.path == "speed") entry.inner = parts;
   }
 
   // --- The table [sweep].
@@ -196,8 +179,6 @@ class SweepBinder {
     sweep_.departure = default_departure;
     if (const auto design = table.word("design", design_names))
       sweep_.design = static_cast<Design>(*design);
-    has_design_ = table.has("design");
-    has_draws_ = table.has("draws");
     if (const auto draws = table.whole("draws", 1, most_cases, allowed("draws")))
       sweep_.draws = *draws;
     if (const auto seed = table.whole("seed", 0, std::uint64_t{1} << 53, allowed("seed")))
@@ -215,16 +196,15 @@ class SweepBinder {
     sweep_.solves_film = table.boolean("solved_film").value_or(false);
     sweep_.sensitivity = table.boolean("sensitivity").value_or(false);
     if (const auto keep = table.word("keep", keep_names)) sweep_.keep_points = *keep == 0;
-    hand_over();
   }
 
   // --- The scene with nominal values.
 
   void take_scene() {
-    for (const Entry& entry : entries_) lists_outputs_ = lists_outputs_ || entry.path == "outputs";
-    asks_points_ = (sweep_.criteria.empty() && !sweep_.solves_film) || lists_outputs_;
+    asks_points_ = (sweep_.criteria.empty() && !sweep_.solves_film) ||
+                   entry_of(entries_, "outputs") != nullptr;
     SceneReading scene = bound(entries_);
-    for (InputProblem& problem : scene.errors) reading_.errors.push_back(std::move(problem));
+    reading_.errors = std::move(scene.errors);
     reading_.warnings = std::move(scene.warnings);
     if (!scene.scene) return;
     sweep_.scene = std::move(*scene.scene);
@@ -374,13 +354,8 @@ class SweepBinder {
   // --- Correlation.
 
   void take_correlation() {
-    const auto inner = [this](std::string_view name) -> const Entry* {
-      for (const Entry& entry : settings_.inner)
-        if (entry.path == name) return &entry;
-      return nullptr;
-    };
-    const Entry* const names = inner("correlated");
-    const Entry* const rows = inner("correlation");
+    const Entry* const names = setting("correlated");
+    const Entry* const rows = setting("correlation");
     if (names == nullptr && rows == nullptr) return;
     if (names == nullptr || rows == nullptr)
       return error(names == nullptr ? "sweep.correlated" : "sweep.correlation",
@@ -407,9 +382,7 @@ class SweepBinder {
       return {};
     }
     TableReader table("sweep", std::span(&entry, 1), field_names(), problems_);
-    const auto places = table.words("correlated", drawn);
-    hand_over();
-    return places.value_or(std::vector<std::size_t>());
+    return table.words("correlated", drawn).value_or(std::vector<std::size_t>());
   }
 
   std::vector<std::vector<double>> matrix_of(const Entry& entry, std::size_t size) {
@@ -447,9 +420,9 @@ class SweepBinder {
       error("sweep.design",
             "factorial takes grids alone, but " + sweep_.variables.back().path + " is drawn",
             "sobol, latin_hypercube or monte_carlo");
-    if (!drawn && has_design_ && sweep_.design != Design::factorial)
+    if (!drawn && setting("design") != nullptr && sweep_.design != Design::factorial)
       error("sweep.design", "nothing is drawn", "factorial, or no design");
-    if (!drawn && has_draws_)
+    if (!drawn && setting("draws") != nullptr)
       error("sweep.draws", "nothing is drawn", "no draws where all that varies is a grid");
     if (!drawn) sweep_.design = Design::factorial, sweep_.draws = 1;
     if (sweep_.sensitivity) check_sensitivity();
@@ -485,9 +458,6 @@ class SweepBinder {
                                                 " has no onset at the nominal values: " +
                                                 std::string(found.reason)});
     }
-    for (InputProblem& problem : problems_reading_.warnings)
-      reading_.warnings.push_back(std::move(problem));
-    problems_reading_.warnings.clear();
   }
 
   void check_size() {
@@ -501,15 +471,13 @@ class SweepBinder {
 
   std::vector<Entry> entries_;
   const std::string& source_;
-  SweepReading& reading_;
-  SceneReading problems_reading_;
-  Problems problems_{problems_reading_, source_};
+  SceneReading& reading_;
+  Problems& problems_;
   Entry settings_;
   std::vector<VariedEntry> varied_;
   SceneSweep sweep_;
   bool speed_is_drawn_ = false;
-  bool has_design_ = false, has_draws_ = false;
-  bool lists_outputs_ = false, asks_points_ = true;
+  bool asks_points_ = true;
 };
 
 bool is_utf8(std::string_view text) {
@@ -524,9 +492,7 @@ bool is_utf8(std::string_view text) {
 SweepReading refused(const std::string& source, const std::string& why) {
   SceneReading scene;
   Problems(scene, source).error("", {.what = why});
-  SweepReading reading;
-  reading.errors = std::move(scene.errors);
-  return reading;
+  return {{}, std::move(scene.errors), {}};
 }
 
 // 32 hexadecimal digits.
@@ -545,10 +511,9 @@ std::string digest_of(const std::string& of_program, const std::vector<SceneSwee
     add(std::to_string(scene.chunk_groups));
   }
   const XXH128_hash_t hash = XXH3_128bits_digest(&state);
-  constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
   for (const std::uint64_t word : {hash.high64, hash.low64})
-    for (int shift = 60; shift >= 0; shift -= 4) text += digits[(word >> shift) & 15];
+    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(word >> shift) & 15];
   return text;
 }
 
@@ -560,22 +525,20 @@ SweepReading parse_sweep(std::string_view text, const std::string& source) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && text[first] == '{')
     return refused(source, "looks like JSON; allowed: a sweep in TOML");
-  SceneReading scene;
-  Problems problems(scene, source);
-  auto entries = scene_detail::toml_entries(text, problems);
-  SweepReading reading;
-  reading.errors = std::move(scene.errors);
   if (!is_utf8(source))
     return refused(source,
                    "has a name that is not UTF-8, and it is kept in the result; allowed: a "
                    "file whose name is UTF-8");
-  if (!entries) return reading;
-  SweepBinder(std::move(*entries), source, reading).bind();
-  if (reading.sweep) {
-    reading.sweep->file = source.substr(source.rfind('/') + 1);  // the result is not to tell where
-    reading.sweep->text = text;
+  SceneReading scene;
+  Problems problems(scene, source);
+  std::optional<SceneSweep> sweep;
+  if (auto entries = scene_detail::toml_entries(text, problems))
+    sweep = SweepBinder(std::move(*entries), source, scene, problems).bind();
+  if (sweep) {
+    sweep->file = source.substr(source.rfind('/') + 1);  // the result tells no folder
+    sweep->text = text;
   }
-  return reading;
+  return {std::move(sweep), std::move(scene.errors), std::move(scene.warnings)};
 }
 
 SweepReading read_sweep(const std::string& path) {

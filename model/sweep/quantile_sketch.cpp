@@ -27,7 +27,7 @@ std::byte* put_varint(std::byte* to, std::uint64_t value) {
 
 [[noreturn]] void refuse() { throw std::runtime_error("these bytes are no sketch of quantiles"); }
 
-std::uint64_t take_varint(ByteReader& from) {
+std::uint64_t take_varint(Receiver& from) {
   std::uint64_t value = 0;
   for (int shift = 0; shift < 64; shift += 7) {
     const std::uint64_t byte = from.take<std::uint8_t>();
@@ -153,7 +153,7 @@ void QuantileSketch::write(Bytes& to) const {
   to.resize(static_cast<std::size_t>(end - to.data()));
 }
 
-QuantileSketch QuantileSketch::read(ByteReader& from) {
+QuantileSketch QuantileSketch::read(Receiver& from) {
   QuantileSketch sketch;
   std::int32_t bin = -greatest_bin - 1;
   for (std::uint64_t size = take_varint(from); size > 0; --size) {

@@ -28,7 +28,7 @@ class QuantileSketch {
   void merge(const QuantileSketch& other);
 
   std::uint64_t count() const { return count_; }
-  // The greatest memory() with so many values.
+  // The greatest memory() with `values` values.
   static double most_memory(double values);
   // Bytes that the sketch has allocated.
   std::size_t memory() const {
@@ -52,7 +52,7 @@ class QuantileSketch {
   // The same bytes for the same values in any order.
   void write(Bytes& to) const;
   // Throws std::runtime_error where the bytes are not those of a sketch.
-  static QuantileSketch read(ByteReader& from);
+  static QuantileSketch read(Receiver& from);
 
  private:
   // Counts are kept by pages, a quarter of a power of two each: values from 1e-300 to 1 would

@@ -61,8 +61,8 @@ inline constexpr std::size_t histogram_bins = 100;
 // The mark of results (output_file.hpp).
 bool is_start_of_result(std::span<const std::byte> start);
 
-// Writes the result next to `path` (at PATH.part, or where other processes share it at a name that
-// none of them uses), to the disk, and renames it into place, where it may replace what
+// Writes the result next to `path` (at PATH.part; if processes share it, at a name that no other
+// uses), to the disk, and renames it into place, where it may replace what
 // `replaceable` says. All chunks have to be there; it takes them in order, one at a time, and calls
 // told(chunks written) after each. Returns the written file, open. Throws std::runtime_error (disk
 // full, not writable …) with a text that names the file; what it wrote so far is removed then.

@@ -338,14 +338,13 @@ Result ResultFile::read_with(Read&& read) const {
   try {
     if (is_own_) return read_here();
     const Bytes bytes = apart(size_of(file_, "cannot read it"), [&] {
-      Sender sender;
+      Bytes answer;
       try {
-        sender(true, std::string(), read_here());
+        Sender{answer}(true, std::string(), read_here());
       } catch (const NotThere& why) {
-        sender.bytes.clear();
-        sender(false, std::string(why.what()));
+        Sender{answer}(false, std::string(why.what()));
       }
-      return std::move(sender.bytes);
+      return answer;
     });
     Receiver received(bytes);
     bool is_there = false;

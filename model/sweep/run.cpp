@@ -182,7 +182,7 @@ class Starter {
     return settings_.shard ? of_shard(settings_.result) : of_result(settings_.result);
   }
 
-  // Why a part is not gone on with; empty if it is.
+  // Why this run cannot use a part; empty if it can.
   std::string refusal(const Part& part) const {
     std::string why = difference(header_, part.header(), settings_.mixed_fma);
     if (why.empty() && settings_.shard && !is_of_shard(part, *settings_.shard))
@@ -431,9 +431,9 @@ class Run {
       if (start.replaceable.only) header_.replaces = start.replaceable.only->text();
       OwnersNote note{header_, settings_.shard.value_or(no_shard)};
       note.header.files.clear();
-      Sender sender;
-      sender(note);
-      lock_->note(sender.bytes);
+      Bytes bytes;
+      Sender{bytes}(note);
+      lock_->note(bytes);
     });
     settings_.result = ranks_.from_first(settings_.result);
     header_.replaces = ranks_.from_first(header_.replaces);
@@ -607,7 +607,7 @@ class Run {
     return cleaned();
   }
 
-  // Leaves the note, which says where no part does that --force lets the run replace a file.
+  // Leaves the note if --force lets the run replace a file: there may be no part that tells this.
   void leave_note() {
     if (!header_.replaces.empty()) lock_->leave();
   }

@@ -17,7 +17,7 @@
 
 namespace tribo::sweep {
 
-// The i-th of n shards, 1 ≤ i ≤ n: every n-th chunk, so that slow chunks are dealt out, too.
+// The i-th of n shards, 1 ≤ i ≤ n: every n-th chunk, so that all get some slow chunks.
 struct Shard {
   std::uint64_t part = 1, parts = 1;
   bool has(std::uint64_t chunk) const { return chunk % parts == part - 1; }

@@ -91,17 +91,14 @@ void SensitivitySums::merge(const SensitivitySums& other) {
 }
 
 void SensitivitySums::write(Bytes& to) const {
-  both.write(to);
-  put(to, left_out);
-  put(to, static_cast<std::uint32_t>(first_order.size()));
+  Sender{to}(both, left_out, static_cast<std::uint32_t>(first_order.size()));
   for (const double sum : first_order) put(to, sum);
   for (const double sum : total) put(to, sum);
 }
 
-SensitivitySums SensitivitySums::read(ByteReader& from) {
+SensitivitySums SensitivitySums::read(Receiver& from) {
   SensitivitySums sums;
-  sums.both = Moments::read(from);
-  sums.left_out = from.take<std::uint64_t>();
+  from(sums.both, sums.left_out);
   const auto variables = from.take<std::uint32_t>();
   // Sums are read one by one: if the number of variables is false, the bytes end before the memory.
   for (std::uint32_t i = 0; i < variables; ++i) sums.first_order.push_back(from.take<double>());

@@ -22,7 +22,7 @@
 
 namespace tribo::sweep {
 
-// Groups are dealt into so many blocks in a row; an interval comes from leaving out one at a time.
+// Groups are dealt into this many blocks in a row; an interval comes from leaving out each in turn.
 inline constexpr std::size_t jackknife_blocks = 32;
 std::size_t block_of(std::uint64_t group, std::uint64_t groups);
 
@@ -37,7 +37,7 @@ struct SensitivitySums {
   void add(std::span<const double> values, double nominal);
   void merge(const SensitivitySums& other);
   void write(Bytes& to) const;
-  static SensitivitySums read(ByteReader& from);
+  static SensitivitySums read(Receiver& from);
 };
 
 // The sums of one column in each block.
@@ -50,7 +50,7 @@ struct SobolIndex {
 };
 struct SobolIndices {
   std::vector<SobolIndex> first_order, total;  // of each variable
-  std::uint64_t groups = 0;                    // that they rest on
+  std::uint64_t groups = 0;                    // that they are computed from
 };
 SobolIndices sobol_indices(const SensitivityBlocks& blocks);
 

@@ -6,7 +6,6 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <iterator>
 #include <numeric>
-#include <stdexcept>
 
 namespace tribo::sweep {
 namespace {
@@ -89,19 +88,6 @@ void Moments::merge(const Moments& other) {
   greatest = std::max(greatest, other.greatest);
 }
 
-void Moments::write(Bytes& to) const {
-  put(to, count);
-  for (const double number : {mean, squares, least, greatest}) put(to, number);
-}
-
-Moments Moments::read(ByteReader& from) {
-  Moments moments;
-  moments.count = from.take<std::uint64_t>();
-  for (double* const number : {&moments.mean, &moments.squares, &moments.least, &moments.greatest})
-    *number = from.take<double>();
-  return moments;
-}
-
 void ValueSummary::add(std::span<const double> values) {
   const auto is_defined = [](double value) { return std::isfinite(value); };
   if (std::all_of(values.begin(), values.end(), is_defined)) {
@@ -121,22 +107,6 @@ void ValueSummary::merge(const ValueSummary& other) {
   moments.merge(other.moments);
   sketch.merge(other.sketch);
   undefined += other.undefined;
-}
-
-void ValueSummary::write(Bytes& to) const {
-  moments.write(to);
-  put(to, undefined);
-  sketch.write(to);
-}
-
-ValueSummary ValueSummary::read(ByteReader& from) {
-  ValueSummary summary;
-  summary.moments = Moments::read(from);
-  summary.undefined = from.take<std::uint64_t>();
-  summary.sketch = QuantileSketch::read(from);
-  if (summary.sketch.count() != summary.moments.count)
-    throw std::runtime_error("these bytes are no summary: its counts differ");
-  return summary;
 }
 
 Quantile quantile_of(const ValueSummary& summary, double p) {

@@ -25,8 +25,10 @@ struct Moments {
 
   void add(std::span<const double> values);  // finite
   void merge(const Moments& other);
-  void write(Bytes& to) const;
-  static Moments read(ByteReader& from);
+  template <class To, class Of>
+  static void fields(To& to, Of& of) {
+    to(of.count, of.mean, of.squares, of.least, of.greatest);
+  }
   // The standard deviation of a sample; NaN for fewer than two values.
   double sd() const {
     if (count < 2) return std::numeric_limits<double>::quiet_NaN();
@@ -44,8 +46,10 @@ struct ValueSummary {
   // The bits of the moments depend on which values are added together.
   void add(std::span<const double> values);
   void merge(const ValueSummary& other);
-  void write(Bytes& to) const;
-  static ValueSummary read(ByteReader& from);
+  template <class To, class Of>
+  static void fields(To& to, Of& of) {
+    to(of.moments, of.undefined, of.sketch);
+  }
 };
 
 // The p-quantile, with an interval that holds the distribution's own p-quantile in 95 of 100 sweeps
@@ -57,8 +61,8 @@ struct Quantile {
 Quantile quantile_of(const ValueSummary& summary, double p);
 
 // At most `most` bins from the least value to the greatest, without gaps, each made of the same
-// number of neighbouring bins of the sketch, so that the counts are exact: nearly of one width in
-// the logarithm.
+// number of neighbouring bins of the sketch, so that the counts are exact. In the logarithm the
+// bins are nearly of one width.
 std::vector<QuantileSketch::Bin> histogram_of(const QuantileSketch& sketch, std::size_t most);
 
 }  // namespace tribo::sweep

@@ -36,34 +36,36 @@ TableReader::TableReader(std::string path, std::span<const Entry> entries,
   }
 }
 
-const Entry* TableReader::find(std::string_view name) const {
-  for (const Entry& entry : entries_)
-    if (entry.path == name) return &entry;
-  return nullptr;
+const Entry* entry_of(std::span<const Entry> entries, std::string_view path) {
+  const auto found = std::ranges::find(entries, path, &Entry::path);
+  return found == entries.end() ? nullptr : &*found;
 }
 
 void TableReader::refuse(std::string_view name, Fault fault) {
-  problems_.error(path_of(name), std::move(fault));
+  problems_.error(path_ + '.' + std::string(name), std::move(fault));
   good_ = false;
 }
 
-std::optional<double> TableReader::number(std::string_view name, std::string_view allowed) {
+const Value* TableReader::value_of(std::string_view name, ValueKind kind,
+                                   std::string_view allowed) {
   const Entry* const entry = find(name);
-  if (entry == nullptr) return std::nullopt;
-  const Value& value = entry->value;
-  if (value.kind != ValueKind::number) {
-    refuse(name, wrong_kind(value, std::string(allowed)));
-  } else if (value.fault != NumberFault::none || !std::isfinite(value.number)) {
-    refuse(name,
-           {Fault::other, "", value_text(value) + " is not a finite double", std::string(allowed)});
-  } else {
-    return value.number;
-  }
+  if (entry == nullptr || entry->value.kind == kind)
+    return entry == nullptr ? nullptr : &entry->value;
+  refuse(name, wrong_kind(entry->value, std::string(allowed)));
+  return nullptr;
+}
+
+std::optional<double> TableReader::number(std::string_view name, std::string_view allowed) {
+  const Value* const value = value_of(name, ValueKind::number, allowed);
+  if (value == nullptr) return std::nullopt;
+  if (value->fault == NumberFault::none && std::isfinite(value->number)) return value->number;
+  refuse(name,
+         {Fault::other, "", value_text(*value) + " is not a finite double", std::string(allowed)});
   return std::nullopt;
 }
 
 std::optional<double> TableReader::needed_number(std::string_view name, std::string_view allowed) {
-  if (find(name) == nullptr) refuse(name, {Fault::presence, "", "", std::string(allowed)});
+  if (!has(name)) refuse(name, {Fault::presence, "", "", std::string(allowed)});
   return number(name, allowed);
 }
 
@@ -79,19 +81,13 @@ std::optional<std::uint64_t> TableReader::whole(std::string_view name, std::uint
 }
 
 std::optional<bool> TableReader::boolean(std::string_view name) {
-  const Entry* const entry = find(name);
-  if (entry == nullptr) return std::nullopt;
-  if (entry->value.kind == ValueKind::boolean) return entry->value.number != 0;
-  refuse(name, wrong_kind(entry->value, "true or false"));
-  return std::nullopt;
+  const Value* const value = value_of(name, ValueKind::boolean, "true or false");
+  return value == nullptr ? std::nullopt : std::optional(value->number != 0);
 }
 
 std::optional<std::string> TableReader::text(std::string_view name, std::string_view allowed) {
-  const Entry* const entry = find(name);
-  if (entry == nullptr) return std::nullopt;
-  if (entry->value.kind == ValueKind::text) return entry->value.text;
-  refuse(name, wrong_kind(entry->value, std::string(allowed)));
-  return std::nullopt;
+  const Value* const value = value_of(name, ValueKind::text, allowed);
+  return value == nullptr ? std::nullopt : std::optional(value->text);
 }
 
 std::optional<std::size_t> TableReader::place(const Value& value, const std::string& name,

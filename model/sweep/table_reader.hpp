@@ -13,6 +13,10 @@
 
 namespace tribo::sweep {
 
+// The entry of this path; null: there is none.
+const scene_detail::Entry* entry_of(std::span<const scene_detail::Entry> entries,
+                                    std::string_view path);
+
 class TableReader {
  public:
   // `path` names the table in messages; entries, names and problems must outlive the reader.
@@ -20,7 +24,6 @@ class TableReader {
               std::span<const std::string_view> names, scene_detail::Problems& problems);
 
   bool has(std::string_view name) const { return find(name) != nullptr; }
-  const scene_detail::Entry* find(std::string_view name) const;
 
   // The number of a field; nothing where the field is absent or wrong. A wrong field is reported.
   std::optional<double> number(std::string_view name, std::string_view allowed);
@@ -40,7 +43,10 @@ class TableReader {
   bool good() const { return good_; }  // nothing has been reported yet
 
  private:
-  std::string path_of(std::string_view name) const { return path_ + '.' + std::string(name); }
+  const scene_detail::Entry* find(std::string_view name) const { return entry_of(entries_, name); }
+  // The field where it is a value of this kind.
+  const scene_detail::Value* value_of(std::string_view name, scene_detail::ValueKind kind,
+                                      std::string_view allowed);
   std::optional<std::size_t> place(const scene_detail::Value& value, const std::string& name,
                                    std::span<const std::string_view> words);
 

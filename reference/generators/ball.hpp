@@ -16,7 +16,7 @@ namespace tribo::reference {
 inline constexpr slong ball_precision = 320;  // bits
 
 // Comparisons of this thread that were not certain either way. Code for plain numbers takes one
-// branch after such a comparison, and its result may enclose nothing.
+// branch after such a comparison, perhaps the wrong one, and may not enclose the true result.
 inline thread_local std::uint64_t undecided_comparisons = 0;
 
 class Ball {

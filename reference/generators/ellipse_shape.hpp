@@ -42,8 +42,8 @@ inline Ball carlson_rd(const Ball& y, const Ball& z) {
   return result;
 }
 
-// Carlson's integrals at κ = 1/k²: with B and D, the integrals of cos²/√(1 − q sin²) and of
-// sin²/√(1 − q sin²), α = k²B/D. Nothing cancels.
+// k, and the integrals B of cos²/√(1 − q sin²) and D of sin²/√(1 − q sin²), by Carlson's R_D. They
+// give α = k²B/D, in which nothing cancels.
 struct Associated {
   Ball k, b, d;
 };

@@ -24,7 +24,7 @@ struct RoughContact {
   Ball share(const Ball& lambda) const {  // A
     const int order = model == Rough::tripp ? 5 : 3;
     Ball load = stiffness * moment(order, lambda - offset);
-    // an underflow makes a ball around 0 of F_p
+    // where F_p underflows, its ball lies around 0
     arb_nonnegative_part(load.get(), load.get());
     return model == Rough::tripp ? unary(arb_sqrtpos, load) : load;
   }

@@ -33,9 +33,9 @@ inline Ball zero_between(const std::function<Ball(const Ball&)>& function, const
   return bisect([&](const Ball& x) { return sign(function(x)); }, low, high);
 }
 
-// The zero of an increasing function by Newton's method on midpoints from t, in steps of at most 2
-// with the slope over 2^-120. The radius of the result is the first 2^−bits at whose two ends the
-// function has certain and opposite signs; there is no result where no radius has them.
+// The zero of an increasing function by Newton's method on midpoints from t, in steps of at most 2,
+// its slope a difference over 2^-120. The radius of the result is the first 2^−bits at whose ends
+// the function has certain and opposite signs; there is no result where no radius has them.
 inline std::optional<Ball> zero_by_newton(const std::function<Ball(const Ball&)>& function, Ball t,
                                           std::initializer_list<int> bits) {
   const Ball h = pow(Ball(2), Ball(-120));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tables of what stands behind the verdicts.
+// The tables of the evidence for the verdicts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace ledger_cells;
 
 namespace {
 
-// d ln(result)/d ln(input) as what 1 % of the input does.
+// The sensitivity d ln(result)/d ln(input), told as the effect of +1 % of the input.
 std::string per_cent(const std::optional<double>& sensitivity) {
   if (!sensitivity) return no_entry;
   return fmt::format("{}{} %", *sensitivity < 0 ? "" : "+", number(sensitivity, 2));

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "page/project_files.hpp"
-#include "sweep/result_file.hpp"
 
 namespace tribo::report {
 
@@ -22,10 +21,5 @@ std::string python();
 // one line in `undrawn` says so.
 Rendering run_script(const ReportPlaces& places, const std::string& script,
                      const std::vector<std::string>& arguments);
-
-// Draws them as SVG and PNG into a folder, with their data beside them; makes the folder if it is
-// missing. `source`: the result, from which kept points are read where a picture needs them.
-Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
-                              const std::string& folder);
 
 }  // namespace tribo::report

@@ -19,7 +19,7 @@ using sweep::SceneResult;
 using sweep::SweepResult;
 
 constexpr std::size_t most_speeds = 11;
-constexpr int digits = 4;  // a quantile has three and a half
+constexpr int digits = 4;  // a quantile is exact to three and a half
 
 std::string number(double value, double factor = 1) {
   return std::isnan(value) ? "–" : rounded(factor * value, digits);
@@ -81,7 +81,7 @@ std::string speed_text(const SceneResult& scene, const ColumnResult& column, std
              : "–";
 }
 
-// For a caption.
+// A remark for a caption; empty if all speeds are shown.
 std::string chosen_speeds(const SceneResult& scene, bool with_speed) {
   return with_speed && scene.speeds.size() > most_speeds
              ? fmt::format("; {} of {} speeds, evenly chosen", most_speeds, scene.speeds.size())

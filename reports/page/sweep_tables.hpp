@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "page/rendering.hpp"
 #include "page/text_table.hpp"
 #include "sweep/result_file.hpp"
 
@@ -37,5 +38,11 @@ enum class CaseFormat : std::uint8_t { table, csv, json };
 // than fit into memory comfortably.
 void write_sweep_cases(const sweep::SweepResult& result, const sweep::ResultFile& file,
                        CaseFormat format, const std::function<void(std::string_view)>& told);
+
+// Draws the summaries as SVG and PNG into a folder, with their data beside them; makes the folder
+// if it is missing. `source`: the result, from which kept points are read where a picture needs
+// them.
+Rendering draw_sweep_pictures(const sweep::SweepResult& result, const sweep::ResultFile& source,
+                              const std::string& folder);
 
 }  // namespace tribo::report

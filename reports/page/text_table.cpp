@@ -90,7 +90,7 @@ std::string plain_row(const std::vector<std::string>& cells, const TextTable& ta
   return text;
 }
 
-// A row whose cells do not fit beside each other: below each other, each behind its heading.
+// A row whose cells do not fit on a line: they stand below each other, each behind its heading.
 std::string stacked_row(const std::vector<std::string>& headings,
                         const std::vector<std::string>& cells, std::size_t most) {
   const TextTable line{{}, {}, {false, false}, {}, {}};

@@ -25,7 +25,7 @@ inline constexpr std::size_t any_width = 1'000'000;
 // The table in lines of at most `most` signs, if its words are short enough: texts and headings are
 // wrapped, or the cells of a row are set below each other. The note is left out.
 std::string plain_table(const TextTable& table, std::size_t most = any_width);
-// A text in lines of at most so many signs.
+// A text in lines of at most `most` signs.
 std::vector<std::string> wrapped(const std::string& text, std::size_t most);
 std::string markdown_table(const TextTable& table);
 

@@ -73,7 +73,7 @@ std::string grouped(std::uint64_t count) {
 }
 
 std::string csv_text(std::string_view text) {
-  // A spreadsheet takes a text that starts with one of the last for a formula; -1e-5 is none.
+  // A spreadsheet takes a text that starts with =, +, -, @ or a tab for a formula, but not -1e-5.
   char* end = nullptr;
   const std::string whole(text);
   const bool is_formula = text.find_first_of("=+-@\t") == 0 &&

@@ -39,16 +39,6 @@ struct BenchArguments {
   conformance::BaselineUse baseline;
 };
 
-// tribocheck_bench beside this program, or where an installation puts helpers; empty: nowhere.
-fs::path bench_program() {
-  std::error_code ignored;
-  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  for (const fs::path& path :
-       {here / "tribocheck_bench", here.parent_path() / "libexec/tribocheck/tribocheck_bench"})
-    if (fs::is_regular_file(path, ignored)) return path;
-  return {};
-}
-
 // A limit, because the readers of expressions recurse with each bracket.
 constexpr std::size_t longest_filter = 1000;
 
@@ -138,7 +128,7 @@ std::string contenders_text(const fs::path& program) {
 
 // Runs the contenders. If that fails, the reason is printed and an exit code is returned.
 std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
-  const fs::path program = bench_program();
+  const fs::path program = helper_program("tribocheck_bench");
   if (program.empty())
     return fail(exit_bad, "tribocheck_bench is not built; `make bench` builds it");
   const auto limit = std::chrono::milliseconds(static_cast<long long>(1000 * arguments.timeout));

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "messages.hpp"
@@ -18,6 +19,11 @@ struct Command {
   std::function<std::vector<Ignored>()> ignored = {};
 };
 
+using AddCommand = Command (*)(CLI::App& program);
+
+// Runs the command that the arguments name. Returns the exit code; nothing is thrown.
+int run_program(std::span<const AddCommand> commands, int count, char** arguments);
+
 Command add_solve(CLI::App& program);
 Command add_curve(CLI::App& program);
 Command add_onset(CLI::App& program);
@@ -31,5 +37,7 @@ Command add_plugin_host(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 Command add_init(CLI::App& program);
 Command add_sweep(CLI::App& program);
+inline constexpr const char* sweep_description =
+    "many cases of scenes: grids, uncertain inputs, sensitivities";
 
 }  // namespace tribo::cli

@@ -50,7 +50,7 @@ struct FilmCase {
   double half_width, peak_pressure;                 // Hertz': m, Pa
   Measured central, minimum, at_greatest_pressure;  // m
   Measured spike_pressure, spike_place;             // Pa, m
-  std::string no_spike;  // why the spike has no pressure, or neither number
+  std::string no_spike;  // why the spike lacks its pressure, or both numbers
   bool is_solved = false;
   // Why it is not solved, or which error was reached in place of the tolerance; else empty.
   std::string reason;
@@ -62,7 +62,7 @@ struct FilmCase {
 // Names of the formulas, in the order of FilmCase::formulas.
 std::vector<std::string_view> film_formula_names();
 
-// Called before every step of Newton's method; its answer false stops the work.
+// Called before every step of Newton's method; the work stops where it returns false.
 using FilmWatch = std::function<bool(int cells, int step)>;
 
 // Solves a scene that was read as a line (SceneUse::line_film).

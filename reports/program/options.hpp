@@ -11,7 +11,7 @@
 
 namespace tribo::cli {
 
-// Options that have no effect where `is_so`, because of other options.
+// Options that have no effect, if `is_so`, because of other options.
 struct Ignored {
   std::vector<std::string_view> options;
   bool is_so;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck plugin-host: a shared library of somebody's answers JSON lines, in a process of its
-// own.
+// tribocheck plugin-host: loads somebody's shared library, which answers JSON lines in a process of
+// its own.
 #include <memory>
 #include <string>
 

@@ -26,7 +26,7 @@ void load_scene(const std::string& path, SceneUse use, LoadedScenes& loaded) {
   loaded.scenes.push_back(std::move(*reading.scene));
 }
 
-// A folder that examples name, at the place where it is.
+// The path of a folder that examples name: as they name it, or where the project has it.
 std::string found(std::string_view usual) {
   std::error_code ignored;
   if (std::filesystem::is_directory(usual, ignored)) return std::string(usual);

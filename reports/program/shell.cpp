@@ -90,4 +90,13 @@ std::optional<std::string> why_not_startable(const std::string& command) {
   return std::nullopt;
 }
 
+std::string helper_program(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path here = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& path : {here / name, here.parent_path() / "libexec/tribocheck" / name})
+    if (fs::is_regular_file(path, ignored)) return path;
+  return {};
+}
+
 }  // namespace tribo::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words and commands of /bin/sh, which starts subjects, and into which users copy lines.
+// Words and commands of /bin/sh, which starts subjects, and into which users copy lines; and the
+// programs that come with this one.
 #pragma once
 
 #include <optional>
@@ -17,5 +18,9 @@ std::string found_by_shell(const std::string& program);
 // Why the program at the start of a command line cannot be started, and what to do. Empty if it can
 // be started, or if only the shell can read the start of the line, such as a variable.
 std::optional<std::string> why_not_startable(const std::string& command);
+
+// The path of a program that is built with this one: beside it, or where an installation puts
+// helpers. Empty where it is not there.
+std::string helper_program(const std::string& name);
 
 }  // namespace tribo::cli

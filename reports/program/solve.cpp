@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck solve: the outputs at the scene's speeds, by the root find.
+// tribocheck solve: the outputs at the scene's speeds, each from a root of load sharing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ struct Facts {
   std::vector<Fact> all;
 };
 
-// All fields but those of a name, of lists and of steps. Speeds have their least and greatest.
+// The value of a field as JSON. Of speeds, however they are given, the least and the greatest.
 ordered_json input_of(const Scene& scene, std::size_t field) {
   const FieldInfo& info = scene_fields()[field];
   if (info.path == "speed.from") return detail::speed_span(scene.speeds).low;
@@ -179,7 +179,7 @@ void append_csv(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
                          text_of(one, report::exact), one.unit, report::csv_text(one.meaning)));
 }
 
-// Without what the scene does not have.
+// Leaves out the facts that the scene does not have.
 void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts) {
   for (const Facts& facts : parts) {
     if (&facts != &parts.front()) to.push_back('\n');

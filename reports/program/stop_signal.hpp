@@ -5,7 +5,7 @@
 namespace tribo::cli {
 
 // From here on the first of these signals is only noted; the second one ends the process at once. A
-// file at its limit shows as a failed write.
+// file that reaches its size limit makes a write fail.
 void watch_for_stop();
 
 // From here on these signals end the process at once again: the rest of the work is soon repeated.

@@ -414,8 +414,7 @@ void add_output_options(CLI::App& app, SweepArguments& arguments) {
 }  // namespace
 
 Command add_sweep(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "sweep", "many cases of scenes: grids, uncertain inputs, sensitivities");
+  CLI::App* app = program.add_subcommand("sweep", sweep_description);
   app->footer(footer_with_scenes(footer()));
   const auto arguments = std::make_shared<SweepArguments>();
   app->add_option("SWEEP", arguments->files, "sweep files in TOML; - is stdin");
@@ -441,7 +440,7 @@ Command add_sweep(CLI::App& program) {
   app->add_flag("--without-fma", arguments->without_fma,
                 "compute as a processor without fused multiply-add does, to the last digit");
   app->add_flag("--mixed-fma", arguments->run.mixed_fma,
-                "with --resume: go on with what was computed with it, or without, as this is not");
+                "with --resume: also take parts of processors that differ in fused multiply-add");
 
   const auto merged = std::make_shared<SweepArguments>();
   CLI::App* merge = app->add_subcommand("merge", "put shards together");

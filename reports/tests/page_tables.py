@@ -24,7 +24,7 @@ EXACT = decimal.Context(prec=1200)
 
 
 def sig(value, digits):
-    """The number with so many significant digits that is nearest to the double; a half is rounded to even."""
+    """The number with `digits` significant digits that is nearest to the double; a half is rounded to even."""
     if value is None or not math.isfinite(value):
         return DASH
     number = abs(decimal.Decimal(value))

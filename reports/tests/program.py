@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 
 PROGRAM = os.environ["TRIBOCHECK"]
+SWEEP_PROGRAM = PROGRAM + "_sweep"  # which `tribocheck sweep` becomes
 TIMEOUT = 120  # seconds; against hanging, not a measure of speed
 
 ENVIRONMENT = dict(os.environ)

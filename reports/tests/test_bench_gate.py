@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""bench as a gate: a stand-in for tribocheck_bench gives the rows, so that each limit can be tested to the unit."""
+"""bench as a gate: a stand-in for tribocheck_bench gives the rows, so that each limit can be tested exactly."""
 import json
 import os
 import pathlib

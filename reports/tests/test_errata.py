@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each erratum's two numbers, printed and right, beside formulas written here once more."""
+"""Each erratum's two numbers, as printed and as corrected, against formulas written here once more."""
 import json
 import math
 import unittest
@@ -67,17 +67,17 @@ def real_area(moment_order, power):
 
 
 def wolveridge(ratio, gap=2 * math.sqrt(2) / 3):
-    """The starved film over the flooded one; the inlet's length from the gap at a film that is `ratio` times that of the oil."""
+    """The starved film over the flooded one. The inlet's length follows from the gap at a film of `ratio` times the oil film."""
     return 2 / math.pi * math.atan(2.7 * ((1 / ratio - 1) / (2 * gap)) ** (2 / 3))
 
 
 def starved(flooded, gap=2 * math.sqrt(2) / 3):
-    """The film over the oil's, from the flooded film over the oil's."""
+    """The starved film over the oil film, from the flooded film over the oil film."""
     return flooded * wolveridge(flooded, gap)
 
 
 def starved_as_printed():
-    """The film over the oil's, where Wolveridge's function is taken of this ratio itself: a fixed point for any flooded film."""
+    """The starved film over the oil film, if Wolveridge's function takes this ratio itself: a fixed point for any flooded film."""
     low, high = 1e-6, 1 - 1e-6
     for _ in range(60):
         middle = (low + high) / 2
@@ -86,7 +86,7 @@ def starved_as_printed():
 
 
 def greatest_film(gap):
-    """The greatest film over the summits' σ, by sections of a third."""
+    """The greatest film over the summits' σ, found by ternary search."""
     low, high = 0.3, 0.9
     for _ in range(100):
         a, b = low + (high - low) / 3, high - (high - low) / 3

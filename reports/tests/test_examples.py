@@ -9,7 +9,7 @@ import subprocess
 import unittest
 
 from plugins import plugin
-from program import ENVIRONMENT, PROGRAM, TIMEOUT, Folder, run
+from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, TIMEOUT, Folder, run
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 
@@ -139,7 +139,7 @@ class Elsewhere(unittest.TestCase):
         shutil.copytree(ROOT / "reference/published", os.path.join(shared, "published"))
         shutil.copytree(ROOT / "reports/page/render", os.path.join(shared, "page/render"))
         os.mkdir(os.path.join(installed, "bin"))
-        program = shutil.copy(PROGRAM, os.path.join(installed, "bin"))
+        program, _ = [shutil.copy(one, os.path.join(installed, "bin")) for one in (PROGRAM, SWEEP_PROGRAM)]
         for command in [[], ["solve"], ["curve"], ["onset"], ["sweep"], ["sweep", "merge"]]:
             with self.subTest(command=command):
                 files = self.scenes_in_help(program, *command)

@@ -138,7 +138,7 @@ class Fakes(unittest.TestCase):
         self.assertEqual(sorted(NAMED), sorted(name for name, _, _ in listed()))
 
     def test_each_mistake_is_named(self):
-        # The first fake of each function answers all functions, so that functions that rest on it are wrong, too; others answer their own alone.
+        # The first fake of each function answers all functions, so that those computed from it are wrong, too; other fakes answer their own.
         functions = {name: function for name, _, function in listed()}
         first = {function: name for name, function in reversed(functions.items())}
 

@@ -21,7 +21,7 @@ class KeptNumbers(kept_numbers.Solver):
     def test_no_answer_changes_a_bit_under_the_same_version_of_numbers(self):
         kept = json.loads(kept_numbers.KEPT.read_text(encoding="utf-8"))
         version, arithmetic, sweeps = self.kept()
-        self.assertEqual(version, kept["numbers_version"], "numbers_version has changed: write what it stands for with make numbers")
+        self.assertEqual(version, kept["numbers_version"], "numbers_version has changed: run make numbers to keep its answers")
         self.assertEqual(sorted(kept["arithmetic"]), ["FMA", "no FMA"])
         self.assertEqual(sorted(sweeps), sorted(kept["arithmetic"][arithmetic]))
         for name, expected in kept["arithmetic"][arithmetic].items():

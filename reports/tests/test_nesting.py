@@ -15,7 +15,7 @@ ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 MOST, FAR = 16, 100_000
 SENTENCE = "lists and tables are nested more than 16 deep"
 
-# Values with so many brackets around them.
+# Values in `depth` brackets, one within the other.
 JSON_NESTS = {
     "lists": lambda depth: "[" * depth + "]" * depth,
     "objects": lambda depth: '{"a": ' * (depth - 1) + "{}" + "}" * (depth - 1),
@@ -24,7 +24,7 @@ JSON_NESTS = {
     "open objects": lambda depth: '{"a": ' * depth,
 }
 CLOSED = [name for name in JSON_NESTS if not name.startswith("open")]
-# Lines of TOML for a field with so many levels.
+# Lines of TOML for a field with `depth` levels.
 TOML_NESTS = {
     "lists": lambda depth: "x = " + "[" * depth + "]" * depth,
     "tables": lambda depth: "x = " + "{a = " * (depth - 1) + "{}" + "}" * (depth - 1),

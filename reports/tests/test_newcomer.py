@@ -26,7 +26,7 @@ for line in sys.stdin:
 
 
 def questions(sample):
-    """The number of questions with so many of each function, and of each of the four kinds of operating points."""
+    """The number of questions with `sample` of each function and of each of the four kinds of operating points."""
     return sample * (len(run("functions").out.splitlines()) + 4)
 
 

@@ -228,7 +228,7 @@ class Page(WrittenReport):
         self.assertIn("invert", self.run_script("return getComputedStyle(document.querySelector('.picture svg')).filter"))
 
     def test_what_is_drawn_stands_out_from_its_ground(self):
-        """Lines and points of the data have 3 : 1 on white, and on the dark ground after its filter."""
+        """Lines and points of the data have a contrast of 3 : 1 on white, and on the dark ground after its filter."""
         def luminance(colour):
             parts = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour]
             return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]

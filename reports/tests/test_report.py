@@ -44,7 +44,7 @@ def without_environment(name, text):
         text = re.sub(r"(?m)^## Where and when.*?(?=^## )", "", text, flags=re.DOTALL)
     if name == "report.json":
         return json.dumps(json.loads(text) | {"environment": None})
-    return re.sub(r"(?m)^(- |<li>)This software: .*$", "", text)  # how to cite it: with its commit
+    return re.sub(r"(?m)^(- |<li>)This software: .*$", "", text)  # this line names the commit
 
 
 class EveryPromisedFile(WrittenReport):
@@ -130,7 +130,7 @@ class Numbers(WrittenReport):
         self.assertLessEqual(abs(mine - other), tolerance * abs(other), f"{mine!r} {other!r}")
 
     def assert_points_agree(self, rows, others):
-        """The tolerance follows the conditions: close to its collapse a film h* goes with 1 − r, and a share has fewer
+        """The tolerance follows the conditions: close to its collapse a film h* is proportional to 1 − r, and a share has fewer
         digits where the other share is nearly the whole load."""
         numbers = ["film_flooded", "film", "film_parameter", "asperity_load_share",
                    "fluid_load_share", "real_area_ratio", "summit_count", "friction"]
@@ -142,7 +142,7 @@ class Numbers(WrittenReport):
                 if float(row["film"]) else 4
             condition = 1 / abs(1 - lambda_flooded / 4) if lambda_flooded != 4 else 1
             for name in numbers:
-                if other[name] == "":  # at the marks the shares are the limits that the paper prints
+                if other[name] == "":  # marks have the limits of the shares, as the paper prints them
                     self.assertEqual((row["regime"], row["inlet"]), ("collapsed", "collapsed"))
                     self.assertEqual(row[name] == "NaN", "event" not in row or name == "friction")
                     continue

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Words of others in baselines and scenes: on the page and in its pictures they are but words."""
+"""Texts that others wrote into baselines and scenes: on the page and in its pictures they stay plain text."""
 
 import html.parser
 import json
@@ -92,7 +92,7 @@ class Baselines(unittest.TestCase):
         return Live(page), json.loads((self.out / "report.json").read_text(encoding="utf-8"))
 
     def assert_dead(self, live, good):
-        self.assertLessEqual(set(live.tags), set(good.tags) | {"em"})  # of "not drawn": gnuplot does not find changed names
+        self.assertLessEqual(set(live.tags), set(good.tags) | {"em"})  # <em> tells "not drawn": gnuplot does not find changed names
         self.assertEqual(live.tags["script"], good.tags["script"])
         self.assertEqual(live.tags.get("img", 0), good.tags.get("img", 0))
         self.assertEqual(live.tags["h1"], good.tags["h1"])

@@ -142,7 +142,7 @@ class SchemaTest(unittest.TestCase):
         return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
 
     def refused_files(self, texts):
-        """Those of these files that get an error line, from one call with all of them."""
+        """The files among these that get an error line, from one call with all of them."""
         paths = []
         for name, text in texts.items():
             paths.append(self.folder / name)

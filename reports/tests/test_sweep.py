@@ -147,7 +147,7 @@ class Results(SweepTest):
         self.assertEqual(json.loads(result.out)["scenes"][0]["id"], "smooth")
 
     def test_sensitivities_of_a_power_law_are_those_of_its_exponents(self):
-        # The onset speed of a flooded inlet goes as viscosity to the power −1, and hardly depends on
+        # The onset speed of a flooded inlet is proportional to 1/viscosity, and hardly depends on
         # load: nearly all variance comes from viscosity.
         self.swept(sweep({"lubricant.viscosity": UNIFORM, "load": '{ printed = "50" }'},
                          onset='["film_maximum"]', draws=2048, sensitivity="true"))

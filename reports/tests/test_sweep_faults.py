@@ -88,7 +88,7 @@ class Killed(SweepTest):
         self.assertEqual(self.bytes_of("out.h5"), self.bytes_of("whole.h5"))
 
     def said_after(self, disturb):
-        """The exit code and the messages of a run that is stopped in the middle, disturbed, and let go on."""
+        """The exit code and the messages of a run that is stopped in the middle, disturbed, and continued."""
         process = self.stopped_in_the_middle(stderr=subprocess.PIPE)
         disturb()
         process.send_signal(signal.SIGCONT)

@@ -9,7 +9,7 @@ import unittest
 from program import run
 from sweeps import SweepTest, opened
 
-# At one speed M goes with the load alone, and L with the pressure-viscosity coefficient.
+# At one speed M depends on the load alone, and L on the pressure-viscosity coefficient alone.
 LINES = """id = "lines"
 load = [500, 5000]
 speed = [0.5, 2]

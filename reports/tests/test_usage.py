@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Help, version and exit codes of every command."""
 
+import pathlib
 import re
+import shutil
+import subprocess
 import unittest
 
-from program import Folder, run, scene
+from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, Folder, run, scene
 
 # Every command that the program says it has.
 COMMANDS = re.findall(r"(?m)^  ([a-z]+) ", run("--help").out.partition("\nSubcommands:\n")[2]
@@ -38,6 +41,28 @@ class Help(unittest.TestCase):
                 result = run(*arguments, "--version")
                 self.assertEqual((result.code, result.err), (0, ""))
                 self.assertRegex(result.out, r"^tribocheck \d+\.\d+\.\d+\n$")
+
+
+class Start(unittest.TestCase):
+    def test_only_sweeps_load_hdf5_and_mpi(self):
+        loaded = {program: re.findall(r"(?m)^\s+lib(\w+)", subprocess.run(["ldd", program], capture_output=True, text=True).stdout)
+                  for program in (PROGRAM, SWEEP_PROGRAM)}
+        self.assertIn("hdf5_serial", loaded[SWEEP_PROGRAM])
+        self.assertIn("fmt", loaded[PROGRAM])
+        self.assertEqual([one for one in loaded[PROGRAM] if one.startswith(("hdf5", "mpi", "curl", "ssl", "z"))], [])
+
+    def test_without_the_program_of_sweeps_one_line_says_where_it_belongs(self):
+        folder = Folder()
+        self.addCleanup(folder.cleanup)
+        alone = shutil.copy(PROGRAM, folder.path("tribocheck"))
+        done = subprocess.run([alone, "sweep", "--help"], env=ENVIRONMENT, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, "tribocheck: the program tribocheck_sweep is not there; it is built and installed "
+                                      "with this one, and has to be in the same folder\n")
+        pathlib.Path(folder.path("tribocheck_sweep")).write_text("no program\n")
+        done = subprocess.run([alone, "sweep"], env=ENVIRONMENT, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertRegex(done.stderr, r"^tribocheck: .*/tribocheck_sweep cannot be started: Permission denied\n$")
 
 
 class BadUsage(unittest.TestCase):

@@ -35,7 +35,7 @@ void lead(int from, int to, int mode) {
 [[noreturn]] void become(char* const* command, const ChildStreams& streams, const sigset_t& mask,
                          int failure) {
   ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // should somebody kill the guard
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // if somebody kills the guard
   lead(streams.input, STDIN_FILENO, O_RDONLY);
   lead(streams.output, STDOUT_FILENO, O_WRONLY);
   lead(streams.errors, STDERR_FILENO, O_WRONLY);
@@ -72,7 +72,7 @@ void kill_children() {
   ::closedir(processes);
 }
 
-// The children of who dies become the guard's, which is why it kills until there are none.
+// The children of a process that dies become the guard's: so it kills until there are none.
 void end_all(pid_t program) {
   for (int i = 0; i < milliseconds_to_end; ++i) {
     pid_t ended = 0;
@@ -85,7 +85,7 @@ void end_all(pid_t program) {
   }
 }
 
-// The guard ends as the program ended, so that its end tells of that one.
+// The guard ends as the program ended, so that the guard's status tells the program's.
 [[noreturn]] void end_as(int status) {
   if (WIFSIGNALED(status)) {
     const rlimit no_core{0, 0};
@@ -131,7 +131,7 @@ sigset_t awaited_signals() {
     ::_exit(cannot_start);
   }
   ::setpgid(program, program);
-  ::closefrom(0);  // who reads or writes a pipe shall notice the program's end, and ours
+  ::closefrom(0);  // no pipe may stay open here when the program or its starter ends
   while (true) {
     const int came = ::sigwaitinfo(&awaited, nullptr);
     if (came < 0) continue;
@@ -194,7 +194,7 @@ GuardedChild::GuardedChild(std::vector<std::string> command, const ChildStreams&
   const auto refuse = [&](int error) {
     throw std::system_error(error, std::generic_category(), command[0] + " cannot be started");
   };
-  std::array<int, 2> failure{};  // through which an errno comes, or nothing where all is well
+  std::array<int, 2> failure{};  // a pipe that brings an errno if the start fails
   if (::pipe2(failure.data(), O_CLOEXEC) != 0) refuse(errno);
   sigset_t all, mask;
   ::sigfillset(&all);
@@ -239,7 +239,7 @@ void GuardedChild::end() {
   has_ended();
   ::kill(guard_, SIGTERM);
   for (int i = 0; ::waitpid(guard_, nullptr, WNOHANG) == 0; ++i) {
-    if (i == milliseconds_to_end + 1000) ::kill(guard_, SIGKILL);  // somebody has stopped it
+    if (i == milliseconds_to_end + 1000) ::kill(guard_, SIGKILL);  // the guard itself was stopped
     ::usleep(1000);
   }
   guard_ = -1;
@@ -350,7 +350,7 @@ ChildProcess::Event ChildProcess::next_line(std::string& line, Time longest) {
     if (take_line(line)) return line.size() > longest_line ? Event::too_long_line : Event::line;
     if (received_.size() > longest_line) return Event::too_long_line;
     if (output_ < 0) return Event::end_of_output;
-    // Once it has ended, the output that is there is read, but no more is waited for.
+    // Once the child has ended, its output that is there is read, but no more is waited for.
     const bool was_gone = has_ended();
     const auto left = std::chrono::ceil<Time>(deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0 && !was_gone) return Event::nothing;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Another program as a child process, with all that it starts. Nothing of it outlives the program
-// itself, the object here, or this process, however that ends: a guard stands between, a process
-// that adopts what the program leaves behind, also in a session of its own, and ends it all.
+// Another program as a child process, with all processes that it starts. None of these outlives the
+// program, the object here or this process, however it ends: a process in between, the guard,
+// adopts what the program leaves behind, even in another session, and ends it all.
 #pragma once
 
 #include <sys/types.h>
@@ -73,8 +73,8 @@ class ChildProcess {
   void close_input();  // once all is written
 
   enum class Event : std::uint8_t { line, nothing, too_long_line, end_of_output };
-  // Waits up to so long for a line. end_of_output: its stdout is closed, or it is gone and all that
-  // it wrote is read.
+  // Waits up to `longest` for a line. end_of_output: the child's stdout is closed, or the child has
+  // ended and all that it wrote is read.
   Event next_line(std::string& line, Time longest);
 
   // All that it writes until it ends; nothing where that takes longer than the limit. 0: no limit.

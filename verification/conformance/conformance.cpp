@@ -121,7 +121,7 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const std::set<std::
   }
   const bool is_physical = of.expected.is_physical;
   if (found->part_of_bound > 1) {
-    // The first failure is told, but rather one in the physical range.
+    // The first failure in the physical range is told, or else the first one of all.
     if (verdict.failed == 0 || (is_physical && verdict.failed_physical == 0))
       verdict.first_reason = fmt::format("{}: {}", of.asked.id, found->reason);
     const double error = of.expected.high != 0 ? found->relative : std::abs(found->got);
@@ -238,7 +238,7 @@ std::vector<std::string> notes_on(const std::vector<TestCase>& cases,
   return notes;
 }
 
-// A function stands for each of its quantities.
+// The name of a function stands for each of its quantities.
 bool stands_for(const std::string& wanted, const std::string& quantity) {
   return quantity == wanted || quantity.starts_with(wanted + ".");
 }
@@ -294,7 +294,7 @@ Tolerance tolerance_of(const std::string& text, const std::vector<TestCase>& cas
     if (!(words >> quantity)) continue;
     if (!known.contains(quantity))
       throw std::runtime_error(fmt::format(
-          "{}:{}: {} is no quantity; `default`, or as in the table", text, number, quantity));
+          "{}:{}: {} is no quantity; give one of the table or `default`", text, number, quantity));
     if (!(words >> relative) || words >> rest || !(relative > 0) || !(relative < 1))
       throw std::runtime_error(
           fmt::format("{}:{}: {} needs one number above 0 and below 1", text, number, quantity));
@@ -316,7 +316,7 @@ std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& to
   std::vector<TestCase> kept;
   for (TestCase& one : cases) {
     const std::size_t i = seen[one.function]++, n = count[one.function];
-    // The first, and whenever i·sample/n reaches another whole number.
+    // Keeps the first case, and each one at which i·sample/n reaches another whole number.
     if (n <= sample || i == 0 || i * sample / n != (i - 1) * sample / n)
       kept.push_back(std::move(one));
   }

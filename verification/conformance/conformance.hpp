@@ -20,8 +20,8 @@ struct Tolerance {
   std::map<std::string, double> quantity;  // other relative errors, by quantity
 };
 Tolerance strict_tolerance();
-// 1e-6 of the value or 1e-30, and nothing asked that is beyond engineering (TestCase::is_extreme):
-// for code that uses quadrature or fits.
+// Allows an error of 1e-6 of the value or 1e-30, and leaves out cases that are beyond engineering
+// (TestCase::is_extreme): for code that uses quadrature or fits.
 Tolerance engineering_tolerance();
 // "strict", "engineering", or the path of a file: lines "quantity relative", # before comments;
 // "default" for all that are not named. Throws std::runtime_error with one line.
@@ -91,7 +91,7 @@ struct QuantityVerdict {
   std::size_t judged() const { return held + failed; }
 };
 
-// physical: nothing failed but beyond the physical range.
+// physical: all failures are beyond the physical range.
 enum class Overall : std::uint8_t { complete, partial, physical, failed, nothing };
 std::string_view name(Overall overall);
 
@@ -111,7 +111,7 @@ ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
                         Conversation conversation, const Tolerance& tolerance);
 
 // The cases that a tolerance asks for: all but the strict one leave out the extreme cases. With a
-// sample every k-th of these, so that at most so many of each function remain, the first always.
+// sample every k-th of these, so that at most `sample` of each function remain, always the first.
 std::vector<TestCase> cases_for(std::vector<TestCase> cases, const Tolerance& tolerance,
                                 std::size_t sample = 0);
 

@@ -20,7 +20,7 @@ using nlohmann::json;
 constexpr double ratchet = 4;
 constexpr int schema = 2;
 
-// The order of what a status is worth; failed is least.
+// The rank of a status; `failed` has the lowest.
 int worth(const std::string& status) {
   for (int i = 0; i < 5; ++i)
     if (name(std::array{Verdict::failed, Verdict::not_offered, Verdict::held_physically,
@@ -64,7 +64,7 @@ bool is_lesser(const FailedCase& one, const FailedCase& other) {
 
 // --- One quantity.
 
-// The worst of the cases that hold and are meant.
+// The worst of the held cases for which is_meant(id) is true.
 template <class Which>
 HeldCase worst_of(const QuantityVerdict& now, Which&& is_meant) {
   HeldCase worst{{}, 0};

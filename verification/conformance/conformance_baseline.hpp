@@ -20,14 +20,14 @@ namespace tribo::conformance {
 // How a run uses a baseline.
 struct BaselineUse {
   std::string file;          // empty: none
-  bool update = false;       // what is better is written to it
-  bool force = false;        // with `update`: what is worse, too; and over any file
+  bool update = false;       // better results are written to it
+  bool force = false;        // with `update`: worse results, too; and over any file
   std::string renewal = {};  // the command that makes it anew, for messages
 };
 
-// The file's content, read before anybody is asked; null where it is to be written, or where there
-// is to be none. Throws std::invalid_argument with one line where there is no such file, and where
-// it is no JSON or `check` throws a std::runtime_error; with `force` such a file is taken for none.
+// The file's content, read before the subject is asked; null where the file is to be written, or
+// where none is named. Throws std::invalid_argument with one line where there is no such file, and
+// where it is no JSON or `check` throws a std::runtime_error; with `force` it is null there.
 nlohmann::json usable_baseline(const BaselineUse& use,
                                const std::function<void(const nlohmann::json&)>& check);
 
@@ -51,8 +51,8 @@ void check_comparable(const nlohmann::json& baseline, const Tolerance& tolerance
 // 4·max(ε, what it was). Throws as check_comparable() does.
 BaselineChanges compare(const ConformanceResult& result, const nlohmann::json& baseline);
 
-// The same with what usable_baseline() gave; nothing where that is null, or with `force` cannot be
-// compared with. Throws std::invalid_argument with one line.
+// Compares with the content that usable_baseline() gave; nothing where that is null, or where with
+// `force` it is not comparable. Throws std::invalid_argument with one line.
 std::optional<BaselineChanges> changes_since(const nlohmann::json& before, const BaselineUse& use,
                                              const ConformanceResult& result);
 

@@ -112,8 +112,8 @@ json certified_scene(const ReferenceRow& row) {
   return scene;
 }
 
-// Regime and inlet, from the shares and films of the same point, but within 1e-6 of a border; of a
-// collapsed film without shares there is no regime.
+// Adds regime and inlet, from the shares and films of the same point, except within 1e-6 of a
+// border; a collapsed film without shares gets no regime.
 void add_words(TestCase& point) {
   std::map<std::string, double> value;
   for (const Expected& one : point.expected) value[one.field] = one.high;

@@ -62,7 +62,7 @@ constexpr int most_silent_failures = 2;      // before any answer
 constexpr int most_starts = 25;
 constexpr std::size_t most_error_lines = 20;
 
-// Answers are kept until all are judged: of more than any needs, only a part is.
+// Answers are kept until all are judged. Of a longer one only the part that was asked for is kept.
 constexpr std::size_t longest_answer = 4096;
 
 std::string shortened(std::string text) {
@@ -208,14 +208,14 @@ class Asker {
   }
 
   std::chrono::milliseconds limit() const {
-    // Nothing comes after a last line that was to be an answer.
+    // The line for the last case was broken: nothing more has to come.
     if (!broken_.empty() && asked_.size() == 1 && to_ask_.empty())
       return std::min(limits_.one_case, std::chrono::milliseconds(1000));
     if (result.answers_at_end_of_input) return limits_.all_cases;
     return has_answered_ ? limits_.one_case : std::max(limits_.first_answer, limits_.one_case);
   }
 
-  // To read is to go on, where all cases are there to be read.
+  // Where all cases were sent at once, a subject that reads on makes progress.
   void note_reading() {
     const std::size_t unread = process_->unread();
     if (at_once_ && unread < unread_) last_progress_ = Clock::now();
@@ -241,7 +241,7 @@ class Asker {
     if (asked_.empty())
       return stray(
           fmt::format("{} is answered twice, or before it was asked", cases_[found->second].id));
-    if (!broken_.empty()) note_print(broken_line_);  // about the case, and not its answer
+    if (!broken_.empty()) note_print(broken_line_);  // it was not the answer
     note_block();
     take(line.size() > longest_answer ? asked_part(answer, cases_[found->second])
                                       : std::move(answer));
@@ -317,7 +317,7 @@ class Asker {
 
   void flooded() { fail(Outcome::garbage, "it floods its output", "floods its output"); }
 
-  // As garbage, where a line was to be the answer.
+  // The case gets no answer; its outcome is garbage if a broken line was meant as the answer.
   void settle_without_answer(Outcome outcome, const std::string& reason) {
     if (broken_.empty()) return settle(outcome, {}, reason);
     settle(Outcome::garbage, {}, broken_);
@@ -358,8 +358,8 @@ class Asker {
     fail(Outcome::died, fmt::format("it {}", end), end);
   }
 
-  // All is answered: its input ends, and it should, with exit code 0. One that does not end is
-  // killed, and told.
+  // All cases are answered: the subject's input ends, and it should end too, with exit code 0. A
+  // subject that does not is killed, and the result tells it.
   void hear_the_end() {
     if (!process_) return;
     process_->close_input();
@@ -380,7 +380,7 @@ class Asker {
   void late() {
     const std::string limit_text = fmt::format("within {} s", seconds(limit()));
     if (!any_answer_ && process_->unread() > 0)
-      failures_ = most_silent_failures;  // it reads nothing
+      failures_ = most_silent_failures;  // it does not read
     fail(Outcome::late, "no answer " + limit_text, "gives no answer " + limit_text);
   }
 

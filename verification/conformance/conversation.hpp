@@ -57,7 +57,7 @@ struct Conversation {
   std::string first_print;
   int starts = 0;           // of the subject
   std::string last_errors;  // what it wrote to stderr last
-  // The end of that: all of an error message, where cases have no answer.
+  // The last lines of that, where cases have no answer: a whole error message.
   std::vector<std::string> error_lines;
   bool answers_at_end_of_input = false;  // it does not flush its answers
   std::string never_answered;            // why; empty where any case has an answer

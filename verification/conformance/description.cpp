@@ -25,7 +25,7 @@ std::string symbol_of(const catalogue::Parameter& parameter) {
 struct PowerLaw {
   std::vector<double> exponents;  // of each parameter; 0 for those that were held fixed
   double constant = 0;            // with its sign
-  double residual = 0;            // the greatest, of the logarithm
+  double residual = 0;            // the greatest error of the logarithm
   std::string held = {};          // "k = 1" where the fit is of those cases alone
 };
 
@@ -88,8 +88,8 @@ double commonest(const std::vector<FittedNumber>& samples, std::size_t place) {
       ->first;
 }
 
-// An input that is in the numbers not as a power, such as the ellipticity in the film's constant,
-// is held at the value that most cases have. Empty: there are too few cases, or the numbers are no
+// An input that does not enter as a power, such as the ellipticity in the film's constant, is held
+// at the value that most cases have. Empty: there are too few cases, or the numbers are no
 // product of powers, to `closeness` of the logarithm.
 std::optional<PowerLaw> fit_power_law(const Part& part, const NumberOf& number_of,
                                       double closeness) {
@@ -256,9 +256,9 @@ std::string where_wrong(const Part& part) {
   return best ? best->text : std::string();
 }
 
-// The manner of the errors along an input: as of an integral that ends too early, of digits that
-// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: no such
-// manner.
+// How the errors run along an input: as those of an integral that ends too early, of digits that
+// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: as none
+// of these.
 std::string manner_of_errors(const Part& part) {
   const std::vector<std::size_t> inputs = number_inputs(part);
   if (inputs.size() != 1) return {};  // along one of several inputs errors look like noise
@@ -402,7 +402,7 @@ std::string exponents_in_words(const Part& part, const std::vector<Mistake>& mis
   for (std::size_t i = 0; i < extra.size(); ++i) {
     if (std::abs(extra[i]) <= 1e-4) continue;
     const catalogue::Parameter& input = function.parameters[i];
-    // Those of E* and R follow from those of U, G and W.
+    // The exponents of E* and R follow from those of U, G and W.
     if (!in_groups.empty() && (input.name == "effective_modulus" || input.unit == "m")) continue;
     const std::string symbol = symbol_of(input);
     if (std::abs(got->exponents[i]) <= 1e-4)

@@ -19,11 +19,11 @@ namespace {
 constexpr int most_causes = 3;     // told one after the other
 constexpr double few_ulp = 1e-12;  // relative errors that are rounding
 
-// The functions that a function's numbers rest on.
+// The functions from which a function's numbers are computed.
 std::vector<std::string> rests_on(const std::string& function) {
   if (function == "load_sharing") return {"gaussian_moment"};
   if (is_operating_point(function)) {
-    // A point of the usual kind rests on the first law and on the circle alone.
+    // A point of the usual kind needs only the first film law and the circle.
     if (function == operating_point_functions[0])
       return {"hertz_point", std::string(film_formula_words[0]), "gaussian_moment", "load_sharing",
               "starvation_ratio"};
@@ -164,7 +164,7 @@ class Diagnoser {
     return {};
   }
 
-  // The wrong answers of one result over all branches, where what it rests on is wrong too.
+  // The wrong answers of one result over all branches, if functions that it needs are wrong too.
   std::string rests_text(const std::string& quantity, std::size_t place,
                          const std::vector<Part>& parts) const {
     if (wrong_below_.empty()) return {};
@@ -226,7 +226,7 @@ class Diagnoser {
   std::string function_;
   std::vector<AnsweredCase> cases_;
   const std::vector<Mistake>& mistakes_;
-  std::string wrong_below_;  // functions that this one rests on and that are wrong
+  std::string wrong_below_;  // functions that this one needs and that are wrong
   const std::map<std::string, std::string>& named_before_;  // mistakes, with their functions
   std::size_t wrong_ = 0;
   std::vector<Diagnosis> found_;

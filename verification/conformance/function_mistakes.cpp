@@ -109,7 +109,7 @@ void add_law(const LawChange& change, Mistake& mistake) {
   };
 }
 
-// One for each other law of the same contacts that takes no more arguments.
+// One mistake for each other law of the same contacts that takes no more arguments.
 std::vector<Mistake> other_laws_of(const Function& function, const MistakeEntry& entry) {
   std::vector<Mistake> all;
   const FilmLaw& own = *function.film_law;
@@ -222,7 +222,7 @@ void add_formula(const Function& function, const MistakeEntry& entry, Mistake& m
   mistake.touches.emplace_back("formula");
 }
 
-// One for each pair of words of an argument.
+// One mistake for each pair of words of an argument.
 std::vector<Mistake> swaps_of(const Function& function, const MistakeEntry& entry) {
   std::vector<Mistake> all;
   const std::size_t place = place_of(function.parameters, entry.swapped);

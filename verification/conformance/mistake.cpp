@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_fields = 100'000;  // a file of some hundred entries has a thousand
+constexpr std::size_t most_fields = 100'000;  // far more than the files of this project have
 
 json json_of(const scene_detail::Value& value) {
   switch (value.kind) {
@@ -193,7 +193,7 @@ std::vector<json> one_for_each_function(const json& written) {
   return all;
 }
 
-// An entry of several functions is there for each of them.
+// An entry for several functions is read as one entry for each of them.
 std::vector<MistakeEntry> read_mistake_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -250,7 +250,7 @@ std::optional<Numbers> numbers_with(std::span<const Mistake* const> mistakes,
 
 std::vector<Mistake> read_mistakes(const std::string& path) {
   std::vector<Mistake> all, of_points;
-  std::map<std::string, std::vector<Mistake>> of_films;  // by name: one of each law that has it
+  std::map<std::string, std::vector<Mistake>> of_films;  // by name: one for each film law
   for (const MistakeEntry& entry : read_mistake_file(path)) try {
       if (entry.function == "operating_point") {
         for (Mistake& one : point_mistakes_of(entry)) of_points.push_back(std::move(one));

@@ -79,7 +79,7 @@ void add_reading(const std::string& kind, Reading Question::*reading,
 // the entry; empty: it says nothing of these arguments.
 using FunctionFormula = std::optional<Numbers> (*)(const catalogue::Arguments& arguments,
                                                    std::span<const double> numbers);
-// Null where there is no formula of this name for the function that takes so many numbers.
+// Null where the function has no formula of this name that takes this count of `numbers`.
 FunctionFormula find_formula(std::string_view function, std::string_view name, std::size_t numbers);
 
 // The functions of an entry: the one that it names; of film_laws all film laws that have the

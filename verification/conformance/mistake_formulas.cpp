@@ -60,7 +60,7 @@ Numbers ellipse_with(const Arguments& a, double reduced) {
 }
 Numbers right_ellipse(const Arguments& a) { return ellipse_with(a, in_parallel(a[2], a[3])); }
 
-// Integrals of the parameter q^power in place of q = 1 − 1/k²; 1/2: the modulus, 2: the other way.
+// Integrals of q^power, not of q = 1 − 1/k². 1/2: the modulus √q was taken for q; 2: q for √q.
 EllipseShape<double> integrals_of_power(double k, double power) {
   const double q = (k - 1) * (k + 1) / (k * k), wrong = std::pow(q, power);
   // 1 − q^p without the cancellation of long ellipses

@@ -19,7 +19,7 @@ constexpr std::size_t most_choices = 3;
 struct Fit {
   Mistakes mistakes;
   std::size_t changed = 0, met = 0;
-  std::size_t met_closely = 0;  // as sets of mistakes have to be met
+  std::size_t met_closely = 0;  // to the closeness that several mistakes need
   std::vector<AnsweredNumber*> explains;
 
   bool is_consistent() const { return is_enough(met); }
@@ -71,8 +71,8 @@ class Search {
     return met > 0;
   }
 
-  // Whether it explains a tenth of the wrong answers of a result that it explains at all: that all
-  // beyond a border is as some mistake gives it says little where answers this side are wrong too.
+  // Does it explain a tenth of the wrong answers of some result? A mistake that fits only beyond a
+  // border says little where answers on this side are wrong too.
   bool is_worth_telling(const Fit& made) const {
     std::map<std::size_t, std::size_t> explained, wrong;
     for (const AnsweredNumber* const one : made.explains) ++explained[one->place];
@@ -111,7 +111,7 @@ class Search {
   }
   static bool is_close(const AnsweredNumber& number, double given, std::size_t mistakes) {
     const double off = std::abs(number.got - given), by = change(number, given);
-    // The tolerance is a tenth of `given` at most, which may be far too small: GPa are no MPa.
+    // The tolerance is at most a tenth of `given`, which is tiny where Pa were read as GPa.
     const double own = std::abs(given);
     if (mistakes == 1)
       return off <=

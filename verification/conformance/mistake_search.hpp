@@ -21,9 +21,9 @@ struct Cause {
   std::vector<AnsweredNumber*> explains;  // wrong ones, unexplained so far; none: nothing was found
 };
 
-// Over all cases, or those of one branch. A cause changes at least three answers and gives at least
-// 98 in 100 of them; causes of fewer mistakes come first. One mistake may be met to 0.2 % of its
-// change (other quadrature, rounded constants), several together to 1e-5 of it.
+// Searches all cases, or those of one branch. A cause changes at least three answers and gives at
+// least 98 in 100 of them; causes of fewer mistakes come first. One mistake may be met to 0.2 % of
+// its change (other quadrature, rounded constants), several together to 1e-5 of it.
 Cause find_cause(std::vector<AnsweredCase>& cases, const std::vector<Mistake>& mistakes,
                  const std::string& branch);
 

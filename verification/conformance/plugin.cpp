@@ -145,7 +145,7 @@ Answer<PointResult> point_answer(int status, const tribocheck_point& point) {
   return answer_of(status, result);
 }
 
-// Its bytes, so that scenes with NaN compare too.
+// The bytes of a scene: by these, scenes with NaN can be equal too.
 auto bytes_of(const tribocheck_scene& scene) {
   static_assert(sizeof(tribocheck_scene) == 15 * sizeof(double) + 6 * sizeof(int), "no padding");
   return std::bit_cast<std::array<std::byte, sizeof(tribocheck_scene)>>(scene);

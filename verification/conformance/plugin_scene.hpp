@@ -10,7 +10,7 @@
 
 namespace tribo::conformance {
 
-// All but id, speeds and outputs.
+// All of a scene but id, speeds and outputs.
 tribocheck_scene plugin_scene(const Scene& scene);
 Scene model_scene(const tribocheck_scene& scene);
 

@@ -33,8 +33,8 @@ Mistake changed(const MistakeEntry& entry, std::vector<std::string> touches,
   return changed(titled(entry, operating_point), std::move(touches), std::move(change));
 }
 
-// A mistake of a function in operating points, where `instead` gives a part of them; it says
-// nothing where that gives nothing.
+// A mistake of a function in operating points, of which `instead` gives a part. Where it gives
+// nothing, the mistake says nothing.
 Mistake with_formula(const Mistake& wrong,
                      std::function<std::optional<Numbers>(const Question&)> instead) {
   return {.function = std::string(operating_point),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A case as mistakes see it: its inputs as numbers, read once.
+// The inputs of a case as numbers, read once, which mistakes then change.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ struct Question {
   const TestCase* asked;
   const catalogue::Function* function;  // null for an operating point
   catalogue::Arguments arguments{};     // of the function
-  std::optional<FilmLaw> law = {};      // of a film law, if it is another one
+  std::optional<FilmLaw> law = {};      // another film law in place of the function's own
   std::optional<Scene> scene = {};      // of an operating point, with its one speed
   SharingReading sharing = {};          // of load_sharing
   double summit_count_times = 1;        // of an operating point
@@ -70,7 +70,7 @@ Numbers numbers_of(const catalogue::Results& results);
 // The numbers of an operating point, with the question's number of summits and friction.
 Numbers numbers_of(const OperatingPoint<double>& point, const Question& question);
 
-// The model's results, with what was misread. NaN where a fit says nothing.
+// The model's results with the changes that the question carries. NaN where a fit says nothing.
 Numbers right_numbers(const Question& question);
 
 // An argument of the function as the request has it: a number, or a word of its list. Throws

@@ -15,7 +15,7 @@ struct AnsweredNumber {
   const Expected* expected;
   std::size_t place;  // in Numbers
   double got;
-  double allowed;  // error, absolute
+  double allowed;  // absolute error
   bool is_wrong;
   bool is_explained = false;  // by a mistake that was named
 
@@ -25,13 +25,13 @@ struct AnsweredNumber {
 
 struct AnsweredCase {
   Question question;
-  // The branch of the function that the case is of, as one may be wrong alone: "order 1.5",
+  // The case's branch of the function, because one branch may be wrong alone: "order 1.5",
   // "greenwood_tripp". Empty: the function has no branches.
   std::string branch;
   std::vector<AnsweredNumber> numbers;
 };
 
-// Without the cases that were not answered, and without fields that are no finite number.
+// The answered cases of a function, without fields that are no finite number.
 std::vector<AnsweredCase> answered_cases(const std::string& function,
                                          const std::vector<TestCase>& cases,
                                          const Conversation& conversation,
@@ -56,8 +56,8 @@ struct Part {
   const catalogue::Function* function() const { return all.front().of->question.function; }
 };
 
-// The parts with wrong answers that are still to be told. Few of them after a named mistake, such
-// as near a border, are no news.
+// The parts with wrong answers that are still to be told. After a named mistake a few wrong
+// answers, such as near a border, are not told.
 std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);
 
 inline constexpr std::size_t fewest_cases = 8;  // that a pattern is told of

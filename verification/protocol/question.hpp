@@ -22,7 +22,7 @@ struct CallFault {
 
 struct FunctionCall {
   std::optional<std::string> id;                  // empty: not given, or no text
-  const catalogue::Function* function = nullptr;  // this and the next are set without a fault:
+  const catalogue::Function* function = nullptr;  // this and the next are set if no fault is:
   catalogue::Arguments arguments{};               // in range, with defaults filled in
   std::optional<CallFault> fault;                 // the first one in the line
 };

@@ -53,7 +53,7 @@ std::optional<OnsetPoint> friction_minimum(const FloodedCurve& flooded, const St
                                            const FrictionCurve& friction, const ReadInlet& inlet,
                                            FrictionLaw law);
 
-// All that the quantities of one reading rest on; nothing here is owned.
+// All from which the quantities of one reading are computed; nothing here is owned.
 struct Stages {
   const ReadInlet* inlet;
   PerContact<const FloodedCurve*> flooded;

@@ -24,7 +24,7 @@ double nominal_area(const Scene& scene, const Reading& reading) {
 // The switches of the prefactor and of two rough faces apply to GT only (the paper prints no
 // prefactor of GW).
 AsperityContact<double> asperities_of(const Scene& scene, const Reading& reading) {
-  // 0,1 µm for the 10 µm that all three products nβσ_s ask for.
+  // β is printed as 0.1 µm, but all three products nβσ_s ask for 10 µm.
   const double radius =
       scene.surface.summit_radius * (reading.is(Switch::summit_radius, 1) ? 0.01 : 1);
   const int planes = is_gt(scene) ? 1 + reading.at(Switch::offset_planes) : 1;
@@ -44,8 +44,8 @@ InletCurve<double> curve_of(const Reading& reading) {
   return {closure, reading.is(Switch::gap, 1) ? std::numbers::pi / 4 : 1};
 }
 
-// E11: with 1.12 to 1.14 as they stand, h*/h_oil = (2/π) arctan(2.7ψ) and h_oil/h* = 1 + ψ^{3/2}/c,
-// and no film enters.
+// E11: equations 1.12 to 1.14 as printed give h*/h_oil = (2/π) arctan(2.7ψ) and
+// h_oil/h* = 1 + ψ^{3/2}/c, so that the ratio does not depend on the flooded film.
 double printed_constant(const InletCurve<double>& curve) {
   const double length =
       bracketed_root([&](double t) { return curve.log_film_ratio(t) + curve.log_inverse_r(t); },

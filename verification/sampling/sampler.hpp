@@ -2,7 +2,9 @@
 // Random inputs of the checks.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <random>
@@ -23,6 +25,10 @@ class Sampler {
   template <class Choice>
   Choice pick(std::initializer_list<Choice> choices) {
     return choices.begin()[engine_() % choices.size()];
+  }
+  template <class Choice, std::size_t count>
+  Choice pick(const std::array<Choice, count>& choices) {
+    return choices[engine_() % count];
   }
 
  private:

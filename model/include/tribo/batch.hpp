@@ -29,7 +29,7 @@ void log_gaussian_moment(Order n, std::span<const double> d, std::span<double> l
 // The work of a batch of roots.
 struct SharingWork {
   std::size_t steps = 0;      // of all roots together
-  std::size_t by_newton = 0;  // roots left to the formula text, whose steps are not counted
+  std::size_t by_newton = 0;  // roots left to the template, whose steps are not counted
 };
 
 // The film parameters λ of load sharing (load_sharing.hpp) at flooded film parameters λ₀. The first

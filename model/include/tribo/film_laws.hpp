@@ -28,14 +28,14 @@ struct FilmLaw {
   int material_modulus = 2;
   int load_modulus = 2;
   int speed_multiple = 1;
-  bool is_of_lines = false;  // or of points
+  bool is_of_lines = false;  // else of point contacts
   // The ellipticities that it was fitted to, where its source tells them.
   double least_ellipticity = 0, greatest_ellipticity = std::numeric_limits<double>::infinity();
 
   // a − b: load sharing divides E* and F by the γ of the film, so that U is multiplied by γ, G is
   // divided by it, and W stays: h = h₀ γ^{a−b}.
   Fraction sharing_exponent = speed_exponent - material_exponent;
-  // In the engine's form.
+  // The two exponents in the form that the engine takes.
   Exponent speed_power = speed_exponent;
   Exponent sharing_power = sharing_exponent;
 };

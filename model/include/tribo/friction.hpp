@@ -28,7 +28,7 @@ template <class T>
 T roelands_log_viscosity() {
   return ratio<T>(967, 100);  // 9.67
 }
-// ln η₀ + 9.67 > 0, which stands below a fraction line, bounds η₀ from below: e^−9.67 = 6.31499e-5
+// ln η₀ + 9.67 > 0, which is a denominator, bounds η₀ from below: e^−9.67 = 6.31499e-5
 // Pa·s.
 inline constexpr double least_roelands_viscosity = 6.315e-5;
 

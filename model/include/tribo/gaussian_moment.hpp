@@ -62,7 +62,7 @@ T gamma_of_order_plus_one(Order n) {
   return value;
 }
 
-// e^{−d²/2} = (first)(second), both far above underflow where their product is: d is split as
+// e^{−d²/2} = (first)(second): neither underflows where their product does not. d is split as
 // high + low with high² exact, so that the rounding of d² costs nothing.
 template <class T>
 struct GaussianFactor {

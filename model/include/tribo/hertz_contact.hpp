@@ -16,7 +16,7 @@ struct HertzContact {
   T nominal_area;   // A_nom = πa_xa_y, of a line 2bL, m²
   T mean_pressure;  // p̄ = F/A_nom, Pa
   T peak_pressure;  // 3p̄/2, of a line 4p̄/π, Pa
-  T approach;       // m: of the two bodies; NaN of a line, whose approach rests on the whole bodies
+  T approach;       // m: of the two bodies; NaN of a line: it depends on the whole bodies
 };
 
 // Hertz' contact from a scene's load F, E*, R_x, and R_y or L, in SI units and above 0; the axes of

@@ -14,7 +14,7 @@
 namespace tribo {
 
 inline constexpr Contract density_contract{2, 0};
-// The condition is that of all arguments: exponents multiply their errors.
+// The condition counts all arguments, because exponents multiply their errors.
 inline constexpr Contract barus_contract{4, 1};
 inline constexpr Contract roelands_contract{8, 4};
 inline constexpr Contract astm_d341_contract{8, 4};

@@ -40,12 +40,12 @@ class MixedContact {
   // The scene's fields must be in range (scene_reader.hpp sees to it).
   explicit MixedContact(const Scene& scene) : MixedContact(scene, film_law(scene.closures.film)) {}
 
-  // With a film law that no word names.
+  // Takes a film law that need not be one of those that scenes can name.
   MixedContact(const Scene& scene, const FilmLaw& film)
       : MixedContact(detail::words_of(scene, film), detail::numbers_of<T>(scene)) {}
   MixedContact(const Scene&, FilmLaw&&) = delete;
 
-  // From a scene's words and numbers.
+  // Takes the words and numbers that were read out of a scene.
   MixedContact(const detail::ContactWords& words, const detail::SceneNumbers<T>& scene)
       : load_(scene.load),
         summit_height_sd_(scene.summit_height_sd),
@@ -164,7 +164,7 @@ class MixedContact {
   }
 
  private:
-  // Near a high floor the moments rest on the shares too.
+  // Near a high floor the moments are computed from the shares, too.
   bool needs_shares(OutputSet outputs) const {
     return outputs.contains_any(balance_outputs()) ||
            (has_high_floor() && outputs.contains_any(moment_outputs()));
@@ -256,7 +256,7 @@ class MixedContact {
 
 // In double the numbers come from the engine (src/engine.hpp): a point has the same bits alone and
 // in a batch of any size, on every x86-64 with fused multiply-add. Where its range might not be
-// enough (src/sharing_method.hpp) they are those of the formula text in long double, rounded.
+// enough (src/sharing_method.hpp) they are those of the template in long double, rounded.
 // Error: operating_point_contract; next to 0, where doubles are subnormal, the spacing of doubles.
 template <>
 class MixedContact<double> {

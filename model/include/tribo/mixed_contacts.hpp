@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many contacts at once, in double: prepared and solved in vectors across contacts, for sweeps in
-// which every scene is another one. The bits are those of MixedContact<double>.
+// which each scene is a different one. The bits are those of MixedContact<double>.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ inline constexpr Contract moes_line_contract{20, 0};
 
 namespace detail {
 
-// (x^p + y^p)^{1/p} without overflow of the powers, x and y > 0; of a p below 0 too.
+// (x^p + y^p)^{1/p} without overflow of the powers, for x and y > 0 and any p, also below 0.
 template <class T, class Power, class Root>
 T joined(const T& x, const T& y, bool is_of_greater, const Power& power, const Root& root) {
   const bool is_x_first = (x > y) == is_of_greater;

@@ -226,8 +226,8 @@ Onset<T> film_departure(const MixedContact<T>& contact, const InletOnsets<T>& in
   return onset_at(criterion, contact, point.flooded, T(1 - departure));
 }
 
-// The argument of the least value of f in (low, high), by golden section, to `width`; more than
-// about √ε of the scale on which f varies is not to be had, as f is flat at a minimum.
+// The argument of the least value of f in (low, high), by golden section, to `width`. It cannot be
+// found to less than about √ε of the scale on which f varies, as f is flat at a minimum.
 template <class T, class Function>
 T golden_section_minimum(Function&& f, T low, T high, const T& width) {
   using std::abs;

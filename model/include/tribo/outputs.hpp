@@ -115,7 +115,7 @@ class OutputSet {
   std::uint32_t bits_ = 0;
 };
 
-// The outputs that rest on the balance of the load.
+// The outputs that depend on the balance of the load.
 constexpr OutputSet balance_outputs() {
   OutputSet set;
   for (const Output output :

@@ -80,8 +80,8 @@ struct Surface {
 struct Body {
   double modulus = 0;        // E, Pa
   double poisson_ratio = 0;  // ν
-  double radius_x = 0;       // of its face along the direction of entrainment, m: above 0 convex,
-  double radius_y = 0;       // below 0 concave, ∞ flat; and across that direction
+  double radius_x = 0;       // of its face along entrainment, m: > 0 convex, < 0 concave, ∞ flat
+  double radius_y = 0;       // of its face across entrainment, m, with the same signs
 };
 
 enum class ContactShape : std::uint8_t { circle, ellipse, line };

@@ -30,8 +30,8 @@ struct FieldInfo {
   bool is_radius_of_face = false;      // any number but 0, and ±∞ in TOML: a flat face
   std::span<const std::string_view> choices = {};  // choice: the legal words
   std::string_view default_text = "";              // empty: no default
-  bool required = false;                 // by all outputs; of a table `speed`: in that table
-  std::optional<Output> needed_by = {};  // by this output alone
+  bool required = false;                 // always, or in the table `speed` where that is given
+  std::optional<Output> needed_by = {};  // the only output that needs the field
   double plausible_minimum = 0;          // legal numbers beyond these two get a warning
   double plausible_maximum = std::numeric_limits<double>::infinity();
   std::string_view meaning = "";
@@ -66,10 +66,10 @@ struct Fault {
     finiteness,   // ∞ or NaN
     wholeness,    // a fraction where a whole number is wanted
     range,        // a number beyond the limits of its field; what: the word that sets them
-    result,       // a number from which none that double can hold follows; what: which one
+    result,       // a number from which follows one beyond double; what: which one
     together,     // a value that others do not allow; what: why
     reach,        // a value of a distribution beyond the limits; what: how to bound it
-    plausibility  // legal, but what: not as usual
+    plausibility  // legal but unusual; what: in which way
   };
   Rule rule = other;
   std::string value = {};    // as messages show it; empty: a list or a table, or nothing

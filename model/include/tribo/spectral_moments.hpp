@@ -12,7 +12,7 @@
 
 namespace tribo {
 
-// α − 0.8968 is a difference: the condition is that of m₀, m₂ and m₄.
+// Digits cancel in α − 0.8968: 3 ulp times the condition of m₀, m₂ and m₄ are allowed.
 inline constexpr Contract spectral_moments_contract{6, 3};
 
 // Two values of α = m₀m₄/m₂²: the least of all isotropic Gaussian faces (Nayak), and the one at

@@ -140,7 +140,7 @@ struct InletCurve {
       return pow(T((1 - flooded_over_inlet) / flooded_over_inlet * crook()), ratio<T>(2, 3));
     const T t = rough_log_inlet_length(flooded_over_inlet);
     if (t < least_log_length()) return least_inlet_length(flooded_over_inlet);
-    // The rounding of t and of ln r are the error now; one step on r G(ψ) − 1 takes it out.
+    // The error is now the rounding of t and of ln r; one step on r G(ψ) − 1 removes it.
     return exp(t) * (1 + correction(flooded_over_inlet, t));
   }
   T log_inlet_length(const T& flooded_over_inlet) const {

@@ -209,7 +209,7 @@ class StribeckWalk {
     return log(fall) - curve().log_inverse_r(t);
   }
 
-  // t from ln r by the term of G that rules: a start, not a solution.
+  // t from ln r by the greater term of G: a start, not a solution.
   T rough_log_inlet_length(const T& log_r) const {
     using std::log;
     const T log_c = log(crook_constant<T>());
@@ -271,7 +271,7 @@ template <class Visitor>
 void stribeck_curve(const MixedContact<double>& contact, double from, double to, std::size_t count,
                     OutputSet outputs, Visitor&& visit) {
   const Speeds range{{}, from, to, count, Spacing::log};
-  std::vector<double> speeds(std::min<std::size_t>(count, 512));  // at once, in the caches
+  std::vector<double> speeds(std::min<std::size_t>(count, 512));  // a block that fits in the caches
   OperatingPoints points;
   points.resize(speeds.size(), outputs);
   for (std::size_t first = 0; first < count; first += speeds.size()) {

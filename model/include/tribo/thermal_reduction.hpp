@@ -9,7 +9,7 @@
 
 namespace tribo {
 
-// The numerator is a difference: the condition is that of all seven arguments.
+// Digits cancel in the numerator: 4 ulp times the condition of all seven arguments are allowed.
 inline constexpr Contract gupta_thermal_contract{8, 4};
 
 // φ_T, the film over that of an isothermal inlet:

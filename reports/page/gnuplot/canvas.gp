@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# The page that every figure is drawn on: kind svg or png, to the file `picture`; `prefix` for the
-# identifiers in an SVG; `tall` in points for a width of 960; a head and a subhead.
+# The start of every figure, and the page that it is drawn on: 960 points wide. Called as
+#   gnuplot -d -c canvas.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
+# with SCRIPT the figure's own, beside this one, FORMAT svg or png, DATA the folder of the .tsv files, NAME a prefix for the
+# identifiers in an SVG, HEIGHT in points. `load` forgets the arguments.
+script = ARG1; kind = ARG2; picture = ARG3; data = ARG4."/"; prefix = ARG5; tall = int(ARG6); head = ARG7; subhead = ARG8
+scripts = ARG0[1:strlen(ARG0) - strlen("canvas.gp")]
 set encoding utf8
 set minussign
 if (kind eq "svg") {
@@ -18,3 +22,5 @@ set output picture
 set datafile separator "\t"
 set datafile commentschars "#"
 set title head."\n{/*0.8 ".subhead."}"
+
+load scripts.script

@@ -1,13 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Errors of the published fits to Hertz' ellipse over the ratio of the radii: three panels over one axis. Its own
-# frame, called as
-#   gnuplot -d -c ellipse_fits.gp - FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-scripts = ARG0[1:strlen(ARG0) - strlen("ellipse_fits.gp")]
-data = ARG4."/"
-tall = int(ARG6)
-kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
-load scripts."canvas.gp"
-
+# Errors of the published fits to Hertz' ellipse over the ratio of the radii: three panels over one axis.
 table = data."ellipse_fits.blocks.tsv"
 stats table using 1 nooutput name "ratios"
 fits = ratios_blocks

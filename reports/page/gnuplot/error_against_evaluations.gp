@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # True error against evaluations of the integrand or the moment, which no machine changes.
+load scripts."work.gp"
 table = data.prefix.".blocks.tsv"
 set logscale xy 10
 set format y "10^{%T}"

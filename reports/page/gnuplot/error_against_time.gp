@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # True error against CPU time, a line a method from coarse to fine: at the points the greatest error,
 # and bars down to the mean.
+load scripts."work.gp"
 table = data.prefix.".blocks.tsv"
 set logscale xy 10
 set format x "10^{%T}"

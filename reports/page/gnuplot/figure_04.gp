@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Figure 4: film against speed, u^0.67 flooded and u^−1 starved. Loaded by style.gp.
+# Figure 4: film against speed, u^0.67 flooded and u^−1 starved.
+load scripts."style.gp"
 nm = 1e9
 slope_curve(name) = data."figure_04_".name.".tsv"
 guides = data."figure_04_guides.tsv"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Figure 9: load shares of fluid and asperities against speed. Loaded by style.gp.
+# Figure 9: load shares of fluid and asperities against speed.
+load scripts."style.gp"
 set ylabel "share of the load (–)" offset y_words
 set yrange [0:1]
 plot \

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Figure 10: starved film against speed on three surfaces. Loaded by style.gp.
+# Figure 10: starved film against speed on three surfaces.
+load scripts."style.gp"
 nm = 1e9
 stats marks using (nm*slowest(film)) nooutput name "slowest_film"
 foot = slowest_film_min/2

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Figure 11: starved film of the smooth surface, GT against GW, and their ratio below. Loaded by
-# style.gp.
+# Figure 11: starved film of the smooth surface, GT against GW, and their ratio below.
+load scripts."style.gp"
 nm = 1e9
 stats marks using (nm*slowest(film)) nooutput name "slowest_film"
 foot = slowest_film_min/2
@@ -13,7 +13,7 @@ if (exists("onset_max")) highest = onset_max
 stats ratio using ($1 <= highest ? $2 : NaN) nooutput name "ratio"
 room = 0.3*(ratio_max - ratio_min) + 1e-3
 set multiplot
-load scripts."upper_panel.gp"
+call scripts."panel.gp" "upper"
 set ylabel "film h* (nm)" offset y_words
 set logscale y 10
 set yrange [foot:*]
@@ -26,7 +26,7 @@ plot \
   for [m in "GT GW"] marks using (mark("collapse", s, m, speed)):(foot) \
     with points linestyle 8 linecolor rgb colour(s)
 
-load scripts."lower_panel.gp"
+call scripts."panel.gp" "lower"
 unset logscale y
 set ylabel "film with GW / film with GT (–)" offset y_words - 0.6
 # Near the collapse the ratio leaves the panel: one film vanishes a little before the other.

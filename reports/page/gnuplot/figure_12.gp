@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# Figure 12: friction, and the film parameter below it, against speed. Loaded by style.gp.
+# Figure 12: friction, and the film parameter below it, against speed.
+load scripts."style.gp"
 drawn(y) = strcol(3) eq "GT" || strcol(2) eq "smooth" ? y : NaN
 stats marks using (drawn(slowest(friction))) nooutput name "slowest_friction"
 head = 1.15*slowest_friction_max
 stats data."comparison.tsv" using (strcol(1) eq "onset_film_parameter" ? column(6) : NaN) \
   nooutput name "paper"
 set multiplot
-load scripts."upper_panel.gp"
+call scripts."panel.gp" "upper"
 set ylabel "friction coefficient μ (–)" offset y_words
 set yrange [0:head]
 plot \
@@ -26,7 +27,7 @@ plot \
     with points linestyle 8 linecolor rgb colour(s)
 
 # The film parameter: a linear axis, which can show the 0 of a collapsed film.
-load scripts."lower_panel.gp"
+call scripts."panel.gp" "lower"
 set ylabel "film parameter λ = h*/σ_s (–)" offset y_words
 set yrange [0:*]
 plot \

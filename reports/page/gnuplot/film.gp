@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Pressure and film across a line contact, in two panels over one axis. Loaded by sweep.gp.
+# Pressure and film across a line contact, in two panels over one axis.
 # Blocks: 0 the ends of the axes, a note on the spike or a blank, and the unit of pressure; 1 the profile; 2 Hertz' pressure; 3 the formulas' films.
+load scripts."sweep.gp"
 stats data index 0 using (left = column(1), right = column(2), pressure_top = column(3), \
   film_top = column(4), spike_x = column(5), spike_pressure = column(6), note = strcol(7), unit = strcol(8), 0) nooutput
 solved = 0x0072B2

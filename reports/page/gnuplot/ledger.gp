@@ -1,12 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Common part and start of each figure of the ledger; called as style.gp is:
-#   gnuplot -d -c ledger.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-script = ARG1
-scripts = ARG0[1:strlen(ARG0) - strlen("ledger.gp")]
-data = ARG4."/"
-tall = int(ARG6)
-kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
-load scripts."canvas.gp"
+# The common part of the figures of the ledger.
 
 # The colours of the surfaces in the other figures.
 colour(surface) = surface eq "rough" ? 0xD55E00 : surface eq "medium" ? 0x009E73 : 0x0072B2
@@ -26,4 +19,3 @@ set tmargin at screen 1 - 78.0/tall
 set bmargin at screen 150.0/tall
 set key at screen 0.54, screen 4.0/tall center bottom vertical maxrows 3 Left reverse \
   samplen 3.5 spacing 1.25 font small
-load scripts.script

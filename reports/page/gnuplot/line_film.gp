@@ -1,13 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Pressure and film across a line contact, in two panels over one axis, from DATA/NAME.tsv with the columns x/b,
-# p/p0, Hertz' p/p0 and film in micrometre. Its own frame, called as
-#   gnuplot -d -c line_film.gp - FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-scripts = ARG0[1:strlen(ARG0) - strlen("line_film.gp")]
-data = ARG4."/"
-tall = int(ARG6)
-kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
-load scripts."canvas.gp"
-
+# p/p0, Hertz' p/p0 and film in micrometre.
 table = data.prefix.".tsv"
 stats table using ($1 >= -1 && $1 <= 1 ? $2 : 1/0) nooutput name "pressure"
 stats table using ($1 >= -0.5 && $1 <= 0.5 ? $4 : 1/0) nooutput name "film"

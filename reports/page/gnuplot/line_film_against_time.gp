@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Films of line contacts: greatest relative error against CPU time, a line a way from coarse to fine. Loaded by
-# work.gp. Columns: job, family, series, name, ns, steps, greatest and mean relative error, no numbers, judged.
+# Films of line contacts: greatest relative error against CPU time, a line a way from coarse to fine.
+# Columns: job, family, series, name, ns, steps, greatest and mean relative error, no numbers, judged.
+load scripts."work.gp"
 table = data.prefix.".blocks.tsv"
 set logscale xy 10
 set format x "10^{%T}"

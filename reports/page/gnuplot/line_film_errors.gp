@@ -1,13 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Errors of the formulas for the film of a line contact over the numbers of load and of material: six panels with
-# one scale. Its own frame, called as
-#   gnuplot -d -c line_film_errors.gp - FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-scripts = ARG0[1:strlen(ARG0) - strlen("line_film_errors.gp")]
-data = ARG4."/"
-tall = int(ARG6)
-kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
-load scripts."canvas.gp"
-
+# one scale.
 table = data."line_film_errors.tsv"
 labels = data."line_film_labels.blocks.tsv"
 tracks = data."line_film_tracks.blocks.tsv"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # How time and memory of the film solver grow with the cells of the grid: two panels over one axis, with the fitted
-# exponents in the legends. Loaded by work.gp. Blocks, one for each solver: solver, cells, ns for the matrix of
-# influences, ns for a step of Newton's method, bytes; and of the exponents: solver, quantity, exponent, uncertainty.
+# exponents in the legends. Blocks, one for each solver: solver, cells, ns for the matrix of influences, ns for a step of
+# Newton's method, bytes; and of the exponents: solver, quantity, exponent, uncertainty.
+load scripts."work.gp"
 table = data."line_film_growth.blocks.tsv"
 exponents = data."line_film_exponents.blocks.tsv"
 stats table using 2 nooutput name "cells"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Onset speed against roughness: bands, law, reported points. Loaded by ledger.gp.
+# Onset speed against roughness: bands, law, reported points.
+load scripts."ledger.gp"
 law = data."ledger_law.tsv"
 set logscale xy 10
 set xrange [20:125]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# How many readings reproduce how many claims. Loaded by ledger.gp.
+# How many readings reproduce how many claims.
+load scripts."ledger.gp"
 scores = data."ledger_scores.tsv"
 set boxwidth 0.7
 set bmargin at screen 90.0/tall

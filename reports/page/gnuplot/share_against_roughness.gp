@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Asperity share at the lowest speed against roughness. Loaded by ledger.gp.
+# Asperity share at the lowest speed against roughness.
+load scripts."ledger.gp"
 law = data."ledger_law.tsv"
 set logscale x 10
 set xrange [20:125]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Common part of figures over speed: the columns of a curve, the axis of speeds from speeds_min to
-# speeds_max, which are set before, and room for the legend. Loaded by the frames of such figures.
+# speeds_max, which are set before, and room for the legend.
 
 # Columns of a curve's .tsv.
 speed = 1; film = 3; film_parameter = 5; asperity_share = 6; fluid_share = 7

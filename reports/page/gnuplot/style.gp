@@ -1,15 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Common part and start of the figures. tribocheck report calls this script as
-#   gnuplot -d -c style.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SCENE
-# with SCRIPT the figure's own, beside this one, FORMAT svg or png, DATA the folder of the .tsv
-# files, NAME a prefix for the identifiers in an SVG, HEIGHT in points for a width of 960. `load`
-# forgets the arguments.
-script = ARG1
-scripts = ARG0[1:strlen(ARG0) - strlen("style.gp")]
-data = ARG4."/"
-tall = int(ARG6)
-kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
-load scripts."canvas.gp"
+# The common part of the paper's figures.
 
 # Okabe and Ito's colours, told apart by every eye; one for each surface, in every figure.
 colour(surface) = surface eq "rough" ? 0xD55E00 : surface eq "medium" ? 0x009E73 : 0x0072B2
@@ -36,5 +26,3 @@ set style line 9 pointtype 8 pointsize 1.7*outline linewidth 1.4
 
 stats gt("rough") using 1 nooutput name "speeds"
 load scripts."stribeck.gp"
-
-load scripts.script

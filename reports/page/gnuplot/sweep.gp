@@ -1,14 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Common part and start of a sweep's pictures; called as style.gp is:
-#   gnuplot -d -c sweep.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-# All that the pictures show, colours too, stands in the blocks of DATA/NAME.blocks.tsv. Texts of its
-# rows are names that the user chose, and drawn with noenhanced.
-script = ARG1
-scripts = ARG0[1:strlen(ARG0) - strlen("sweep.gp")]
-tall = int(ARG6)
-kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
-data = ARG4."/".prefix.".blocks.tsv"
-load scripts."canvas.gp"
+# The common part of a sweep's pictures. All that they show, colours too, stands in the blocks of DATA/NAME.blocks.tsv.
+# Texts of its rows are names that the user chose, and drawn with noenhanced.
+data = data.prefix.".blocks.tsv"
 
 tiny = kind eq "svg" ? ",12" : ",9"
 bold = kind eq "svg" ? ",17" : ":Bold,11"  # an SVG of gnuplot has no bold font without enhanced text
@@ -40,5 +33,3 @@ decades(axis, from, low, high) = from > high*(1 + 1e-9) ? "" : \
   decade(axis, from, low, high).decades(axis, 10*from, low, high)
 log_ticks(axis, low, high) = sprintf("set logscale %s 10; set %stics (); ", axis, axis). \
   decades(axis, 10.0**floor(log10(low)), low, high)
-
-load scripts.script

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# One output over speed: median and 95 % band of each scene. Loaded by sweep.gp.
+# One output over speed: median and 95 % band of each scene.
 # Blocks: 0 the axes; 1 the scenes; then the curve of each scene.
+load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
   is_log = column(5), label = strcol(6), 0) nooutput
 array names[128]

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# The film over speed and one other field, as colours with contour lines. Loaded by sweep.gp.
+# The film over speed and one other field, as colours with contour lines.
 # Blocks: 0 the axes; 1 speed × field → film (nm), a blank line after each value of the field; 2 the
 # greatest film of each value of the field, where it lies within the speeds; 3, where some of the map is
 # a floor: the speed up to which each value of the field has it.
+load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), bottom = column(3), top = column(4), \
   is_log = column(5), least = column(6), most = column(7), label = strcol(8), 0) nooutput
 stats data nooutput name "all"

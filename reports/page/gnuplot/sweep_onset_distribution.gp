@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Histograms of onset speeds, a lane each. Loaded by sweep.gp.
+# Histograms of onset speeds, a lane each.
 # Blocks: 0 the axis; 1 lanes; 2 scenes; then the histogram of each lane, as the outline of its bars.
+load scripts."sweep.gp"
 stats data index 0 using (low = column(1), high = column(2), top = column(3), has_marks = column(4), 0) \
   nooutput
 # Texts stand outside the plot, where a plot style would leave them out.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sobol indices of one column: a row for each variable, in it a bar for each scene. Loaded by
-# sweep.gp. Blocks: 0 the axes; 1 variables; 2 bars; 3 scenes.
+# Sobol indices of one column: a row for each variable, in it a bar for each scene.
+# Blocks: 0 the axes; 1 variables; 2 bars; 3 scenes.
+load scripts."sweep.gp"
 stats data index 0 using (right = column(1), top = column(2), 0) nooutput
 array names[128]
 array colours[128]

@@ -1,12 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Diagrams of the work-precision tables; called with the arguments of style.gp, without SCENE:
-#   gnuplot -d -c work.gp SCRIPT FORMAT OUTPUT DATA NAME HEIGHT TITLE SUBTITLE
-script = ARG1
-scripts = ARG0[1:strlen(ARG0) - strlen("work.gp")]
-data = ARG4."/"
-tall = int(ARG6)
-kind = ARG2; picture = ARG3; prefix = ARG5; head = ARG7; subhead = ARG8
-load scripts."canvas.gp"
+# The common part of the diagrams of the work-precision tables.
 
 # A colour a family, each with a contrast of 3 to white; after Okabe and Ito, whose orange and sky blue are paler.
 colour(family) = family eq "tribocheck" ? 0xD55E00 : family eq "GSL" ? 0x0072B2 : \
@@ -40,5 +33,3 @@ set tmargin at screen 1 - 78.0/tall
 set bmargin at screen 70.0/tall
 set key at screen 0.62, screen 1 - 74.0/tall left top vertical maxrows 40 Left reverse \
   samplen 2 spacing row font legend noenhanced
-
-load scripts.script

@@ -66,7 +66,7 @@ def from_baseline(places, file, make):
 
 
 def part(places, file, what, make):
-    """A part that its group does not need, make(baseline) or why it is missing; and the list of parts that were not run."""
+    """make(baseline), or why this part of a group is missing, which the group does not need; and the list of what did not run."""
     try:
         return from_baseline(places, file, make), []
     except Missing as missing:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """How far off the published fits to Hertz' ellipse are, over the ratio of the radii. The fits are those of
-reference/mistakes.toml, which `tribocheck verify --subject` tells a solver of."""
+reference/mistakes.toml, by which `tribocheck verify --subject` explains wrong answers."""
 import json
 import math
 
@@ -9,7 +9,7 @@ from group import Group, Missing, exact
 
 GREATEST_RATIO, MODERATE_RATIO = 1e4, 10.0
 RATIO_STEPS = 320  # steps of α, even in its logarithm
-LOAD, MODULUS, RADIUS = 50.0, 107.9e9, 9.5e-3  # N, Pa, m: the errors rest on the ratio alone
+LOAD, MODULUS, RADIUS = 50.0, 107.9e9, 9.5e-3  # N, Pa, m: the errors depend on the ratio alone
 TOLD = {"ellipticity": "ellipticity", "semi_axis_x": "semi-axis a_x", "peak_pressure": "peak pressure", "approach": "approach"}
 
 
@@ -42,7 +42,7 @@ def fits_of(places):
 
 
 def formula_of(fit):
-    """"k = 1.0339 α^0.636" of its text."""
+    """The formula in the text of the fit: "k = 1.0339 α^0.636"."""
     _, start, rest = fit["text"].partition("k = ")
     return start + rest.partition(" in place")[0].partition(", ")[0] if start else fit["name"]
 

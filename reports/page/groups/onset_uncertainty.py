@@ -95,7 +95,7 @@ def agreement(columns, drawn):
         for level, end in ((0.025, "low"), (0.5, "median"), (0.975, "high")):
             ours, low, high = quantile(value, level)
             distance = abs(ours - other[end])
-            # The interval of ours spans 2 · 1.96 standard deviations of independent draws.
+            # The interval of this sweep spans 2 · 1.96 standard deviations of independent draws.
             deviation = (high - low) / (2 * 1.96) * math.sqrt(1 + value["count"] / drawn["draws"])
             farthest = max(farthest, distance / other[end])
             in_deviations = max(in_deviations, distance / deviation)

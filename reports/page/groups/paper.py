@@ -58,7 +58,7 @@ def equal_share_speed(case):
 
 
 def least_friction(case):
-    """The least friction: at the interior minimum, which lies between points of the curve."""
+    """The least friction, of the curve's points and of the minimum between them."""
     frictions = [point["friction"] for point in case.solved.curve if point["friction"] is not None]
     interior = case.solved.onsets["friction_minimum"]["speed"]
     if frictions and interior is not None:
@@ -74,7 +74,7 @@ def supply_of(about):
 
 
 def inputs_of(cases):
-    """Those that a scene has a value of."""
+    """Rows of the inputs for which at least one scene has a value."""
     rows = []
     for name, entry in cases[0].about.inputs.items():
         values = {case.stem: case.about.input(name) for case in cases if case.about.input(name) is not None}

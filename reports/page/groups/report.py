@@ -3,7 +3,7 @@
 """Makes the report's data: report.json with its schema, and data/*.tsv. It needs no package of Python.
 
 `tribocheck report` starts this script: with its own path, the folders of Places, what Built tells, and the sections that are
-asked for, all if none is. Prints the verdict in short and where the
+asked for, all sections if none is. Prints the verdict in short and where the
 page is. Exit code 1: a file cannot be written, or there is no page or no picture, as a line on stderr says; 2: bad input.
 """
 import concurrent.futures
@@ -105,7 +105,7 @@ def sections_of(names):
 
 
 def section_of(group):
-    """The section of a group: rather one in which the group comes first."""
+    """The section of a group; among several, one in which the group comes first."""
     return next(name for place in (0, 1) for name, section in SECTIONS.items() if section.groups[place:place + 1] == (group,))
 
 

@@ -46,7 +46,7 @@ class About(typing.NamedTuple):
     work: dict
 
     def input(self, name):
-        """None where the scene has none."""
+        """The value of an input; None where the scene has none."""
         return self.inputs[name]["value"]
 
     @property
@@ -60,7 +60,7 @@ class About(typing.NamedTuple):
 
 
 def abouts(answer):
-    """One for each scene of an answer of `tribocheck solve --about`."""
+    """An About for each scene of an answer of `tribocheck solve --about`."""
     return [About(*({one["name"]: one for one in scene[part]} for part in About._fields)) for scene in json.loads(answer)]
 
 

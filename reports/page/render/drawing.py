@@ -42,12 +42,12 @@ def enhanced(text):
     return re.sub(r"([\\_^{}@&~])", r"\\\1", text)
 
 
-def run_gnuplot(frame, *arguments):
+def run_gnuplot(*arguments):
     """Why nothing was drawn; empty where it was."""
     if shutil.which("gnuplot") is None:
         return NO_GNUPLOT
     try:
-        done = subprocess.run(["gnuplot", "-d", "-c", SCRIPTS / frame, *map(str, arguments)], stdin=subprocess.DEVNULL,
+        done = subprocess.run(["gnuplot", "-d", "-c", SCRIPTS / "canvas.gp", *map(str, arguments)], stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8", errors="replace")
     except OSError as error:
         return f"gnuplot cannot be started: {error.strerror}"
@@ -85,7 +85,7 @@ def draw(drawing, data, target):
     """One picture, whole or not at all; its format is that of the target's name. Returns why it was not drawn."""
     target.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(target) as unfinished:
-        why = run_gnuplot(drawing["frame"], drawing["script"], target.suffix[1:], unfinished, data, drawing["name"],
+        why = run_gnuplot(drawing["script"], target.suffix[1:], unfinished, data, drawing["name"],
                           drawing["height"], drawing["title"], drawing["subtitle"])
         if why:
             unfinished.unlink(missing_ok=True)

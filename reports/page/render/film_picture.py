@@ -111,7 +111,7 @@ def drawn(contact, data):
     text = (f"M = {rounded(contact['load_number'], 3)}, L = {rounded(contact['material_number'], 3)}; "
             f"Hertz: half-width {rounded(1e6*contact['half_width'], 3)} µm, {pressure_text(contact['peak_pressure'])}; {liquid}")
     title = contact["id"] if len(contact["id"]) <= 40 else contact["id"][:40] + "…"
-    return {"frame": "sweep.gp", "script": "film.gp", "data": data, "name": "film", "height": HEIGHT,
+    return {"script": "film.gp", "data": data, "name": "film", "height": HEIGHT,
             "title": drawing.enhanced(f"{title}: line contact at {contact['speed']:.4g} m/s"),
             "subtitle": drawing.enhanced(text)}
 

@@ -54,10 +54,10 @@ class Figures:
                 (self.out / path).unlink(missing_ok=True)
         return paths, why
 
-    def figure(self, name, heading, alternative, script=None, frame="style.gp", folder="data", data_name=None, title=None,
+    def figure(self, name, heading, alternative, script=None, folder="data", data_name=None, title=None,
                subtitle="", height=640, data=(), caller=None):
         """A figure of a template: {% call figure("figure_10", …) %} its caption {% endcall %}."""
-        drawn = {"frame": frame, "script": script or f"{name}.gp", "data": folder, "name": data_name or name,
+        drawn = {"script": script or f"{name}.gp", "data": folder, "name": data_name or name,
                  "title": title or markup.plain(heading), "subtitle": subtitle, "height": height}
         paths, why = self.pictures(name, drawn)
         if why:
@@ -89,7 +89,7 @@ class Figures:
         path = sweep_pictures.write_blocks(picture, folder).relative_to(self.out).as_posix()
         self.written.append(path)
         self.files.append(path)
-        return self.figure(picture.stem, picture.heading, alternative, picture.script, "sweep.gp", "data/sweep",
+        return self.figure(picture.stem, picture.heading, alternative, picture.script, "data/sweep",
                            subtitle=picture.subtitle, height=picture.height, data=[path], caller=caller)
 
     def into(self, html):

@@ -35,7 +35,7 @@ class Picture(typing.NamedTuple):
     blocks: str  # the picture's data: blocks of tab-separated rows
 
     def drawn(self, folder="."):
-        return {"frame": "sweep.gp", "script": self.script, "data": folder, "name": self.stem, "height": self.height,
+        return {"script": self.script, "data": folder, "name": self.stem, "height": self.height,
                 "title": drawing.enhanced(self.heading), "subtitle": self.subtitle}
 
 
@@ -171,7 +171,7 @@ def no_onset_in(value):
 
 
 def onset_distribution(result, reported=()):
-    """`reported`: printed onset speeds beside those of a scene, with the ends of the numbers that round to them."""
+    """`reported`: the printed onset speed of a scene, with the least and the greatest number that round to it."""
     colour = colours(result)
     base, lanes, scenes, outlines, ends, cases = 0, [], [], [], [], 0
     for scene, own in reversed(list(zip(result["scenes"], colour))):
@@ -340,7 +340,7 @@ def curve_band(result, name):
     is_part = any(value["undefined"] for _, column, _ in bands for value in column["values"])
     return Picture(file_name("curve_band", name), "sweep_curve_band.gp", with_capital(words + " over speed"),
                    "lines: medians; bands: 95 % of the cases " +
-                   ("that have a value, where that is most of them" if is_part else "at each speed"), 640,
+                   ("that have a value, where most cases have one" if is_part else "at each speed"), 640,
                    "# low\thigh\tbottom\ttop\tlog\tlabel\n" +
                    row(min(speeds), max(speeds), *ends, 1 if is_log else 0, axis_label(words, unit)) +
                    "\n\n# number\tscene\tcolour\tlegend\n" + scenes + curves)
@@ -395,8 +395,8 @@ def film_map(scene, number=1):
         return None
     field, film = scene["inputs"][0], column_of(scene, "film")
     speeds = [value["speed"] for value in film["values"]]
-    # A flat face has no place on an axis of radii: its radius is infinite, null in JSON. Convex and concave faces are
-    # neighbours there, not at 0, so that no axis has both.
+    # A flat face has no place on an axis of radii: its radius is infinite, null in JSON. From convex to concave faces
+    # the radius passes through infinity, not through 0, so that no axis has both.
     grid = sorted(((at, films) for at, films in zip(scene["map"]["field"], scene["map"]["film"]) if at is not None),
                   key=lambda one: one[0])
     flat = len(scene["map"]["field"]) - len(grid)

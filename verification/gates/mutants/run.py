@@ -5,7 +5,7 @@
 A sample is drawn by its seed from all places that the tree's texts have. Mutants of C++ stand behind switches in a
 generated copy, which is built once; others are written into a copy of the tree one at a time. One run of all tests without a mutant
 says which tests reach which mutants, and where a value would change. Quick tests meet each mutant alone, then the tests that noticed
-most others of its file and room do; those that it outlives wait, and each of the other tests then meets all that wait together, and
+most others of its file and room do. Mutants that survive these wait: each of the other tests then meets all that wait together, and
 parts of them where it turns red. The ledger is written after each mutant: a run that is stopped, or ends with its --minutes, goes on with the same command.
 
   verification/gates/mutants/run.py sample --seed 20261123 --minutes 60
@@ -366,7 +366,7 @@ class Verdicts:
             end, check, part = self.run(unit, mutants, tree)
             if end == "green":
                 break
-            # The test that is red meets each half alone, and each half of a red half. A mutant with which alone it is not red waits on.
+            # The test that is red meets each half alone, and each half of a red half. A mutant that alone does not turn it red waits on.
             now = self.halved(part or unit, mutants, tree, (end, check) if part is None else None)
             found += now
             if not now:

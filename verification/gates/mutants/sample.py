@@ -5,7 +5,7 @@ import hashlib
 
 ROOMS = {"formulas": 60, "engine": 60, "judging": 60, "page's data": 40, "page's templates and pictures": 40, "film": 40,
          "sweep": 40, "scene": 40, "catalogue": 40, "program": 40, "benchmarks": 40}
-CONTEXT = 30  # a patch has at least so many characters on each side
+CONTEXT = 30  # a patch has at least this many characters on each side
 
 
 def name_of(place):

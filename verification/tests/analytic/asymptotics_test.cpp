@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ends of the ranges: how the film goes with the speed where one term is far greater than the
+// The ends of the ranges: how the film depends on the speed where one term is far greater than the
 // others. The comment above each limit proves a bound on the distance to the limit, and mostly a
 // bound from below, too, so that no window is loose. Slopes are by automatic differentiation in 50
 // digits, and nothing but the rounding of these digits is allowed for.
@@ -14,8 +14,6 @@ namespace tribo::verification {
 namespace {
 
 using enum StarvationClosure;
-
-constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
 
 // The accuracy of a slope in 50 digits; 1 − A and s + e·dln y/dln r lose some of them.
 const Reference digits("1e-45");
@@ -43,12 +41,13 @@ const Reference sharing_exponent_of_film("0.14");
 struct ShareBounds {
   Reference share_low, share_high, hazard_low, hazard_high;
 };
+bool is_tripp(AsperityModel model) { return model == AsperityModel::greenwood_tripp; }
+Reference order_of(AsperityModel model) { return is_tripp(model) ? 2.5 : 1.5; }
+Reference root_of(AsperityModel model) { return is_tripp(model) ? 0.5 : 1; }
 ShareBounds share_bounds(AsperityModel model, const Reference& stiffness, const Reference& d) {
-  const bool tripp = model == AsperityModel::greenwood_tripp;
-  const Reference p = tripp ? Reference("2.5") : Reference("1.5");
-  const Reference q = tripp ? Reference("0.5") : Reference(1);
+  const Reference p = order_of(model), q = root_of(model);
   const Reference root_pi = sqrt(pi<Reference>());
-  const Reference gamma = tripp ? 15 * root_pi / 8 : 3 * root_pi / 4;  // Γ(p+1)
+  const Reference gamma = is_tripp(model) ? 15 * root_pi / 8 : 3 * root_pi / 4;  // Γ(p+1)
   // F_p(0) = 2^{p/2−1} Γ((p+1)/2)/√π, with Γ(7/4) and Γ(5/4)
   const Reference at_zero = pow(Reference(2), p / 2 - 1) * tgamma(Reference((p + 1) / 2)) / root_pi;
   const Reference decay = exp(-d * d / 2);
@@ -74,7 +73,7 @@ SlopeDeficit flooded_slope_deficit(AsperityModel model, const Reference& stiffne
 }
 
 TEST(Asymptotics, FloodedFilmTendsToTheSlope067AsTheAsperitiesLetGo) {
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const PaperSurface surface : paper_surfaces) {
       Scene scene = paper_scene(surface, model);
       scene.supply = {};
@@ -104,14 +103,12 @@ TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
   Scene scene = paper_scene(PaperSurface::rough, AsperityModel::greenwood_williamson);
   scene.supply = {};
   scene.surface.offset_planes = 2;
-  for (const auto model : models) {
+  for (const auto model : asperity_models) {
     scene.closures.asperity = model;
-    const bool tripp = model == AsperityModel::greenwood_tripp;
     const MixedContact<Reference> contact(scene);
     const LoadSharing<Reference>& sharing = contact.sharing();
     ASSERT_TRUE(sharing.has_floor());
-    const Reference p = tripp ? Reference("2.5") : Reference("1.5");
-    const Reference q = tripp ? Reference("0.5") : Reference(1);
+    const Reference p = order_of(model), q = root_of(model);
     // F_p(0)/F_{p−1}(0) = √2 Γ((p+1)/2)/Γ(p/2)
     const Reference mean =
         sqrt(Reference(2)) * tgamma(Reference((p + 1) / 2)) / tgamma(Reference(p / 2));
@@ -130,13 +127,13 @@ TEST(Asymptotics, FilmOnTheFloorTendsToTheSlope0) {
   }
 }
 
-// A scene whose inlet film makes r = h_ff/h_oil about the given value at speed u.
-Scene starved_scene(StarvationClosure closure, SupplyKind supply, double r, double u) {
-  Scene scene = paper_scene(PaperSurface::smooth);
-  scene.closures.starvation = closure;
-  scene.supply = {};
-  const double film = MixedContact<double>(scene).solve(u).film_flooded;
-  scene.supply = {supply, supply == SupplyKind::inlet_flow ? film / r * u : film / r};
+const Reference speed = 1;  // of the starved scenes, m/s
+
+// A scene whose inlet makes r = h_ff/h_oil about the given value at this speed. Flow and film of
+// the inlet are one number there.
+Scene scene_at_ratio(StarvationClosure closure, SupplyKind supply, double r) {
+  Scene scene = starved_scene(PaperSurface::smooth, closure, SupplyKind::flooded);
+  scene.supply = {supply, MixedContact<double>(scene).solve(1).film_flooded / r};
   return scene;
 }
 
@@ -145,9 +142,9 @@ struct StarvedState {
   Reference r, x;
   SlopeDeficit deficit;
 };
-StarvedState starved_state(const Scene& scene, const Reference& u) {
+StarvedState starved_state(const Scene& scene) {
   const MixedContact<Reference> contact(scene);
-  const FloodedFilm<Reference> film = contact.flooded(u);
+  const FloodedFilm<Reference> film = contact.flooded(speed);
   const InletState<Reference> inlet = contact.inlet(film);
   return {inlet.flooded_over_inlet, inlet.flooded_over_inlet * inlet.film_ratio,
           flooded_slope_deficit(scene.closures.asperity, contact.sharing().stiffness(),
@@ -179,15 +176,14 @@ TEST(Asymptotics, StarvedInletTendsToTheInletFilmAsTheRootOfTheRatio) {
 // w = 1/((v + 1/v) arctan v) lies between 1/(1 + v²) and 1, v = 2.7ψ = tan(πx/(2r)).
 TEST(Asymptotics, StarvedInletAtConstantFlowTendsToTheSlopeMinus1) {
   for (const double ratio : {10.0, 1e3, 1e6, 1e10}) {
-    const double u = 1;
-    const Scene scene = starved_scene(starved_inlet, SupplyKind::inlet_flow, ratio, u);
-    const StarvedState at = starved_state(scene, Reference(u));
+    const Scene scene = scene_at_ratio(starved_inlet, SupplyKind::inlet_flow, ratio);
+    const StarvedState at = starved_state(scene);
     const Reference v = tan(Reference(pi<Reference>() * at.x / (2 * at.r)));
     const Reference k_over_y = (1 - at.x) / at.x;
     const Reference least_w = 1 / (1 + v * v);
     const Reference low = k_over_y / 2 / (1 + 3 * k_over_y / 2);
     const Reference high = k_over_y * (Reference("1.5") - least_w) / (least_w + 3 * k_over_y / 2);
-    const Reference distance = 1 + film_log_slope(scene, Reference(u));
+    const Reference distance = 1 + film_log_slope(scene, speed);
     EXPECT_TRUE(is_between((1 + film_exponent - at.deficit.high) * low, distance,
                            (1 + film_exponent) * high, {{"r", ratio}}));
     // both bounds tend to 1.67/2·κ r^{−1/2}
@@ -201,16 +197,14 @@ TEST(Asymptotics, StarvedInletAtConstantFlowTendsToTheSlopeMinus1) {
 TEST(Asymptotics, DamiensAtConstantFlowTendsToTheSlopeMinus1) {
   for (const double gamma : {1.0, 3.0, 4.5})
     for (const double ratio : {2.0, 30.0, 1e4, 1e8}) {
-      const double u = 1;
-      Scene scene = starved_scene(damiens, SupplyKind::inlet_flow, ratio, u);
+      Scene scene = scene_at_ratio(damiens, SupplyKind::inlet_flow, ratio);
       scene.closures.damiens_exponent = gamma;
-      const StarvedState at = starved_state(scene, Reference(u));
+      const StarvedState at = starved_state(scene);
       const Reference power = pow(at.r, Reference(gamma));
       EXPECT_TRUE(is_between(0, 1 - at.x, 1 / (gamma * power), {{"r", ratio}, {"gamma", gamma}}));
-      EXPECT_TRUE(is_between((1 + film_exponent - at.deficit.high) / (1 + power),
-                             1 + film_log_slope(scene, Reference(u)),
-                             (1 + film_exponent - at.deficit.low) / (1 + power),
-                             {{"r", ratio}, {"gamma", gamma}}));
+      EXPECT_TRUE(is_between(
+          (1 + film_exponent - at.deficit.high) / (1 + power), 1 + film_log_slope(scene, speed),
+          (1 + film_exponent - at.deficit.low) / (1 + power), {{"r", ratio}, {"gamma", gamma}}));
     }
 }
 
@@ -226,9 +220,8 @@ TEST(Asymptotics, PrintedExponentsTendToTheSlopesMinus201AndMinus601) {
   const Reference b = Reference("5.4") / pi<Reference>();
   for (const auto supply : {SupplyKind::inlet_film, SupplyKind::inlet_flow})
     for (const double ratio : {3.0, 10.0, 100.0, 1e4, 1e7}) {
-      const double u = 1;
-      const Scene scene = starved_scene(printed_exponents, supply, ratio, u);
-      const StarvedState at = starved_state(scene, Reference(u));
+      const Scene scene = scene_at_ratio(printed_exponents, supply, ratio);
+      const StarvedState at = starved_state(scene);
       const bool flow = supply == SupplyKind::inlet_flow;
       const Reference limit = flow ? Reference("-6.01") : Reference("-2.01");
       const Reference root = c * b * sqrt(sqrt(b)) / at.r;  // of √√ψ, at most
@@ -236,7 +229,7 @@ TEST(Asymptotics, PrintedExponentsTendToTheSlopesMinus201AndMinus601) {
       const Reference departure = 12 * c * b * b * sqrt(sqrt(b)) * root * root * root + 24 * v * v;
       const Reference bound =
           3 * at.deficit.high + (flow ? Reference("1.67") : film_exponent) * departure;
-      EXPECT_TRUE(is_between(-bound, film_log_slope(scene, Reference(u)) - limit, bound,
+      EXPECT_TRUE(is_between(-bound, film_log_slope(scene, speed) - limit, bound,
                              {{"r", ratio}, {"flow", flow ? 1.0 : 0.0}}));
       // ψ^{3/4} is r^−3
       if (ratio > 5) {
@@ -251,12 +244,10 @@ TEST(Asymptotics, PrintedExponentsTendToTheSlopesMinus201AndMinus601) {
 // no greater than curvature × contract.
 TEST(Asymptotics, SlopeAtTheOnsetIs0WithinTheRoundingOfTheSpeed) {
   const Reference contract("1e-13");  // onset.hpp
-  for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens})
+  for (const auto closure : starvation_closures)
     for (const auto supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
-      for (const auto model : models) {
-        Scene scene = paper_scene(PaperSurface::medium, model);
-        scene.closures.starvation = closure;
-        scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 4};
+      for (const auto model : asperity_models) {
+        const Scene scene = starved_scene(PaperSurface::medium, closure, supply, model);
         const Onset<double> found = onset(MixedContact<double>(scene), scene,
                                           OnsetCriterion::film_maximum, default_departure);
         if (!found.exists) continue;

@@ -154,6 +154,60 @@ TEST(ContactShapes, FilmsOfEachLawHaveItsExponents) {
   }
 }
 
+// The exponents come from differences of the contact's own numbers: h₀ by u and α, h by 1 − A.
+TEST(FilmLaw, SceneThatNamesTheMinimumFilmHasItsExponents) {
+  Scene scene = paper_scene(PaperSurface::rough);
+  scene.supply = {};
+  scene.closures.film = FilmFormula::hamrock_dowson_minimum;
+  const MixedContact<double> contact(scene);
+  EXPECT_EQ(&contact.film(), &hamrock_dowson_minimum_law);
+  const double slope =
+      std::log(contact.flooded_film_parameter(2) / contact.flooded_film_parameter(1)) / std::log(2);
+  EXPECT_TRUE(is_within(slope, 0.68, 1e-14));
+  scene.lubricant.pressure_viscosity *= 2;
+  const double with_twice = MixedContact<double>(scene).flooded_film_parameter(1);
+  scene.lubricant.pressure_viscosity /= 2;
+  EXPECT_TRUE(is_within(std::log(with_twice / contact.flooded_film_parameter(1)) / std::log(2),
+                        0.49, 1e-14));
+  for (const double u : {0.003, 0.03, 0.3}) {
+    const OperatingPoint<double> point = contact.solve(u);
+    ASSERT_LT(point.fluid_load_share, 0.99);
+    EXPECT_TRUE(is_within(std::log(contact.flooded_film_parameter(u) / point.film_parameter) /
+                              std::log(point.fluid_load_share),
+                          0.19, 1e-12));
+    EXPECT_LT(point.film,
+              MixedContact<double>(paper_scene(PaperSurface::rough)).solve(u).film_flooded);
+  }
+}
+
+// A walk's point is explicit, the engine's a root: the same film at the same speed, and the onset.
+TEST(FilmLaw, WalkAndOnsetAgreeWithTheRootUnderTheMinimumFilm) {
+  Sampler sampler(76);
+  int onsets = 0;
+  for (int i = 0; i < 60; ++i) {
+    Scene scene = random_scene(sampler);
+    scene.closures.film = scene.bodies.shape() == ContactShape::line
+                              ? FilmFormula::dowson_higginson_minimum
+                              : FilmFormula::hamrock_dowson_minimum;
+    const MixedContact<Reference> exact(scene);
+    const MixedContact<double> contact(scene);
+    const StribeckWalk<Reference> walk(exact);
+    const Reference log_speed = log(Reference(scene.speeds.list[0]));
+    const WalkPoint<Reference> point = walk.at(
+        walk.walk_to(walk.near(Reference(scene.speeds.list[0])), log_speed, Reference("0.01")));
+    const Reference root = exact.flooded(point.flooded.speed).shares.film_parameter;
+    EXPECT_TRUE(abs(root / point.flooded.shares.film_parameter - 1) < Reference("1e-40"));
+    const Onset<Reference> here =
+        onset(exact, scene, OnsetCriterion::film_departure, ratio<Reference>(5, 100));
+    const Onset<double> there = onset(contact, scene, OnsetCriterion::film_departure, 0.05);
+    ASSERT_EQ(here.exists, there.exists);
+    if (!here.exists || here.film_parameter < 1) continue;
+    ++onsets;
+    EXPECT_TRUE(is_within(there.speed / static_cast<double>(here.speed), 1, 1e-10));
+  }
+  EXPECT_GT(onsets, 10);
+}
+
 // In a dense sweep h* is nowhere greater than at the closed form's speed, to the error of a finite
 // step.
 TEST(ContactShapes, OnsetsOfEachLawAreThoseOfADenseSweep) {
@@ -203,8 +257,7 @@ TEST(ContactShapes, TwoBodiesAreTheirModulusAndRadii) {
 }
 
 TEST(ContactShapes, SummitsFollowFromTheProfile) {
-  for (const AsperityModel model :
-       {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson}) {
+  for (const AsperityModel model : asperity_models) {
     Scene given = paper_scene(PaperSurface::medium, model);
     given.surface = {};
     given.surface.moments = {2.5e-15, 2e-4, 3e8};

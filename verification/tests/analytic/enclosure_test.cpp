@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The model's own text run in ball arithmetic (support/enclosure.hpp), which
+// The model's own templates in ball arithmetic (support/enclosure.hpp), which
 // contract/contract_test.cpp takes for the truth: it overlaps the generator's formulas, which share
 // nothing with it, and the condition numbers agree with differences between enclosures.
 #include "support/enclosure.hpp"
@@ -19,7 +19,7 @@
 namespace tribo::verification {
 namespace {
 
-// The point in balls; empty where a branch of the text was not certain, or a root not proven.
+// The point in balls; empty where a branch of the model was not certain, or a root not proven.
 std::optional<OperatingPoint<Enclosure>> enclose(const Scene& scene) {
   reference::undecided_comparisons = 0;
   try {

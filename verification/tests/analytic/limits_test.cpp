@@ -16,23 +16,28 @@ namespace {
 using enum StarvationClosure;
 
 constexpr double ulp = 0x1p-52;
-constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
-constexpr std::array closures{flooded_inlet, starved_inlet, printed_exponents, damiens};
 
 // ---- smooth surfaces
 
+// A flooded surface of the paper's nβσ_s whose summits vary by `sd`.
+Scene smoother_scene(AsperityModel model, double sd) {
+  Scene scene = paper_scene(PaperSurface::smooth, model);
+  scene.supply = {};
+  scene.surface.summit_height_sd = sd;
+  scene.surface.summit_density = 0.05 / (scene.surface.summit_radius * sd);
+  return scene;
+}
+
 // h/h₀ = (1−A)^−0.14, and A falls with λ = h/σ_s faster than any power.
 TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const double sd : {3e-10, 1e-10, 1e-20, 1e-100, 1e-250}) {
-      Scene scene = paper_scene(PaperSurface::smooth, model);
-      scene.supply = {};
-      scene.surface.summit_height_sd = sd;
-      scene.surface.summit_density = 0.05 / (scene.surface.summit_radius * sd);
+      const Scene scene = smoother_scene(model, sd);
       const MixedContact<double> contact(scene);
       for (const double u : {0.1, 3.0}) {
         const OperatingPoint<double> p = contact.solve(u);
-        EXPECT_EQ(p.film_parameter, contact.flooded_film_parameter(u)) << describe({{"sd", sd}});
+        const std::initializer_list<Input> inputs{{"sd", sd}, {"u", u}};
+        EXPECT_EQ(p.film_parameter, contact.flooded_film_parameter(u)) << describe(inputs);
         EXPECT_EQ(p.film, p.film_flooded);
         EXPECT_EQ(p.separation, p.film);
         EXPECT_EQ(p.asperity_load_share, 0);
@@ -46,7 +51,7 @@ TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
             Reference(scene.bodies.ellipticity));
         const Conditions condition = conditions_at(scene, u);
         EXPECT_TRUE(is_close(p.film, h0, allowed_by(operating_point_contract, h0, condition[1], 1),
-                             {{"sd", sd}, {"u", u}}));
+                             inputs));
         // All of Hertz' area shears the film, under his mean pressure.
         const HertzPoint<Reference> hertz =
             hertz_point(Reference(scene.load), Reference(scene.bodies.effective_modulus),
@@ -59,7 +64,7 @@ TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
             tau0 * asinh(eta * Reference(u) / (h0 * tau0)) * hertz.nominal_area / scene.load;
         EXPECT_TRUE(is_close(p.friction, friction,
                              allowed_by(operating_point_contract, friction, condition[8], 1),
-                             {{"sd", sd}, {"u", u}}));
+                             inputs));
       }
     }
 }
@@ -67,14 +72,10 @@ TEST(SmoothLimit, FilmIsThatOfSmoothFacesToTheLastBit) {
 // On the way to this limit 1 ≤ h/h₀ = (1−A)^−0.14 with A ≤ (K F_p(0) e^{−(λ₀−δ)²/2})^q, for e^{−td}
 // ≤ 1 in F_p(d) and λ ≥ λ₀.
 TEST(SmoothLimit, FilmFallsToThatOfSmoothFacesUnderAProvenBound) {
-  for (const auto model : models) {
+  for (const auto model : asperity_models) {
     double previous = 2;
     for (double sd = 1e-7; sd > 2e-9; sd *= 0.8) {
-      Scene scene = paper_scene(PaperSurface::smooth, model);
-      scene.supply = {};
-      scene.surface.summit_height_sd = sd;
-      scene.surface.summit_density = 0.05 / (scene.surface.summit_radius * sd);
-      const MixedContact<double> contact(scene);
+      const MixedContact<double> contact(smoother_scene(model, sd));
       const double u = 1;
       const double thicker = contact.solve(u).film_parameter / contact.flooded_film_parameter(u);
       const double d = contact.flooded_film_parameter(u) - contact.sharing().offset();
@@ -95,7 +96,7 @@ TEST(SmoothLimit, FilmFallsToThatOfSmoothFacesUnderAProvenBound) {
 // The other end: u → 0 without a floor. A → A(0) < 1, h/h₀ → (1−A(0))^−0.14; from convexity of A
 // the distance is at most 0.14 (1−A(0))^−1.14 |A′(0)| λ.
 TEST(SmoothLimit, ThinnestFilmsAreThickenedByTheSharesAtContact) {
-  for (const auto model : models) {
+  for (const auto model : asperity_models) {
     Scene scene = paper_scene(PaperSurface::smooth, model);
     scene.supply = {};
     scene.surface.summit_density /= model == AsperityModel::greenwood_tripp ? 1 : 2;
@@ -331,15 +332,11 @@ TEST(Units, PartsScaleWithTheirDimension) {
 
 TEST(Units, OnsetsScaleAsSpeedsAndFilms) {
   Sampler sampler(74);
-  for (const auto model : models)
-    for (const auto closure : closures)
+  for (const auto model : asperity_models)
+    for (const auto closure : starvation_closures)
       for (const auto kind :
            {SupplyKind::inlet_film, SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow}) {
-        Scene scene = paper_scene(PaperSurface::medium, model);
-        scene.closures.starvation = closure;
-        scene.supply = {kind, kind == SupplyKind::inlet_film   ? 2e-7
-                              : kind == SupplyKind::inlet_flow ? 1e-8
-                                                               : 4};
+        const Scene scene = starved_scene(PaperSurface::medium, closure, kind, model);
         const Units units(sampler);
         const Scene moved = units.of(scene);
         for (const auto criterion : {OnsetCriterion::film_maximum, OnsetCriterion::film_departure,
@@ -359,6 +356,14 @@ TEST(Units, OnsetsScaleAsSpeedsAndFilms) {
 }
 
 // ---- continuity
+
+// A surface with a floor behind an inlet film of h_oil = `inlet_film` σ_s.
+Scene scene_with_floor(AsperityModel model, StarvationClosure closure, double inlet_film) {
+  Scene scene = starved_scene(PaperSurface::rough, closure, SupplyKind::inlet_film_ratio, model);
+  scene.surface.offset_planes = 2;
+  scene.supply.value = inlet_film;
+  return scene;
+}
 
 // Two neighbouring doubles.
 struct Edge {
@@ -394,14 +399,13 @@ void expect_no_step(const char* where, const Edge& edge, const Contract& contrac
 }
 
 TEST(Continuity, StarvedFilmsHaveNoStepAtAnyBranch) {
-  for (const auto closure : closures) {
+  for (const auto closure : starvation_closures) {
     if (closure == flooded_inlet) continue;
     for (const double gamma : {0.5, 3.0, 300.0}) {
       // r = 1, where Damiens' form changes, and where the brackets end
-      expect_no_step("y at r = 1", {std::nextafter(1.0, 0.0), 1.0}, starvation_ratio_contract,
-                     [&](double r) { return starvation_ratio(closure, r, gamma); });
-      expect_no_step("y at r = 1", {1.0, std::nextafter(1.0, 2.0)}, starvation_ratio_contract,
-                     [&](double r) { return starvation_ratio(closure, r, gamma); });
+      for (const Edge& edge : {edge_at(1), edge_at(std::nextafter(1.0, 2.0))})
+        expect_no_step("y at r = 1", edge, starvation_ratio_contract,
+                       [&](double r) { return starvation_ratio(closure, r, gamma); });
     }
   }
   for (const auto closure : {starved_inlet, printed_exponents}) {
@@ -461,7 +465,7 @@ TEST(Continuity, FloodedInletFallsToItsCollapse) {
 }
 
 TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const double stiffness : {3.0, 50.0})
       for (const double offset : {0.0, 1.146}) {
         const LoadSharing<double> sharing(model, stiffness, offset);
@@ -507,7 +511,7 @@ TEST(Continuity, LoadSharingHasNoStepAtAnyBranch) {
 
 // K at which a floor appears, A(0) = 1, and at which Newton's start changes, K F_p(0) = 1.
 TEST(Continuity, RootsHaveNoStepWhereAFloorAppears) {
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const double offset : {0.0, 1.146}) {
       const Edge appears = edge_of(1e-3, 1e3, [&](double stiffness) {
         return LoadSharing<double>(model, stiffness, offset).has_floor();
@@ -559,12 +563,9 @@ void expect_no_step_of_outputs(const char* where, const Scene& scene, const Edge
 }
 
 TEST(Continuity, OperatingPointsHaveNoStepAtAnyBranch) {
-  for (const auto model : models)
-    for (const auto closure : closures) {
-      Scene scene = paper_scene(PaperSurface::rough, model);
-      scene.closures.starvation = closure;
-      scene.surface.offset_planes = 2;
-      scene.supply.value = 60;
+  for (const auto model : asperity_models)
+    for (const auto closure : starvation_closures) {
+      const Scene scene = scene_with_floor(model, closure, 60);
       const MixedContact<double> contact(scene);
       ASSERT_TRUE(contact.sharing().has_floor());
       // the distance above the floor is computed from the flooded share, or as a difference
@@ -584,12 +585,9 @@ TEST(Continuity, OperatingPointsHaveNoStepAtAnyBranch) {
 
 // λ* falls to the floor: the asperities take the rest of the load.
 TEST(Continuity, OutputsHaveNoStepWhereTheStarvedFilmMeetsTheFloor) {
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const auto closure : {flooded_inlet, printed_exponents}) {
-      Scene scene = paper_scene(PaperSurface::rough, model);
-      scene.closures.starvation = closure;
-      scene.surface.offset_planes = 2;
-      scene.supply.value = 12;
+      const Scene scene = scene_with_floor(model, closure, 12);
       const MixedContact<double> contact(scene);
       const double floor = contact.sharing().floor();
       const double top =
@@ -625,7 +623,7 @@ TEST(Continuity, OutputsHaveNoStepWhereTheStarvedFilmMeetsTheFloor) {
 // At r = 1 the flooded inlet's film is gone, and without a floor the faces touch: λ* → 0 as
 // (1−r)^{2/3}, A → A(0) by |A′(0)|λ*. From there on nothing balances the load.
 TEST(Continuity, SharesHaveNoStepWhereTheInletCollapses) {
-  for (const auto model : models) {
+  for (const auto model : asperity_models) {
     const Scene scene = paper_scene(PaperSurface::smooth, model);
     const MixedContact<double> contact(scene);
     ASSERT_FALSE(contact.sharing().has_floor());
@@ -663,13 +661,9 @@ TEST(Continuity, FrictionHasNoStepWhereTheRealAreaFillsTheNominalOne) {
 
 // The walk: the form next to the floor, the differences of G near it, the series of 1 − A.
 TEST(Continuity, WalkHasNoStepAtAnyBranch) {
-  for (const auto model : models)
-    for (const auto closure : closures) {
-      Scene scene = paper_scene(PaperSurface::rough, model);
-      scene.closures.starvation = closure;
-      scene.surface.offset_planes = 2;
-      scene.supply.value = 12;
-      const MixedContact<long double> contact(scene);
+  for (const auto model : asperity_models)
+    for (const auto closure : starvation_closures) {
+      const MixedContact<long double> contact(scene_with_floor(model, closure, 12));
       const StribeckWalk<long double> walk(contact);
       const auto walk_at = [&](double place) { return walk.at(static_cast<long double>(place)); };
       std::vector<Edge> edges{edge_at(-1), {0, 0x1p-1074}, {-0x1p-1074, 0}};
@@ -681,31 +675,25 @@ TEST(Continuity, WalkHasNoStepAtAnyBranch) {
         edges.push_back({edge.below - 1e-13, edge.above + 1e-13});
       }
       for (const Edge& edge : edges) {
-        const WalkPoint<long double> at = walk_at(edge.above);
-        const double step = std::abs(edge.above - edge.below);
-        const auto same = [&](const char* what, auto&& quantity, double bound) {
-          // a change by `rate` e-foldings in u for each e-folding of s is no step
-          EXPECT_TRUE(is_close(quantity(walk_at(edge.below)), Reference(quantity(at)),
-                               bound + 10 * step * (1 + 1 / static_cast<double>(at.rate)),
-                               {{"s", edge.above}}))
-              << what << " closure " << static_cast<int>(closure);
+        const WalkPoint<long double> below = walk_at(edge.below), above = walk_at(edge.above);
+        // Coordinates near −40 are logarithms: one ulp of them is 32 ε of the number itself. A
+        // change by `rate` e-foldings in u for each e-folding of s is no step.
+        const double bound =
+            2 * (16 + std::abs(edge.above)) * 16 * ulp +
+            10 * std::abs(edge.above - edge.below) * (1 + 1 / static_cast<double>(above.rate));
+        const auto numbers = [](const WalkPoint<long double>& p) {
+          const auto input = [](std::string_view name, long double value) {
+            return Input{name, static_cast<double>(value)};
+          };
+          return std::array{
+              input("u", p.flooded.speed),        input("lambda", p.flooded.shares.film_parameter),
+              input("w", p.flooded.shares.fluid), input("y", p.inlet.film_ratio),
+              input("slope", p.film_slope),       input("rate", p.rate)};
         };
-        // coordinates near −40 are logarithms: one ulp of them is 32 ε of the number itself
-        const double bound = 2 * (16 + std::abs(edge.above)) * 16 * ulp;
-        same(
-            "u", [](const auto& p) { return static_cast<double>(p.flooded.speed); }, bound);
-        same(
-            "lambda",
-            [](const auto& p) { return static_cast<double>(p.flooded.shares.film_parameter); },
-            bound);
-        same(
-            "w", [](const auto& p) { return static_cast<double>(p.flooded.shares.fluid); }, bound);
-        same(
-            "y", [](const auto& p) { return static_cast<double>(p.inlet.film_ratio); }, bound);
-        same(
-            "slope", [](const auto& p) { return static_cast<double>(p.film_slope); }, bound);
-        same(
-            "rate", [](const auto& p) { return static_cast<double>(p.rate); }, bound);
+        for (std::size_t i = 0; i < numbers(above).size(); ++i)
+          EXPECT_TRUE(is_close(numbers(below)[i].value, Reference(numbers(above)[i].value), bound,
+                               {{"s", edge.above}}))
+              << numbers(above)[i].name << " closure " << static_cast<int>(closure);
       }
     }
 }
@@ -713,26 +701,23 @@ TEST(Continuity, WalkHasNoStepAtAnyBranch) {
 // As h_oil falls, the film maximum comes down to the floor and ends there: its film tends to the
 // floor's, its speed to 0.
 TEST(Continuity, OnsetEndsOnTheFloor) {
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const auto closure : {flooded_inlet, printed_exponents}) {
-      Scene scene = paper_scene(PaperSurface::rough, model);
-      scene.closures.starvation = closure;
-      scene.surface.offset_planes = 2;
       const auto at = [&](double inlet_film) {
-        scene.supply.value = inlet_film;
+        const Scene scene = scene_with_floor(model, closure, inlet_film);
         return onset(MixedContact<double>(scene), scene, OnsetCriterion::film_maximum,
                      default_departure);
       };
       const Edge edge = edge_of(0.01, 100, [&](double h) { return at(h).exists; });
-      const double floor = MixedContact<double>(scene).sharing().floor();
+      const MixedContact<double> contact(scene_with_floor(model, closure, edge.above));
+      const double floor = contact.sharing().floor();
       const InletLaw<double> law{closure, 3};
       const double r = law.at_film_maximum();
       const Onset<double> last = at(edge.above);
       EXPECT_TRUE(is_close(last.film_parameter, Reference(floor) * Reference(law.film_ratio(r)),
                            64 * ulp, {{"h_oil", edge.above}}));
       EXPECT_GT(last.speed, 0);
-      // 1 − A is at most the rounding of λ; u goes as (1 − A)^{0.14/0.67}
-      const MixedContact<double> contact(scene);
+      // 1 − A is at most the rounding of λ; u is proportional to (1 − A)^{0.14/0.67}
       const double fluid = contact.sharing().surface().hazard * 8 * ulp * floor;
       EXPECT_LE(last.speed, contact.speed_at(contact.sharing().flooded_film_parameter(
                                 floor * (1 + 8 * ulp), fluid)));

@@ -61,34 +61,29 @@ std::vector<OperatingPoint<double>> swept_friction_minima(const Scene& scene) {
 }
 
 TEST(Onset, FilmMaximumIsThatOfADenseSweep) {
-  for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens})
+  for (const auto closure : starvation_closures)
     for (const auto supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
       for (const int planes : {1, 2})
         for (const PaperSurface surface : paper_surfaces) {
-          Scene scene = paper_scene(surface);
-          scene.closures.starvation = closure;
+          Scene scene = starved_scene(surface, closure, supply);
           scene.surface.offset_planes = planes;
-          scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 4};
+          SCOPED_TRACE(describe_scene(scene));
           const Onset<double> found = onset_of(scene, film_maximum);
           const std::vector<OperatingPoint<double>> maxima = swept_film_maxima(scene, 1e-4, 20);
-          const std::string what =
-              fmt::format("closure {} supply {} planes {} surface {}", static_cast<int>(closure),
-                          static_cast<int>(supply), planes, static_cast<int>(surface));
-          EXPECT_EQ(found.exists, !maxima.empty()) << what << " " << found.reason;
+          EXPECT_EQ(found.exists, !maxima.empty()) << found.reason;
           if (!found.exists || maxima.empty()) continue;
           const OperatingPoint<double> swept = greatest_film(maxima);
-          EXPECT_TRUE(is_within(found.speed / swept.speed, 1, 0.0011)) << what;
-          EXPECT_GE(found.film * (1 + 1e-14), swept.film) << what;
-          EXPECT_TRUE(is_within(found.film / swept.film, 1, 1e-6)) << what;
+          EXPECT_TRUE(is_within(found.speed / swept.speed, 1, 0.0011));
+          EXPECT_GE(found.film * (1 + 1e-14), swept.film);
+          EXPECT_TRUE(is_within(found.film / swept.film, 1, 1e-6));
           // the closed form and the solved point are one point
           const OperatingPoint<double> solved = MixedContact<double>(scene).solve(found.speed);
-          EXPECT_TRUE(is_close(solved.film, Reference(found.film), 1e-13, {{"u", found.speed}}))
-              << what;
+          EXPECT_TRUE(is_close(solved.film, Reference(found.film), 1e-13, {{"u", found.speed}}));
         }
 }
 
-// With a rule that fades over many decades of r (a small γ), and asperities that carry nearly all
-// of the load up to λ = δ, the film has two maxima: one before the asperities let go, one after.
+// If starvation sets in over many decades of r (a small γ) and asperities carry nearly all of the
+// load up to λ = δ, the film has two maxima: one below that λ and one above.
 TEST(Onset, FilmMaximumAtConstantFlowIsTheGreatestOfSeveral) {
   constexpr std::array<std::pair<double, bool>, 2> flows{{{0.0111, true}, {0.0249, false}}};
   for (const auto& [flow, first_is_greatest] : flows) {
@@ -109,12 +104,10 @@ TEST(Onset, FilmMaximumAtConstantFlowIsTheGreatestOfSeveral) {
 }
 
 TEST(Onset, DepartureIsWhereTheSolvedFilmHasLostItsShare) {
-  for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens})
+  for (const auto closure : starvation_closures)
     for (const auto supply : {SupplyKind::inlet_film_ratio, SupplyKind::inlet_flow})
       for (const double departure : {0.01, 0.05, 0.3}) {
-        Scene scene = paper_scene(PaperSurface::medium);
-        scene.closures.starvation = closure;
-        scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 4};
+        const Scene scene = starved_scene(PaperSurface::medium, closure, supply);
         const Onset<double> found = onset_of(scene, film_departure, departure);
         ASSERT_TRUE(found.exists) << found.reason;
         const OperatingPoint<double> solved = MixedContact<double>(scene).solve(found.speed);
@@ -124,7 +117,7 @@ TEST(Onset, DepartureIsWhereTheSolvedFilmHasLostItsShare) {
 }
 
 TEST(Onset, FrictionMinimumIsThatOfADenseSweep) {
-  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+  for (const auto model : asperity_models)
     for (const PaperSurface surface : paper_surfaces) {
       const Scene scene = paper_scene(surface, model);
       const MixedContact<double> contact(scene);
@@ -140,8 +133,8 @@ TEST(Onset, FrictionMinimumIsThatOfADenseSweep) {
     }
 }
 
-// Under little boundary friction the load that goes over to the fluid costs more than it saves: a
-// maximum parts the minimum of mixed lubrication from others near the greatest film.
+// With little boundary friction, load that passes from asperities to the fluid raises friction: a
+// maximum separates the minimum of mixed lubrication from others near the greatest film.
 TEST(Onset, FrictionMinimumIsTheLowestOfSeveral) {
   constexpr std::array<std::pair<double, bool>, 2> slide_roll_ratios{
       {{0.001, true}, {0.01, false}}};
@@ -186,40 +179,35 @@ TEST(Onset, AsperityMinimumIsTheFilmMaximum) {
 }
 
 TEST(Onset, SaysWhyThereIsNone) {
-  const auto reason = [](const Scene& scene, OnsetCriterion criterion) {
-    const Onset<double> found = onset_of(scene, criterion);
-    EXPECT_FALSE(found.exists);
-    EXPECT_EQ(found.speed, 0);
-    EXPECT_EQ(found.film, 0);
-    EXPECT_EQ(found.film_parameter, 0);
-    return std::string(found.reason);
-  };
-  Scene flooded = paper_scene(PaperSurface::smooth);
+  Scene flooded = paper_scene(PaperSurface::smooth), no_friction = flooded, one_speed = flooded;
   flooded.supply = {};
-  for (const auto criterion : {film_maximum, film_departure, asperity_minimum})
-    EXPECT_NE(reason(flooded, criterion).find("fully flooded"), std::string::npos);
-
-  Scene no_maximum = paper_scene(PaperSurface::smooth);
-  no_maximum.closures.starvation = damiens;
-  EXPECT_NE(reason(no_maximum, film_maximum).find("without a maximum"), std::string::npos);
-
+  no_friction.friction.boundary_coefficient.reset();
+  one_speed.speeds.list = {0.1};
   Scene on_floor = paper_scene(PaperSurface::rough);
   on_floor.surface.offset_planes = 2;
-  EXPECT_NE(reason(on_floor, film_departure).find("floor"), std::string::npos);
-
   // GW with two planes: λ = 1.43 at the film maximum is below the floor of 1.62
   Scene all_asperities = paper_scene(PaperSurface::rough, AsperityModel::greenwood_williamson);
   all_asperities.surface.offset_planes = 2;
   EXPECT_TRUE(onset_of(all_asperities, film_maximum).exists);
-  EXPECT_NE(reason(all_asperities, asperity_minimum).find("whole load"), std::string::npos);
-
-  Scene no_friction = paper_scene(PaperSurface::smooth);
-  no_friction.friction.boundary_coefficient.reset();
-  EXPECT_NE(reason(no_friction, friction_minimum).find("boundary_coefficient"), std::string::npos);
-
-  Scene one_speed = paper_scene(PaperSurface::smooth);
-  one_speed.speeds.list = {0.1};
-  EXPECT_NE(reason(one_speed, friction_minimum).find("range"), std::string::npos);
+  struct Row {
+    Scene scene;
+    OnsetCriterion criterion;
+    std::string_view part_of_reason;
+  };
+  for (const Row& row :
+       {Row{flooded, film_maximum, "fully flooded"}, Row{flooded, film_departure, "fully flooded"},
+        Row{flooded, asperity_minimum, "fully flooded"},
+        Row{starved_scene(PaperSurface::smooth, damiens), film_maximum, "without a maximum"},
+        Row{on_floor, film_departure, "floor"}, Row{all_asperities, asperity_minimum, "whole load"},
+        Row{no_friction, friction_minimum, "boundary_coefficient"},
+        Row{one_speed, friction_minimum, "range"}}) {
+    const Onset<double> found = onset_of(row.scene, row.criterion);
+    EXPECT_FALSE(found.exists);
+    EXPECT_EQ(found.speed, 0);
+    EXPECT_EQ(found.film, 0);
+    EXPECT_EQ(found.film_parameter, 0);
+    EXPECT_NE(found.reason.find(row.part_of_reason), std::string::npos) << row.part_of_reason;
+  }
 }
 
 TEST(Onset, FrictionOnAPlateauHasNoMinimum) {
@@ -243,17 +231,14 @@ TEST(Onset, ConstantFlowWithoutAsperitiesHasItsMaximumAtAConstantRatio) {
 }
 
 // The walk in long double, which solves no root, against the engine's roots. A film maximum is
-// flat: the error of its speed is the root of that of its film.
+// flat: the error of its speed is the square root of its film's error.
 TEST(Onset, IsThatOfTheWalkInLongDouble) {
-  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+  for (const auto model : asperity_models)
     for (const PaperSurface surface : paper_surfaces)
-      for (const auto closure : {flooded_inlet, starved_inlet, printed_exponents, damiens})
-        for (const Supply& supply :
-             {Supply{SupplyKind::inlet_flow, 1e-8}, Supply{SupplyKind::inlet_film_ratio, 4}})
+      for (const auto closure : starvation_closures)
+        for (const auto supply : {SupplyKind::inlet_flow, SupplyKind::inlet_film_ratio})
           for (const OnsetCriterion criterion : {film_maximum, film_departure}) {
-            Scene scene = paper_scene(surface, model);
-            scene.closures.starvation = closure;
-            scene.supply = supply;
+            const Scene scene = starved_scene(surface, closure, supply, model);
             const Onset<double> got = onset_of(scene, criterion);
             const Onset<long double> exact =
                 onset(MixedContact<long double>(scene), scene, criterion, 0.05L);

@@ -13,9 +13,6 @@ namespace {
 
 using enum StarvationClosure;
 
-constexpr std::array closures{flooded_inlet, starved_inlet, printed_exponents, damiens};
-constexpr std::array models{AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson};
-
 // Compares two numbers in 50 digits; `bound` is relative.
 testing::AssertionResult agree(const Reference& got, const Reference& expected, double bound,
                                std::initializer_list<Input> inputs, double condition = 1) {
@@ -37,14 +34,14 @@ Reference film_slope(const LoadSharing<Reference>& sharing, const LoadShares<Ref
          (1 + ratio<Reference>(film.sharing_exponent) * hardening);
 }
 
-// In 50 digits, times 1/(1 − A): near the floor `sharing_residual` cancels.
+// The error of 50 digits. Near the floor it grows by 1/(1 − A), because `sharing_residual` cancels.
 constexpr double rounding = 1e-48;
 
 TEST(Sensitivity, FloodedFilmSlopeIsTheClosedForm) {
   Sampler sampler(81);
   int compared = 0;
   while (compared < 40) {
-    const auto model = sampler.pick({models[0], models[1]});
+    const auto model = sampler.pick(asperity_models);
     const Reference stiffness = sampler.log_uniform(1e-6, 10), offset = sampler.uniform(0, 3);
     const Reference lambda0 = sampler.log_uniform(1e-2, 30);
     const LoadSharing<Reference> sharing(model, stiffness, offset);
@@ -64,7 +61,7 @@ TEST(Sensitivity, FloodedFilmSlopeIsTheClosedForm) {
 
 TEST(Sensitivity, StarvationSlopeIsTheDerivativeOfTheRatio) {
   Sampler sampler(82);
-  for (const auto closure : closures)
+  for (const auto closure : starvation_closures)
     for (int i = 0; i < 25; ++i) {
       const Reference r = closure == flooded_inlet ? sampler.uniform(1e-3, 1 - 1e-3)
                                                    : sampler.log_uniform(1e-4, 1e6);
@@ -81,7 +78,7 @@ TEST(Sensitivity, StarvationSlopeIsTheDerivativeOfTheRatio) {
 }
 
 // d ln h*/d ln u = s + e·d ln y/d ln r with e = d ln r/d ln u: s at constant h_oil, 1 + s at
-// constant flow. The whole model with a derivative, against slopes of its parts.
+// constant flow. The derivative of the whole model is held against slopes of its parts.
 TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
   Sampler sampler(83);
   int compared = 0;
@@ -107,8 +104,8 @@ TEST(Sensitivity, StarvedFilmSlopeIsThatOfFilmAndInlet) {
     const double condition = static_cast<double>(1 / (film.shares.fluid * abs(expected)));
     EXPECT_TRUE(
         agree(film_log_slope(scene, u), expected, rounding, inputs, std::max(1.0, condition)));
-    // The model as it is called by its users. Newton's loop may end without its last step, and its
-    // derivative is then no better than the square root of ε.
+    // The model as its users call it. Newton's loop may end one step early, and the derivative that
+    // it gives is then no better than the square root of ε.
     EXPECT_TRUE(agree(log_slope(MixedContact<Dual>(scene).solve(variable(u)).film, u), expected,
                       1e-22, inputs, std::max(1.0, condition)));
   }
@@ -227,15 +224,15 @@ Dual onset_speed(const Scene& scene, const Variables& v, const Dual& ellipticity
 // asperities or without, the exponent of η₀ is exactly −1, and that of α −0.53/0.67.
 TEST(Sensitivity, OnsetSpeedHasTheDerivedExponentOfEachInput) {
   Sampler sampler(85);
-  for (const auto model : models)
+  for (const auto model : asperity_models)
     for (const auto criterion : {OnsetCriterion::film_maximum, OnsetCriterion::film_departure})
       for (const bool asperities : {false, true})
-        for (const auto closure : closures) {
+        for (const auto closure : starvation_closures) {
           if (criterion == OnsetCriterion::film_maximum && closure != flooded_inlet &&
               closure != printed_exponents)
             continue;  // no maximum at constant h_oil
-          Scene scene = paper_scene(PaperSurface::medium, model);
-          scene.closures.starvation = closure;
+          Scene scene =
+              starved_scene(PaperSurface::medium, closure, SupplyKind::inlet_film_ratio, model);
           scene.bodies.ellipticity = sampler.uniform(0.5, 4);
           scene.supply.value = sampler.uniform(3.5, 5);
           if (!asperities) scene.surface.summit_density = 1e-30;
@@ -298,10 +295,8 @@ TEST(Sensitivity, OnsetItselfFollowsThePowerLaws) {
   };
   for (const auto criterion : {OnsetCriterion::film_maximum, OnsetCriterion::film_departure})
     for (const auto supply : {SupplyKind::inlet_film, SupplyKind::inlet_flow})
-      for (const auto closure : closures) {
-        Scene scene = paper_scene(PaperSurface::medium);
-        scene.closures.starvation = closure;
-        scene.supply = {supply, supply == SupplyKind::inlet_flow ? 1e-8 : 2e-7};
+      for (const auto closure : starvation_closures) {
+        const Scene scene = starved_scene(PaperSurface::medium, closure, supply);
         const double unstretched = speed(scene, criterion);
         if (unstretched == 0) continue;  // the closure has no such onset
         for (const bool asperities : {false, true})

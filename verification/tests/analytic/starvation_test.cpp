@@ -12,7 +12,6 @@ namespace tribo::verification {
 namespace {
 
 using enum StarvationClosure;
-constexpr std::array closures{flooded_inlet, starved_inlet, printed_exponents, damiens};
 
 double film_over_inlet(StarvationClosure closure, double r) {
   return r * starvation_ratio(closure, r, 3.0);
@@ -57,7 +56,7 @@ TEST(Starvation, RatioSatisfiesItsDefiningEquation) {
     }
 }
 
-// Near each border between two ways of computing the ratio, and far from it; by the formula text
+// Near each border between two ways of computing the ratio, and far from it; by the template
 // and by the engine; with exponents that are legal, though nobody uses them.
 TEST(Starvation, KeepsItsContractOnBothSidesOfEachBranch) {
   std::vector<double> ratios{std::nextafter(1.0, 0.0), 1, std::nextafter(1.0, 2.0)};
@@ -71,7 +70,7 @@ TEST(Starvation, KeepsItsContractOnBothSidesOfEachBranch) {
   }
   Scene scene = paper_scene(PaperSurface::rough);
   scene.supply = {SupplyKind::inlet_film_ratio, 1};
-  for (const auto closure : closures)
+  for (const auto closure : starvation_closures)
     for (const double gamma : {0.1, 1.0, 3.0, 20.0, 1e3, 1e5}) {
       if (closure != damiens && gamma != 3) continue;
       scene.closures.starvation = closure;
@@ -97,7 +96,7 @@ TEST(Starvation, KeepsItsContractOnBothSidesOfEachBranch) {
 }
 
 TEST(Starvation, LimitsAreThoseOfTheSpecification) {
-  for (const auto closure : closures) {
+  for (const auto closure : starvation_closures) {
     EXPECT_EQ(starvation_ratio(closure, 1e-300, 3.0), 1) << static_cast<int>(closure);
     EXPECT_EQ(starvation_ratio(closure, 1e-30, 3.0), 1) << static_cast<int>(closure);
   }
@@ -114,7 +113,7 @@ TEST(Starvation, LimitsAreThoseOfTheSpecification) {
 }
 
 TEST(Starvation, FilmNeverExceedsFloodedFilmOrInletAndFallsWithTheRatio) {
-  for (const auto closure : closures) {
+  for (const auto closure : starvation_closures) {
     double previous = 1;
     for (double r = 1e-4; r < 1e6; r *= 1.05) {
       const double y = starvation_ratio(closure, r, 3.0);
@@ -127,7 +126,7 @@ TEST(Starvation, FilmNeverExceedsFloodedFilmOrInletAndFallsWithTheRatio) {
 
 TEST(Starvation, DepartureIsTheInverseOfTheRatio) {
   Sampler sampler(42);
-  for (const auto closure : closures)
+  for (const auto closure : starvation_closures)
     for (int i = 0; i < 200; ++i) {
       const double departure = sampler.uniform(0.001, 0.999);
       const InletLaw<Reference> law{closure, sampler.uniform(0.5, 6)};

@@ -15,30 +15,16 @@ namespace {
 // floors.
 std::vector<Scene> scenes() {
   std::vector<Scene> all;
-  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+  for (const auto model : asperity_models)
     for (const auto surface : {PaperSurface::rough, PaperSurface::smooth})
       for (const int planes : {0, 1, 2})
-        for (const auto closure :
-             {StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
-              StarvationClosure::printed_exponents, StarvationClosure::damiens})
+        for (const auto closure : starvation_closures)
           for (const auto supply : {SupplyKind::flooded, SupplyKind::inlet_film_ratio,
                                     SupplyKind::inlet_film, SupplyKind::inlet_flow}) {
-            Scene scene = paper_scene(surface, model);
-            scene.surface.offset_planes = planes;
-            scene.closures.starvation = closure;
-            scene.supply = {supply, supply == SupplyKind::inlet_film_ratio ? 4
-                                    : supply == SupplyKind::inlet_film     ? 2e-7
-                                                                           : 1e-8};
-            all.push_back(scene);
+            all.push_back(starved_scene(surface, closure, supply, model));
+            all.back().surface.offset_planes = planes;
           }
   return all;
-}
-
-std::string name_of(const Scene& scene) {
-  return fmt::format("\n  asperity {} planes {} closure {} supply {} sd {}",
-                     static_cast<int>(scene.closures.asperity), scene.surface.offset_planes,
-                     static_cast<int>(scene.closures.starvation),
-                     static_cast<int>(scene.supply.kind), scene.surface.summit_height_sd);
 }
 
 // d ln(1−A)/d ln λ: the factor by which the rounding of a starved film shows in its fluid share.
@@ -59,14 +45,14 @@ TEST(StribeckCurve, EachPointIsWhatTheRootGivesAtItsSpeed) {
       const double condition = fluid_condition(contact, p);
       const auto close = [&](double got, double expected, double allowed) {
         EXPECT_TRUE(is_close(got, Reference(expected), 2e-14, {{"u", p.speed}}, allowed))
-            << name_of(scene);
+            << describe_scene(scene);
       };
       close(p.film_flooded, solved.film_flooded, 1);
       // near collapse y is ill-conditioned in r
       const double r_condition = p.film > 0 ? 1 + p.film_flooded / p.film : 1;
       close(p.film, solved.film, r_condition);
       close(p.separation, solved.separation, r_condition);
-      EXPECT_EQ(p.inlet, solved.inlet) << name_of(scene) << describe({{"u", p.speed}});
+      EXPECT_EQ(p.inlet, solved.inlet) << describe_scene(scene) << describe({{"u", p.speed}});
       EXPECT_EQ(p.regime == Regime::collapsed, solved.regime == Regime::collapsed);
       if (p.regime == Regime::collapsed) return;
       close(p.fluid_load_share, solved.fluid_load_share, 8 + condition * r_condition);
@@ -85,12 +71,12 @@ TEST(StribeckCurve, SpeedsAscendFromEndToEndWithoutGaps) {
                        speeds.push_back(static_cast<double>(p.speed));
                      });
       ASSERT_EQ(speeds.size(), count);
-      EXPECT_TRUE(is_within(speeds.front() / 1e-5, 1, 2e-9)) << name_of(scene);
-      EXPECT_TRUE(is_within(speeds.back() / 20, 1, 2e-9)) << name_of(scene);
+      EXPECT_TRUE(is_within(speeds.front() / 1e-5, 1, 2e-9)) << describe_scene(scene);
+      EXPECT_TRUE(is_within(speeds.back() / 20, 1, 2e-9)) << describe_scene(scene);
       const double step = std::log(20 / 1e-5) / static_cast<double>(count - 1);
       for (std::size_t i = 1; i < count; ++i) {
-        EXPECT_GT(speeds[i], speeds[i - 1]) << name_of(scene);
-        EXPECT_LT(std::log(speeds[i] / speeds[i - 1]), 1.51 * step) << name_of(scene);
+        EXPECT_GT(speeds[i], speeds[i - 1]) << describe_scene(scene);
+        EXPECT_LT(std::log(speeds[i] / speeds[i - 1]), 1.51 * step) << describe_scene(scene);
       }
     }
 }
@@ -103,7 +89,8 @@ TEST(StribeckCurve, InDoubleIsThatOfTheSpeedsOfTheRange) {
     std::size_t i = 0;
     stribeck_curve(contact, range.from, range.to, range.count, OutputSet::all(),
                    [&](const OperatingPoint<double>& p) {
-                     EXPECT_EQ(bits_of(p), bits_of(contact.solve(range[i++]))) << name_of(scene);
+                     EXPECT_EQ(bits_of(p), bits_of(contact.solve(range[i++])))
+                         << describe_scene(scene);
                    });
     EXPECT_EQ(i, range.count);
   }
@@ -111,7 +98,7 @@ TEST(StribeckCurve, InDoubleIsThatOfTheSpeedsOfTheRange) {
 
 // A plane offset so large that λ_b and λ agree to the last bit while the shares do not.
 TEST(StribeckCurve, AbsurdOffsetsGiveSharesBetweenZeroAndOne) {
-  for (const auto model : {AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson})
+  for (const auto model : asperity_models)
     for (const double offset : {1e6, 1e12, 1e30}) {
       Scene scene = paper_scene(PaperSurface::rough, model);
       scene.surface.summit_plane_offset = offset;
@@ -143,11 +130,12 @@ TEST(StribeckWalk, SlopesAreThoseOfTheFilm) {
       const Reference du = log_change(right.flooded.speed, left.flooded.speed);
       const Reference dlambda =
           log_change(right.flooded.shares.film_parameter, left.flooded.shares.film_parameter);
-      EXPECT_LT(abs(here.rate * du / (2 * h) - 1), Reference("1e-18")) << speed << name_of(scene);
+      EXPECT_LT(abs(here.rate * du / (2 * h) - 1), Reference("1e-18"))
+          << speed << describe_scene(scene);
       // far down on the floor λ does not change in 50 digits
       if (here.film_slope > Reference("1e-15")) {
         EXPECT_LT(abs(dlambda / du / here.film_slope - 1), Reference("1e-15"))
-            << speed << name_of(scene);
+            << speed << describe_scene(scene);
       }
     }
   }
@@ -160,12 +148,12 @@ TEST(StribeckWalk, FilmSlopeIsTwoThirdsWhereTheFluidCarriesAllAndNeverMore) {
     double previous = 0;
     for (double u = 1e-5; u < 30; u *= 1.3) {
       const WalkPoint<double> point = walk.at(walk.walk_to(walk.near(u), std::log(u), 1e-6));
-      EXPECT_LE(point.film_slope, 0.67 * (1 + 1e-15)) << name_of(scene);
-      EXPECT_GE(point.film_slope, 0) << name_of(scene);
+      EXPECT_LE(point.film_slope, 0.67 * (1 + 1e-15)) << describe_scene(scene);
+      EXPECT_GE(point.film_slope, 0) << describe_scene(scene);
       previous = point.film_slope;
     }
     EXPECT_TRUE(is_within(previous, 0.67, scene.surface.summit_height_sd > 5e-8 ? 1e-2 : 1e-10))
-        << name_of(scene);
+        << describe_scene(scene);
   }
 }
 
@@ -176,8 +164,8 @@ TEST(StribeckWalk, BeginsBelowTheSpeedAndNoFurtherThanAFactorOfSix) {
     const StribeckWalk<long double> walk(contact);
     for (long double u = 1e-5L; u < 30; u *= 1.1L) {
       const long double begins = walk.at(walk.near(u)).flooded.speed;
-      EXPECT_LE(begins, u * (1 + 1e-15L)) << static_cast<double>(u) << name_of(scene);
-      EXPECT_GT(begins, u / 6) << static_cast<double>(u) << name_of(scene);
+      EXPECT_LE(begins, u * (1 + 1e-15L)) << static_cast<double>(u) << describe_scene(scene);
+      EXPECT_GT(begins, u / 6) << static_cast<double>(u) << describe_scene(scene);
     }
   }
 }

@@ -146,7 +146,7 @@ class ChangedTables : public testing::Test {
   const TemporaryFolder folder;
 };
 
-// A root's certified value is moved up and down by so many times its bound, because the model's own
+// A root's certified value is moved by multiples of its bound, up and down, because the model's own
 // error has a sign.
 TEST_F(ChangedTables, AValueBeyondTheContractIsFoundAndOneWithinIsNot) {
   for (const char* const id : {"r0162", "r0160"}) {  // conditions of 1.35 and of 14.9

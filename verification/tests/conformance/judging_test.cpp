@@ -298,7 +298,7 @@ TEST(Verdict, TellsAFailureBeyondThePhysicalRangeApart) {
 
 // --- Results that became worse than a baseline.
 
-// A row of so many cases; each failed case is off by a tenth.
+// A row with these numbers of cases; each failed case is off by a tenth.
 QuantityVerdict row(Verdict status, std::size_t held, std::size_t failed, std::size_t skipped,
                     double worst_held = 1e-10) {
   QuantityVerdict one;

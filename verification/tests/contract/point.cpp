@@ -9,6 +9,7 @@
 
 #include "support/condition.hpp"
 #include "support/film_laws.hpp"
+#include "support/orders.hpp"
 #include "support/scenes.hpp"
 #include "tribo/batch.hpp"
 #include "tribo/film_regimes.hpp"
@@ -24,36 +25,8 @@
 namespace tribo::verification {
 namespace {
 
-constexpr std::string_view kind_names[] = {"scene",
-                                           "extreme_scene",
-                                           "load_sharing",
-                                           "film_ratio",
-                                           "moment",
-                                           "scaled_moment",
-                                           "deficit",
-                                           "hertz",
-                                           "film",
-                                           "rough_contact",
-                                           "viscosity",
-                                           "shear",
-                                           "effective_modulus",
-                                           "reduced_radius",
-                                           "hertz_ellipse",
-                                           "hertz_line",
-                                           "film_law",
-                                           "moes_line",
-                                           "film_regime",
-                                           "thermal_reduction",
-                                           "density",
-                                           "pressure_viscosity",
-                                           "astm_d341",
-                                           "spectral_moments"};
-static_assert(std::size(kind_names) == kind_count);
 // The rows of the kinds up to `moment` are counted here.
 static_assert(stress_rows == 2 * (number_count + 1) + 2 + 4 + 6);
-
-constexpr std::array orders{Order::zero,         Order::half, Order::one,
-                            Order::three_halves, Order::two,  Order::five_halves};
 
 std::uint64_t mixed(std::uint64_t x) {  // the finalizer of splitmix64
   x += 0x9e3779b97f4a7c15;
@@ -105,11 +78,8 @@ double near_one(Sampler& sampler) {
 }
 
 void draw_load_sharing(Sampler& sampler, Point& point) {
-  if (sampler.pick({0, 0, 1}) == 1)
-    point.film = sampler.pick(
-        {other_film_laws[0], other_film_laws[1], other_film_laws[2], other_film_laws[3]});
-  point.scene.closures.asperity =
-      sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
+  if (sampler.pick({0, 0, 1}) == 1) point.film = sampler.pick(other_film_laws);
+  point.scene.closures.asperity = sampler.pick(asperity_models);
   point.x[1] = sampler.pick({0, 1, 1, 1}) * sampler.uniform(0, 10);
   const int region = sampler.pick({0, 0, 1, 2});
   if (region == 0) {  // everything
@@ -126,9 +96,7 @@ void draw_load_sharing(Sampler& sampler, Point& point) {
 }
 
 void draw_film_ratio(Sampler& sampler, Point& point) {
-  point.scene.closures.starvation =
-      sampler.pick({StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
-                    StarvationClosure::printed_exponents, StarvationClosure::damiens});
+  point.scene.closures.starvation = sampler.pick(starvation_closures);
   const int region = sampler.pick({0, 1, 2});
   point.x[0] = region == 0   ? sampler.log_uniform(1e-300, 1e300)
                : region == 1 ? sampler.log_uniform(1e-3, 1e3)
@@ -138,7 +106,7 @@ void draw_film_ratio(Sampler& sampler, Point& point) {
 
 void draw_moment(Sampler& sampler, Point& point) {
   const int region = sampler.pick({0, 0, 0, 0, 0, 0, 1, 2});
-  // Arguments at which a series, the fraction or the factor of e^{−d²/2} ends, or underflows.
+  // Arguments at which another formula of F_n begins, or at which e^{−d²/2} or F_n underflows.
   const double branch = sampler.pick({0.0, 0.0625, 0.5, 1.0, 10.0, 10.845, 25.0, 32.27553, 36.6,
                                       37.0, 37.3, 37.5, 38.0, 38.4, 38.6, 40.0, 45.0});
   const double sign = sampler.pick({-1.0, 1.0});
@@ -197,7 +165,7 @@ void draw_film(Sampler& sampler, Point& point) {
              sampler.log_uniform(0.01, 20)};
 }
 
-// p₀, E*, S, β, η₀, u, k_f, with which the numerator is above 0, for some near 0.
+// Draws p₀, E*, S, β, η₀, u, k_f with the numerator of φ_T above 0, sometimes hardly above.
 void draw_heated_inlet(Sampler& sampler, Point& point) {
   auto& x = point.x;
   x = {0,
@@ -214,15 +182,11 @@ void draw_heated_inlet(Sampler& sampler, Point& point) {
 
 bool is_share(double x) { return x >= 0 && x <= 1; }
 
-// d ln/d ln of ln F is 1/ln F, but next to ln F = 0 the logarithm has the error of F, ε at least.
+// ln F has the relative error of F, at least ε, as its absolute error: many ulp if it is near 0.
 double logarithm_condition(double value) {
   const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
   return std::max(1.0, std::abs(value)) * 0x1p-52 / ulp;
 }
-
-}  // namespace
-
-namespace {
 
 // All rows, and the place of the first row of each kind.
 struct RowTable {
@@ -315,8 +279,6 @@ Point point_at(std::uint64_t seed, std::uint64_t index) {
   draw(sampler, point);
   return point;
 }
-
-std::string_view name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 void draw(Sampler& sampler, Point& point) {
   const auto numbers = [&](std::initializer_list<std::pair<double, double>> ranges) {
@@ -425,7 +387,7 @@ std::vector<std::pair<std::string, double>> inputs_of(const Point& point) {
       std::vector<std::pair<std::string, double>> all;
       for (const auto& [name, number] : describe_numbers(point.scene))
         all.emplace_back(name, number);
-      if (point.kind > Kind::moment)  // the words alone count
+      if (point.kind > Kind::moment)  // these kinds use the words of the scene and x
         for (std::size_t i = 0; i < point.x.size(); ++i)
           all.emplace_back(fmt::format("x{}", i), point.x[i]);
       return all;
@@ -546,7 +508,7 @@ template Values<Reference> values_of(const Point& point);
 
 namespace {
 
-// max(1, Σ|d ln value/d ln input|) for each value, by differences of the text in 50 digits.
+// max(1, Σ|d ln value/d ln input|) for each value, by differences of the template in 50 digits.
 std::vector<double> conditions_by_differences(const Point& point) {
   constexpr double step = 0x1p-26;
   const std::vector<Reference> before = values_of<Reference>(point).numbers;
@@ -599,7 +561,7 @@ std::vector<double> conditions_of(const Point& point) {
     case Kind::astm_d341:
     case Kind::spectral_moments:
       return conditions_by_differences(point);
-    case Kind::shear:  // e^thickening carries its rounding
+    case Kind::shear:  // the condition of e^x is x, here ln(η/η₀)
       return {1 + point.x[4]};
     default:
       return std::vector<double>(6, 1);
@@ -628,8 +590,8 @@ Evaluation evaluate(const Point& point) {
 Values<Enclosure> enclose(const Point& point) {
   reference::undecided_comparisons = 0;
   Values<Enclosure> values = values_of<Enclosure>(point);
-  // A root that no ball tells from the floor: the ball of the one that the text takes for the
-  // greater holds both.
+  // The root may be so near the floor that no ball tells them apart. The model then takes one of
+  // the two, whose ball holds both.
   if (reference::undecided_comparisons != 0 && point.kind <= Kind::extreme_scene &&
       point.scene.supply.kind == SupplyKind::flooded) {
     const MixedContact<Enclosure> contact(point.scene);

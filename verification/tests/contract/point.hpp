@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <ostream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,7 +60,49 @@ enum class Kind : std::uint8_t {
   count
 };
 inline constexpr auto kind_count = static_cast<std::size_t>(Kind::count);
-std::string_view name(Kind kind);
+
+struct KindInfo {
+  Kind kind;
+  std::string_view name;
+  // The number of points that the contract test draws beside the hard ones, and the number of
+  // points whose truth has to be certain.
+  int points, certain;
+};
+inline constexpr std::array<KindInfo, kind_count> kinds{{
+    {Kind::scene, "scene", 400, 700},
+    {Kind::extreme_scene, "extreme_scene", 200, 180},
+    {Kind::load_sharing, "load_sharing", 700, 1900},
+    {Kind::film_ratio, "film_ratio", 1000, 1000},
+    {Kind::moment, "moment", 600, 1000},
+    {Kind::scaled_moment, "scaled_moment", 400, 800},
+    {Kind::deficit, "deficit", 400, 400},
+    {Kind::hertz, "hertz", 400, 400},
+    {Kind::film, "film", 400, 400},
+    {Kind::rough_contact, "rough_contact", 400, 400},
+    {Kind::viscosity, "viscosity", 600, 600},
+    {Kind::shear, "shear", 600, 600},
+    {Kind::effective_modulus, "effective_modulus", 400, 400},
+    {Kind::reduced_radius, "reduced_radius", 400, 395},
+    {Kind::hertz_ellipse, "hertz_ellipse", 400, 400},
+    {Kind::hertz_line, "hertz_line", 400, 400},
+    {Kind::film_law, "film_law", 800, 800},
+    {Kind::moes_line, "moes_line", 400, 400},
+    {Kind::film_regime, "film_regime", 500, 500},
+    {Kind::thermal_reduction, "thermal_reduction", 400, 400},
+    {Kind::density, "density", 200, 200},
+    {Kind::pressure_viscosity, "pressure_viscosity", 400, 400},
+    {Kind::astm_d341, "astm_d341", 400, 400},
+    {Kind::spectral_moments, "spectral_moments", 400, 400},
+}};
+static_assert([] {
+  std::size_t place = 0;
+  for (const KindInfo& one : kinds)
+    if (one.kind != static_cast<Kind>(place++)) return false;
+  return true;
+}());
+// GoogleTest looks for this function beside the type, and without it prints bytes.
+inline void PrintTo(const KindInfo& one, std::ostream* to) { *to << one.name; }
+constexpr std::string_view name(Kind kind) { return kinds[static_cast<std::size_t>(kind)].name; }
 
 struct Point {
   Kind kind = Kind::scene;

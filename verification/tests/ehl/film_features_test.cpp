@@ -14,8 +14,18 @@
 namespace tribo::verification {
 namespace {
 
+template <class Film, class Pressure>
+ehl::LineFilm curve_of(const ehl::Numbers& x, const Film& film, const Pressure& pressure) {
+  ehl::LineFilm curve;
+  curve.x = x;
+  const auto at = Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+  curve.film = at.unaryExpr(film);
+  curve.pressure = at.unaryExpr(pressure);
+  return curve;
+}
+
 // The film is a polynomial of the fourth order. The pressure is a parabola, under another that
-// makes a spike, lower or higher than the first; or that makes a dip upstream, which is none.
+// makes a spike, lower or higher than the first; or that makes a dip upstream, which is no spike.
 TEST(FilmFeatures, AreThoseOfTheCurve) {
   Sampler sampler(310);
   const ehl::LineContact contact{10, 5, {.exponent = 3, .density_pressure = 2}};
@@ -35,15 +45,9 @@ TEST(FilmFeatures, AreThoseOfTheCurve) {
     for (const auto& [top, at] :
          {std::pair{0.0, 0.0}, {spike, spike_place}, {0.95 * greatest, -0.8}}) {
       const bool has_spike = at > 0;
-      ehl::LineFilm curve;
-      curve.x = x;
+      ehl::LineFilm curve = curve_of(
+          x, film, [&, top = top, at = at](double there) { return pressure(there, top, at); });
       curve.mass_flow = 0.5;
-      curve.film.resize(static_cast<Eigen::Index>(x.size()));
-      curve.pressure.resize(curve.film.size());
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        curve.film[static_cast<Eigen::Index>(i)] = film(x[i]);
-        curve.pressure[static_cast<Eigen::Index>(i)] = pressure(x[i], top, at);
-      }
       const ehl::FilmFeatures found = ehl::features_of(contact, curve);
       EXPECT_TRUE(is_within(found.central, film(0), 2e-12));
       EXPECT_TRUE(is_within(found.minimum, least, 1e-15));
@@ -66,16 +70,11 @@ TEST(FilmFeatures, AreThoseOfTheCurve) {
 TEST(FilmFeatures, HaveTheirMinimumNextToAnEndToo) {
   const ehl::LineContact contact{10, 5, {}};
   for (const auto& [place, least] : {std::pair{-2.0, 1.0}, {-0.9, 1.0}, {1.1, 1.0}, {3.0, 1.25}}) {
-    ehl::LineFilm curve;
-    curve.x = {-2, -1, 0, 0.5, 1, 2.5};
-    curve.film.resize(6);
-    curve.pressure.resize(6);
-    for (Eigen::Index i = 0; i < 6; ++i) {
-      const double x = curve.x[static_cast<std::size_t>(i)];
-      curve.film[i] = 1 + (x - place) * (x - place);
-      curve.pressure[i] = std::max(0.0, 1 - x * x);
-    }
-    const ehl::FilmFeatures found = ehl::features_of(contact, curve);
+    const ehl::FilmFeatures found = ehl::features_of(
+        contact, curve_of(
+                     {-2, -1, 0, 0.5, 1, 2.5},
+                     [from = place](double x) { return 1 + (x - from) * (x - from); },
+                     [](double x) { return std::max(0.0, 1 - x * x); }));
     EXPECT_TRUE(is_within(found.minimum, least, 1e-14)) << place;
     EXPECT_TRUE(is_within(found.central, 1 + place * place, 1e-14)) << place;
   }

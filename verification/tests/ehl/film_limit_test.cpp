@@ -38,8 +38,8 @@ double rigid_film_ratio() {
   return 1 + std::tan(low) * std::tan(low);
 }
 
-// The load on a rigid parabola makes the film number at the greatest pressure 3/M, and so the least
-// film number 3/M over the ratio. The change by elastic bodies falls with M².
+// On a rigid parabola the balance of the load gives the film number 3/M at the greatest pressure,
+// and so the least film number is 3/M over the ratio. The change by elastic bodies falls with M².
 TEST(FilmLimits, RigidBodiesAndConstantViscosity) {
   const double ratio = rigid_film_ratio();
   EXPECT_TRUE(is_within(3 / ratio, 2.44748, 0.000005));
@@ -99,7 +99,7 @@ ehl::Estimate fitted_limit(const std::vector<std::array<double, 2>>& contacts, d
 }
 
 // The limit 1.31106 M^{−1/8} L^{3/4} is far away: at M = 1e4 and L = 20 the film is 1.6 % off. A
-// fit takes the ratio to 1/(ᾱ√δ) = 0 and δ = H^{2/3} = 0, δ the width of the inlet.
+// fit extrapolates the ratio to 1/(ᾱ√δ) = 0 and δ = 0, where δ = H^{2/3} is the width of the inlet.
 TEST(FilmLimits, ElasticAndPiezoviscous) {
   std::vector<std::array<double, 2>> contacts{{10000, 10}, {10000, 20}};
   for (const double m : {300.0, 1000.0, 3000.0})

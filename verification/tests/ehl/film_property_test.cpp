@@ -23,6 +23,13 @@ using ehl::SolvedFilm;
 
 const ehl::SolveOptions quick{.tolerance = 1e-2, .greatest_cells = 512};
 
+testing::AssertionResult says(const SolvedFilm& film, ehl::Outcome outcome, std::string_view part) {
+  if (film.outcome == outcome && film.reason.find(part) != std::string::npos)
+    return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "outcome " << static_cast<int>(film.outcome) << ": "
+                                     << film.reason << "\nwanted: " << part;
+}
+
 TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
   for (const auto& [m, l] : {std::array<double, 2>{0.1, 0}, {1, 10}, {20, 5}, {200, 20}})
     for (const ehl::LineContact& contact : three_liquids(m, l)) {
@@ -38,7 +45,7 @@ TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
         EXPECT_GT(film.film[row], 0);
         if (i == 0) continue;
         if (film.pressure[row] > 0) {
-          // The flow is the dragged flow less the driven one, and is met to the rounding of these.
+          // The flow is the dragged flow less the flow by pressure: their rounding is allowed.
           const double dragged = film.film[row];
           EXPECT_TRUE(is_within(balance.flow[row], film.mass_flow, 1e-8 * (1 + dragged)))
               << "X = " << film.x[i];
@@ -50,7 +57,7 @@ TEST(SolvedFilm, BalancesTheFlowAndCarriesTheLoadWithoutTension) {
       // The pressure is 0 at the ends, but for the rounding of linear equations.
       EXPECT_LT(film.pressure[0], 1e-30);
       EXPECT_LT(film.pressure[film.pressure.size() - 1], 1e-30);
-      // The film is that of the pressure.
+      // The film follows from the pressure.
       const Eigen::VectorXd elastic = ehl::FilmKernel(film.x) * film.pressure;
       for (std::size_t i = 0; i < film.x.size(); i += 17) {
         const auto row = static_cast<Eigen::Index>(i);
@@ -90,12 +97,7 @@ TEST(SolvedFilm, FallsWithTheLoadAndRisesWithTheViscosityUnderPressure) {
 TEST(LineConditions, OtherUnitsLeaveTheContactAlone) {
   Sampler sampler(31);
   for (int i = 0; i < 100; ++i) {
-    const ehl::LineConditions si{.speed = sampler.log_uniform(0.01, 10),
-                                 .viscosity = sampler.log_uniform(1e-3, 1),
-                                 .pressure_viscosity = sampler.uniform(1e-8, 3e-8),
-                                 .load_per_length = sampler.log_uniform(1e3, 1e6),
-                                 .effective_modulus = sampler.uniform(1e10, 2e11),
-                                 .radius = sampler.log_uniform(1e-3, 1)};
+    const ehl::LineConditions si = random_conditions(sampler);
     const double metre = sampler.log_uniform(1e-3, 1e3), kilogram = sampler.log_uniform(1e-3, 1e3);
     const double second = sampler.log_uniform(1e-3, 1e3);
     const double pascal = kilogram / (metre * second * second);
@@ -152,8 +154,7 @@ TEST(SolveLineFilm, SaysWhereItWasStopped) {
   int steps = 0;
   const SolvedFilm film = ehl::solve_line_film(ehl::barus_contact(10, 5), {},
                                                [&](const ehl::Step&) { return ++steps < 3; });
-  EXPECT_EQ(film.outcome, ehl::Outcome::stopped);
-  EXPECT_NE(film.reason.find("stopped on the grid of 64 cells"), std::string::npos) << film.reason;
+  EXPECT_TRUE(says(film, ehl::Outcome::stopped, "stopped on the grid of 64 cells"));
   EXPECT_EQ(steps, 3);
   EXPECT_EQ(std::isnan(film.central.value), true);
 }
@@ -182,35 +183,32 @@ TEST(SolveFrom, SaysThatTheStepsWereTooFew) {
 }
 
 TEST(SolveLineFilm, SaysWhereItWasNotTriedBeyondEachLimit) {
-  const auto says = [](double load_number, double material_number) {
+  const auto is_told = [](double load_number, double material_number) {
     const SolvedFilm film = ehl::solve_line_film(ehl::barus_contact(load_number, material_number),
-                                                 {.first_cells = 32, .greatest_cells = 32});
+                                                 {.greatest_cells = 64});
     EXPECT_EQ(film.outcome, ehl::Outcome::not_converged);
     return film.reason.find("; the solver was tried up to M = 10000 and L = 50") !=
            std::string::npos;
   };
   EXPECT_TRUE(changes_at_its_limit(
-      {"M", 1e4, True::above, [&](double load_number) { return says(load_number, 5); }}));
-  EXPECT_TRUE(changes_at_its_limit(
-      {"L", 50, True::above, [&](double material_number) { return says(10, material_number); }}));
+      {"M", 1e4, True::above, [&](double load_number) { return is_told(load_number, 5); }}));
+  EXPECT_TRUE(changes_at_its_limit({"L", 50, True::above, [&](double material_number) {
+                                      return is_told(10, material_number);
+                                    }}));
 }
 
 TEST(SolveLineFilm, RefusesAFilmBelowItsResolution) {
   const SolvedFilm film = ehl::solve_line_film(ehl::barus_contact(1e8, 0));
-  EXPECT_EQ(film.outcome, ehl::Outcome::not_converged);
-  EXPECT_NE(film.reason.find("grids of double numbers resolve films down to 1e-08"),
-            std::string::npos)
-      << film.reason;
+  EXPECT_TRUE(says(film, ehl::Outcome::not_converged,
+                   "grids of double numbers resolve films down to 1e-08"));
   EXPECT_EQ(film.grids, 0);
 }
 
 TEST(SolveLineFilm, SaysThatTheToleranceWasNotMet) {
   const SolvedFilm film =
       ehl::solve_line_film(ehl::barus_contact(10, 5), {.tolerance = 1e-9, .greatest_cells = 1024});
-  EXPECT_EQ(film.outcome, ehl::Outcome::solved);
+  EXPECT_TRUE(says(film, ehl::Outcome::solved, "the tolerance of 1e-09 was not met"));
   EXPECT_EQ(film.grids, 5);
-  EXPECT_NE(film.reason.find("the tolerance of 1e-09 was not met"), std::string::npos)
-      << film.reason;
   EXPECT_GT(film.central.relative_error(), 1e-9);
 }
 
@@ -219,7 +217,7 @@ TEST(SolveLineFilm, SolvesToEachLooserToleranceInNoMoreWork) {
   std::vector<ehl::LineContact> contacts;
   ContactSampler sampler(32);
   for (int i = 0; i < 8; ++i) contacts.push_back(sampler.next().contact);
-  // Steel at 3 and 2 GPa, once solved to 3e-5, but refused to 1e-2.
+  // Steel at 3 and 2 GPa, which an earlier version solved to 3e-5 but not to 1e-2.
   for (const double index : {0.68, 1.0}) {
     ehl::LineContact heavy = ehl::barus_contact(300, 25);
     heavy.fluid.roelands_pressure = 15;
@@ -256,11 +254,9 @@ TEST(SolveLineFilm, SaysOfTheContactItselfWhyThereIsNoFilm) {
                               "coarsest grids of 64 cells; on the grid of "))
       << film.reason;
   // Too few grids are told with their reason, too.
-  const SolvedFilm few = ehl::solve_line_film(ehl::barus_contact(10, 5), {.greatest_cells = 128});
-  EXPECT_EQ(few.outcome, ehl::Outcome::not_converged);
-  EXPECT_NE(few.reason.find("an error needs three grids, and 128 cells at most leave"),
-            std::string::npos)
-      << few.reason;
+  EXPECT_TRUE(says(ehl::solve_line_film(ehl::barus_contact(10, 5), {.greatest_cells = 128}),
+                   ehl::Outcome::not_converged,
+                   "an error needs three grids, and 128 cells at most leave"));
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 #include <array>
 #include <cmath>
 
+#include "ehl/line_conditions.hpp"
 #include "ehl/solved_film.hpp"
+#include "sampling/sampler.hpp"
 #include "support/judge.hpp"
 
 namespace tribo::verification {
@@ -21,6 +23,16 @@ inline std::array<ehl::LineContact, 3> three_liquids(double load_number, double 
   contacts[1].fluid.roelands_index = 0.6;
   contacts[2].fluid.density_pressure = 1;
   return contacts;
+}
+
+// Contacts of soft and of stiff bodies, far apart in every number.
+inline ehl::LineConditions random_conditions(Sampler& sampler) {
+  return {.speed = sampler.log_uniform(1e-3, 50),
+          .viscosity = sampler.log_uniform(1e-3, 1),
+          .pressure_viscosity = sampler.log_uniform(1e-9, 4e-8),
+          .load_per_length = sampler.log_uniform(1e3, 1e6),
+          .effective_modulus = sampler.log_uniform(1e9, 3e11),
+          .radius = sampler.log_uniform(1e-3, 1)};
 }
 
 // The truth lies within the error, widened by the uncertainty of the truth.

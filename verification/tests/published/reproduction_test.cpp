@@ -5,48 +5,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <string_view>
 #include <vector>
 
-#include "reproduction/ledger.hpp"
-#include "sampling/sampler.hpp"
-#include "support/judge.hpp"
+#include "published/paper.hpp"
 #include "support/temporary_folder.hpp"
-#include "tribo/mixed_contact.hpp"
-#include "tribo/onset.hpp"
 
 namespace tribo::reproduction {
 namespace {
 
-using verification::is_close;
-using verification::is_within;
-using verification::Sampler;
+const std::string committed = TRIBOCHECK_SOURCE_DIR "/reference/baselines/ledger.csv";
 
-const std::string published = std::string(TRIBOCHECK_SOURCE_DIR) + "/reference/published";
-const std::string committed =
-    std::string(TRIBOCHECK_SOURCE_DIR) + "/reference/baselines/ledger.csv";
-
-const PaperScenes& scenes() {
-  static const PaperScenes read = read_paper_scenes(published);
-  return read;
-}
-const std::vector<Item>& items() {
-  static const std::vector<Item> read = read_claims(published + "/claims.tsv");
-  return read;
-}
 const Ledger& ledger() {
   static const Ledger made = make_ledger({published, {}, 3, 2000});
   return made;
 }
-const Item& item(std::string_view id) {
-  return *std::find_if(items().begin(), items().end(),
-                       [&](const Item& one) { return one.id == id; });
-}
-
 TEST(CorrectedReading, IsTheModelAtEverySpeed) {
   const Reading reading = corrected_reading();
   const ReadInlet inlet(reading);
@@ -86,7 +62,7 @@ TEST(CorrectedReading, HasTheModelsOnsets) {
       const FloodedCurve flooded = flooded_curve(ReadContact(scene, reading), speeds);
       const auto got = onset_of(flooded, starved_curve(flooded, inlet, speeds), inlet,
                                 reading.onset(), friction_law(reading));
-      const Onset<double> expected = onset(MixedContact<double>(scene), scene, criterion, 0.05);
+      const Onset<double> expected = model_onset(scene, criterion);
       ASSERT_EQ(got.has_value(), expected.exists);
       // Friction is flat at its minimum.
       const double bound = criterion == OnsetCriterion::friction_minimum ? 2e-6 : 1e-12;
@@ -113,8 +89,7 @@ TEST(CorrectedReading, HasTheModelsOnsetWhereFrictionHasTwoMinima) {
     minima += friction[i] < friction[i - 1] && friction[i] < friction[i + 1] ? 1U : 0U;
   ASSERT_EQ(minima, 2U);
   const auto got = onset_of(flooded, starved, inlet, reading.onset(), friction_law(reading));
-  const Onset<double> expected =
-      onset(MixedContact<double>(scene), scene, OnsetCriterion::friction_minimum, 0.05);
+  const Onset<double> expected = model_onset(scene, OnsetCriterion::friction_minimum);
   ASSERT_TRUE(got && expected.exists);
   EXPECT_TRUE(is_close(got->speed, expected.speed, 2e-6, {}));
 }
@@ -435,8 +410,7 @@ TEST(CommonDepartures, GiveTheReportedSpeedsByTheModelToo) {
     ASSERT_TRUE(found.own[i].has_value());
     const Scene& scene = scenes().scene[i];
     const auto speed = [&](double departure) {
-      return onset(MixedContact<double>(scene), scene, OnsetCriterion::film_departure, departure)
-          .speed;
+      return model_onset(scene, OnsetCriterion::film_departure, departure).speed;
     };
     EXPECT_TRUE(is_close(speed(*found.own[i]), reported[i], 1e-9, {}));
     EXPECT_TRUE(is_close(speed(found.best) / reported[i], found.factor[i], 1e-9, {}));
@@ -485,8 +459,7 @@ TEST(Uncertainties, OfTheViscosityAreThoseOfItsLastDigit) {
   const Uncertainty first = found({{never, never, never}, {0.1, 0.1, 0.1}});
   for (std::size_t i = 0; i < surface_count; ++i) {
     const Scene& scene = drawn.scene[i];
-    const double nominal =
-        onset(MixedContact<double>(scene), scene, OnsetCriterion::film_maximum, 0.05).speed;
+    const double nominal = model_onset(scene).speed;
     // The place of the viscosity that gives a speed, from 0 to 1 within the digit.
     const auto place = [&](double speed) {
       return (viscosity * nominal / speed - viscosity) / last_digit + 0.5;
@@ -636,6 +609,9 @@ TEST(PublishedFiles, AreRefusedByNameWhereTheyAreWrong) {
   refused("\tnumber\t", "\tnumbers\t", "numbers is no rule");
   refused("\t0.5\t0.1\t", "\thalf\t0.1\t", "half is no number");
   refused("\trough\tboth\t", "\trough\t", "a row of 14 cells under 15 columns");
+  for (const std::string part : {"0.01 of 3 to 0.0001", "0.01 of 0.0001", "0 of 0.0001 to 3",
+                                 "0.01 of 0 to 3", "0.01 of 0.0001 to 3 m/s", "0.01 of it"})
+    refused("\t0.01 of 0.0001 to 3\t", "\t" + part + "\t", part + " is no ");
   refused("quantity\tsurface", "quantities\tsurface", "no column quantity");
   std::filesystem::remove(path);
   EXPECT_THROW(read_claims(path), std::runtime_error);

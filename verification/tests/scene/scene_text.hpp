@@ -168,6 +168,14 @@ inline bool has_problem(const std::vector<InputProblem>& problems, std::string_v
   });
 }
 
+// --- Judgements on a text in one format; on a SceneText, in both.
+
+template <class Judge>
+testing::AssertionResult in_both_formats(const SceneText& text, const Judge& judge) {
+  const testing::AssertionResult of_toml = judge(Format::toml, text.toml());
+  return of_toml ? judge(Format::json, text.json()) : of_toml;
+}
+
 inline testing::AssertionResult accepted(Format format, const std::string& text,
                                          SceneUse use = SceneUse::speeds) {
   const SceneReading reading = read(format, text, use);
@@ -176,39 +184,62 @@ inline testing::AssertionResult accepted(Format format, const std::string& text,
                                      << lines_of(reading.errors);
 }
 
-inline testing::AssertionResult accepted(Format format, const SceneText& text,
-                                         SceneUse use = SceneUse::speeds) {
-  return accepted(format, text.written(format), use);
+inline testing::AssertionResult accepted(const SceneText& text, SceneUse use = SceneUse::speeds) {
+  return in_both_formats(text, [&](Format format, const std::string& written) {
+    return accepted(format, written, use);
+  });
 }
 
-// One error and no more, about this field, with this part in its message.
+// An error on a field, with a part of its message.
+struct Error {
+  std::string_view field, part;
+};
+
+// These errors and no more.
 inline testing::AssertionResult refused(Format format, const std::string& text,
-                                        std::string_view field, std::string_view part,
+                                        const std::vector<Error>& wanted,
                                         SceneUse use = SceneUse::speeds) {
   const SceneReading reading = read(format, text, use);
-  if (!reading.scene && reading.errors.size() == 1 && has_problem(reading.errors, field, part))
+  if (!reading.scene && reading.errors.size() == wanted.size() &&
+      std::all_of(wanted.begin(), wanted.end(), [&](const Error& one) {
+        return has_problem(reading.errors, one.field, one.part);
+      }))
     return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "input: " << text << "\nwanted one error on '" << field
-                                     << "' with: " << part << "\nerrors:\n"
-                                     << lines_of(reading.errors);
+  testing::AssertionResult failure = testing::AssertionFailure() << "input: " << text;
+  for (const Error& one : wanted)
+    failure << "\nwanted an error on '" << one.field << "' with: " << one.part;
+  return failure << "\nerrors:\n" << lines_of(reading.errors);
 }
 
-inline testing::AssertionResult refused(Format format, const SceneText& text,
-                                        std::string_view field, std::string_view part,
+inline testing::AssertionResult refused(const SceneText& text, const std::vector<Error>& wanted,
                                         SceneUse use = SceneUse::speeds) {
-  return refused(format, text.written(format), field, part, use);
+  return in_both_formats(text, [&](Format format, const std::string& written) {
+    return refused(format, written, wanted, use);
+  });
 }
 
-inline testing::AssertionResult warned(Format format, const SceneText& text, std::string_view field,
+// One error and no more.
+inline testing::AssertionResult refused(Format format, const std::string& text,
+                                        std::string_view field, std::string_view part) {
+  return refused(format, text, {{field, part}});
+}
+
+inline testing::AssertionResult refused(const SceneText& text, std::string_view field,
+                                        std::string_view part, SceneUse use = SceneUse::speeds) {
+  return refused(text, {{field, part}}, use);
+}
+
+inline testing::AssertionResult warned(const SceneText& text, std::string_view field,
                                        std::string_view part) {
-  const SceneReading reading = read(format, text);
-  if (reading.scene && has_problem(reading.warnings, field, part))
-    return testing::AssertionSuccess();
-  return testing::AssertionFailure()
-         << "input: " << text.written(format) << "\nwanted a warning on '" << field
-         << "' with: " << part << "\nwarnings:\n"
-         << lines_of(reading.warnings) << "errors:\n"
-         << lines_of(reading.errors);
+  return in_both_formats(text, [&](Format format, const std::string& written) {
+    const SceneReading reading = read(format, written);
+    if (reading.scene && has_problem(reading.warnings, field, part))
+      return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "input: " << written << "\nwanted a warning on '" << field
+                                       << "' with: " << part << "\nwarnings:\n"
+                                       << lines_of(reading.warnings) << "errors:\n"
+                                       << lines_of(reading.errors);
+  });
 }
 
 }  // namespace tribo::scene_test

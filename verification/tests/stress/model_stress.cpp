@@ -258,7 +258,11 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit code 1: a contract is broken, or a number is missing.\n\n"
       "Example:\n  model_stress --points 1000000 --threads 2 --out stress.json");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   if (arguments.points == 0) {
     show(arguments);
     return 0;

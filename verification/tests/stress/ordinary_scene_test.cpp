@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scene/scene_text.hpp"
+#include "scene/spoilt_text.hpp"
 #include "stress/fuzz/checks.hpp"
 
 namespace tribo::fuzz {
@@ -175,66 +176,13 @@ TEST(OrdinaryScene, EscapesAreReadAlike) {
   EXPECT_EQ(is_taken(SceneText::good().set("id", R"("\ud83d")").json()), false);
 }
 
-void spoil(std::string& line, std::mt19937_64& random) {
-  constexpr std::string_view signs = "\"{}[]:,.+-0123456789eE \t\r\\xfalsetruenull\xc3\xa9\xff\x01";
-  const std::string words[] = {"1e400",
-                               "1e-400",
-                               "-0",
-                               "-0.0",
-                               "0.0",
-                               "01",
-                               "1.",
-                               ".5",
-                               "18446744073709551616",
-                               "null",
-                               "true",
-                               "\\u0000",
-                               "\\ud800",
-                               "\\n",
-                               "NaN",
-                               "Infinity",
-                               "\xed\xa0\x80",
-                               "é",
-                               "\xEF\xBB\xBF",
-                               "\"load\"",
-                               "{}",
-                               "[1]",
-                               "[\"film\"]",
-                               "\"a\": 1",
-                               ", \"load\": 5",
-                               "\"surface\": {",
-                               "\"function\": \"hertz_point\", "};
-  const std::size_t at = random() % (line.size() + 1);
-  const std::size_t length = random() % 12;
-  switch (random() % 6) {
-    case 0:
-      line.insert(at, words[random() % std::size(words)]);
-      break;
-    case 1:
-      line.insert(at, 1, signs[random() % signs.size()]);
-      break;
-    case 2:
-      line.erase(at, length);
-      break;
-    case 3:
-      line.insert(random() % (line.size() + 1), line.substr(at, 4 * length));
-      break;
-    case 4:
-      line.replace(at, std::min<std::size_t>(1, line.size() - at), 1,
-                   signs[random() % signs.size()]);
-      break;
-    default:
-      if (random() % 8 == 0) line.resize(at);
-  }
-}
-
 TEST(OrdinaryScene, LinesSpoiltAtRandomAreReadAlike) {
   const std::vector<std::string> lines = lines_of_every_field();
   std::mt19937_64 random(20240712);
   int taken = 0;
   for (int round = 0; round < 30000; ++round) {
     std::string line = lines[random() % lines.size()];
-    for (std::size_t change = random() % 4; change > 0; --change) spoil(line, random);
+    for (std::size_t change = random() % 4; change > 0; --change) scene_test::spoil(line, random);
     if (is_taken(line)) ++taken;
     EXPECT_EQ(broken_property(check_ordinary_scene, line), "");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes that the checks use: the paper's surfaces, and random ones within what is built in steel.
+// Scenes that the checks use: the paper's surfaces, and random contacts as they are built of steel.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,6 +14,12 @@
 #include "tribo/scene.hpp"
 
 namespace tribo::verification {
+
+inline constexpr std::array asperity_models{AsperityModel::greenwood_tripp,
+                                            AsperityModel::greenwood_williamson};
+inline constexpr std::array starvation_closures{
+    StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
+    StarvationClosure::printed_exponents, StarvationClosure::damiens};
 
 // Table 1 of the paper with its misprints mended (model/README.md, section 10).
 enum class PaperSurface : int { rough, medium, smooth };
@@ -35,6 +41,17 @@ inline Scene paper_scene(PaperSurface surface,
   scene.supply = {SupplyKind::inlet_film_ratio, 4};
   scene.friction.boundary_coefficient = 0.13;
   scene.closures.asperity = model;
+  return scene;
+}
+
+// The paper's surface behind an inlet whose oil starves it within the scene's speeds.
+inline Scene starved_scene(PaperSurface surface, StarvationClosure closure,
+                           SupplyKind supply = SupplyKind::inlet_film_ratio,
+                           AsperityModel model = AsperityModel::greenwood_tripp) {
+  constexpr std::array values{0.0, 2e-7, 4.0, 1e-8};  // flooded, film, film ratio, flow
+  Scene scene = paper_scene(surface, model);
+  scene.closures.starvation = closure;
+  scene.supply = {supply, values[static_cast<std::size_t>(supply)]};
   return scene;
 }
 
@@ -70,11 +87,8 @@ inline Scene random_scene(Sampler& sampler) {
   scene.friction.fluid = sampler.pick({FluidShear::eyring, FluidShear::limiting});
   scene.friction.viscosity =
       sampler.pick({ViscosityLaw::barus, ViscosityLaw::ambient, ViscosityLaw::roelands});
-  scene.closures.asperity =
-      sampler.pick({AsperityModel::greenwood_tripp, AsperityModel::greenwood_williamson});
-  scene.closures.starvation =
-      sampler.pick({StarvationClosure::flooded_inlet, StarvationClosure::starved_inlet,
-                    StarvationClosure::printed_exponents, StarvationClosure::damiens});
+  scene.closures.asperity = sampler.pick(asperity_models);
+  scene.closures.starvation = sampler.pick(starvation_closures);
   scene.closures.damiens_exponent = sampler.uniform(1, 5);
   scene.closures.film =
       shape == ContactShape::line

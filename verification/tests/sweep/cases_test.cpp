@@ -327,7 +327,7 @@ TEST(ChunkSolver, KeepsTheValuesOfEachCaseInItsPlace) {
       const std::uint64_t first = number * 111,
                           groups = std::min(first + 111, scene.groups) - first;
       const std::size_t rows = scene.cases_per_group(), kept = scene.cases_kept_per_group();
-      // The kept cases of the chunk in a column of so many numbers a case, 0 beyond the last.
+      // The kept cases of the chunk in a column of `wide` numbers a case, 0 beyond the last.
       const auto expected_of = [&](const std::vector<double>& all, std::size_t of_case,
                                    std::size_t at, std::size_t wide) {
         std::vector<double> expected(scene.chunk_cases() * wide);

@@ -28,40 +28,40 @@ TEST(Chunk, IsReadAsItWasWritten) {
   EXPECT_EQ(read.bytes(), chunk.bytes());
 }
 
-bool is_refused(std::span<const std::byte> bytes) {
-  try {
-    Chunk::from(bytes);
-  } catch (const std::runtime_error&) {
-    return true;
-  }
-  return false;
+std::string error_with(std::span<const std::byte> bytes) {
+  return error_of([&] { Chunk::from(bytes); });
 }
 
 TEST(Chunk, IsRefusedCutOffAnywhere) {
   const Bytes bytes = with_everything().bytes();
-  std::size_t refused = 0;
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    refused += is_refused(std::span(bytes).first(size)) ? 1 : 0;
-  EXPECT_EQ(refused, bytes.size());
+    EXPECT_NE(error_with(std::span(bytes).first(size)), "none") << size;
 }
 
-TEST(Chunk, IsRefusedWithMoreBehindIt) {
-  Bytes bytes = with_everything().bytes();
-  bytes.push_back(std::byte{0});
-  EXPECT_EQ(is_refused(bytes), true);
+TEST(Chunk, IsRefusedWithMoreBehindItAndWithWhatNoChunkHas) {
+  Bytes longer = with_everything().bytes();
+  longer.push_back(std::byte{0});
+  EXPECT_EQ(error_with(longer), "a chunk is followed by more bytes");
+  Chunk other = with_everything();
+  other.values[1].element_size = 4;
+  EXPECT_EQ(error_with(other.bytes()), "values of a size that no chunk has");
+  other = with_everything();
+  ++other.summaries[0][1].moments.count;
+  EXPECT_EQ(error_with(other.bytes()), "these bytes are no summary: its counts differ");
+  other = with_everything();
+  other.sensitivities[3][0][jackknife_blocks] = {};
+  EXPECT_EQ(error_with(other.bytes()), "a block of sensitivity that no chunk has");
 }
 
 TEST(Chunk, HasNoListThatEndsWithinANumber) {
   for (const std::size_t size : {0, 7, 8, 9, 16}) {
     Bytes bytes;
     put(bytes, std::span<const std::byte>(Bytes(size)));
-    std::vector<double> list;
-    if (size % sizeof(double) == 0) {
-      Receiver{bytes}(list);
-      EXPECT_EQ(list.size(), size / sizeof(double));
-    } else {
-      EXPECT_THROW(Receiver{bytes}(list), std::runtime_error) << size;
-    }
+    const auto list = [&] { return Receiver{bytes}.take<std::vector<double>>(); };
+    if (size % sizeof(double) == 0)
+      EXPECT_EQ(list().size(), size / sizeof(double));
+    else
+      EXPECT_EQ(error_of(list), "a list ends within a number");
   }
 }
 
@@ -75,7 +75,7 @@ TEST(Chunk, OfDamagedBytesIsRefusedOrReadWithoutHarm) {
     const std::size_t first = random() % damaged.size();
     for (std::size_t k = first; k < std::min(first + random() % 9, damaged.size()); ++k)
       damaged[k] = static_cast<std::byte>(random());
-    refused += is_refused(damaged) ? 1 : 0;
+    refused += error_with(damaged) == "none" ? 0 : 1;
   }
   EXPECT_GT(refused, 100);
 }

@@ -22,7 +22,7 @@ using Matrix = std::vector<std::vector<double>>;
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
 
-// The error of z is that of P(Z < z) against u, over the slope of P.
+// The error of z is the difference of P(Z < z) and u, over the slope of P.
 TEST(StandardNormal, IsExactToFourUlp) {
   std::mt19937_64 words(1);
   std::vector<double> numbers{sweep::least_unit_number,    0.5 - 0x1p-53, 0.5 + 0x1p-53, 0.25, 0.75,

@@ -51,9 +51,7 @@ TEST(OutputLock, KnowsThatItsFileWasRemoved) {
 TEST(OutputLock, TellsWhatItsOwnerHasNoted) {
   const TemporaryFolder folder;
   const std::string output = folder.file("out.h5");
-  Bytes first, second;
-  put_text(first, "a longer note of the first");
-  put_text(second, "short");
+  const Bytes first(26, std::byte{1}), second(5, std::byte{2});
   {
     OutputLock lock(output);
     EXPECT_EQ(OutputLock::noted(output), Bytes());

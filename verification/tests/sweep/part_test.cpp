@@ -26,7 +26,7 @@ namespace {
 
 const PartHeader header{"0.1.0", 1, "00ff", "FMA", {{"sweep.toml", "load = 20\n"}}, "7:8:9:10"};
 
-// The content of chunk `number`; sizes from nothing on.
+// The content of chunk `number`; the sizes begin at 0.
 Bytes content(std::uint64_t number) {
   std::mt19937_64 random(number);
   Bytes bytes(number * 37 % 200);
@@ -354,7 +354,7 @@ struct Process {
                    std::function<bool()> over = {})
       : parts({folder.file("out"), header, begin, false, std::move(over)}, four_parts,
               std::vector<bool>(4)) {}
-  // Takes and keeps so many chunks; gives their numbers.
+  // Takes and keeps at most `most` chunks; gives their numbers.
   ChunkList compute(int most) {
     ChunkList numbers;
     for (int i = 0; i < most; ++i) {

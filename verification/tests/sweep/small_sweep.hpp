@@ -32,12 +32,12 @@ inline void write_content(const std::string& path, const std::string& content) {
   std::ofstream(path, std::ios::binary) << content;
 }
 
-// The message of the std::runtime_error that `throws` throws; "none" if nothing.
+// The message of the exception that `throws` throws; "none" if nothing.
 template <class Throw>
 std::string error_of(Throw&& throws) {
   try {
     throws();
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     return error.what();
   }
   return "none";

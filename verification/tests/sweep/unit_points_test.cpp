@@ -119,7 +119,7 @@ TEST(UnitPoints, DifferByDimensionSeedAndDesign) {
   EXPECT_EQ(seen.size(), count) << "a coordinate came twice, of about 1e4 in 2^52";
 }
 
-// Random123's words by their documented counters: what a seed gives must stay so.
+// Random123's words by their documented counters: a seed has to give the same points for ever.
 TEST(MonteCarlo, IsPhiloxOfPointAndDimension) {
   const std::uint64_t seed = 0x123456789ABCDEF0;
   const std::uint64_t first = (std::uint64_t{5} << 32) - 3;
@@ -136,11 +136,11 @@ TEST(MonteCarlo, IsPhiloxOfPointAndDimension) {
     }
 }
 
-// P(χ² > x) for so many degrees of freedom.
+// P(χ² > x) with `freedom` degrees of freedom.
 double chi_squared_tail(double x, double freedom) {
   return boost::math::gamma_q(freedom / 2, x / 2);
 }
-constexpr double improbable = 1e-5;  // in each tail; of some hundred tests, all seeded
+constexpr double improbable = 1e-5;  // of each tail; some hundred tests, all with fixed seeds
 
 void expect_as_likely(const std::vector<double>& counts, const char* what) {
   double sum = 0, squares = 0;

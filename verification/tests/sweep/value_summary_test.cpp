@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 #include "support/judge.hpp"
@@ -118,42 +117,6 @@ TEST(ValueSummary, LeavesOutWhatIsUndefined) {
   summary.merge(summary_of({nan, 4}));
   EXPECT_EQ(summary.undefined, 5U);
   EXPECT_EQ(summary.sketch.count(), 4U);
-}
-
-sweep::Bytes bytes_of(const ValueSummary& summary) {
-  sweep::Bytes bytes;
-  summary.write(bytes);
-  return bytes;
-}
-
-TEST(ValueSummary, IsReadAsItWasWrittenAndRefusedIfCutOrOfTwoCounts) {
-  std::vector<double> values = normals(500, 1e-7, 3e-8, 3);
-  values.push_back(nan);
-  const ValueSummary summary = summary_of(values);
-  sweep::Bytes bytes = bytes_of(summary);
-  sweep::ByteReader reader(bytes);
-  const ValueSummary read = ValueSummary::read(reader);
-  EXPECT_EQ(bytes_of(read), bytes);
-  EXPECT_EQ(read.undefined, 1U);
-  EXPECT_EQ(read.moments.mean, summary.moments.mean);
-  EXPECT_EQ(read.moments.squares, summary.moments.squares);
-
-  const auto is_refused = [](const sweep::Bytes& some) {
-    sweep::ByteReader from(some);
-    try {
-      ValueSummary::read(from);
-      return false;
-    } catch (const std::runtime_error&) {
-      return true;
-    }
-  };
-  sweep::Bytes of_two_counts = bytes;
-  of_two_counts.front() ^= std::byte{1};
-  EXPECT_EQ(is_refused(of_two_counts), true);
-  while (!bytes.empty()) {
-    bytes.pop_back();
-    EXPECT_EQ(is_refused(bytes), true) << bytes.size();
-  }
 }
 
 TEST(Quantiles, OfNothingAreNoNumbersAndOfOneValueItself) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck's own model, registered as anybody's: what it scores here, `tribocheck verify` has to
-// find without it.
+// tribocheck's own model, registered as any solver may be. It has to get the same verdicts as
+// `tribocheck stream`.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ using namespace tribo::conformance;
 
 double or_undefined(double number) { return std::isfinite(number) ? number : undefined_here; }
 
-// A function of the catalogue by its own value.
+// Answers a function of the catalogue by the catalogue's own value.
 FunctionBatch batch_of(const catalogue::Function& function) {
   return each([&function](const catalogue::Arguments& arguments) {
     catalogue::Results results{};

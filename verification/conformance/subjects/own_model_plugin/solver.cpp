@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tribocheck's own model as a plug-in: the suite has to find the same of it as without.
+// tribocheck's own model as a plug-in. It has to get the same verdicts as `tribocheck stream`.
 #include <cmath>
 #include <limits>
 #include <span>

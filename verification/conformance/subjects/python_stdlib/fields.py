@@ -125,7 +125,7 @@ def read(given, allowed_fields):
 
 
 def read_arguments(name, given):
-    """Those of a function."""
+    """The arguments of a function."""
     arguments = read(given, FUNCTIONS[name])
     if name == "reduced_radius":
         for first, second in (RADII[:2], RADII[2:]):

@@ -5,7 +5,7 @@ import math
 
 
 def density(pressure):
-    """Over that at ambient pressure."""
+    """The density over that at ambient pressure."""
     return (5.9e8 + 1.34 * pressure) / (5.9e8 + pressure)
 
 

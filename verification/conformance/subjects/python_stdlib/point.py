@@ -90,7 +90,7 @@ def friction_fields(scene):
 
 
 def starved(scene, film):
-    """The parts of the flooded film that are left and lost."""
+    """The starved film over the flooded one, and 1 less this ratio."""
     supply = inlet_film(scene)
     if supply is None:
         return 1.0, 0.0

@@ -175,7 +175,7 @@ def load_order(asperity):
 
 
 def share_exponent(asperity):
-    """Load sharing takes Greenwood and Tripp's n^2 as (n times the share)^2: the root is left."""
+    """The exponent q of A = (K F_p)^q: load sharing turns n into n/A, and n^2 in K gives A^2 = K F_p."""
     return 0.5 if asperity == TRIPP else 1.0
 
 

@@ -1,21 +1,103 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hertz' elliptical contact: printed numbers, and the load and the displacement of the pressure, by
-// quadrature that has no elliptic integral.
-#include "tribo/hertz_ellipse.hpp"
+// Two bodies as one, and Hertz' contacts of a point, an ellipse and a line: printed numbers,
+// limits, and the load, displacements and stresses of the pressure, by quadrature that has no
+// elliptic integral. certified/certified_tables_test.cpp and contract/contract_test.cpp hold the
+// values.
+#include "tribo/hertz.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "support/judge.hpp"
-#include "tribo/hertz.hpp"
+#include "tribo/hertz_ellipse.hpp"
 #include "tribo/hertz_line.hpp"
+#include "tribo/two_bodies.hpp"
 
 namespace tribo::verification {
 namespace {
 
+using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
 constexpr double ulp = 0x1p-52;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(EffectiveModulus, OfSteelOnSteelIsHalfOfThePlaneStrainModulus) {
+  const double steel = 206e9 / (1 - 0.3 * 0.3);
+  EXPECT_TRUE(is_within(effective_modulus(206e9, 0.3, 206e9, 0.3), steel / 2, 1e-4));
+  EXPECT_TRUE(is_within(effective_modulus(206e9, 0.3, infinity, 0.5), steel, 1e-4));
+  EXPECT_EQ(effective_modulus(infinity, 0.3, infinity, 0.3), infinity);
+}
+
+TEST(EffectiveModulus, IsTheSameWithTheBodiesExchangedAndScalesWithTheModuli) {
+  Sampler sampler(4);
+  for (int i = 0; i < 500; ++i) {
+    const double e1 = sampler.log_uniform(1e5, 1e12), e2 = sampler.log_uniform(1e5, 1e12);
+    const double nu1 = sampler.uniform(-1, 0.5), nu2 = sampler.uniform(-1, 0.5);
+    const double both = effective_modulus(e1, nu1, e2, nu2);
+    EXPECT_EQ(effective_modulus(e2, nu2, e1, nu1), both);
+    EXPECT_EQ(effective_modulus(4 * e1, nu1, 4 * e2, nu2), 4 * both);
+    EXPECT_LT(both, e1 / (1 - nu1 * nu1));
+  }
+}
+
+// A ball of 10 mm in a groove of 5.5 mm, 45 mm from the bearing's axis.
+TEST(ReducedRadius, OfABallInABearingIsTheHandCheck) {
+  const ReducedRadius<double> got = reduced_radius(5e-3, -45e-3, 5e-3, -5.5e-3);
+  EXPECT_TRUE(is_within(got.radius_x, 5.625e-3, 1e-15));
+  EXPECT_TRUE(is_within(got.radius_y, 55e-3, 1e-15));
+  EXPECT_TRUE(is_within(got.reduced_radius, 0.495 / 97, 1e-15));
+}
+
+TEST(ReducedRadius, OfABallOnAFlatIsHalfOfTheBalls) {
+  const double largest = std::numeric_limits<double>::max();
+  for (const double flat : {infinity, -infinity, 1e30, largest}) {
+    const ReducedRadius<double> got = reduced_radius(9.5e-3, flat, flat, 9.5e-3);
+    EXPECT_EQ(got.radius_x, 9.5e-3);
+    EXPECT_EQ(got.radius_y, 9.5e-3);
+    EXPECT_EQ(got.reduced_radius, 9.5e-3 / 2);
+  }
+  EXPECT_EQ(reduced_radius(largest, largest, 1.0, 1.0).radius_x, largest / 2);
+}
+
+TEST(ReducedRadius, OfFacesThatDoNotMeetAtAPointIsNaN) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<double, double> apart[] = {
+      {5e-3, -4e-3},        {5e-3, -5e-3}, {-1, -2}, {-1, 1e30},
+      {infinity, infinity}, {0, 1},        {nan, 1}, {1, nan}};
+  for (const auto& [first, second] : apart) {
+    for (const ReducedRadius<double>& got :
+         {reduced_radius(first, second, 1.0, 2.0), reduced_radius(second, first, 1.0, 2.0),
+          reduced_radius(1.0, 2.0, first, second)}) {
+      EXPECT_EQ(std::isnan(got.radius_x), true) << first << ' ' << second;
+      EXPECT_EQ(std::isnan(got.radius_y), true) << first << ' ' << second;
+      EXPECT_EQ(std::isnan(got.reduced_radius), true) << first << ' ' << second;
+    }
+  }
+}
+
+TEST(Hertz, TableOneGivesTheHandChecks) {
+  const HertzPoint<double> hertz = hertz_point(50.0, 107.9e9, 9.5e-3);
+  EXPECT_TRUE(is_within(hertz.radius, 148.9e-6, 0.05e-6));
+  EXPECT_TRUE(is_within(hertz.peak_pressure, 1.077e9, 0.0005e9));
+}
+
+// The mean pressure times the area is the load; the peak is that of the other textbook form.
+TEST(Hertz, StressesBalance) {
+  Sampler sampler(3);
+  for (int i = 0; i < 500; ++i) {
+    const double load = sampler.log_uniform(1e-6, 1e6), modulus = sampler.log_uniform(1e6, 1e12);
+    const double radius = sampler.log_uniform(1e-6, 10);
+    const HertzPoint<double> got = hertz_point(load, modulus, radius);
+    const double peak = 2 * got.radius * modulus / (pi<double>() * radius);
+    const std::initializer_list<Input> inputs{{"load", load}, {"modulus", modulus}, {"R", radius}};
+    EXPECT_TRUE(is_close(got.mean_pressure * got.nominal_area, load, 10 * 0x1p-52, inputs));
+    EXPECT_TRUE(is_close(got.peak_pressure, peak, 20 * 0x1p-52, inputs));
+  }
+}
 
 TEST(HertzEllipse, ShapesAreThePrintedNumbers) {
   struct Printed {
@@ -32,14 +114,6 @@ TEST(HertzEllipse, ShapesAreThePrintedNumbers) {
     EXPECT_TRUE(is_within(shape.first_integral, printed.first, 1.02 * printed.accuracy));
     EXPECT_TRUE(is_within(shape.second_integral, printed.second, 1.02 * printed.accuracy));
   }
-}
-
-TEST(HertzEllipse, OfTheExampleIsTheHandCheck) {
-  const HertzEllipse<double> got = hertz_ellipse(50.0, 107.9e9, 9.5e-3, 19e-3);
-  EXPECT_TRUE(is_within(got.semi_axis_x, 131.855e-6, 0.0005e-6));
-  EXPECT_TRUE(is_within(got.semi_axis_y, 209.097e-6, 0.0005e-6));
-  EXPECT_TRUE(is_within(got.peak_pressure, 0.865897e9, 0.0000005e9));
-  EXPECT_TRUE(is_within(got.approach, 2.06561e-6, 0.000005e-6));
 }
 
 // k² = 1 + 4(α − 1)/3 + O((α − 1)²).
@@ -86,29 +160,8 @@ TEST(HertzEllipse, WithXAndYExchangedHasItsAxesExchanged) {
   }
 }
 
-TEST(HertzEllipse, GrowsWithThePowersOfLoadModulusAndSize) {
-  Sampler sampler(33);
-  for (int i = 0; i < 300; ++i) {
-    const double load = sampler.log_uniform(1e-3, 1e5), modulus = sampler.log_uniform(1e6, 1e12);
-    const double x = sampler.log_uniform(1e-4, 1), y = x * sampler.log_uniform(1e-3, 1e3);
-    const HertzEllipse<double> got = hertz_ellipse(load, modulus, x, y);
-    const auto grown = [&](const HertzEllipse<double>& other, double axis, double pressure,
-                           double approach) {
-      EXPECT_EQ(other.semi_axis_x, axis * got.semi_axis_x);
-      EXPECT_EQ(other.semi_axis_y, axis * got.semi_axis_y);
-      EXPECT_EQ(other.peak_pressure, pressure * got.peak_pressure);
-      EXPECT_EQ(other.approach, approach * got.approach);
-      EXPECT_EQ(other.ellipticity, got.ellipticity);
-    };
-    grown(hertz_ellipse(8 * load, modulus, x, y), 2, 2, 4);
-    grown(hertz_ellipse(load, 8 * modulus, x, y), 0.5, 4, 0.25);
-    grown(hertz_ellipse(load, modulus, 8 * x, 8 * y), 2, 0.25, 0.5);
-  }
-}
-
 // The integral of p₀√(1 − x²/a_x² − y²/a_y²), a strip at a time.
 TEST(HertzEllipse, PressureCarriesTheLoad) {
-  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
   for (const double ratio : {1.0, 2.0, 1 / 3.0, 30.0, 1e-2, 1e4}) {
     const HertzEllipse<double> got = hertz_ellipse(50.0, 107.9e9, 9.5e-3, 9.5e-3 * ratio);
     // x = a_x sin s and y = chord sin t take the square roots at the edge away.
@@ -195,7 +248,6 @@ TEST(HertzEllipse, MiddleOfALongOneIsALine) {
 }
 
 TEST(HertzEllipse, EndsAtEveryRatio) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   for (double ratio = 1e4; ratio < 1e308; ratio *= 1e4) {
     // α = k²B/D, with D = ln(4k) − 1 and B = 1 of a long one
     const EllipseShape<double> shape = ellipse_shape(ratio);
@@ -212,6 +264,75 @@ TEST(HertzEllipse, EndsAtEveryRatio) {
   const HertzEllipse<double> far = hertz_ellipse(1.0, 1.0, 1e-200, 1e200);
   EXPECT_EQ(far.semi_axis_x > 0, false);  // 0 or NaN, and never the circle's
   EXPECT_EQ(far.ellipticity, infinity);
+}
+
+// ∫ f(s) √(1 − s²) ds from −1 to 1, s = sin t.
+template <class Function>
+double under_the_pressure(Function&& f) {
+  const auto in_t = [&](double t) { return f(std::sin(t)) * std::cos(t) * std::cos(t); };
+  return Quadrature::integrate(in_t, -pi<double>() / 2, pi<double>() / 2, 12, 1e-13);
+}
+
+TEST(HertzLine, OfTheExampleIsTheHandCheck) {
+  const HertzLine<double> got = hertz_line(1e5, 107.9e9, 9.5e-3);
+  EXPECT_TRUE(is_within(got.half_width, 105.878e-6, 0.0005e-6));
+  EXPECT_TRUE(is_within(got.peak_pressure, 0.601276e9, 0.0000005e9));
+  EXPECT_TRUE(is_within(got.peak_shear / got.peak_pressure, 0.300283, 0.0000005));
+}
+
+TEST(HertzLine, PressureCarriesTheLoadAndClosesTheGap) {
+  Sampler sampler(41);
+  for (int i = 0; i < 300; ++i) {
+    const double load = sampler.log_uniform(1e-3, 1e8), modulus = sampler.log_uniform(1e5, 1e12);
+    const double radius = sampler.log_uniform(1e-6, 10);
+    const HertzLine<double> got = hertz_line(load, modulus, radius);
+    const std::initializer_list<Input> inputs{{"load", load}, {"modulus", modulus}, {"R", radius}};
+    const double carried = under_the_pressure([](double) { return 1.0; });
+    EXPECT_TRUE(is_close(carried * got.peak_pressure * got.half_width, load, 8 * ulp, inputs));
+    EXPECT_TRUE(is_close(2 * got.mean_pressure * got.half_width, load, 2 * ulp, inputs));
+    // Between the strip's middle and its half the faces move by x²/(2R) less:
+    // 2/(πE*) ∫ p ln|s/(s − x)| ds. The logarithms are integrated apart.
+    if (i >= 20) continue;
+    const double x = 0.5;
+    const auto log_at = [&](double at) {
+      // ∫ √(1−s²) ln|s − x| ds = ∫ (√(1−s²) − √(1−x²)) ln|s − x| ds + √(1−x²) ∫ ln|s − x| ds
+      const double root = std::sqrt(1 - at * at);
+      const auto part = [&](double s) {
+        const double apart = std::abs(s - at);
+        return apart > 0 ? (std::sqrt(1 - s * s) - root) * std::log(apart) : 0.0;
+      };
+      const auto side = [](double length) { return length * (std::log(length) - 1); };
+      return Quadrature::integrate(part, -1.0, at, 15, 1e-12) +
+             Quadrature::integrate(part, at, 1.0, 15, 1e-12) + root * (side(1 - at) + side(1 + at));
+    };
+    const double moved =
+        2 / (pi<double>() * modulus) * got.peak_pressure * got.half_width * (log_at(x) - log_at(0));
+    const double gap = std::pow(x * got.half_width, 2) / (2 * radius);
+    EXPECT_TRUE(is_within(moved / gap, 1, 1e-9));
+  }
+}
+
+// The stresses below the middle by Flamant's solution: σ_z = −(2z³/π) ∫ p/(s²+z²)² ds, σ_x with
+// zs² for z³; the greatest shear stress is half of their difference.
+TEST(HertzLine, GreatestShearStressIsBelowTheSurface) {
+  const auto shear = [](double z) {
+    return under_the_pressure([&](double s) {
+             const double square = s * s + z * z;
+             return z * (z * z - s * s) / (square * square);
+           }) /
+           pi<double>();
+  };
+  double least = 0.5, most = 1.1;  // golden sections
+  while (most - least > 1e-7) {
+    const double part = (most - least) * 0.381966;
+    if (shear(least + part) < shear(most - part))
+      least += part;
+    else
+      most -= part;
+  }
+  EXPECT_TRUE(is_within((least + most) / 2, 0.786151, 1e-6));
+  EXPECT_TRUE(is_within(shear((least + most) / 2), line_peak_shear_ratio<double>(), 1e-12));
+  EXPECT_TRUE(is_within(line_peak_shear_ratio<double>(), 0.300283, 0.0000005));
 }
 
 }  // namespace

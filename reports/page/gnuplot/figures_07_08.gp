@@ -1,5 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-# The curves of Figures 7 and 8: column y of GT on three surfaces and of GW on the smooth one.
+# Figure 7, real area of contact against speed, and Figure 8, summits in contact: GT on three surfaces and GW on the smooth one.
+load scripts."style.gp"
+if (prefix eq "figure_07") {
+  y = area
+  set ylabel "real area / nominal area, A_r/A_{nom} (–)" offset y_words
+  set yrange [0:*]
+} else {
+  y = summits
+  set ylabel "summits in contact (–)" offset y_words
+  set logscale y 10
+  set format y "10^{%T}"
+  set autoscale yfix
+  set offsets 0, 0, graph 0.1, graph 0.1
+}
 plot \
   for [s in surfaces] gt(s) using speed:(standing(y)) with lines linestyle 1 \
     linecolor rgb colour(s) title s." (GT)", \

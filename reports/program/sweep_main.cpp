@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// tribocheck_sweep: the command `tribocheck sweep`. main.cpp says why it is a program of its own.
+#include <array>
+
+#include "command.hpp"
+
+int main(int count, char** arguments) {
+  return tribo::cli::run_program(std::array{&tribo::cli::add_sweep}, count, arguments);
+}
