@@ -17,8 +17,6 @@ constexpr double accuracy_ratchet = 4;  // times the greatest error, or 1 ulp
 constexpr double time_ratio = 1.10;     // ratio of the medians
 constexpr int schema = 2;
 
-std::string key_of(const BenchRow& row) { return row.job + '/' + row.family + '/' + row.name; }
-
 // The control's median; empty where it did not run.
 std::optional<double> control_of(const BenchResults& results) {
   for (const BenchJob& job : results.jobs)
@@ -66,7 +64,7 @@ class RowComparison {
  public:
   // Without a control times are not compared.
   RowComparison(const BenchRow& row, const json& before, const std::optional<double>& control)
-      : key(key_of(row)), before_(before), now_(row_json(row, control)) {
+      : key(row.key()), before_(before), now_(row_json(row, control)) {
     compare_count("evaluations", "evaluations", 1);
     compare_count("failures", "failures", 1);
     compare_count("judged", "judged cases", -1);
@@ -158,7 +156,7 @@ void note_gone(const BenchResults& results, const json& baseline, const IsAsked&
                BenchChanges& changes) {
   std::vector<std::string> here;
   for (const BenchJob& job : results.jobs)
-    for (const BenchRow& row : job.rows) here.push_back(key_of(row));
+    for (const BenchRow& row : job.rows) here.push_back(row.key());
   std::size_t left_out = 0;
   for (const auto& [key, row] : baseline.at("rows").items()) {
     if (std::find(here.begin(), here.end(), key) != here.end()) continue;
@@ -209,11 +207,11 @@ BenchChanges compare(const BenchResults& results, const json& baseline, const Is
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows) {
       ++changes.rows;
-      if (!rows.contains(key_of(row))) {
-        changes.better.push_back(key_of(row) + ": is new");
+      if (!rows.contains(row.key())) {
+        changes.better.push_back(row.key() + ": is new");
         continue;
       }
-      const RowComparison one(row, rows.at(key_of(row)), control);
+      const RowComparison one(row, rows.at(row.key()), control);
       changes.compared += one.any_compared ? 1 : 0;
       changes.timed += one.is_timed ? 1 : 0;
       const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& lines) {
@@ -235,7 +233,7 @@ std::vector<std::string> improve(json& baseline, const BenchResults& results) {
   json& rows = baseline.at("rows");
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows) {
-      const std::string key = key_of(row);
+      const std::string key = row.key();
       if (!rows.contains(key)) {
         rows[key] = row_json(row, control);
         said.push_back("baseline improved: " + key + ": is new");
@@ -266,7 +264,7 @@ json new_bench_baseline(const BenchResults& results, const json& before, const I
   }
   const std::optional<double> control = control_of(results);
   for (const BenchJob& job : results.jobs)
-    for (const BenchRow& row : job.rows) rows[key_of(row)] = row_json(row, control);
+    for (const BenchRow& row : job.rows) rows[row.key()] = row_json(row, control);
   return {{"schema", schema}, {"environment", environment_json()}, {"rows", std::move(rows)}};
 }
 

@@ -32,11 +32,12 @@ BenchRow row_of(const Json& run) {
   const bool is_elsewhere = name.ends_with(elsewhere);
   if (is_elsewhere) name.resize(name.size() - elsewhere.size());
   const double time = run.at(is_elsewhere ? "real_time" : "cpu_time");
+  const double time_a_point = time / run.at("points").get<double>();
   return {whole.substr(0, job_end),
           whole.substr(job_end + 1, family_end - job_end - 1),
           name,
-          time / run.at("points").get<double>(),
-          time / run.at("points").get<double>(),
+          time_a_point,
+          time_a_point,
           std::nullopt,
           optional_number(run, "judged"),
           optional_number(run, "failures"),
@@ -44,14 +45,6 @@ BenchRow row_of(const Json& run) {
           optional_number(run, "p99_ulp"),
           optional_number(run, "mean_ulp"),
           optional_number(run, "evaluations")};
-}
-
-// The least time of each contender's repetitions; aggregates are its mean, median and spread.
-using LeastTimes = std::map<std::string, double>;
-void note_least(LeastTimes& least, const BenchRow& row) {
-  const std::string key = row.job + '/' + row.family + '/' + row.name;
-  const auto [place, is_new] = least.try_emplace(key, row.ns);
-  if (!is_new) place->second = std::min(place->second, row.ns);
 }
 
 void add_ratios(BenchJob& job) {
@@ -99,7 +92,7 @@ BenchResults read_bench_results(const std::string& json) {
   std::stable_sort(runs.begin(), runs.end(), [](const Json& a, const Json& b) {
     return a.at("family_index").get<int>() < b.at("family_index").get<int>();
   });
-  LeastTimes least;
+  std::map<std::string, double> least;  // of the repetitions, by key
   for (const Json& run : runs) {
     if (run.value("error_occurred", false)) {
       const std::string line =
@@ -109,9 +102,14 @@ BenchResults read_bench_results(const std::string& json) {
         results.left_out.push_back(line);
       continue;
     }
-    if (run.value("run_type", "") == "iteration") note_least(least, row_of(run));
-    if (run.value("aggregate_name", "") != "median") continue;
+    const bool is_repetition = run.value("run_type", "") == "iteration";
+    if (!is_repetition && run.value("aggregate_name", "") != "median") continue;
     BenchRow row = row_of(run);
+    if (is_repetition) {
+      double& least_ns = least.try_emplace(row.key(), row.ns).first->second;
+      least_ns = std::min(least_ns, row.ns);
+      continue;
+    }
     const auto same_job = std::find_if(results.jobs.begin(), results.jobs.end(),
                                        [&](const BenchJob& j) { return j.rows[0].job == row.job; });
     if (same_job != results.jobs.end())
@@ -122,8 +120,7 @@ BenchResults read_bench_results(const std::string& json) {
   for (BenchJob& job : results.jobs) {
     add_ratios(job);
     for (BenchRow& row : job.rows)
-      if (const auto found = least.find(row.job + '/' + row.family + '/' + row.name);
-          found != least.end())
+      if (const auto found = least.find(row.key()); found != least.end())
         row.least_ns = found->second;
   }
   return results;
@@ -135,14 +132,14 @@ void append_bench_table(Text& to, const BenchResults& results) {
     if (!is_first) append(to, "\n");
     is_first = false;
     append_title(to, job.title);
-    append(to, fmt::format("{:<14}{:<38}{:>10}{:>9}{:>10}{:>13}{:>11}\n", "family", "contender",
-                           "ns", "ratio", "max ulp", "evaluations", "failures"));
+    const auto add = [&](const auto&... cells) {
+      append(to, fmt::format("{:<14}{:<38}{:>10}{:>9}{:>10}{:>13}{:>11}\n", cells...));
+    };
+    add("family", "contender", "ns", "ratio", "max ulp", "evaluations", "failures");
     for (const BenchRow& row : job.rows)
-      append(to,
-             fmt::format("{:<14}{:<38}{:>10}{:>9}{:>10}{:>13}{:>11}\n", row.family, row.name,
-                         short_number(row.ns), cell(row.ratio), cell(row.max_ulp),
-                         cell(row.evaluations),
-                         row.judged ? fmt::format("{} of {}", *row.failures, *row.judged) : "-"));
+      add(row.family, row.name, short_number(row.ns), cell(row.ratio), cell(row.max_ulp),
+          cell(row.evaluations),
+          row.judged ? fmt::format("{} of {}", *row.failures, *row.judged) : "-");
   }
 }
 

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "messages.hpp"
@@ -30,6 +29,8 @@ struct BenchRow {
   // their condition; the ulp values are true errors of the cases that are numbers.
   std::optional<double> judged, failures, max_ulp, p99_ulp, mean_ulp;
   std::optional<double> evaluations;  // of integrand or moment, a point; empty: not counted
+
+  std::string key() const { return job + '/' + family + '/' + name; }
 };
 
 struct BenchJob {

@@ -17,7 +17,6 @@ namespace tribo::cli {
 namespace {
 
 using namespace conformance;
-using nlohmann::json;
 
 // The worst error and the part of its bound; empty where no answer was judged.
 std::string worst_error(const QuantityVerdict& one) {
@@ -395,10 +394,8 @@ void append_request(Text& to, const TestCase& asked, const Tolerance& tolerance)
 void append_shown_case(Text& to, const TestCase& asked, const ConformanceResult& result) {
   const Reply& answer = result.conversation.answers.front();
   append(to, "asked:    " + asked.line() + "\n");
-  append_line(
-      to, "answered: " + (answer.outcome == Outcome::answered
-                              ? answer.fields.dump(-1, ' ', true, json::error_handler_t::replace)
-                              : answer.reason));
+  append_line(to, "answered: " + (answer.outcome == Outcome::answered ? line_of(answer.fields)
+                                                                      : answer.reason));
   for (const QuantityVerdict& one : result.quantities)
     append_line(to, fmt::format("  {}: {}", one.quantity, comparison(one.worst)));
   for (const std::string& violation : result.conversation.violations)

@@ -68,11 +68,18 @@ void set_spike(FilmCase& film, const ehl::SolvedFilm& solved, const ehl::LineCon
         100 * height.relative_error(), height.value * scale.peak_pressure, film.cells);
 }
 
-bool is_of(const ehl::LineConditions& conditions, ehl::FitLiquid liquid) {
+ehl::LineConditions of_liquid(ehl::LineConditions conditions, ehl::FitLiquid liquid) {
   const bool is_roelands = liquid == ehl::FitLiquid::roelands_compressible;
-  return conditions.viscosity_law == (is_roelands ? ViscosityLaw::roelands : ViscosityLaw::barus) &&
-         conditions.density_law ==
-             (is_roelands ? ehl::LineDensity::dowson_higginson : ehl::LineDensity::incompressible);
+  conditions.viscosity_law = is_roelands ? ViscosityLaw::roelands : ViscosityLaw::barus;
+  conditions.density_law =
+      is_roelands ? ehl::LineDensity::dowson_higginson : ehl::LineDensity::incompressible;
+  return conditions;
+}
+
+bool is_of(const ehl::LineConditions& conditions, ehl::FitLiquid liquid) {
+  const ehl::LineConditions other = of_liquid(conditions, liquid);
+  return conditions.viscosity_law == other.viscosity_law &&
+         conditions.density_law == other.density_law;
 }
 
 // The solved film of the liquid that a formula was fitted to; empty where that liquid is not known,
@@ -81,11 +88,10 @@ std::optional<ehl::SolvedFilm> film_of_fit(ehl::LineConditions conditions, ehl::
                                            const ehl::SolveOptions& options,
                                            const ehl::Watch& watch) {
   if (liquid == ehl::FitLiquid::unknown) return std::nullopt;
-  const bool is_roelands = liquid == ehl::FitLiquid::roelands_compressible;
-  if (is_roelands && !(conditions.viscosity > least_roelands_viscosity)) return std::nullopt;
-  conditions.viscosity_law = is_roelands ? ViscosityLaw::roelands : ViscosityLaw::barus;
-  conditions.density_law =
-      is_roelands ? ehl::LineDensity::dowson_higginson : ehl::LineDensity::incompressible;
+  conditions = of_liquid(conditions, liquid);
+  if (conditions.viscosity_law == ViscosityLaw::roelands &&
+      !(conditions.viscosity > least_roelands_viscosity))
+    return std::nullopt;
   ehl::SolvedFilm solved = ehl::solve_line_film(ehl::contact_of(conditions), options, watch);
   if (solved.outcome != ehl::Outcome::solved) return std::nullopt;
   return solved;

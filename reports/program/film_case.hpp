@@ -78,16 +78,6 @@ class FilmWriter {
   void finish();
 
  private:
-  void add_csv(const FilmCase& film);
-  void add_csv_profile(const FilmCase& film);
-  void add_csv_number(double value);
-  void add_table(const FilmCase& film);
-  void add_table_line(std::string_view words, std::string_view value, const std::string& error,
-                      std::string_view unit);
-  void add_table_formulas(const FilmCase& film);
-  void add_table_notes(const FilmCase& film);
-  void add_table_profile(const FilmCase& film);
-
   std::string_view format_;
   const FilmSettings& settings_;
   bool with_profile_;

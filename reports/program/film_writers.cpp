@@ -74,6 +74,111 @@ void append_csv_heads(Text& to) {
   append(to, ",viscosity,density,tolerance,grids,cells,newton_steps,no_spike,reason\n");
 }
 
+void append_csv_number(Text& to, double value) {
+  to.push_back(',');
+  if (std::isfinite(value)) protocol::append_number(to, value);
+}
+
+void append_csv(Text& to, const FilmCase& film, const FilmSettings& settings) {
+  append(to, report::csv_text(film.id));
+  append_csv_number(to, film.speed);
+  for (const Given& one : given) append_csv_number(to, film.*one.value);
+  for (const Quantity& one : quantities) {
+    append_csv_number(to, (film.*one.value).value);
+    append_csv_number(to, (film.*one.value).error);
+  }
+  for (const FormulaFilm& formula : film.formulas) {
+    append_csv_number(to, formula.film);
+    append_csv_number(to, 100 * formula.deviation);
+    append_csv_number(to, 100 * formula.this_liquid_deviation);
+  }
+  append(to, fmt::format(",{},{}", film.viscosity, film.density));
+  append_csv_number(to, settings.tolerance);
+  append(to, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
+                         report::csv_text(film.no_spike), report::csv_text(film.reason)));
+}
+
+void append_csv_profile(Text& to, const FilmCase& film) {
+  const std::string id = report::csv_text(film.id);
+  for (const ProfilePoint& point : film.profile) {
+    append(to, id);
+    for (const double value :
+         {film.speed, point.x, point.x / film.half_width, point.pressure, point.film})
+      append_csv_number(to, value);
+    to.push_back('\n');
+  }
+}
+
+void append_formulas(Text& to, const FilmCase& film) {
+  const std::vector<ColumnHead> heads{{"formula", "", 24},
+                                      {"film", "[m]", number_width},
+                                      {"deviation", "[%]", deviation_width},
+                                      {"this liquid", "[%]", deviation_width},
+                                      {"stands_for", "", 25},
+                                      {"liquid of the fit", "", 22}};
+  const auto per_cent = [](double off) {
+    return std::isfinite(off) ? fmt::format("{:+.2f}", 100 * off) : "-";
+  };
+  to.push_back('\n');
+  append_heads(to, heads);
+  for (const FormulaFilm& formula : film.formulas)
+    append_row(to, heads,
+               {std::string(formula.name), readable(formula.film), per_cent(formula.deviation),
+                per_cent(formula.this_liquid_deviation), std::string(formula.stands_for),
+                std::string(formula.fitted_to)});
+}
+
+void append_notes(Text& to, const FilmCase& film) {
+  const auto note = [&](const std::string& words) {
+    const char* before = "  - ";
+    for (const std::string& line : report::wrapped(words, 92))
+      append(to, std::exchange(before, "    ") + line + "\n");
+  };
+  if (!film.is_solved) return note("not solved: " + film.reason);
+  if (!film.no_spike.empty()) note("pressure of the spike: " + film.no_spike);
+  if (!film.reason.empty()) note(film.reason);
+  note(fmt::format(
+      "solved for smooth bodies, a flooded inlet and a steady, isothermal, Newtonian, "
+      "{} liquid whose viscosity follows {}",
+      film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
+      film.viscosity == "barus" ? "Barus" : "Roelands"));
+  note(
+      "deviation: from the solved film of the liquid that the formula was fitted to, where that "
+      "is known; this liquid: from the film above, of this contact's liquid");
+  note(fmt::format("± is what a number may be off by; {} grids, the finest of {} cells", film.grids,
+                   film.cells));
+}
+
+void append_profile(Text& to, const FilmCase& film) {
+  const std::vector<ColumnHead> heads{{"x", "[m]", signed_width},
+                                      {"x/b", "[-]", signed_width},
+                                      {"pressure", "[Pa]", signed_width},
+                                      {"film", "[m]", signed_width}};
+  to.push_back('\n');
+  append_heads(to, heads);
+  for (const ProfilePoint& point : film.profile)
+    append_row(to, heads,
+               {readable(point.x), readable(point.x / film.half_width), readable(point.pressure),
+                readable(point.film)});
+}
+
+void append_table(Text& to, const FilmCase& film, bool with_profile) {
+  append_title(to, fmt::format("{}: line contact at {} m/s", film.id, readable(film.speed)));
+  const auto add = [&](std::string_view words, const std::string& value, const std::string& error,
+                       std::string_view unit) {
+    append(to, fmt::format("  {:<30} {:>14} {:>9}  [{}]\n", words, value, error, unit));
+  };
+  for (const Given& one : given) add(one.words, readable(film.*one.value), "", one.unit);
+  for (const Quantity& one : quantities) {
+    const Measured& measured = film.*one.value;
+    if (std::isfinite(measured.value))
+      add(one.words, with_digits(measured), fmt::format("± {:.1e}", measured.error), one.unit);
+  }
+  append_formulas(to, film);
+  append_notes(to, film);
+  if (with_profile && film.is_solved) append_profile(to, film);
+}
+
 }  // namespace
 
 // Numbers that are not finite are written as null.
@@ -127,124 +232,16 @@ FilmWriter::FilmWriter(std::string_view format, const FilmSettings& settings, bo
 }
 
 void FilmWriter::add(const FilmCase& film) {
-  if (format_ == "table") return add_table(film);
-  if (format_ == "csv") return with_profile_ ? add_csv_profile(film) : add_csv(film);
-  append(text_, std::exchange(before_, ",\n"));
+  if (format_ == "csv")
+    return with_profile_ ? append_csv_profile(text_, film) : append_csv(text_, film, settings_);
+  append(text_, std::exchange(before_, format_ == "table" ? "\n" : ",\n"));
+  if (format_ == "table") return append_table(text_, film, with_profile_);
   append(text_, film_json(film, settings_, with_profile_)
                     .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 void FilmWriter::finish() {
   if (format_ == "json") append(text_, before_[0] == '[' ? "[\n]\n" : "\n]\n");
-}
-
-void FilmWriter::add_csv(const FilmCase& film) {
-  append(text_, report::csv_text(film.id));
-  add_csv_number(film.speed);
-  for (const Given& one : given) add_csv_number(film.*one.value);
-  for (const Quantity& one : quantities) {
-    add_csv_number((film.*one.value).value);
-    add_csv_number((film.*one.value).error);
-  }
-  for (const FormulaFilm& formula : film.formulas) {
-    add_csv_number(formula.film);
-    add_csv_number(100 * formula.deviation);
-    add_csv_number(100 * formula.this_liquid_deviation);
-  }
-  append(text_, fmt::format(",{},{}", film.viscosity, film.density));
-  add_csv_number(settings_.tolerance);
-  append(text_, fmt::format(",{},{},{},{},{}\n", film.grids, film.cells, film.steps,
-                            report::csv_text(film.no_spike), report::csv_text(film.reason)));
-}
-
-void FilmWriter::add_csv_profile(const FilmCase& film) {
-  const std::string id = report::csv_text(film.id);
-  for (const ProfilePoint& point : film.profile) {
-    append(text_, id);
-    for (const double value :
-         {film.speed, point.x, point.x / film.half_width, point.pressure, point.film})
-      add_csv_number(value);
-    text_.push_back('\n');
-  }
-}
-
-void FilmWriter::add_csv_number(double value) {
-  text_.push_back(',');
-  if (std::isfinite(value)) protocol::append_number(text_, value);
-}
-
-void FilmWriter::add_table(const FilmCase& film) {
-  append(text_, std::exchange(before_, "\n"));
-  append_title(text_, fmt::format("{}: line contact at {} m/s", film.id, readable(film.speed)));
-  for (const Given& one : given) add_table_line(one.words, readable(film.*one.value), "", one.unit);
-  for (const Quantity& one : quantities) {
-    const Measured& measured = film.*one.value;
-    if (std::isfinite(measured.value))
-      add_table_line(one.words, with_digits(measured), fmt::format("{:.1e}", measured.error),
-                     one.unit);
-  }
-  add_table_formulas(film);
-  add_table_notes(film);
-  if (with_profile_ && film.is_solved) add_table_profile(film);
-}
-
-void FilmWriter::add_table_line(std::string_view words, std::string_view value,
-                                const std::string& error, std::string_view unit) {
-  append(text_, fmt::format("  {:<30} {:>14} {:>9}  [{}]\n", words, value,
-                            error.empty() ? "" : "± " + error, unit));
-}
-
-void FilmWriter::add_table_formulas(const FilmCase& film) {
-  const std::vector<ColumnHead> heads{{"formula", "", 24},
-                                      {"film", "[m]", number_width},
-                                      {"deviation", "[%]", deviation_width},
-                                      {"this liquid", "[%]", deviation_width},
-                                      {"stands_for", "", 25},
-                                      {"liquid of the fit", "", 22}};
-  const auto per_cent = [](double off) {
-    return std::isfinite(off) ? fmt::format("{:+.2f}", 100 * off) : "-";
-  };
-  text_.push_back('\n');
-  append_heads(text_, heads);
-  for (const FormulaFilm& formula : film.formulas)
-    append_row(text_, heads,
-               {std::string(formula.name), readable(formula.film), per_cent(formula.deviation),
-                per_cent(formula.this_liquid_deviation), std::string(formula.stands_for),
-                std::string(formula.fitted_to)});
-}
-
-void FilmWriter::add_table_notes(const FilmCase& film) {
-  const auto note = [&](const std::string& words) {
-    const char* before = "  - ";
-    for (const std::string& line : report::wrapped(words, 92))
-      append(text_, std::exchange(before, "    ") + line + "\n");
-  };
-  if (!film.is_solved) return note("not solved: " + film.reason);
-  if (!film.no_spike.empty()) note("pressure of the spike: " + film.no_spike);
-  if (!film.reason.empty()) note(film.reason);
-  note(fmt::format(
-      "solved for smooth bodies, a flooded inlet and a steady, isothermal, Newtonian, "
-      "{} liquid whose viscosity follows {}",
-      film.density == "incompressible" ? "incompressible" : "compressible (Dowson and Higginson)",
-      film.viscosity == "barus" ? "Barus" : "Roelands"));
-  note(
-      "deviation: from the solved film of the liquid that the formula was fitted to, where that "
-      "is known; this liquid: from the film above, of this contact's liquid");
-  note(fmt::format("± is what a number may be off by; {} grids, the finest of {} cells", film.grids,
-                   film.cells));
-}
-
-void FilmWriter::add_table_profile(const FilmCase& film) {
-  const std::vector<ColumnHead> heads{{"x", "[m]", signed_width},
-                                      {"x/b", "[-]", signed_width},
-                                      {"pressure", "[Pa]", signed_width},
-                                      {"film", "[m]", signed_width}};
-  text_.push_back('\n');
-  append_heads(text_, heads);
-  for (const ProfilePoint& point : film.profile)
-    append_row(text_, heads,
-               {readable(point.x), readable(point.x / film.half_width), readable(point.pressure),
-                readable(point.film)});
 }
 
 }  // namespace tribo::cli

@@ -2,7 +2,6 @@
 // tribocheck functions: the functions that `stream` and other people's solvers are asked.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>

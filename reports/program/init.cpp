@@ -3,20 +3,22 @@
 // function for each of the catalogue. The languages are the rows of templates/languages.tsv whose
 // template is there.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <kainjow/mustache.hpp>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "accuracy/reference_table.hpp"
 #include "catalogue/catalogue.hpp"
 #include "command.hpp"
 #include "messages.hpp"
@@ -56,33 +58,16 @@ fs::path template_of(const fs::path& templates, const Language& language) {
 
 std::vector<Language> read_languages(const fs::path& templates) {
   std::vector<Language> languages;
-  std::ifstream table(templates / "languages.tsv");
-  std::string line;
-  std::getline(table, line);  // the headings
-  while (std::getline(table, line)) {
-    std::istringstream cells(line);
-    Language row;
-    std::getline(cells, row.name, '\t');
-    std::getline(cells, row.file, '\t');
-    std::getline(cells, row.program, '\t');
-    std::getline(cells, row.package, '\t');
-    std::getline(cells, row.command, '\t');
-    std::error_code ignored;
-    if (fs::is_regular_file(template_of(templates, row), ignored)) languages.push_back(row);
-  }
+  const fs::path table = templates / "languages.tsv";
+  std::error_code ignored;
+  if (!fs::is_regular_file(table, ignored)) return languages;
+  verification::each_published_row(table, [&](const verification::ReferenceRow& row) {
+    const Language language{row.text("language"), row.text("file"), row.text("program"),
+                            row.text("Debian package"), row.text("command")};
+    if (fs::is_regular_file(template_of(templates, language), ignored))
+      languages.push_back(language);
+  });
   return languages;
-}
-
-const Language* find_language(const std::vector<Language>& languages, const std::string& name) {
-  for (const Language& language : languages)
-    if (language.name == name) return &language;
-  return nullptr;
-}
-
-std::string names_of(const std::vector<Language>& languages) {
-  std::string text;
-  for (const Language& language : languages) text += (text.empty() ? "" : ", ") + language.name;
-  return text;
 }
 
 std::optional<std::string> read_text(const fs::path& path) {
@@ -124,8 +109,6 @@ std::string next_line(const Language& language, const fs::path& include, const s
 
 constexpr std::size_t widest_comment = 92;  // columns
 
-std::string text_of(std::string_view text) { return std::string(text); }
-
 // The lines of a text, for a comment: {{#about}}{{line}}{{/about}}.
 data lines_of(const std::string& text) {
   data lines(data::type::list);
@@ -138,8 +121,8 @@ data lines_of(const std::string& text) {
 template <class Named>
 data entry_of(const Named& named, std::size_t place, std::size_t count) {
   data entry;
-  entry.set("name", text_of(named.name));
-  entry.set("meaning", text_of(named.meaning));
+  entry.set("name", std::string(named.name));
+  entry.set("meaning", std::string(named.meaning));
   entry.set("in_unit", named.unit.empty() ? "" : fmt::format(", in {}", named.unit));
   entry.set("number", std::to_string(place + 1));
   entry.set("place", std::to_string(place));
@@ -173,7 +156,7 @@ data results_of(const catalogue::Function& function) {
 
 data function_of(const catalogue::Function& function) {
   data entry;
-  entry.set("name", text_of(function.name));
+  entry.set("name", std::string(function.name));
   entry.set("about", lines_of(fmt::format("{}: {}. Source: {}.", function.meaning,
                                           function.equation, function.source)));
   entry.set("parameters", parameters_of(function));
@@ -209,10 +192,13 @@ int init(const InitArguments& arguments, OutputStream& output) {
   if (languages.empty())
     return fail(exit_bad,
                 "templates not found; run in the project, or install tribocheck: make install");
-  const Language* language = find_language(languages, arguments.language);
-  if (language == nullptr)
+  std::vector<std::string> names;
+  for (const Language& one : languages) names.push_back(one.name);
+  const auto found = std::find(names.begin(), names.end(), arguments.language);
+  if (found == names.end())
     return fail(exit_bad, fmt::format("--language: no template for {}; allowed: {}",
-                                      arguments.language, names_of(languages)));
+                                      arguments.language, fmt::join(names, ", ")));
+  const Language* const language = &languages[static_cast<std::size_t>(found - names.begin())];
   const fs::path path = template_of(templates, *language);
   const std::optional<std::string> text = read_text(path);
   if (!text) return fail(exit_failed, path.string() + ": cannot be read");

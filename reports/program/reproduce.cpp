@@ -88,62 +88,50 @@ void check_claims(const std::string& published, const std::vector<std::string>& 
           fmt::format("--claim: {} is not one of {}", claim, fmt::join(known, ", ")));
 }
 
-class Sections {
- public:
-  Sections(const Ledger& ledger, const std::vector<NamedReading>& readings,
-           const ReproduceArguments& arguments)
-      : ledger_(ledger), readings_(readings), arguments_(arguments) {}
-
-  std::vector<TextTable> tables() const {
-    std::vector<TextTable> made;
-    const auto add = [&](std::vector<TextTable> more) {
-      for (TextTable& one : more) made.push_back(std::move(one));
-    };
-    const std::vector<std::string>& claims = arguments_.claims;
-    if (wants("claims")) {
-      add({report::verdict_table(ledger_, readings_, claims),
-           report::readings_table(ledger_, readings_)});
-      // Unless readings were asked for, only the corrected one is shown in detail.
-      const std::size_t detailed = arguments_.readings.empty() ? 1 : readings_.size();
-      for (std::size_t i = 0; i < detailed; ++i)
-        add({report::reading_table(ledger_, readings_[i], claims)});
-    }
-    if (wants("statements")) add({report::statement_table(ledger_, claims)});
-    if (wants("ranking")) add({report::ranking_table(ledger_)});
-    if (wants("switches")) add({report::switch_table()});
-    if (wants("identified")) {
-      add({report::identification_table(ledger_)});
-      add(report::argument_tables(ledger_));
-    }
-    if (wants("requirements")) {
-      add(report::requirement_tables(ledger_, claims));
-      // The departure table is about claim C1.
-      if (claims.empty() || std::find(claims.begin(), claims.end(), "C1") != claims.end())
-        add({report::departure_table(ledger_)});
-    }
-    if (wants("uncertainty")) add({report::uncertainty_table(ledger_)});
-    if (wants("errata")) add({report::errata_table(ledger_)});
-    if (wants("independent")) add({report::independent_table(ledger_)});
-    return made;
-  }
-
- private:
-  bool wants(std::string_view section) const {
-    const std::vector<std::string>& asked = arguments_.sections;
-    if (asked.empty()) {
-      // Claims that were asked for are shown in depth: statements, and what would make them true.
-      if (!arguments_.claims.empty())
-        return section == "claims" || section == "statements" || section == "requirements";
-      return section == "claims" || section == "ranking";
-    }
+bool is_wanted(std::string_view section, const ReproduceArguments& arguments) {
+  const std::vector<std::string>& asked = arguments.sections;
+  if (!asked.empty())
     return std::any_of(asked.begin(), asked.end(),
                        [&](const std::string& one) { return one == "all" || one == section; });
-  }
+  if (arguments.claims.empty()) return section == "claims" || section == "ranking";
+  // Claims that were asked for are shown in depth: statements, and what would make them true.
+  return section == "claims" || section == "statements" || section == "requirements";
+}
 
-  const Ledger& ledger_;
-  const std::vector<NamedReading>& readings_;
-  const ReproduceArguments& arguments_;
-};
+std::vector<TextTable> tables(const Ledger& ledger, const std::vector<NamedReading>& readings,
+                              const ReproduceArguments& arguments) {
+  std::vector<TextTable> made;
+  const auto add = [&](std::vector<TextTable> more) {
+    for (TextTable& one : more) made.push_back(std::move(one));
+  };
+  const auto wants = [&](std::string_view section) { return is_wanted(section, arguments); };
+  const std::vector<std::string>& claims = arguments.claims;
+  if (wants("claims")) {
+    add({report::verdict_table(ledger, readings, claims),
+         report::readings_table(ledger, readings)});
+    // Unless readings were asked for, only the corrected one is shown in detail.
+    const std::size_t detailed = arguments.readings.empty() ? 1 : readings.size();
+    for (std::size_t i = 0; i < detailed; ++i)
+      add({report::reading_table(ledger, readings[i], claims)});
+  }
+  if (wants("statements")) add({report::statement_table(ledger, claims)});
+  if (wants("ranking")) add({report::ranking_table(ledger)});
+  if (wants("switches")) add({report::switch_table()});
+  if (wants("identified")) {
+    add({report::identification_table(ledger)});
+    add(report::argument_tables(ledger));
+  }
+  if (wants("requirements")) {
+    add(report::requirement_tables(ledger, claims));
+    // The departure table is about claim C1.
+    if (claims.empty() || std::find(claims.begin(), claims.end(), "C1") != claims.end())
+      add({report::departure_table(ledger)});
+  }
+  if (wants("uncertainty")) add({report::uncertainty_table(ledger)});
+  if (wants("errata")) add({report::errata_table(ledger)});
+  if (wants("independent")) add({report::independent_table(ledger)});
+  return made;
+}
 
 // The width of the terminal, but at least 80 and at most 100 signs; 100 without a terminal.
 std::size_t line_width() {
@@ -162,7 +150,7 @@ void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
   const NamedReading& corrected = ledger.readings.front();
   append(to, report::verdict_sentence(ledger, corrected) + " (misprints mended).\n");
   const std::size_t width = line_width();
-  for (const TextTable& table : Sections(ledger, readings, arguments).tables()) {
+  for (const TextTable& table : tables(ledger, readings, arguments)) {
     append(to, "\n");
     if (arguments.format == "markdown") {
       append(to, report::markdown_table(table));

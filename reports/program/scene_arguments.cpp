@@ -12,6 +12,8 @@
 namespace tribo::cli {
 namespace {
 
+constexpr std::string_view published = "reference/published";
+
 void load_scene(const std::string& path, SceneUse use, LoadedScenes& loaded) {
   SceneReading reading = read_scene(path, use);
   for (const InputProblem& error : reading.errors) complain(error.line());
@@ -25,12 +27,12 @@ void load_scene(const std::string& path, SceneUse use, LoadedScenes& loaded) {
 }
 
 // The path of a folder that examples name: as they name it, or where the project has it.
-std::string found(std::string_view usual,
-                  std::filesystem::path (*place)(const report::ReportPlaces&)) {
+std::string found(std::string_view usual) {
   std::error_code ignored;
   if (std::filesystem::is_directory(usual, ignored)) return std::string(usual);
   try {
-    return place(report::find_places({})).string();
+    const report::ReportPlaces places = report::find_places({});
+    return usual == published ? places.scenes : places.reference / "scenes";
   } catch (const report::ReportError&) {
     return std::string(usual);  // there are no scenes
   }
@@ -68,13 +70,8 @@ LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use) {
 std::function<std::string()> footer_with_scenes(std::string text) {
   return [text = std::move(text)] {
     std::string footer = text;
-    replace_all(footer, "reference/published",
-                found("reference/published",
-                      [](const report::ReportPlaces& places) { return places.scenes; }));
-    replace_all(footer, "reference/scenes",
-                found("reference/scenes", [](const report::ReportPlaces& places) {
-                  return places.reference / "scenes";
-                }));
+    for (const std::string_view usual : {published, std::string_view("reference/scenes")})
+      replace_all(footer, usual, found(usual));
     return footer;
   };
 }

@@ -10,23 +10,16 @@
 namespace tribo::cli {
 namespace {
 
-// Limits the warnings on stderr, because a stream may be endless.
-class LimitedWarnings {
- public:
-  void operator()(const InputProblem& warning) {
-    if (count_ < most) complain("warning: " + warning.line());
-    if (count_ == most) complain("warning: and more, which are not listed");
-    if (count_ <= most) ++count_;
-  }
-
- private:
-  static constexpr int most = 20;
-  int count_ = 0;
-};
+constexpr int most_warnings = 20;  // on stderr, because a stream may be endless
 
 int stream(OutputStream& output) {
   protocol::LineReader lines(STDIN_FILENO, max_scene_bytes);
-  protocol::answer_lines(lines, output, LimitedWarnings());
+  int count = 0;
+  protocol::answer_lines(lines, output, [&count](const InputProblem& warning) {
+    if (count < most_warnings) complain("warning: " + warning.line());
+    if (count == most_warnings) complain("warning: and more, which are not listed");
+    if (count <= most_warnings) ++count;
+  });
   return exit_done;
 }
 

@@ -20,12 +20,13 @@
 #include "scene/schema.hpp"
 #include "scene_arguments.hpp"
 #include "stop_signal.hpp"
+#include "sweep/needs.hpp"
 #include "sweep/on_threads.hpp"
 #include "sweep/part.hpp"
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
-#include "sweep_estimate.hpp"
+#include "table.hpp"
 #include "tribo/batch.hpp"
 
 namespace tribo::cli {
@@ -33,12 +34,10 @@ namespace {
 
 struct SweepArguments {
   std::vector<std::string> files;  // sweeps; of `merge` shards, of `show` results
-  std::string out, shard, pictures;
+  sweep::RunSettings run;
+  std::string shard, pictures;
   std::string format = "table";
-  int threads = 0;
-  bool resume = false, join = false, force = false, without_fma = false, mixed_fma = false,
-       estimate = false;
-  bool cases = false;
+  bool without_fma = false, estimate = false, cases = false;
 };
 
 // --- Reading.
@@ -71,6 +70,34 @@ sweep::Shard shard_of(const std::string& text) {
   }
   throw sweep::RunRefused("--shard: " + text +
                           " is not allowed; allowed: I/N, as 2/8: the second of eight parts");
+}
+
+// --- Estimating time, memory and files, from the plan and a few chunks computed for that.
+
+std::string time_text(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000) return fmt::format("{:.2g} min", seconds / 60);
+  if (seconds < 2e5) return fmt::format("{:.2g} h", seconds / 3600);
+  return fmt::format("{:.3g} days", seconds / 86400);
+}
+
+void append_estimate(Text& to, const sweep::SweepPlan& plan, int threads) {
+  const sweep::Needs needs = sweep::needs_of(plan, threads);
+  for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
+    const sweep::SceneSweep& scene = plan.scenes[i];
+    append_line(to,
+                fmt::format("{}: {} cases in the result, {:.4g} points to compute, {:.3g} µs each",
+                            scene.scene.id, scene.cases(), static_cast<double>(scene.points()),
+                            1e6 * needs.point_seconds[i]));
+  }
+  const int count = thread_count(threads);
+  append(to, fmt::format("points {:.4g}, chunks {}\n", static_cast<double>(plan.points()),
+                         plan.chunks()));
+  append(to, fmt::format("time   {} on {} {}\n", time_text(needs.seconds), count,
+                         count == 1 ? "thread" : "threads"));
+  append(to, fmt::format("memory {}\n", sweep::bytes_text(needs.memory)));
+  append(to, fmt::format("file   {}, and parts of {} until it is done\n",
+                         sweep::bytes_text(needs.file), sweep::bytes_text(needs.parts)));
 }
 
 // --- Telling the content of a result.
@@ -149,8 +176,8 @@ int show_result(const SweepArguments& arguments, const sweep::ResultFile& file, 
 int show_written(const SweepArguments& arguments, std::optional<sweep::Descriptor> written,
                  OutputStream& output) {
   return show_result(arguments,
-                     written ? sweep::ResultFile(arguments.out, std::move(*written))
-                             : sweep::ResultFile(arguments.out),
+                     written ? sweep::ResultFile(arguments.run.result, std::move(*written))
+                             : sweep::ResultFile(arguments.run.result),
                      true, output);
 }
 
@@ -162,22 +189,16 @@ std::string own_input(const SweepArguments& arguments) {
   std::error_code none;
   for (const std::string& file : arguments.files)
     for (const char* const ending : {"", ".part", ".lock"})
-      if (std::filesystem::equivalent(file, arguments.out + ending, none))
-        return "-o " + arguments.out + ": " + file +
+      if (std::filesystem::equivalent(file, arguments.run.result + ending, none))
+        return "-o " + arguments.run.result + ": " + file +
                " is read, and would be replaced; allowed: another file";
   return {};
 }
 
 sweep::RunSettings settings_of(const SweepArguments& arguments, SweepProgress& progress,
                                bool first_rank) {
-  sweep::RunSettings settings;
-  settings.result = arguments.out;
-  settings.threads = arguments.threads;
+  sweep::RunSettings settings = arguments.run;
   if (!arguments.shard.empty()) settings.shard = shard_of(arguments.shard);
-  settings.resume = arguments.resume;
-  settings.join = arguments.join;
-  settings.force = arguments.force;
-  settings.mixed_fma = arguments.mixed_fma;
   settings.progress = [&progress](const sweep::RunProgress& now) { progress.show(now); };
   settings.tell = [&progress, first_rank](std::string_view line) {
     progress.wipe();
@@ -205,7 +226,7 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
     return exit_bad;
   }
   if (arguments.estimate) {
-    if (first) append_estimate(output.text(), *plan, arguments.threads);
+    if (first) append_estimate(output.text(), *plan, arguments.run.threads);
     return exit_done;
   }
   std::string refusal = first ? own_input(arguments) : "";
@@ -281,8 +302,8 @@ int run_sweep(SweepArguments& arguments, OutputStream& output) {
              "\", and there is no such file; did you mean " + meant + "?");
     return exit_bad;
   }
-  cap_threads(arguments.threads);
-  if (arguments.files.empty() || (arguments.out.empty() && !arguments.estimate)) {
+  cap_threads(arguments.run.threads);
+  if (arguments.files.empty() || (arguments.run.result.empty() && !arguments.estimate)) {
     complain(arguments.files.empty()
                  ? "sweep: no SWEEP.toml is given (see --help)"
                  : "sweep: -o is missing: the file for the result (see --help)");
@@ -397,35 +418,36 @@ Command add_sweep(CLI::App& program) {
   app->footer(footer_with_scenes(footer()));
   const auto arguments = std::make_shared<SweepArguments>();
   app->add_option("SWEEP", arguments->files, "sweep files in TOML; - is stdin");
-  app->add_option("-o,--out", arguments->out, "the result, an HDF5 file (with --shard a shard)");
+  app->add_option("-o,--out", arguments->run.result,
+                  "the result, an HDF5 file (with --shard a shard)");
   add_output_options(*app, *arguments);
-  app->add_option("--threads", arguments->threads,
+  app->add_option("--threads", arguments->run.threads,
                   "threads of each process (default: all the machine has; under mpirun 1)")
       ->check(CLI::Range(1, 4096));
   app->add_flag("--estimate", arguments->estimate,
                 "only say how many points, how long, how much memory and how large a file");
   CLI::Option* const resume =
-      app->add_flag("--resume", arguments->resume, "go on with what a stopped run has left");
+      app->add_flag("--resume", arguments->run.resume, "go on with what a stopped run has left");
   CLI::Option* const force =
-      app->add_flag("--force", arguments->force,
+      app->add_flag("--force", arguments->run.force,
                     "throw away parts that are there, and replace a result by the new one")
           ->excludes(resume);
-  app->add_flag("--join", arguments->join,
+  app->add_flag("--join", arguments->run.join,
                 "help processes that compute the same result, or begin it")
       ->excludes(resume)
       ->excludes(force);
   app->add_option("--shard", arguments->shard, "only part I of N, written I/N, for `sweep merge`");
   app->add_flag("--without-fma", arguments->without_fma,
                 "compute as a processor without fused multiply-add does, to the last digit");
-  app->add_flag("--mixed-fma", arguments->mixed_fma,
+  app->add_flag("--mixed-fma", arguments->run.mixed_fma,
                 "with --resume: also take parts of processors that differ in fused multiply-add");
 
   const auto merged = std::make_shared<SweepArguments>();
   CLI::App* merge = app->add_subcommand("merge", "put shards together");
   merge->add_option("SHARD", merged->files, "all shards of one sweep")->required();
-  merge->add_option("-o,--out", merged->out, "the result, an HDF5 file")->required();
-  merge->add_flag("--force", merged->force, "replace a result that is there");
-  merge->add_flag("--mixed-fma", merged->mixed_fma,
+  merge->add_option("-o,--out", merged->run.result, "the result, an HDF5 file")->required();
+  merge->add_flag("--force", merged->run.force, "replace a result that is there");
+  merge->add_flag("--mixed-fma", merged->run.mixed_fma,
                   "also shards of processors with and without fused multiply-add");
   add_output_options(*merge, *merged);
   merge->footer(footer_with_scenes(merge_footer));
@@ -438,22 +460,24 @@ Command add_sweep(CLI::App& program) {
                  "each point in place of the summaries: what varies, the speed, the outputs");
   show->footer(footer_with_scenes(show_footer));
 
-  return {app,
-          [=](OutputStream& output) {
-            if (merge->parsed()) return merge_shards(*merged, output);
-            if (show->parsed()) return show_results(*shown, output);
-            return run_sweep(*arguments, output);
-          },
-          [arguments]() -> std::vector<Ignored> {
-            return {{{"--out", "--format", "--pictures", "--shard", "--resume", "--join", "--force",
-                      "--mixed-fma"},
-                     arguments->estimate,
-                     "with --estimate, which writes nothing"},
-                    {{"--format", "--pictures"},
-                     !arguments->shard.empty(),
-                     "with --shard, as `sweep merge` shows the result"},
-                    {{"--mixed-fma"}, !arguments->resume && !arguments->join, "without --resume"}};
-          }};
+  return {
+      app,
+      [=](OutputStream& output) {
+        if (merge->parsed()) return merge_shards(*merged, output);
+        if (show->parsed()) return show_results(*shown, output);
+        return run_sweep(*arguments, output);
+      },
+      [arguments]() -> std::vector<Ignored> {
+        return {
+            {{"--out", "--format", "--pictures", "--shard", "--resume", "--join", "--force",
+              "--mixed-fma"},
+             arguments->estimate,
+             "with --estimate, which writes nothing"},
+            {{"--format", "--pictures"},
+             !arguments->shard.empty(),
+             "with --shard, as `sweep merge` shows the result"},
+            {{"--mixed-fma"}, !arguments->run.resume && !arguments->run.join, "without --resume"}};
+      }};
 }
 
 }  // namespace tribo::cli

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -175,47 +174,39 @@ Command add_verify(CLI::App& program) {
       ->check(CLI::IsMember({"table", "json", "markdown"}));
   app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
   SubjectArguments& subject = *arguments;
+  app->option_defaults()->group("Subjects");
   CLI::Option* const command = app->add_option("--subject", subject.command,
                                                "command line of a program that answers JSON lines");
-  CLI::Option* const plugin =
-      app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions");
-  plugin->excludes(command);
-  const auto of_subject = [&](CLI::Option* option) {
-    option->group("Subjects");
-    return option;
-  };
-  of_subject(command);
-  of_subject(plugin);
-  of_subject(
-      app->add_option("--tolerance", subject.tolerance,
-                      "strict (the certified contracts), engineering (1e-6 of the value, times its "
-                      "condition; the default), or a file of lines QUANTITY RELATIVE"));
-  of_subject(app->add_option("--sample", subject.sample, "at most so many cases of each function")
-                 ->check(CLI::PositiveNumber));
-  of_subject(
-      app->add_option("--case-timeout", subject.case_timeout, "seconds for one case (default: 10)")
-          ->check(CLI::Range(0.01, 1e5)));
-  of_subject(app->add_option("--start-timeout", subject.start_timeout,
-                             "seconds from a start to the first answer (default: 60; never less "
-                             "than those for one case)")
-                 ->check(CLI::Range(0.01, 1e5)));
-  of_subject(app->add_option("--timeout", subject.timeout, "seconds for all of them (default: 600)")
-                 ->check(CLI::Range(0.01, 1e6)));
-  of_subject(app->add_option("--require", subject.required,
-                             "a quantity that has to be held whole, or a function: all of its "
-                             "quantities; may be repeated"));
-  of_subject(app->add_option("--show", subject.shown,
-                             "ask this case alone and print all of it; may be repeated"));
-  of_subject(app->add_option("--save-cases", subject.saved_cases,
-                             "write the lines that ask to this file; -: stdout"));
-  of_subject(app->add_option("--baseline", subject.baseline.file,
-                             "fail only on what is worse than this file says"));
-  CLI::Option* const update = of_subject(app->add_flag("--update-baseline", subject.baseline.update,
-                                                       "write what is better to the baseline"));
+  app->add_option("--plugin", subject.plugin, "shared library with the plug-in functions")
+      ->excludes(command);
+  app->add_option("--tolerance", subject.tolerance,
+                  "strict (the certified contracts), engineering (1e-6 of the value, times its "
+                  "condition; the default), or a file of lines QUANTITY RELATIVE");
+  app->add_option("--sample", subject.sample, "at most so many cases of each function")
+      ->check(CLI::PositiveNumber);
+  app->add_option("--case-timeout", subject.case_timeout, "seconds for one case (default: 10)")
+      ->check(CLI::Range(0.01, 1e5));
+  app->add_option("--start-timeout", subject.start_timeout,
+                  "seconds from a start to the first answer (default: 60; never less than those "
+                  "for one case)")
+      ->check(CLI::Range(0.01, 1e5));
+  app->add_option("--timeout", subject.timeout, "seconds for all of them (default: 600)")
+      ->check(CLI::Range(0.01, 1e6));
+  app->add_option("--require", subject.required,
+                  "a quantity that has to be held whole, or a function: all of its quantities; "
+                  "may be repeated");
+  app->add_option("--show", subject.shown,
+                  "ask this case alone and print all of it; may be repeated");
+  app->add_option("--save-cases", subject.saved_cases,
+                  "write the lines that ask to this file; -: stdout");
+  app->add_option("--baseline", subject.baseline.file,
+                  "fail only on what is worse than this file says");
+  CLI::Option* const update = app->add_flag("--update-baseline", subject.baseline.update,
+                                            "write what is better to the baseline");
   update->needs("--baseline");
-  of_subject(app->add_flag("--force", subject.baseline.force,
-                           "with --update-baseline: what is worse, too"))
+  app->add_flag("--force", subject.baseline.force, "with --update-baseline: what is worse, too")
       ->needs(update);
+  app->option_defaults()->group("Options");  // of what is added from here on, as by default
   return {app, [arguments](OutputStream& output) { return verify(*arguments, output); },
           [arguments] { return ignored_by(*arguments); }};
 }

@@ -15,30 +15,25 @@
 namespace tribo::verification {
 namespace {
 
-class Judge {
- public:
-  Judge(std::string quantity, const Contract& contract) {
-    result_.quantity = std::move(quantity);
-    result_.allowed_ulp = contract.ulp;
-    result_.allowed_ulp_per_condition = contract.ulp_per_condition;
-  }
-  void add(const ReferenceRow& row, double got) {
-    const double error = row.error_in_ulp(got);
-    const double condition = std::max(1.0, row.number("condition"));
-    const double bound =
-        std::max(result_.allowed_ulp, result_.allowed_ulp_per_condition * condition);
-    ++result_.cases;
-    result_.worst_ulp = std::max(result_.worst_ulp, error);
-    result_.worst_ulp_per_condition = std::max(result_.worst_ulp_per_condition, error / condition);
-    if (error / bound <= result_.worst_part_of_bound && !result_.worst_row.empty()) return;
-    result_.worst_part_of_bound = error / bound;
-    result_.worst_row = row.text("id");
-  }
-  const QuantityResult& result() const { return result_; }
+QuantityResult result_of(std::string quantity, const Contract& contract) {
+  QuantityResult result;
+  result.quantity = std::move(quantity);
+  result.allowed_ulp = contract.ulp;
+  result.allowed_ulp_per_condition = contract.ulp_per_condition;
+  return result;
+}
 
- private:
-  QuantityResult result_;
-};
+void judge(QuantityResult& result, const ReferenceRow& row, double got) {
+  const double error = row.error_in_ulp(got);
+  const double condition = std::max(1.0, row.number("condition"));
+  const double bound = std::max(result.allowed_ulp, result.allowed_ulp_per_condition * condition);
+  ++result.cases;
+  result.worst_ulp = std::max(result.worst_ulp, error);
+  result.worst_ulp_per_condition = std::max(result.worst_ulp_per_condition, error / condition);
+  if (error / bound <= result.worst_part_of_bound && !result.worst_row.empty()) return;
+  result.worst_part_of_bound = error / bound;
+  result.worst_row = row.text("id");
+}
 
 // The value of a function at the arguments of a row; the columns have the names of the parameters.
 // A row of a function with several results has the one that its column `output` names.
@@ -58,11 +53,11 @@ double value_at(const catalogue::Function& function, const ReferenceRow& row) {
 }
 
 QuantityResult of_function(const std::string& folder, const catalogue::Function& function) {
-  Judge judge(std::string(function.name), function.contract);
+  QuantityResult result = result_of(std::string(function.name), function.contract);
   for (const ReferenceRow& row :
        read_reference_table(fmt::format("{}/{}.csv", folder, function.name)))
-    judge.add(row, value_at(function, row));
-  return judge.result();
+    judge(result, row, value_at(function, row));
+  return result;
 }
 
 double onset_constant(const std::string& constant, StarvationClosure closure) {
@@ -75,13 +70,13 @@ double onset_constant(const std::string& constant, StarvationClosure closure) {
 }
 
 QuantityResult onset_constants(const std::string& folder) {
-  Judge judge("onset_constant", starvation_ratio_contract);
+  QuantityResult result = result_of("onset_constant", starvation_ratio_contract);
   for (const ReferenceRow& row : read_reference_table(folder + "/onset_constant.csv")) {
     const double place = place_of(row.text("closure"), starvation_closure_words);
     const auto closure = static_cast<StarvationClosure>(static_cast<int>(place));
-    judge.add(row, onset_constant(row.text("constant"), closure));
+    judge(result, row, onset_constant(row.text("constant"), closure));
   }
-  return judge.result();
+  return result;
 }
 
 Scene scene_of(const ReferenceRow& row) {
@@ -93,10 +88,10 @@ Scene scene_of(const ReferenceRow& row) {
 }
 
 std::vector<QuantityResult> operating_points(const std::string& folder) {
-  std::vector<Judge> judges;
+  std::vector<QuantityResult> results;
   for (std::size_t k = 0; k < number_count; ++k)
-    judges.emplace_back(fmt::format("operating_point.{}", output_infos[k].name),
-                        operating_point_contract);
+    results.push_back(result_of(fmt::format("operating_point.{}", output_infos[k].name),
+                                operating_point_contract));
   for (const ReferenceRow& row : read_reference_table(folder + "/operating_point.csv")) {
     const std::optional<Output> output = output_by_name(row.text("output"));
     if (!output) throw std::runtime_error(fmt::format("unknown output {}", row.text("output")));
@@ -105,14 +100,12 @@ std::vector<QuantityResult> operating_points(const std::string& folder) {
     const auto place = static_cast<std::size_t>(*output);
     const double number = numbers_of(point)[place];
     if (row.is_defined()) {
-      judges[place].add(row, number);
+      judge(results[place], row, number);
     } else if (point.regime != Regime::collapsed || !std::isnan(number)) {
       throw std::runtime_error(
           fmt::format("row {} is undefined, the model gives a number", row.text("id")));
     }
   }
-  std::vector<QuantityResult> results;
-  for (const Judge& judge : judges) results.push_back(judge.result());
   return results;
 }
 

@@ -170,6 +170,16 @@ void close_ends(Ends& pipe) {
   close_end(pipe.writing);
 }
 
+// Adds what is there to a text, and closes the pipe where it has ended.
+void read_more(int& descriptor, std::string& to) {
+  std::array<char, 65536> block{};
+  const ssize_t count = ::read(descriptor, block.data(), block.size());
+  if (count > 0)
+    to.append(block.data(), static_cast<std::size_t>(count));
+  else if (count == 0 || (errno != EAGAIN && errno != EINTR))
+    close_end(descriptor);
+}
+
 void never_wait(int descriptor) {
   if (descriptor >= 0) ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) | O_NONBLOCK);
 }
@@ -303,24 +313,9 @@ void ChildProcess::write_input() {
   if (to_write_.empty() && close_when_written_) close_end(input_);
 }
 
-void ChildProcess::read_output() {
-  std::array<char, 65536> block{};
-  const ssize_t count = ::read(output_, block.data(), block.size());
-  if (count > 0)
-    received_.append(block.data(), static_cast<std::size_t>(count));
-  else if (count == 0 || (errno != EAGAIN && errno != EINTR))
-    close_end(output_);
-}
-
 void ChildProcess::read_errors() {
-  std::array<char, 65536> block{};
-  const ssize_t count = ::read(error_, block.data(), block.size());
-  if (count > 0) {
-    errors_.append(block.data(), static_cast<std::size_t>(count));
-    if (errors_.size() > kept_errors) errors_.erase(0, errors_.size() - kept_errors);
-  } else if (count == 0 || (errno != EAGAIN && errno != EINTR)) {
-    close_end(error_);
-  }
+  read_more(error_, errors_);
+  if (errors_.size() > kept_errors) errors_.erase(0, errors_.size() - kept_errors);
 }
 
 void ChildProcess::pump(int milliseconds) {
@@ -328,7 +323,7 @@ void ChildProcess::pump(int milliseconds) {
                                 {error_, POLLIN, 0},
                                 {input_, static_cast<short>(to_write_.empty() ? 0 : POLLOUT), 0}}};
   if (::poll(wanted.data(), wanted.size(), milliseconds) <= 0) return;
-  if (wanted[0].revents != 0) read_output();
+  if (wanted[0].revents != 0) read_more(output_, received_);
   if (wanted[1].revents != 0) read_errors();
   if ((wanted[2].revents & POLLERR) != 0)
     refuse_input();  // nobody reads it any more

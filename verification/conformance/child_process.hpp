@@ -92,7 +92,6 @@ class ChildProcess {
  private:
   bool take_line(std::string& line);
   void pump(int milliseconds);
-  void read_output();
   void read_errors();
   void write_input();
   void refuse_input();

@@ -28,168 +28,144 @@ double unit_in_last_place(double value) {
                   std::ldexp(1.0, value == 0 ? -1074 : std::ilogb(value) - 52));
 }
 
+// An answer to one quantity of a case; as it is here, one that is no answer to it.
 struct Measured {
+  std::string reason = {};  // where it fails
+  Failure how = Failure::wrong;
   double got = none;
   double part_of_bound = infinity;
   double relative = infinity;
-  std::string reason;  // where it fails
-  Failure how = Failure::wrong;
   double per_condition = 0;  // the relative error over the condition; 0 where it plays no part
 };
 
-Measured without_answer(std::string reason) {
-  return {none, infinity, infinity, std::move(reason), Failure::no_answer};
-}
-
-Measured measure_word(const Expected& expected, const nlohmann::json& value) {
-  if (value == expected.word) return {none, 0, 0, {}};
-  return {none, infinity, infinity, fmt::format("{}, not {}", value.dump(), expected.word)};
-}
-
-Measured measure_undefined(const nlohmann::json& value) {
-  if (value.is_null()) return {none, 0, 0, {}};
-  return {none, infinity, infinity, fmt::format("{}, where it is undefined", value.dump())};
+Measured measured_if(bool holds, const std::string& reason) {
+  return holds ? Measured{.part_of_bound = 0, .relative = 0} : Measured{.reason = reason};
 }
 
 Measured measure_number(const TestCase& asked, const Expected& expected,
                         const nlohmann::json& value, const Tolerance& tolerance) {
-  if (!value.is_number()) return {none, infinity, infinity, value.dump() + " is no number"};
-  const double got = value.get<double>();
-  if (!std::isfinite(got)) return {got, infinity, infinity, "not finite"};
-  const double error = std::abs((got - expected.high) - expected.low);
+  if (!value.is_number()) return {.reason = value.dump() + " is no number"};
+  Measured made{.how = Failure::number, .got = value.get<double>()};
+  if (!std::isfinite(made.got)) return {.reason = "not finite", .got = made.got};
+  const double error = std::abs((made.got - expected.high) - expected.low);
   const double limit = allowed_error(asked, expected, tolerance);
-  Measured made{got,
-                error == 0  ? 0
-                : limit > 0 ? error / limit
-                            : infinity,
-                error == 0           ? 0
-                : expected.high != 0 ? error / std::abs(expected.high)
-                                     : infinity,
-                {},
-                Failure::number};
+  if (error == 0 || limit > 0) made.part_of_bound = error == 0 ? 0 : error / limit;
+  if (error == 0 || expected.high != 0)
+    made.relative = error == 0 ? 0 : error / std::abs(expected.high);
   const bool plays_a_part = tolerance.is_strict || limit > least_of_engineering;
   if (plays_a_part && std::abs(expected.high) >= least_of_engineering)
     made.per_condition = made.relative / std::max(1.0, expected.condition);
   if (made.part_of_bound > 1)
     made.reason = expected.high == 0
-                      ? fmt::format("{}, not 0; allowed {:.3g}", got, limit)
-                      : fmt::format("{}, not {}; off by {:.3g} of it, allowed {:.3g}", got,
+                      ? fmt::format("{}, not 0; allowed {:.3g}", made.got, limit)
+                      : fmt::format("{}, not {}; off by {:.3g} of it, allowed {:.3g}", made.got,
                                     expected.high, made.relative, limit / std::abs(expected.high));
   return made;
 }
 
-Example example_of(const TestCase& asked, const Expected& expected, const Reply& answer,
-                   const Tolerance& tolerance) {
-  Example made{asked.id, asked.request(), expected, allowed_error(asked, expected, tolerance),
-               {},       answer.reason};
-  if (answer.outcome != Outcome::answered) return made;
-  if (const auto field = answer.fields.find(expected.field); field != answer.fields.end())
+Measured measure(const TestCase& asked, const Expected& expected, const nlohmann::json& value,
+                 const Tolerance& tolerance) {
+  if (!expected.word.empty())
+    return measured_if(value == expected.word,
+                       fmt::format("{}, not {}", value.dump(), expected.word));
+  if (expected.is_undefined)
+    return measured_if(value.is_null(), value.dump() + ", where it is undefined");
+  return measure_number(asked, expected, value, tolerance);
+}
+
+// One quantity of one case.
+struct AskedQuantity {
+  const TestCase& asked;
+  const Expected& expected;
+  const Reply& answer;
+};
+
+Example example_of(const AskedQuantity& of, const Tolerance& tolerance) {
+  Example made{of.asked.id, of.asked.request(),
+               of.expected, allowed_error(of.asked, of.expected, tolerance),
+               {},          of.answer.reason};
+  if (of.answer.outcome != Outcome::answered) return made;
+  const auto field = of.answer.fields.find(of.expected.field);
+  if (field != of.answer.fields.end())
     made.got = *field;
   else
-    made.reason = fmt::format("the answer has no field {}", expected.field);
+    made.reason = fmt::format("the answer has no field {}", of.expected.field);
   return made;
 }
 
-class Judge {
- public:
-  Judge(const std::vector<TestCase>& cases, const Conversation& conversation,
-        const Tolerance& tolerance, ConformanceResult& result)
-      : cases_(cases), conversation_(conversation), tolerance_(tolerance), result_(result) {
-    // A field that no answer of its function has is not offered.
-    for (std::size_t i = 0; i < cases.size(); ++i)
-      if (conversation.answers[i].outcome == Outcome::answered)
-        for (const auto& [field, value] : conversation.answers[i].fields.items())
-          offered_.insert(cases[i].function + '.' + field);
+// The error of an answer; none where the quantity is not offered, for this reason.
+std::optional<Measured> measured(const AskedQuantity& of, const std::set<std::string>& offered,
+                                 const Tolerance& tolerance, std::string& why_not) {
+  if (of.answer.outcome == Outcome::skipped) {
+    why_not = of.answer.reason;
+    return std::nullopt;
   }
+  if (of.answer.outcome != Outcome::answered)
+    return Measured{.reason = of.answer.reason, .how = Failure::no_answer};
+  const auto value = of.answer.fields.find(of.expected.field);
+  if (value != of.answer.fields.end()) return measure(of.asked, of.expected, *value, tolerance);
+  if (offered.contains(of.asked.function + '.' + of.expected.field))
+    return Measured{.reason = "the field is missing", .how = Failure::no_answer};
+  why_not = "the field is never there";
+  return std::nullopt;
+}
 
-  void run() {
-    for (std::size_t i = 0; i < cases_.size(); ++i)
-      for (std::size_t k = 0; k < cases_[i].expected.size(); ++k) judge(i, k);
-    for (QuantityVerdict& one : result_.quantities) {
-      const bool has_failed =
-          one.failed_physical > 0 || one.held_physical == 0 || tolerance_.is_strict;
-      one.status = one.failed > 0 && has_failed ? Verdict::failed
-                   : one.failed > 0             ? Verdict::held_physically
-                   : one.held == 0              ? Verdict::not_offered
-                   : one.skipped > 0            ? Verdict::partly_held
-                                                : Verdict::held;
-    }
+void add(QuantityVerdict& verdict, const AskedQuantity& of, const std::set<std::string>& offered,
+         const Tolerance& tolerance) {
+  if (verdict.asked++ == 0) verdict.worst = example_of(of, tolerance);
+  std::string why_not;
+  const std::optional<Measured> found = measured(of, offered, tolerance, why_not);
+  if (!found) {
+    if (verdict.skipped++ == 0 && verdict.failed == 0) verdict.first_reason = why_not;
+    return;
   }
-
- private:
-  QuantityVerdict& quantity(const std::string& name) {
-    const auto [place, is_new] = place_.try_emplace(name, result_.quantities.size());
-    if (is_new) {
-      result_.quantities.emplace_back();
-      result_.quantities.back().quantity = name;
-    }
-    return result_.quantities[place->second];
-  }
-
-  void judge(std::size_t i, std::size_t k) {
-    const TestCase& asked = cases_[i];
-    const Expected& expected = asked.expected[k];
-    const Reply& answer = conversation_.answers[i];
-    QuantityVerdict& verdict = quantity(expected.quantity);
-    if (verdict.asked++ == 0) verdict.worst = example_of(asked, expected, answer, tolerance_);
-    if (answer.outcome == Outcome::skipped) return skip(verdict, answer.reason);
-    if (answer.outcome != Outcome::answered)
-      return fail(verdict, i, k, without_answer(answer.reason));
-    const auto value = answer.fields.find(expected.field);
-    if (value == answer.fields.end()) {
-      if (!offered_.contains(asked.function + '.' + expected.field))
-        return skip(verdict, "the field is never there");
-      return fail(verdict, i, k, without_answer("the field is missing"));
-    }
-    const Measured measured = !expected.word.empty() ? measure_word(expected, *value)
-                              : expected.is_undefined
-                                  ? measure_undefined(*value)
-                                  : measure_number(asked, expected, *value, tolerance_);
-    if (measured.part_of_bound > 1) return fail(verdict, i, k, measured);
-    ++verdict.held;
-    verdict.held_physical += expected.is_physical ? 1 : 0;
-    verdict.held_cases.push_back({asked.id, measured.per_condition});
-    note_worst(verdict, i, k, measured);
-  }
-
-  static void skip(QuantityVerdict& verdict, const std::string& reason) {
-    if (verdict.skipped++ == 0 && verdict.failed == 0) verdict.first_reason = reason;
-  }
-
-  void fail(QuantityVerdict& verdict, std::size_t i, std::size_t k, const Measured& measured) {
+  const bool is_physical = of.expected.is_physical;
+  if (found->part_of_bound > 1) {
     // The first failure in the physical range is told, or else the first one of all.
-    const bool is_physical = cases_[i].expected[k].is_physical;
     if (verdict.failed == 0 || (is_physical && verdict.failed_physical == 0))
-      verdict.first_reason = fmt::format("{}: {}", cases_[i].id, measured.reason);
+      verdict.first_reason = fmt::format("{}: {}", of.asked.id, found->reason);
+    const double error = of.expected.high != 0 ? found->relative : std::abs(found->got);
+    const bool is_beyond = found->how == Failure::number && !std::isfinite(error);
+    verdict.failed_cases.push_back({of.asked.id, is_beyond ? Failure::wrong : found->how, error});
     ++verdict.failed;
-    verdict.failed_cases.push_back(failed_case(cases_[i], cases_[i].expected[k], measured));
     verdict.failed_physical += is_physical ? 1 : 0;
-    note_worst(verdict, i, k, measured);
+  } else {
+    verdict.held_cases.push_back({of.asked.id, found->per_condition});
+    ++verdict.held;
+    verdict.held_physical += is_physical ? 1 : 0;
   }
+  if (verdict.judged() > 1 && found->part_of_bound <= verdict.worst.part_of_bound) return;
+  verdict.worst = example_of(of, tolerance);
+  verdict.worst.part_of_bound = found->part_of_bound;
+  verdict.worst_relative = found->relative;
+}
 
-  static FailedCase failed_case(const TestCase& asked, const Expected& expected,
-                                const Measured& measured) {
-    const double error = expected.high != 0 ? measured.relative : std::abs(measured.got);
-    const bool is_beyond = measured.how == Failure::number && !std::isfinite(error);
-    return {asked.id, is_beyond ? Failure::wrong : measured.how, error};
-  }
+Verdict status_of(const QuantityVerdict& one, const Tolerance& tolerance) {
+  const bool has_failed = one.failed_physical > 0 || one.held_physical == 0 || tolerance.is_strict;
+  if (one.failed > 0) return has_failed ? Verdict::failed : Verdict::held_physically;
+  if (one.held == 0) return Verdict::not_offered;
+  return one.skipped > 0 ? Verdict::partly_held : Verdict::held;
+}
 
-  void note_worst(QuantityVerdict& verdict, std::size_t i, std::size_t k,
-                  const Measured& measured) {
-    if (verdict.judged() > 1 && measured.part_of_bound <= verdict.worst.part_of_bound) return;
-    verdict.worst =
-        example_of(cases_[i], cases_[i].expected[k], conversation_.answers[i], tolerance_);
-    verdict.worst.part_of_bound = measured.part_of_bound;
-    verdict.worst_relative = measured.relative;
-  }
-
-  const std::vector<TestCase>& cases_;
-  const Conversation& conversation_;
-  const Tolerance& tolerance_;
-  ConformanceResult& result_;
-  std::set<std::string> offered_;
-  std::map<std::string, std::size_t> place_;
-};
+std::vector<QuantityVerdict> verdicts_on(const std::vector<TestCase>& cases,
+                                         const std::vector<Reply>& answers,
+                                         const Tolerance& tolerance) {
+  std::set<std::string> offered;  // a field that no answer of its function has is not offered
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (answers[i].outcome == Outcome::answered)
+      for (const auto& [field, value] : answers[i].fields.items())
+        offered.insert(cases[i].function + '.' + field);
+  std::vector<QuantityVerdict> verdicts;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    for (const Expected& expected : cases[i].expected) {
+      const auto [place, is_new] = places.try_emplace(expected.quantity, verdicts.size());
+      if (is_new) verdicts.emplace_back().quantity = expected.quantity;
+      add(verdicts[place->second], {cases[i], expected, answers[i]}, offered, tolerance);
+    }
+  for (QuantityVerdict& one : verdicts) one.status = status_of(one, tolerance);
+  return verdicts;
+}
 
 Overall overall_of(const ConformanceResult& result) {
   const auto any = [&](Verdict status) {
@@ -202,8 +178,6 @@ Overall overall_of(const ConformanceResult& result) {
   return any(Verdict::partly_held) || any(Verdict::not_offered) ? Overall::partial
                                                                 : Overall::complete;
 }
-
-using nlohmann::json;
 
 std::string with_unit(const std::string& number, std::string_view unit) {
   return unit.empty() ? number : fmt::format("{} {}", number, unit);
@@ -355,7 +329,7 @@ ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
   result.subject = std::move(subject);
   result.tolerance = tolerance;
   result.conversation = std::move(conversation);
-  Judge(cases, result.conversation, tolerance, result).run();
+  result.quantities = verdicts_on(cases, result.conversation.answers, tolerance);
   result.overall = overall_of(result);
   result.notes = notes_on(cases, result.conversation);
   return result;
@@ -370,7 +344,7 @@ std::string expected_text(const Expected& expected, double allowed) {
 
 std::string got_text(const Example& example) {
   if (!example.got) return fmt::format("nothing ({})", example.reason);
-  const std::string text = example.got->dump(-1, ' ', true, json::error_handler_t::replace);
+  const std::string text = line_of(*example.got);
   return example.got->is_number() ? with_unit(text, example.expected.unit) : start_of(text);
 }
 

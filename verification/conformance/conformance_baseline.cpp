@@ -107,10 +107,6 @@ json merged_row(const QuantityVerdict& now, const json& before) {
   return row;
 }
 
-struct Compared {
-  std::string worse, better;  // a line, or empty; never both
-};
-
 std::string cases_text(std::size_t count) {
   return fmt::format("{} {}", count, count == 1 ? "case" : "cases");
 }
@@ -178,14 +174,6 @@ std::string what_is_better(const QuantityVerdict& now, const json& before) {
   return {};
 }
 
-Compared compare_one(const QuantityVerdict& now, const json& before) {
-  Compared found{what_is_worse(now, before), {}};
-  if (found.worse.empty()) found.better = what_is_better(now, before);
-  for (std::string* const line : {&found.worse, &found.better})
-    if (!line->empty()) line->insert(0, now.quantity + ": ");
-  return found;
-}
-
 // --- The whole file.
 
 json tolerance_json(const Tolerance& tolerance) {
@@ -210,10 +198,6 @@ std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& 
       fmt::format("{}: {}; this makes it anew: {}", use.file, error.what(), use.renewal));
 }
 
-bool has_numbers(const json& row) {
-  return row.at("held").get<std::size_t>() > 0 || !row.at("failed").empty();
-}
-
 }  // namespace
 
 json baseline_of(const ConformanceResult& result, const json& before) {
@@ -221,8 +205,9 @@ json baseline_of(const ConformanceResult& result, const json& before) {
   for (const QuantityVerdict& one : result.quantities)
     if (!rows.contains(one.quantity))
       rows[one.quantity] = row_of(one);
-    else if (!compare_one(one, rows.at(one.quantity)).better.empty())
-      rows[one.quantity] = merged_row(one, rows.at(one.quantity));
+    else if (const json& row = rows.at(one.quantity);
+             what_is_worse(one, row).empty() && !what_is_better(one, row).empty())
+      rows[one.quantity] = merged_row(one, row);
   return {{"schema", schema},
           {"tolerance", tolerance_json(result.tolerance)},
           {"sample", result.sample == 0 ? json("all") : json(result.sample)},
@@ -246,28 +231,31 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
   check_comparable(baseline, result.tolerance, result.sample);
   BaselineChanges changes;
   const json& rows = quantities_of(baseline);
+  const auto note = [](std::vector<QuantityNote>& to, const std::string& quantity,
+                       const std::string& text) {
+    if (!text.empty()) to.push_back({quantity, fmt::format("{}: {}", quantity, text)});
+  };
   bool any_compared = false, any_offered = false;
   for (const QuantityVerdict& one : result.quantities) {
-    any_offered |= one.held + one.failed > 0;
+    any_offered |= one.judged() > 0;
+    const bool has_failed = one.status == Verdict::failed;
     if (!rows.contains(one.quantity)) {
-      if (one.status == Verdict::failed)
-        changes.worse.push_back({one.quantity, fmt::format("{}: is new, and fails", one.quantity)});
-      else
-        changes.better.push_back(
-            {one.quantity, fmt::format("{}: is new, {}", one.quantity, name(one.status))});
+      note(has_failed ? changes.worse : changes.better, one.quantity,
+           has_failed ? "is new, and fails" : fmt::format("is new, {}", name(one.status)));
       continue;
     }
-    any_compared |= has_numbers(rows.at(one.quantity));
-    const Compared compared = compare_one(one, rows.at(one.quantity));
-    if (!compared.worse.empty()) changes.worse.push_back({one.quantity, compared.worse});
-    if (!compared.better.empty()) changes.better.push_back({one.quantity, compared.better});
-    if (one.status == Verdict::failed && compared.worse.empty())
-      changes.failed_already.push_back(one.quantity);
+    const json& before = rows.at(one.quantity);
+    any_compared |= before.at("held").get<std::size_t>() > 0 || !before.at("failed").empty();
+    const std::string worse = what_is_worse(one, before);
+    note(changes.worse, one.quantity, worse);
+    if (!worse.empty()) continue;
+    note(changes.better, one.quantity, what_is_better(one, before));
+    if (has_failed) changes.failed_already.push_back(one.quantity);
   }
   for (const auto& row : rows.items())
     if (std::none_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& one) { return one.quantity == row.key(); }))
-      changes.worse.push_back({row.key(), fmt::format("{}: is no longer asked", row.key())});
+      note(changes.worse, row.key(), "is no longer asked");
   if (const Conversation& talk = result.conversation; talk.violation_count > 0)
     changes.worse.push_back(
         {"protocol", fmt::format("the protocol was broken {} times{}", talk.violation_count,

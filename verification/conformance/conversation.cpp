@@ -65,10 +65,6 @@ constexpr std::size_t most_error_lines = 20;
 // Answers are kept until all are judged. Of a longer one only the part that was asked for is kept.
 constexpr std::size_t longest_answer = 4096;
 
-std::string text_of(const json& value) {
-  return value.dump(-1, ' ', true, json::error_handler_t::replace);
-}
-
 std::string shortened(std::string text) {
   return text.size() <= longest_answer ? text : printable(text, longest_answer);
 }
@@ -79,7 +75,7 @@ json asked_part(const json& answer, const TestCase& asked) {
   const auto keep = [&](const std::string& name) {
     const auto found = answer.find(name);
     if (found == answer.end()) return;
-    const std::string text = text_of(*found);
+    const std::string text = line_of(*found);
     part[name] = text.size() <= longest_answer ? *found : json(start_of(text));
   };
   for (const Expected& one : asked.expected) keep(one.field);
@@ -271,7 +267,7 @@ class Asker {
     has_answered_ = true;
     result.exit_code_without_answer = -1;
     const auto reason = [](const json& what) {
-      return shortened(what.is_string() ? what.get<std::string>() : text_of(what));
+      return shortened(what.is_string() ? what.get<std::string>() : line_of(what));
     };
     if (answer.contains("skip")) return settle(Outcome::skipped, {}, reason(answer["skip"]));
     if (answer.contains("error")) {
@@ -459,6 +455,10 @@ std::string why_no_json(const std::string& line) {
   } catch (const json::exception&) {
   }
   return "no JSON object: " + start_of(line);
+}
+
+std::string line_of(const json& value) {
+  return value.dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
 std::string start_of(const std::string& text) { return printable(text, 80); }

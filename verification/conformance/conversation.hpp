@@ -19,6 +19,9 @@ nlohmann::json read_answer_line(const std::string& line);
 // Where a line stops being JSON, with the text around it.
 std::string why_no_json(const std::string& line);
 
+// The value on one line, in ASCII; bytes that are no UTF-8 are replaced.
+std::string line_of(const nlohmann::json& value);
+
 // The start of a text, printable, for one line of a message.
 std::string start_of(const std::string& text);
 

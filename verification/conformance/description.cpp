@@ -3,15 +3,306 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace tribo::conformance {
 namespace {
 
-constexpr double few = 0.03;  // of the wrong answers
+// --- Numbers as products of powers
+
+// "F" of "F, of both bodies"
+std::string symbol_of(const catalogue::Parameter& parameter) {
+  return std::string(parameter.meaning.substr(0, parameter.meaning.find_first_of(", ")));
+}
+
+// Numbers as a product of powers of a function's inputs, by least squares on logarithms.
+struct PowerLaw {
+  std::vector<double> exponents;  // of each parameter; 0 for those that were held fixed
+  double constant = 0;            // with its sign
+  double residual = 0;            // the greatest error of the logarithm
+  std::string held = {};          // "k = 1" where the fit is of those cases alone
+};
+
+// The value that is fitted for a number: the answer, the expected value, a mistake's value, or a
+// ratio.
+using NumberOf = std::function<double(const AnsweredCase&, const AnsweredNumber&)>;
+
+struct FittedNumber {
+  const Part::Number* of;
+  double number;
+};
+
+// The inputs that a power can be of: numbers above zero.
+std::vector<std::size_t> powers_of(const catalogue::Function& function) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    if (function.parameters[i].words.empty() &&
+        function.parameters[i].range == catalogue::Range::above_zero)
+      places.push_back(i);
+  return places;
+}
+
+std::optional<PowerLaw> fit(const std::vector<FittedNumber>& samples,
+                            std::vector<std::size_t> places, std::size_t parameters) {
+  // An input that is the same everywhere says nothing.
+  std::erase_if(places, [&](std::size_t place) {
+    return std::all_of(samples.begin(), samples.end(), [&](const FittedNumber& one) {
+      return one.of->input(place) == samples.front().of->input(place);
+    });
+  });
+  const auto rows = static_cast<Eigen::Index>(samples.size());
+  const auto columns = static_cast<Eigen::Index>(places.size() + 1);
+  if (rows < columns + 3) return std::nullopt;
+  Eigen::MatrixXd inputs(rows, columns);
+  Eigen::VectorXd logarithms(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const FittedNumber& sample = samples[static_cast<std::size_t>(i)];
+    inputs(i, 0) = 1;
+    for (Eigen::Index k = 1; k < columns; ++k)
+      inputs(i, k) = std::log(sample.of->input(places[static_cast<std::size_t>(k - 1)]));
+    logarithms(i) = std::log(std::abs(sample.number));
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(inputs);
+  if (solver.rank() < columns) return std::nullopt;
+  const Eigen::VectorXd found = solver.solve(logarithms);
+  PowerLaw law{std::vector<double>(parameters),
+               std::copysign(std::exp(found(0)), samples[0].number),
+               (inputs * found - logarithms).lpNorm<Eigen::Infinity>()};
+  for (std::size_t k = 0; k < places.size(); ++k)
+    law.exponents[places[k]] = found(static_cast<Eigen::Index>(k + 1));
+  return law;
+}
+
+// The value of an argument that most samples have.
+double commonest(const std::vector<FittedNumber>& samples, std::size_t place) {
+  std::map<double, std::size_t> counts;
+  for (const FittedNumber& one : samples) ++counts[one.of->input(place)];
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+// An input that does not enter as a power, such as the ellipticity in the film's constant, is held
+// at the value that most cases have. Empty: there are too few cases, or the numbers are no
+// product of powers, to `closeness` of the logarithm.
+std::optional<PowerLaw> fit_power_law(const Part& part, const NumberOf& number_of,
+                                      double closeness) {
+  if (part.function() == nullptr) return std::nullopt;
+  const catalogue::Function& function = *part.function();
+  std::vector<FittedNumber> samples;
+  for (const Part::Number& one : part.all) {
+    const double value = number_of(*one.of, *one.answered);
+    if (!std::isfinite(value) || value == 0) return std::nullopt;
+    if (!samples.empty() && std::signbit(value) != std::signbit(samples.front().number))
+      return std::nullopt;
+    samples.push_back({&one, value});
+  }
+  const std::vector<std::size_t> places = powers_of(function);
+  const auto is_close = [&](const std::optional<PowerLaw>& law) {
+    return law && law->residual <= closeness;
+  };
+  if (const auto law = fit(samples, places, function.parameters.size()); is_close(law)) return law;
+  for (const std::size_t held : places) {
+    const double value = commonest(samples, held);
+    std::vector<FittedNumber> of_value;
+    std::copy_if(samples.begin(), samples.end(), std::back_inserter(of_value),
+                 [&](const FittedNumber& one) { return one.of->input(held) == value; });
+    if (auto law = fit(of_value, places, function.parameters.size()); is_close(law)) {
+      law->held = fmt::format("{} = {:.4g}", symbol_of(function.parameters[held]), value);
+      return law;
+    }
+  }
+  return std::nullopt;
+}
+
+// "F^+0.49 E*^-0.33", of the exponents that are not 0. Exponents are decimals, or fractions such as
+// 1/3.
+std::string power_in_words(const catalogue::Parameter& parameter, double exponent) {
+  for (const int denominator : {1, 2, 3, 4, 6}) {
+    const double numerator = exponent * denominator;
+    if (std::abs(numerator - std::round(numerator)) > 1e-6 * denominator) continue;
+    return denominator == 1
+               ? fmt::format("{}^{:+.0f}", symbol_of(parameter), numerator)
+               : fmt::format("{}^({:+.0f}/{})", symbol_of(parameter), numerator, denominator);
+  }
+  return fmt::format("{}^{:+.4g}", symbol_of(parameter), std::round(exponent * 1e5) / 1e5);
+}
+
+std::string powers_in_words(const catalogue::Function& function,
+                            const std::vector<double>& exponents) {
+  std::string text;
+  for (std::size_t i = 0; i < exponents.size(); ++i)
+    if (std::abs(exponents[i]) > 1e-4)
+      text += (text.empty() ? "" : " ") + power_in_words(function.parameters[i], exponents[i]);
+  return text;
+}
+
+// --- Where and how numbers are wrong
+
+// Part of the cases, and of the right or the wrong ones, that may lie on the wrong side of a
+// border.
+constexpr double stray = 0.02, stray_of_few = 0.1;
+constexpr std::size_t fewest_right = 3;
+
+std::vector<Part::Number> along(const Part& part, std::size_t input) {
+  std::vector<Part::Number> numbers = part.all;
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [input](const Part::Number& a, const Part::Number& b) {
+                     return a.input(input) < b.input(input);
+                   });
+  return numbers;
+}
+
+// Inputs that vary.
+std::vector<std::size_t> number_inputs(const Part& part) {
+  std::vector<std::size_t> inputs;
+  if (part.function() == nullptr) return inputs;
+  const auto& parameters = part.function()->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].words.empty() && parameters[i].range != catalogue::Range::half_order)
+      inputs.push_back(i);
+  return inputs;
+}
+
+// The stretch [first, last) in which answers are right (or wrong), and how many cases it misplaces:
+// the best of all stretches, by the greatest sum of a run.
+struct Stretch {
+  std::size_t first = 0, last = 0;
+  std::size_t misplaced = 0;
+};
+
+Stretch best_stretch(const std::vector<Part::Number>& points, bool of_wrong) {
+  // +1 for a case that belongs inside, −1 for one that does not.
+  Stretch best;
+  long sum = 0, greatest = 0;
+  std::size_t first = 0, belonging = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool belongs = points[i].answered->is_wrong == of_wrong;
+    belonging += belongs ? 1 : 0;
+    sum += belongs ? 1 : -1;
+    if (sum > greatest) {
+      greatest = sum;
+      best.first = first;
+      best.last = i + 1;
+    }
+    if (sum < 0) {
+      sum = 0;
+      first = i + 1;
+    }
+  }
+  best.misplaced = belonging - static_cast<std::size_t>(greatest);
+  return best;
+}
+
+std::size_t count_right(const Part& part) {
+  return static_cast<std::size_t>(
+      std::count_if(part.all.begin(), part.all.end(),
+                    [](const Part::Number& one) { return !one.answered->is_wrong; }));
+}
+
+struct Where {
+  std::string text;
+  std::size_t misplaced;
+};
+
+std::optional<Where> where_along(const Part& part, std::size_t input) {
+  const std::vector<Part::Number> points = along(part, input);
+  const std::string symbol = symbol_of(part.function()->parameters[input]);
+  const Stretch right = best_stretch(points, false), wrong = best_stretch(points, true);
+  const bool inside_is_wrong = wrong.misplaced < right.misplaced;
+  const Stretch& inside = inside_is_wrong ? wrong : right;
+  const std::size_t right_count = count_right(part);
+  const std::size_t fewer = std::min(right_count, points.size() - right_count);
+  if (static_cast<double>(inside.misplaced) > std::min(stray * static_cast<double>(points.size()),
+                                                       stray_of_few * static_cast<double>(fewer)))
+    return std::nullopt;
+  const bool from_start = inside.first == 0, to_end = inside.last == points.size();
+  if (from_start && to_end) return std::nullopt;
+  const double low = points[inside.first].input(input);
+  const double high = points[inside.last - 1].input(input);
+  const char* const word = inside_is_wrong ? "wrong" : "right";
+  const char* const other = inside_is_wrong ? "right" : "wrong";
+  if (!from_start && points[inside.first - 1].input(input) == low) return std::nullopt;
+  if (!to_end && points[inside.last].input(input) == high) return std::nullopt;
+  std::string text;
+  if (from_start)
+    text = fmt::format("{} up to {} = {:.4g}, {} from {:.4g} on", word, symbol, high, other,
+                       points[inside.last].input(input));
+  else if (to_end)
+    text = fmt::format("{} up to {} = {:.4g}, {} from {:.4g} on", other, symbol,
+                       points[inside.first - 1].input(input), word, low);
+  else
+    text = fmt::format("{} from {} = {:.4g} to {:.4g}, {} below and beyond", word, symbol, low,
+                       high, other);
+  return Where{std::move(text), inside.misplaced};
+}
+
+// "right for −21 ≤ d ≤ 5.1, wrong beyond"; empty if wrong and right answers are not apart in any
+// input. A border stands between the last right case and the first wrong one; 2 in 100 cases may
+// lie on the wrong side of it.
+std::string where_wrong(const Part& part) {
+  if (part.all.size() < fewest_cases || count_right(part) < fewest_right) return {};
+  std::optional<Where> best;
+  for (const std::size_t input : number_inputs(part)) {
+    auto found = where_along(part, input);
+    if (found && (!best || found->misplaced < best->misplaced)) best = std::move(found);
+  }
+  return best ? best->text : std::string();
+}
+
+// How the errors run along an input: as those of an integral that ends too early, of digits that
+// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: as none
+// of these.
+std::string manner_of_errors(const Part& part) {
+  const std::vector<std::size_t> inputs = number_inputs(part);
+  if (inputs.size() != 1) return {};  // along one of several inputs errors look like noise
+  std::vector<Part::Number> points = along(part, inputs.front());
+  std::erase_if(points, [](const Part::Number& one) {
+    return !one.answered->is_wrong || one.answered->expected->high == 0;
+  });
+  if (points.size() < fewest_cases) return {};
+  const auto relative = [](const Part::Number& one) {
+    return one.answered->error() / std::abs(one.answered->expected->high);
+  };
+  std::size_t flips = 0, falls = 0, zeros = 0;
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sizes.push_back(std::abs(relative(points[i])));
+    zeros += points[i].answered->got == 0 ? 1 : 0;
+    if (i == 0) continue;
+    flips += (relative(points[i]) < 0) != (relative(points[i - 1]) < 0) ? 1 : 0;
+    falls += sizes[i] < sizes[i - 1] ? 1 : 0;
+  }
+  const auto share = [&](std::size_t count) {
+    return static_cast<double>(count) / static_cast<double>(points.size());
+  };
+  const auto middle_of = [&](std::size_t first, std::size_t last) {
+    std::vector<double> some(sizes.begin() + static_cast<std::ptrdiff_t>(first),
+                             sizes.begin() + static_cast<std::ptrdiff_t>(last));
+    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+    std::nth_element(some.begin(), middle, some.end());
+    return *middle;
+  };
+  if (share(zeros) > 0.9) return "the answers are 0 there, as of an integral that ends too early";
+  const std::size_t third = sizes.size() / 3;
+  const double before = middle_of(0, third), after = middle_of(sizes.size() - third, sizes.size());
+  if (flips >= 3 && share(flips) > 0.05 && (after > 100 * before || before > 100 * after))
+    return "the errors have no order and grow: digits cancel there";
+  const double greatest = *std::max_element(sizes.begin(), sizes.end());
+  const double least = *std::min_element(sizes.begin(), sizes.end());
+  if (share(flips) < 0.05 && greatest <= 1 && greatest > 3 * least &&
+      (share(falls) < 0.2 || share(falls) > 0.8))
+    return "the errors are smooth and grow, as of a quadrature or a series with too few terms";
+  return {};
+}
+
+// --- Words
 
 // "27.5 % low", "1000 times too large".
 std::string in_words(double ratio) {
@@ -69,12 +360,11 @@ std::string film_in_groups(const catalogue::Function& function, const PowerLaw& 
 
 // A known mistake whose exponents these are, with another constant.
 std::string same_exponents(const Part& part, const PowerLaw& got,
-                           const std::vector<AnsweredCase>& cases,
                            const std::vector<Mistake>& mistakes) {
   for (const Mistake& mistake : mistakes) {
     const Mistake* const one = &mistake;
     const auto its = fit_power_law(
-        cases, part.branch, part.place,
+        part,
         [&](const AnsweredCase& asked, const AnsweredNumber& number) {
           const std::optional<Numbers> given = numbers_with({&one, 1}, asked.question);
           return given ? (*given)[number.place] : unsaid;
@@ -87,27 +377,26 @@ std::string same_exponents(const Part& part, const PowerLaw& got,
     if (!is_same) continue;
     return fmt::format(
         " Its exponents, {}, are those of this: {}. Its constant is {:.6g} times the one there.",
-        powers_in_words(*cases.front().question.function, got.exponents), mistake.text,
+        powers_in_words(*part.function(), got.exponents), mistake.text,
         got.constant / its->constant);
   }
   return {};
 }
 
 // The exponents in a sentence: "It goes as F^+0.49; the law has F^-0.067."
-std::string exponents_in_words(const Part& part, const std::vector<AnsweredCase>& cases,
-                               const std::vector<Mistake>& mistakes) {
+std::string exponents_in_words(const Part& part, const std::vector<Mistake>& mistakes) {
   const auto fitted = [&](const NumberOf& number_of) {
-    return fit_power_law(cases, part.branch, part.place, number_of, rounding);
+    return fit_power_law(part, number_of, rounding);
   };
   const auto got = fitted([](const AnsweredCase&, const AnsweredNumber& one) { return one.got; });
   const auto law =
       fitted([](const AnsweredCase&, const AnsweredNumber& one) { return one.expected->high; });
   if (!got || !law) return {};
-  const catalogue::Function& function = *cases.front().question.function;
+  const catalogue::Function& function = *part.function();
   std::vector<double> extra(got->exponents.size());
   for (std::size_t i = 0; i < extra.size(); ++i) extra[i] = got->exponents[i] - law->exponents[i];
   if (powers_in_words(function, extra).empty()) return {};
-  std::string text = same_exponents(part, *got, cases, mistakes);
+  std::string text = same_exponents(part, *got, mistakes);
   if (!text.empty()) return text;
   const std::string in_groups = film_in_groups(function, *got);
   for (std::size_t i = 0; i < extra.size(); ++i) {
@@ -144,29 +433,6 @@ std::string constant_factor(const Part& part) {
 
 }  // namespace
 
-std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases) {
-  std::map<std::pair<std::size_t, std::string>, Part> parts;
-  std::map<std::string, std::pair<std::size_t, std::size_t>> counts;  // explained, left
-  for (const AnsweredCase& one : cases)
-    for (const AnsweredNumber& number : one.numbers) {
-      Part& part = parts[{number.place, one.branch}];
-      part.place = number.place;
-      part.branch = one.branch;
-      ++part.answered;
-      if (number.is_left()) part.wrong.push_back(&number);
-      counts[one.branch].first += number.is_wrong && number.is_explained ? 1 : 0;
-      counts[one.branch].second += number.is_left() ? 1 : 0;
-    }
-  // After a named mistake, a few other wrong answers, such as near a border, are not told.
-  std::vector<Part> all;
-  for (auto& [key, part] : parts) {
-    const auto [explained, rest] = counts[part.branch];
-    const bool is_news = static_cast<double>(rest) > few * static_cast<double>(explained);
-    if (!part.wrong.empty() && is_news) all.push_back(std::move(part));
-  }
-  return all;
-}
-
 std::string pattern(const Part& part) {
   std::vector<double> ratios;
   for (const AnsweredNumber* const one : part.wrong)
@@ -175,9 +441,9 @@ std::string pattern(const Part& part) {
   std::sort(ratios.begin(), ratios.end());
   const double least = ratios.front(), greatest = ratios.back(), middle = ratios[ratios.size() / 2];
   const std::string where =
-      part.wrong.size() == part.answered
+      part.wrong.size() == part.all.size()
           ? "everywhere"
-          : fmt::format("in {} of {} cases", part.wrong.size(), part.answered);
+          : fmt::format("in {} of {} cases", part.wrong.size(), part.all.size());
   if (least == 0 && greatest == 0) return "answered as 0 " + where;
   if (greatest - least <= 2e-3 * std::abs(middle - 1) + 1e-9)
     return fmt::format("{} {}", in_words(middle), where);
@@ -185,18 +451,16 @@ std::string pattern(const Part& part) {
                      in_words(greatest), in_words(middle));
 }
 
-Description described(const Part& part, const std::vector<AnsweredCase>& cases,
-                      const std::vector<Mistake>& mistakes) {
+Description described(const Part& part, const std::vector<Mistake>& mistakes) {
   std::string text = pattern(part);
-  if (part.wrong.size() < part.answered)
-    if (const std::string where = where_wrong(cases, part.branch, part.place); !where.empty())
-      text += ": " + where;
+  if (part.wrong.size() < part.all.size())
+    if (const std::string where = where_wrong(part); !where.empty()) text += ": " + where;
   text += '.';
   const std::string factor = constant_factor(part);
   if (!factor.empty()) return {text + ' ' + factor, true};
-  const std::string powers = exponents_in_words(part, cases, mistakes);
+  const std::string powers = exponents_in_words(part, mistakes);
   if (!powers.empty()) return {text + powers, true};
-  if (std::string manner = manner_of_errors(cases, part.branch, part.place); !manner.empty()) {
+  if (std::string manner = manner_of_errors(part); !manner.empty()) {
     manner[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(manner[0])));
     text += ' ' + manner + '.';
   }

@@ -96,7 +96,7 @@ class Diagnoser {
       for (const AnsweredNumber& number : one.numbers) {
         Part& part = parts[number.place];
         part.place = number.place;
-        ++part.answered;
+        part.all.push_back({&one, &number});
       }
     for (const AnsweredNumber* const one : explained) parts[one->place].wrong.push_back(one);
     return std::max_element(parts.begin(), parts.end(),
@@ -155,7 +155,7 @@ class Diagnoser {
           greatest = std::max(greatest, std::abs(number.error() / number.expected->high));
     const std::string text =
         fmt::format("{} is off by at most {:.2g} of its value in {} of {} cases", quantity,
-                    greatest, part.wrong.size(), part.answered);
+                    greatest, part.wrong.size(), part.all.size());
     if (greatest < few_ulp) return text + ": rounding, and no wrong formula.";
     if (greatest < rounding && is_single_precision(cases_))
       return text +
@@ -168,10 +168,10 @@ class Diagnoser {
   std::string rests_text(const std::string& quantity, std::size_t place,
                          const std::vector<Part>& parts) const {
     if (wrong_below_.empty()) return {};
-    Part whole{place, {}, {}, 0};
+    Part whole{place};
     for (const Part& part : parts)
       if (part.place == place) {
-        whole.answered += part.answered;
+        whole.all.insert(whole.all.end(), part.all.begin(), part.all.end());
         whole.wrong.insert(whole.wrong.end(), part.wrong.begin(), part.wrong.end());
       }
     return fmt::format("{} is {}. It rests on {}, wrong too: mend that first.", quantity,
@@ -185,7 +185,7 @@ class Diagnoser {
     bool has_causes = true;
     for (const Part& part : parts) {
       if (part.place != place) continue;
-      const Description description = described(part, cases_, mistakes_);
+      const Description description = described(part, mistakes_);
       has_causes = has_causes && description.is_cause;
       const auto same = std::find_if(told.begin(), told.end(), [&](const auto& sentence) {
         return sentence.first == description.text;

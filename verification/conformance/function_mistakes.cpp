@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "conformance/mistake_entry.hpp"
-#include "conformance/mistake_formulas.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -119,11 +118,8 @@ std::vector<Mistake> other_laws_of(const Function& function, const MistakeEntry&
     if (law == nullptr || law == &own || law->is_of_lines != own.is_of_lines ||
         (own.material_exponent.p == 0 && law->material_exponent.p != 0))
       continue;
-    Mistake& one = all.emplace_back();
-    one.function = function.name;
-    one.name = with_words(entry.name, other.name, function.name);
-    one.text = with_words(entry.text, other.name, function.name);
-    add_law(change_to(*law), one);
+    all.push_back(titled(with_words(entry, other.name, function.name), function.name));
+    add_law(change_to(*law), all.back());
   }
   return all;
 }
@@ -220,11 +216,8 @@ void add_formula(const Function& function, const MistakeEntry& entry, Mistake& m
   if (formula == nullptr)
     throw std::runtime_error(
         fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
-  mistake.instead = [formula,
-                     numbers = entry.numbers](const Question& question) -> std::optional<Numbers> {
-    const std::optional<catalogue::Results> results = formula(question.arguments, numbers);
-    if (!results) return std::nullopt;
-    return numbers_of(*results);
+  mistake.instead = [formula, numbers = entry.numbers](const Question& question) {
+    return formula(question.arguments, numbers);
   };
   mistake.touches.emplace_back("formula");
 }
@@ -237,10 +230,8 @@ std::vector<Mistake> swaps_of(const Function& function, const MistakeEntry& entr
   for (std::size_t asked = 0; asked < words.size(); ++asked)
     for (std::size_t given = 0; given < words.size(); ++given) {
       if (asked == given) continue;
-      Mistake swap{.function = std::string(function.name),
-                   .name = with_words(entry.name, words[given], words[asked]),
-                   .text = with_words(entry.text, words[given], words[asked]),
-                   .touches = {entry.swapped}};
+      Mistake swap = titled(with_words(entry, words[given], words[asked]), function.name);
+      swap.touches = {entry.swapped};
       swap.applies = [place, asked](const Question& question) {
         return question.arguments[place] == static_cast<double>(asked);
       };
@@ -254,12 +245,20 @@ std::vector<Mistake> swaps_of(const Function& function, const MistakeEntry& entr
 
 }  // namespace
 
-std::string with_words(std::string text, std::string_view given, std::string_view asked) {
-  for (const auto& [mark, word] :
-       {std::pair<std::string_view, std::string_view>{"{given}", given}, {"{asked}", asked}})
-    if (const std::size_t at = text.find(mark); at != std::string::npos)
-      text.replace(at, mark.size(), word);
-  return text;
+MistakeEntry with_words(MistakeEntry entry, std::string_view given, std::string_view asked) {
+  for (std::string* const text : {&entry.name, &entry.text})
+    for (const auto& [mark, word] : {std::pair{"{given}", given}, std::pair{"{asked}", asked}})
+      if (const std::size_t at = text->find(mark); at != std::string::npos)
+        text->replace(at, std::string_view(mark).size(), word);
+  return entry;
+}
+
+Mistake titled(const MistakeEntry& entry, std::string_view function) {
+  return {.function = std::string(function),
+          .name = entry.name,
+          .text = entry.text,
+          .follows = entry.follows,
+          .touches = {}};
 }
 
 std::vector<const Function*> functions_of(const MistakeEntry& entry) {
@@ -290,11 +289,7 @@ std::vector<const Function*> functions_of(const MistakeEntry& entry) {
 
 std::vector<Mistake> mistakes_of(const Function& function, const MistakeEntry& entry) {
   if (!entry.swapped.empty()) return swaps_of(function, entry);
-  Mistake mistake{.function = std::string(function.name),
-                  .name = entry.name,
-                  .text = entry.text,
-                  .follows = entry.follows,
-                  .touches = {}};
+  Mistake mistake = titled(entry, function.name);
   add_where(function, entry, mistake);
   add_inputs(function, entry, mistake);
   add_results(function, entry, mistake);

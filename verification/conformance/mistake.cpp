@@ -253,32 +253,23 @@ std::vector<Mistake> read_mistakes(const std::string& path) {
   std::map<std::string, std::vector<Mistake>> of_films;  // by name: one for each film law
   for (const MistakeEntry& entry : read_mistake_file(path)) try {
       if (entry.function == "operating_point") {
-        for (Mistake& one : point_mistakes_of(entry)) {
-          one.follows = entry.follows;
-          of_points.push_back(std::move(one));
-        }
+        for (Mistake& one : point_mistakes_of(entry)) of_points.push_back(std::move(one));
         continue;
       }
       for (const catalogue::Function* const function : functions_of(entry))
         for (Mistake& one : mistakes_of(*function, entry)) {
           if (std::find(film_formula_words.begin(), film_formula_words.end(), function->name) !=
-              film_formula_words.end()) {
+              film_formula_words.end())
             of_films[one.name].push_back(one);
-            of_films[one.name].back().follows = entry.follows;
-          } else if (std::optional<Mistake> same = for_points(one)) {
-            same->follows = entry.follows;
+          else if (std::optional<Mistake> same = for_points(one))
             of_points.push_back(std::move(*same));
-          }
           all.push_back(std::move(one));
         }
     } catch (const std::exception& error) {
       throw std::runtime_error(
           fmt::format("{}: mistake \"{}\": {}", path, entry.name, error.what()));
     }
-  for (const auto& [name, laws] : of_films) {
-    of_points.push_back(with_film(laws));
-    of_points.back().follows = laws.front().follows;
-  }
+  for (const auto& [name, laws] : of_films) of_points.push_back(with_film(laws));
   for (Mistake& one : of_points) all.push_back(std::move(one));
   for (const Mistake& one : all)
     if (!one.follows.empty() && std::none_of(all.begin(), all.end(), [&](const Mistake& other) {

@@ -74,6 +74,14 @@ void add_reading(const std::string& kind, Reading Question::*reading,
   };
 }
 
+// A wrong formula that entries have by its name: what is no change of an argument, of a result or
+// of the film's numbers. It gives the results of a function at its arguments, from the numbers of
+// the entry; empty: it says nothing of these arguments.
+using FunctionFormula = std::optional<Numbers> (*)(const catalogue::Arguments& arguments,
+                                                   std::span<const double> numbers);
+// Null where the function has no formula of this name that takes this count of `numbers`.
+FunctionFormula find_formula(std::string_view function, std::string_view name, std::size_t numbers);
+
 // The functions of an entry: the one that it names; of film_laws all film laws that have the
 // arguments and exponents that the entry changes. Throws std::runtime_error where there is none.
 std::vector<const catalogue::Function*> functions_of(const MistakeEntry& entry);
@@ -82,8 +90,11 @@ std::vector<const catalogue::Function*> functions_of(const MistakeEntry& entry);
 // one for each other film law. Throws std::runtime_error that says what is wrong with the entry.
 std::vector<Mistake> mistakes_of(const catalogue::Function& function, const MistakeEntry& entry);
 
-// "inlet-{given}-for-{asked}" with the two words.
-std::string with_words(std::string text, std::string_view given, std::string_view asked);
+// The entry with the two words in its name and text: "inlet-{given}-for-{asked}".
+MistakeEntry with_words(MistakeEntry entry, std::string_view given, std::string_view asked);
+
+// A mistake of the function with the entry's name and text, which changes nothing yet.
+Mistake titled(const MistakeEntry& entry, std::string_view function);
 
 // The mistakes of an entry for operating_point: one, or with `swapped` one for each pair of words.
 // Throws std::runtime_error that says what is wrong with the entry.

@@ -137,8 +137,7 @@ bool read_word(int code, std::span<const std::string_view> words, WordResult<Wor
 
 Answer<PointResult> point_answer(int status, const tribocheck_point& point) {
   PointResult result;
-  for (const PluginNumber& number : plugin_numbers)
-    result.*point_numbers[static_cast<std::size_t>(number.output)] = point.*number.place;
+  for (std::size_t i = 0; i < number_count; ++i) result.numbers[i] = point.*plugin_numbers[i];
   const bool codes_are_known = read_word(point.regime, regime_words, result.regime) &&
                                read_word(point.inlet, inlet_words, result.inlet);
   if (status == TRIBOCHECK_DONE && !codes_are_known)

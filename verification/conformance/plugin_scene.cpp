@@ -89,7 +89,7 @@ Scene model_scene(const tribocheck_scene& scene) {
 
 tribocheck_point empty_point() {
   tribocheck_point point;
-  for (const PluginNumber& number : plugin_numbers) point.*number.place = not_offered;
+  for (const auto number : plugin_numbers) point.*number = not_offered;
   point.regime = point.inlet = TRIBOCHECK_NO_CODE;
   return point;
 }

@@ -17,36 +17,35 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::string_view operating_point = operating_point_functions[0];
+
 // A point whose scene `change` alters.
-Mistake changed(const std::string& name, const std::string& text, std::vector<std::string> touches,
+Mistake changed(Mistake mistake, std::vector<std::string> touches,
                 std::function<void(Question&)> change) {
-  return {.function = "operating_point",
-          .name = name,
-          .text = text,
-          .touches = std::move(touches),
-          .applies = {},
-          .before =
-              [change = std::move(change)](Question& question) {
-                if (question.scene) change(question);
-              },
-          .instead = {},
-          .after = {}};
+  mistake.touches = std::move(touches);
+  mistake.before = [change = std::move(change)](Question& question) {
+    if (question.scene) change(question);
+  };
+  return mistake;
+}
+Mistake changed(const MistakeEntry& entry, std::vector<std::string> touches,
+                std::function<void(Question&)> change) {
+  return changed(titled(entry, operating_point), std::move(touches), std::move(change));
 }
 
-// A point with a part by another formula. Where `instead` gives nothing, the mistake says nothing.
-Mistake with_formula(const std::string& name, const std::string& text,
+// A mistake of a function in operating points, of which `instead` gives a part. Where it gives
+// nothing, the mistake says nothing.
+Mistake with_formula(const Mistake& wrong,
                      std::function<std::optional<Numbers>(const Question&)> instead) {
-  return {.function = "operating_point",
-          .name = name,
-          .text = text,
+  return {.function = std::string(operating_point),
+          .name = wrong.name,
+          .text = wrong.text,
+          .follows = wrong.follows,
           .touches = {"formula"},
-          .applies = {},
-          .before = {},
           .instead = [instead =
                           std::move(instead)](const Question& question) -> std::optional<Numbers> {
             return question.scene ? instead(question) : std::nullopt;
-          },
-          .after = {}};
+          }};
 }
 
 // --- Changes of fields
@@ -95,7 +94,7 @@ Mistake with_fields(const MistakeEntry& entry) {
     changes.emplace_back(field, std::move(change));
     touches.push_back(path);
   }
-  return changed(entry.name, entry.text, std::move(touches), [changes](Question& question) {
+  return changed(entry, std::move(touches), [changes](Question& question) {
     for (const auto& [field, change] : changes) {
       const json written = written_at(question.asked->inputs, *field.info);
       if (written.is_discarded()) continue;  // neither given nor with a default: of another shape
@@ -111,12 +110,11 @@ std::vector<Mistake> swaps_of(const MistakeEntry& entry) {
   for (const std::string_view asked : words)
     for (const std::string_view given : words)
       if (asked != given)
-        all.push_back(changed(with_words(entry.name, given, asked),
-                              with_words(entry.text, given, asked), {entry.swapped},
-                              [=](Question& question) {
-                                if (written_at(question.asked->inputs, *field.info) == json(asked))
-                                  field.store(*question.scene, number_of(*field.info, json(given)));
-                              }));
+        all.push_back(
+            changed(with_words(entry, given, asked), {entry.swapped}, [=](Question& question) {
+              if (written_at(question.asked->inputs, *field.info) == json(asked))
+                field.store(*question.scene, number_of(*field.info, json(given)));
+            }));
   return all;
 }
 
@@ -224,75 +222,73 @@ double number_of(const Scene& scene, std::string_view parameter) {
 }
 
 Mistake with_inlet(const Mistake& wrong) {
-  return with_formula(
-      wrong.name, wrong.text, [wrong](const Question& question) -> std::optional<Numbers> {
-        const Scene& scene = *question.scene;
-        if (scene.supply.kind == SupplyKind::flooded) return std::nullopt;
-        const MixedContact<double> contact(scene);
-        const FloodedFilm<double> flooded = contact.flooded(scene.speeds[0]);
-        InletState<double> inlet = contact.inlet(flooded);
-        const InletLaw<double> law = contact.inlet_law();
-        const auto ratio = value_with(
-            wrong, {static_cast<double>(law.closure), inlet.flooded_over_inlet, law.exponent});
-        if (!ratio) return std::nullopt;
-        inlet.film_ratio = *ratio;
-        inlet.collapsed = inlet.film_ratio == 0;
-        Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
-        // Near a floor complete() takes the shares from the right closure, not from `wrong`.
-        if (contact.sharing().has_floor())
-          std::fill(numbers.begin() + static_cast<int>(Output::asperity_load_share), numbers.end(),
-                    unsaid);
-        return numbers;
-      });
+  return with_formula(wrong, [wrong](const Question& question) -> std::optional<Numbers> {
+    const Scene& scene = *question.scene;
+    if (scene.supply.kind == SupplyKind::flooded) return std::nullopt;
+    const MixedContact<double> contact(scene);
+    const FloodedFilm<double> flooded = contact.flooded(scene.speeds[0]);
+    InletState<double> inlet = contact.inlet(flooded);
+    const InletLaw<double> law = contact.inlet_law();
+    const auto ratio = value_with(
+        wrong, {static_cast<double>(law.closure), inlet.flooded_over_inlet, law.exponent});
+    if (!ratio) return std::nullopt;
+    inlet.film_ratio = *ratio;
+    inlet.collapsed = inlet.film_ratio == 0;
+    Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
+    // Near a floor complete() takes the shares from the right closure, not from `wrong`.
+    if (contact.sharing().has_floor())
+      std::fill(numbers.begin() + static_cast<int>(Output::asperity_load_share), numbers.end(),
+                unsaid);
+    return numbers;
+  });
 }
 
 // A mistake of load_sharing in operating points; a starved point gets its films alone. The film law
 // has to have the exponent of load_sharing, that of hamrock_dowson_central.
 Mistake with_sharing(const Mistake& wrong) {
-  return with_formula(
-      wrong.name, wrong.text, [wrong](const Question& question) -> std::optional<Numbers> {
-        const Scene& scene = *question.scene;
-        const MixedContact<double> contact(scene);
-        const double exponent = contact.film().sharing_power.value;
-        if (exponent != hamrock_dowson_central_law.sharing_power.value) return std::nullopt;
-        const double speed = scene.speeds[0];
-        const auto lambda =
-            value_with(wrong, {static_cast<double>(scene.closures.asperity),
-                               contact.flooded_film_parameter(speed), contact.sharing().stiffness(),
-                               contact.sharing().offset()});
-        if (!lambda) return std::nullopt;
-        // The film is h₀ (1 − A)^−e, whatever gave A.
-        const double fluid =
-            std::pow(contact.flooded_film_parameter(speed) / *lambda, 1 / exponent);
-        const FloodedFilm<double> flooded{speed, {*lambda, 1 - fluid, fluid, 0}};
-        const InletState<double> inlet = contact.inlet(flooded);
-        Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
-        if (scene.supply.kind != SupplyKind::flooded || *lambda < contact.sharing().floor())
-          std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
-        return numbers;
-      });
+  return with_formula(wrong, [wrong](const Question& question) -> std::optional<Numbers> {
+    const Scene& scene = *question.scene;
+    const MixedContact<double> contact(scene);
+    const double exponent = contact.film().sharing_power.value;
+    if (exponent != hamrock_dowson_central_law.sharing_power.value) return std::nullopt;
+    const double speed = scene.speeds[0];
+    const auto lambda = value_with(
+        wrong, {static_cast<double>(scene.closures.asperity), contact.flooded_film_parameter(speed),
+                contact.sharing().stiffness(), contact.sharing().offset()});
+    if (!lambda) return std::nullopt;
+    // The film is h₀ (1 − A)^−e, whatever gave A.
+    const double fluid = std::pow(contact.flooded_film_parameter(speed) / *lambda, 1 / exponent);
+    const FloodedFilm<double> flooded{speed, {*lambda, 1 - fluid, fluid, 0}};
+    const InletState<double> inlet = contact.inlet(flooded);
+    Numbers numbers = numbers_of(contact.complete(flooded, inlet, OutputSet::all()), question);
+    if (scene.supply.kind != SupplyKind::flooded || *lambda < contact.sharing().floor())
+      std::fill(numbers.begin() + static_cast<int>(Output::separation), numbers.end(), unsaid);
+    return numbers;
+  });
 }
 
 }  // namespace
 
 Mistake with_film(const std::vector<Mistake>& laws) {
+  Mistake of_points{.function = std::string(operating_point),
+                    .name = laws.front().name,
+                    .text = laws.front().text + ", in the film formula",
+                    .follows = laws.front().follows,
+                    .touches = {}};
   std::vector<std::string> touches;
   for (const std::string& one : laws.front().touches) touches.push_back("film " + one);
-  return changed(laws.front().name, laws.front().text + ", in the film formula", std::move(touches),
-                 [laws](Question& question) {
-                   Scene& scene = *question.scene;
-                   const auto law = std::find_if(laws.begin(), laws.end(), [&](const Mistake& one) {
-                     return one.function ==
-                            film_formula_words[static_cast<std::size_t>(scene.closures.film)];
-                   });
-                   if (law == laws.end()) return;
-                   catalogue::Arguments arguments{};
-                   const auto& parameters = catalogue::function_named(law->function)->parameters;
-                   for (std::size_t i = 0; i < parameters.size(); ++i)
-                     arguments[i] = number_of(scene, parameters[i].name);
-                   if (const auto film = value_with(*law, arguments))
-                     scale_film(scene, *film / right_film(scene));
-                 });
+  return changed(std::move(of_points), std::move(touches), [laws](Question& question) {
+    Scene& scene = *question.scene;
+    const auto law = std::find_if(laws.begin(), laws.end(), [&](const Mistake& one) {
+      return one.function == film_formula_words[static_cast<std::size_t>(scene.closures.film)];
+    });
+    if (law == laws.end()) return;
+    catalogue::Arguments arguments{};
+    const auto& parameters = catalogue::function_named(law->function)->parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      arguments[i] = number_of(scene, parameters[i].name);
+    if (const auto film = value_with(*law, arguments)) scale_film(scene, *film / right_film(scene));
+  });
 }
 
 std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
@@ -300,30 +296,29 @@ std::vector<Mistake> point_mistakes_of(const MistakeEntry& entry) {
   if (!entry.area.empty() && entry.area.size() != 2)
     throw std::runtime_error("area: two numbers, of points and of lines");
   if (!entry.area.empty())
-    return {changed(entry.name, entry.text, {"area"}, [by = entry.area](Question& question) {
+    return {changed(entry, {"area"}, [by = entry.area](Question& question) {
       const bool is_line = question.scene->bodies.shape() == ContactShape::line;
       scale_area(*question.scene, by[is_line ? 1 : 0]);
     })};
   for (const auto& [name, change] : ellipse_changes)
     if (entry.formula == name)
-      return {
-          changed(entry.name, entry.text, {"area", "film"}, [change = change](Question& question) {
-            if (question.scene->bodies.shape() == ContactShape::ellipse) change(question);
-          })};
+      return {changed(entry, {"area", "film"}, [change = change](Question& question) {
+        if (question.scene->bodies.shape() == ContactShape::ellipse) change(question);
+      })};
   if (!entry.stiffness.empty() && entry.stiffness.size() != 2)
     throw std::runtime_error("stiffness: two numbers, for each asperity model");
   if (!entry.stiffness.empty())
-    return {changed(entry.name, entry.text, {}, [by = entry.stiffness](Question& question) {
+    return {changed(entry, {}, [by = entry.stiffness](Question& question) {
       Scene& scene = *question.scene;
       question.summit_count_times *= scale_stiffness(scene, is_gt(scene) ? by[0] : by[1]);
     })};
   if (entry.formula == "stiffness_of_greenwood_williamson")
-    return {changed(entry.name, entry.text, {"stiffness"}, take_stiffness_of_greenwood_williamson)};
+    return {changed(entry, {"stiffness"}, take_stiffness_of_greenwood_williamson)};
   if (!entry.formula.empty())
     throw std::runtime_error(
         fmt::format("no formula {} of {} numbers", entry.formula, entry.numbers.size()));
   if (!entry.friction.empty()) {
-    Mistake mistake = changed(entry.name, entry.text, {}, [](Question&) {});
+    Mistake mistake = titled(entry, operating_point);
     add_reading<FrictionReading>("friction", &Question::friction, friction_numbers, entry.friction,
                                  mistake);
     return {std::move(mistake)};

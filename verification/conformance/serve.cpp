@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -67,83 +66,60 @@ std::optional<OutputValue> of_balance(double number, const PointResult& point) {
 std::optional<OutputValue> value_of(const PointResult& point, Output output) {
   if (output == Output::regime) return value_of(point.regime);
   if (output == Output::inlet) return value_of(point.inlet);
-  const double number = point.*point_numbers[static_cast<std::size_t>(output)];
+  const double number = point.numbers[static_cast<std::size_t>(output)];
   return balance_outputs().contains(output) ? of_balance(number, point) : value_of(number);
 }
 
-Fields fields_of(const catalogue::Results& values, const catalogue::Function& function) {
+Fields fields_of(const catalogue::Results& values, const Question& asked) {
+  const catalogue::Function& function = *std::get<FunctionCall>(asked).function;
   Fields fields;
   for (std::size_t i = 0; i < function.results.size(); ++i)
     fields.push_back({function.results[i].name, value_of(values[i])});
   return fields;
 }
 
-Fields fields_of(const PointResult& point, OutputSet asked) {
+Fields fields_of(const PointResult& point, const Question& asked) {
   Fields fields;
   for (const OutputInfo& output : output_infos)
-    if (asked.contains(output.output))
+    if (std::get<SceneReading>(asked).scene->outputs.contains(output.output))
       fields.push_back({output.name, value_of(point, output.output)});
   return fields;
 }
 
-void append_fields(Text& to, Id id, const Fields& fields) {
-  protocol::AnswerObject object(to, id);
-  for (const Field& field : fields)
-    if (field.value) object.value(field.name, *field.value);
-  object.close();
-  to.push_back('\n');
+// The only result of a function is always offered, so that NaN is no answer.
+bool is_nan_alone(const catalogue::Results& values, const Question& asked) {
+  return std::get<FunctionCall>(asked).function->results.size() == 1 && std::isnan(values[0]);
+}
+bool is_nan_alone(const PointResult&, const Question&) { return false; }
+
+Id id_of(const Question& question) {
+  return std::visit([](const auto& asked) -> Id { return asked.id; }, question);
 }
 
-void append_undefined(Text& to, Id id, const Fields& fields, std::string_view reason) {
-  protocol::AnswerObject object(to, id);
-  for (const Field& field : fields) object.undefined(field.name, reason);
-  object.close();
-  to.push_back('\n');
-}
-
-void append_skip_line(Text& to, Id id, std::string_view reason) {
-  protocol::AnswerObject object(to, id);
-  object.word("skip", reason);
-  object.close();
-  to.push_back('\n');
-}
-
-// `asked`: what fields_of() takes beside the result.
-template <class Result, class Asked>
-void append_line(Text& to, Id id, const Answer<Result>& answer, const Asked& asked) {
-  switch (answer.status) {
-    case Status::done:
-      return append_fields(to, id, fields_of(answer.result, asked));
-    case Status::skipped:
-      return append_skip_line(to, id, answer.reason);
-    case Status::undefined:
-      return append_undefined(to, id, fields_of(answer.result, asked), answer.reason);
-    case Status::failed:
-      return protocol::append_error(to, id, "", answer.reason);
+template <class Result>
+void append_answer(Text& to, const Question& asked, const Answer<Result>& answer) {
+  if (answer.status == Status::failed)
+    return protocol::append_error(to, id_of(asked), "", answer.reason);
+  if (answer.status == Status::done && is_nan_alone(answer.result, asked))
+    return protocol::append_error(to, id_of(asked), "", "the solver gave NaN");
+  protocol::AnswerObject object(to, id_of(asked));
+  if (answer.status == Status::skipped) {
+    object.word("skip", answer.reason);
+  } else {
+    for (const Field& field : fields_of(answer.result, asked))
+      if (answer.status == Status::undefined)
+        object.undefined(field.name, answer.reason);
+      else if (field.value)
+        object.value(field.name, *field.value);
   }
-}
-
-void append_answer_line(Text& to, Id id, const Answer<catalogue::Results>& answer,
-                        const catalogue::Function& function) {
-  const bool has_one = function.results.size() == 1;
-  if (answer.status == Status::done && has_one && std::isnan(answer.result[0]))
-    return protocol::append_error(to, id, "", "the solver gave NaN");
-  append_line(to, id, answer, function);
-}
-
-void append_answer_line(Text& to, Id id, const Answer<PointResult>& answer, OutputSet asked) {
-  append_line(to, id, answer, asked);
+  object.close();
+  to.push_back('\n');
 }
 
 void fill(catalogue::Arguments& to, const Question& question) {
   to = std::get<FunctionCall>(question).arguments;
 }
 void fill(Scene& to, const Question& question) { to = *std::get<SceneReading>(question).scene; }
-
-std::optional<std::string_view> id_of(const Question& question) {
-  return std::visit([](const auto& asked) -> std::optional<std::string_view> { return asked.id; },
-                    question);
-}
 
 // The subject of a question, by a name that messages use.
 std::string_view subject_of(const Question& question) {
@@ -159,7 +135,10 @@ class Server {
 
   void answer(protocol::LineReader& lines) {
     for (std::size_t number = 1;; ++number) {
-      if (!lines.line_waiting()) answer_all();
+      if (!lines.line_waiting()) {
+        answer_waiting();
+        output_.flush();
+      }
       const protocol::Line line = lines.next();
       if (line.kind == protocol::Line::Kind::end_of_input) return;
       if (line.kind == protocol::Line::Kind::too_long)
@@ -192,11 +171,6 @@ class Server {
     waiting_.push_back(std::move(question));
   }
 
-  void answer_all() {
-    answer_waiting();
-    output_.flush();
-  }
-
   void answer_waiting() {
     if (waiting_.empty()) return;
     if (const auto* call = std::get_if<FunctionCall>(&waiting_[0]))
@@ -217,7 +191,7 @@ class Server {
       for (std::size_t i = 0; i < cases.size(); ++i)
         answers_all<Asked, Result>(batch, {&cases[i], 1}, {&answers[i], 1});
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      append(waiting_[i], answers[i]);
+      append_answer(output_.text(), waiting_[i], answers[i]);
       output_.end_row();
     }
   }
@@ -238,19 +212,10 @@ class Server {
     return false;
   }
 
-  void append(const Question& question, const Answer<catalogue::Results>& answer) {
-    const FunctionCall& call = std::get<FunctionCall>(question);
-    append_answer_line(output_.text(), call.id, answer, *call.function);
-  }
-  void append(const Question& question, const Answer<PointResult>& answer) {
-    const SceneReading& reading = std::get<SceneReading>(question);
-    append_answer_line(output_.text(), reading.id, answer, reading.scene->outputs);
-  }
-
   void skip_waiting() {
-    const std::string reason = "no " + std::string(subject_of(waiting_[0]));
+    const Answer<PointResult> none = skip("no " + std::string(subject_of(waiting_[0])));
     for (const Question& question : waiting_) {
-      append_skip_line(output_.text(), id_of(question), reason);
+      append_answer(output_.text(), question, none);
       output_.end_row();
     }
   }

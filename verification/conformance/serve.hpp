@@ -56,31 +56,13 @@ struct WordResult {
 
 // Meaning and units: tribo/outputs.hpp.
 struct PointResult {
-  double film_flooded = not_offered;
-  double film = not_offered;
-  double separation = not_offered;
-  double film_parameter = not_offered;
-  double asperity_load_share = not_offered;
-  double fluid_load_share = not_offered;
-  double real_area_ratio = not_offered;
-  double summit_count = not_offered;
-  double friction = not_offered;
+  PointResult() { numbers.fill(not_offered); }
+  double& operator[](Output output) { return numbers[static_cast<std::size_t>(output)]; }
+
+  std::array<double, number_count> numbers;  // in the order of Output
   WordResult<Regime> regime;
   WordResult<Inlet> inlet;
 };
-// Its numbers, in the order of Output.
-inline constexpr auto point_numbers = std::to_array<double PointResult::*>({
-    &PointResult::film_flooded,
-    &PointResult::film,
-    &PointResult::separation,
-    &PointResult::film_parameter,
-    &PointResult::asperity_load_share,
-    &PointResult::fluid_load_share,
-    &PointResult::real_area_ratio,
-    &PointResult::summit_count,
-    &PointResult::friction,
-});
-static_assert(point_numbers.size() == number_count);
 
 // Instead of a result.
 enum class Status : std::uint8_t { done, skipped, undefined, failed };

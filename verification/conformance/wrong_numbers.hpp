@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers that a subject answered for one function, each beside what is expected: where the
-// wrong ones lie, and how they are off.
+// The numbers that a subject answered for one function, each beside what is expected.
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,45 +37,30 @@ std::vector<AnsweredCase> answered_cases(const std::string& function,
                                          const Conversation& conversation,
                                          const Tolerance& tolerance);
 
-// Numbers as a product of powers of a function's inputs, by least squares on logarithms.
-struct PowerLaw {
-  std::vector<double> exponents;  // of each parameter; 0 for those that were held fixed
-  double constant = 0;            // with its sign
-  double residual = 0;            // the greatest error of the logarithm
-  std::string held = {};          // "k = 1" where the fit is of those cases alone
+// The numbers of one result, in one branch of the function or in all.
+struct Part {
+  struct Number {
+    const AnsweredCase* of;
+    const AnsweredNumber* answered;
+
+    double input(std::size_t parameter) const { return of->question.arguments[parameter]; }
+  };
+
+  std::size_t place = 0;
+  std::string branch = {};
+  std::vector<Number> all = {};
+  std::vector<const AnsweredNumber*> wrong = {};  // those that a sentence is about
+
+  const std::string& quantity() const { return wrong.front()->expected->quantity; }
+  // Of the function; null for operating points.
+  const catalogue::Function* function() const { return all.front().of->question.function; }
 };
 
-// The value that is fitted for a number: the answer, the expected value, a mistake's value, or a
-// ratio.
-using NumberOf = std::function<double(const AnsweredCase&, const AnsweredNumber&)>;
+// The parts with wrong answers that are still to be told. After a named mistake a few wrong
+// answers, such as near a border, are not told.
+std::vector<Part> parts_left(const std::vector<AnsweredCase>& cases);
 
-// Fits the result at `place`, over the cases of one branch (empty: all). An input that does
-// not enter as a power, such as the ellipticity in the film's constant, is held at the value that
-// most cases have. Empty: there are too few cases, or the numbers are no product of powers, to
-// `closeness` of the logarithm.
-std::optional<PowerLaw> fit_power_law(const std::vector<AnsweredCase>& cases,
-                                      const std::string& branch, std::size_t place,
-                                      const NumberOf& number_of, double closeness);
-
-// "F^+0.49 E*^-0.33", of the exponents that are not 0; the symbol is the first word of the
-// parameter's meaning. Exponents are decimals, or fractions such as 1/3.
-std::string powers_in_words(const catalogue::Function& function,
-                            const std::vector<double>& exponents);
-std::string power_in_words(const catalogue::Parameter& parameter, double exponent);
-// "F" of "F, of both bodies"
-std::string symbol_of(const catalogue::Parameter& parameter);
-
-// "right for −21 ≤ d ≤ 5.1, wrong beyond" for the result at `place` of one branch (empty: all);
-// empty if wrong and right answers are not apart in any input. A border stands between the last
-// right case and the first wrong one; 2 in 100 cases may lie on the wrong side of it.
-std::string where_wrong(const std::vector<AnsweredCase>& cases, const std::string& branch,
-                        std::size_t place);
-
-// How the errors run along an input: as those of an integral that ends too early, of digits that
-// cancel (noise that grows), or of a quadrature (smooth, without a constant ratio). Empty: as none
-// of these.
-std::string manner_of_errors(const std::vector<AnsweredCase>& cases, const std::string& branch,
-                             std::size_t place);
+inline constexpr std::size_t fewest_cases = 8;  // that a pattern is told of
 
 // Whether every answer has at most nine digits, or is a number of single precision.
 bool is_single_precision(const std::vector<AnsweredCase>& cases);

@@ -10,11 +10,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "protocol/question.hpp"
-#include "scene/text.hpp"
 #include "tribo/operating_points.hpp"
 #include "tribo/scene_reader.hpp"
 
@@ -36,10 +34,30 @@ bool is_plain(std::string_view text) {
                      [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; });
 }
 
-void append_scene_answer(Text& to, SceneReading reading, std::vector<InputProblem>& warnings) {
+// {"id": …, "film": …}, or what is wrong with the scene.
+void append_scene_answer(Text& to, const SceneReading& reading) {
   if (!reading.scene) return append_first_error(to, reading);
-  append_point(to, *reading.scene, reading.id);
-  for (InputProblem& warning : reading.warnings) warnings.push_back(std::move(warning));
+  const Scene& scene = *reading.scene;
+  const MixedContact<double> contact(scene);
+  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
+  AnswerObject answer(to, reading.id);
+  for (const OutputInfo& output : output_infos)
+    if (scene.outputs.contains(output.output))
+      answer.value(output.name, value_of(point, output.output));
+  answer.close();
+  to.push_back('\n');
+}
+
+// {"id": …, "value": …}, or what is wrong with the call.
+void append_function_answer(Text& to, const FunctionCall& call) {
+  if (call.fault) return append_error(to, call.id, call.fault->field, call.fault->message);
+  catalogue::Results results{};
+  call.function->value(call.arguments, results);
+  AnswerObject answer(to, call.id);
+  for (std::size_t i = 0; i < call.function->results.size(); ++i)
+    answer.number(call.function->results[i].name, results[i]);
+  answer.close();
+  to.push_back('\n');
 }
 
 }  // namespace
@@ -115,14 +133,6 @@ void AnswerObject::value(std::string_view name, const OutputValue& value) {
     number(name, value.number);
 }
 
-void AnswerObject::error(std::string_view field, std::string_view message) {
-  append(to_, ", \"error\": {\"field\": ");
-  append_json_text(to_, field);
-  append(to_, ", \"message\": ");
-  append_json_text(to_, message);
-  to_.push_back('}');
-}
-
 void AnswerObject::close() {
   const char* before = ", \"undefined\": {";
   for (std::size_t i = 0; i < undefined_count_; ++i) {
@@ -138,7 +148,11 @@ void AnswerObject::close() {
 void append_error(Text& to, std::optional<std::string_view> id, std::string_view field,
                   std::string_view message) {
   AnswerObject answer(to, id);
-  answer.error(field, message);
+  append(to, ", \"error\": {\"field\": ");
+  append_json_text(to, field);
+  append(to, ", \"message\": ");
+  append_json_text(to, message);
+  to.push_back('}');
   answer.close();
   to.push_back('\n');
 }
@@ -151,34 +165,15 @@ void append_first_error(Text& to, const SceneReading& reading) {
   append_error(to, reading.id, problem.field, message);
 }
 
-void append_function_answer(Text& to, const FunctionCall& call) {
-  if (call.fault) return append_error(to, call.id, call.fault->field, call.fault->message);
-  catalogue::Results results{};
-  call.function->value(call.arguments, results);
-  AnswerObject answer(to, call.id);
-  for (std::size_t i = 0; i < call.function->results.size(); ++i)
-    answer.number(call.function->results[i].name, results[i]);
-  answer.close();
-  to.push_back('\n');
-}
-
-void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id) {
-  const MixedContact<double> contact(scene);
-  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
-  AnswerObject answer(to, id);
-  for (const OutputInfo& output : output_infos)
-    if (scene.outputs.contains(output.output))
-      answer.value(output.name, value_of(point, output.output));
-  answer.close();
-  to.push_back('\n');
-}
-
 void append_answer(Text& to, std::string_view line, std::size_t number,
                    std::vector<InputProblem>& warnings) {
-  Question question = read_question(line, number);
+  const Question question = read_question(line, number);
   if (const auto* call = std::get_if<FunctionCall>(&question))
     return append_function_answer(to, *call);
-  append_scene_answer(to, std::get<SceneReading>(std::move(question)), warnings);
+  const SceneReading& reading = std::get<SceneReading>(question);
+  append_scene_answer(to, reading);
+  if (reading.scene)
+    warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
 }
 
 void answer_lines(LineReader& lines, OutputStream& output,

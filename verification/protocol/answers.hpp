@@ -55,7 +55,6 @@ class AnswerObject {
   void word(std::string_view name, std::string_view value);
   void undefined(std::string_view name, std::string_view reason);
   void value(std::string_view name, const OutputValue& value);
-  void error(std::string_view field, std::string_view message);
 
   // Ends the object, without a line end.
   void close();
@@ -83,12 +82,6 @@ void append_error(Text& to, std::optional<std::string_view> id, std::string_view
 // The answer to a scene with errors. It names the first error only; if the text is not JSON, it
 // also gives the column.
 void append_first_error(Text& to, const SceneReading& reading);
-
-// {"id": …, "film": …} for a scene with one speed.
-void append_point(Text& to, const Scene& scene, std::optional<std::string_view> id);
-
-// The model's {"id": …, "value": …} to a call, or what is wrong with the call.
-void append_function_answer(Text& to, const FunctionCall& call);
 
 // The work of `stream`, but for descriptors and stderr. Answers all lines that are not blank, in
 // order, until the input ends. A program that waits for each answer gets it before it must ask

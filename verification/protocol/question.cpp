@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <span>
-#include <vector>
 
 #include "protocol/ordinary_scene.hpp"
 

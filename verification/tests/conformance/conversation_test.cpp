@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tribo::conformance {
@@ -69,34 +68,6 @@ TEST(Conversation, TakesABrokenLineForTheAnswerWhereTheNextCaseIsAnsweredAfterIt
   EXPECT_TRUE(made.answers[0].reason.starts_with("no JSON at character 13"))
       << made.answers[0].reason;
   EXPECT_EQ(made.answers[1].outcome, Outcome::answered);
-}
-
-// An end without exit code 0 breaks the protocol, also after the last answer.
-TEST(Conversation, HoldsASubjectToHowItEnds) {
-  const auto after_its_answers = [](const std::string& end) {
-    Limits limits;
-    limits.one_case = std::chrono::milliseconds(3000);
-    return ask("read -r line; echo '{\"id\": \"a\"}'; " + end, {case_of("a")}, limits,
-               [](std::size_t) {});
-  };
-  for (const char* const good :
-       {"exit 0", "cat > /dev/null", "cat > /dev/null; sleep 0.5; exit 0"}) {
-    const Conversation made = after_its_answers(good);
-    EXPECT_EQ(made.violation_count, 0U) << good;
-    EXPECT_EQ(made.stays, false) << good;
-  }
-  for (const auto& [bad, words] : {std::pair{"exit 77", "exits with code 77"},
-                                   {"exit 1", "exits with code 1"},
-                                   {"cat > /dev/null; sleep 0.5; exit 2", "exits with code 2"},
-                                   {"kill -9 $$", "is killed by signal 9 (Killed)"}}) {
-    const Conversation made = after_its_answers(bad);
-    ASSERT_EQ(made.violation_count, 1U) << bad;
-    EXPECT_EQ(made.violations[0], std::string("it ") + words + " after its last answer");
-    EXPECT_EQ(made.answers[0].outcome, Outcome::answered);
-  }
-  const Conversation made = after_its_answers("trap '' TERM; sleep 60");
-  EXPECT_EQ(made.violation_count, 0U);
-  EXPECT_EQ(made.stays, true);
 }
 
 TEST(Conversation, SaysWhyNoCaseHasAnAnswer) {

@@ -39,15 +39,6 @@ TEST(Solver, HandsArgumentsOnInTheOrderOfTheCatalogueAndWordsAsTheirEnumeration)
   EXPECT_EQ(asked_of(solver, "starvation_ratio", {0, 0.5, 2}).result[0], 7);
 }
 
-TEST(Solver, OffersNothingThatWasNotGiven) {
-  Solver solver;
-  for (const catalogue::Function& function : catalogue::functions())
-    EXPECT_FALSE(solver.batch(function)) << function.name;
-  solver.offer("gaussian_moment", [](double, double) { return 1.0; });
-  for (const catalogue::Function& function : catalogue::functions())
-    EXPECT_EQ(static_cast<bool>(solver.batch(function)), function.name == "gaussian_moment");
-}
-
 TEST(Solver, FewerResultsThanTheFunctionHasAreNotOffered) {
   Solver solver;
   solver.offer("hertz_point", [](double load, double, double) { return std::array{load, 2.0}; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck's own model, registered as any solver may be. It has to get the same verdicts as
 // `tribocheck stream`.
+#include <algorithm>
 #include <cmath>
 
 #include "conformance/serve.hpp"
@@ -34,18 +35,13 @@ PointResult operating_point(const Scene& scene) {
   OutputSet outputs = OutputSet::all();
   if (!has_friction_inputs(scene)) outputs.erase(Output::friction);
   const OperatingPoint<double> point = MixedContact<double>(scene).solve(scene.speeds[0], outputs);
+  const auto numbers = numbers_of(point);
   const double shares = point.asperity_load_share + point.fluid_load_share;
-  return {or_undefined(point.film_flooded),
-          or_undefined(point.film),
-          or_undefined(point.separation),
-          or_undefined(point.film_parameter),
-          or_undefined(point.asperity_load_share),
-          or_undefined(point.fluid_load_share),
-          or_undefined(point.real_area_ratio),
-          or_undefined(point.summit_count),
-          or_undefined(point.friction),
-          word(point.regime, point.regime == Regime::collapsed ? point.film : shares),
-          word(point.inlet, point.film)};
+  PointResult result;
+  std::transform(numbers.begin(), numbers.end(), result.numbers.begin(), or_undefined);
+  result.regime = word(point.regime, point.regime == Regime::collapsed ? point.film : shares);
+  result.inlet = word(point.inlet, point.film);
+  return result;
 }
 
 }  // namespace

@@ -25,21 +25,18 @@ int code(Word word, double rests_on) {
 
 tribocheck_point plugin_point(const OperatingPoint<double>& point) {
   const bool has_collapsed = point.regime == Regime::collapsed;
-  const auto balanced = [&](double number) {
-    return has_collapsed ? nothing_said : or_undefined(number);
-  };
-  return {or_undefined(point.film_flooded),
-          or_undefined(point.film),
-          or_undefined(point.separation),
-          or_undefined(point.film_parameter),
-          balanced(point.asperity_load_share),
-          balanced(point.fluid_load_share),
-          or_undefined(point.real_area_ratio),
-          or_undefined(point.summit_count),
-          balanced(point.friction),
-          code(point.regime,
-               has_collapsed ? point.film : point.asperity_load_share + point.fluid_load_share),
-          code(point.inlet, point.film)};
+  const auto numbers = numbers_of(point);
+  tribocheck_point result;
+  for (size_t i = 0; i < number_count; ++i)
+    result.*conformance::plugin_numbers[i] =
+        has_collapsed && balance_outputs().contains(static_cast<Output>(i))
+            ? nothing_said
+            : or_undefined(numbers[i]);
+  result.regime =
+      code(point.regime,
+           has_collapsed ? point.film : point.asperity_load_share + point.fluid_load_share);
+  result.inlet = code(point.inlet, point.film);
+  return result;
 }
 
 }  // namespace
