@@ -15,8 +15,7 @@ import sys
 
 from conformance import subject, verify
 from test_fakes import listed
-from test_fakes_named import NAMED
-from test_fakes_together import SETS
+from test_fakes_named import NAMED, SETS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "verification/gates/faults"))

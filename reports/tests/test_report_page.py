@@ -88,9 +88,9 @@ class Page(WrittenReport):
         self.assertEqual(re.findall(r'<section id="([^"]+)"', text), SECTIONS + ["not-run", "data"])
         tables = re.findall(r"<table>.*?</table>", text, re.DOTALL)
         self.assertGreater(len(tables), 20)
-        for table in tables:
-            head, *rows = re.findall(r"<tr>(.*?)</tr>", table, re.DOTALL)
-            self.assertTrue(rows, table[:200])
+        for one in tables:
+            head, *rows = re.findall(r"<tr>(.*?)</tr>", one, re.DOTALL)
+            self.assertTrue(rows, one[:200])
             for row in rows:
                 self.assertEqual(row.count("<td") + row.count("<th"), head.count("<th"), row)
         self.assertGreater(len(self.told["findings"]), 8)
