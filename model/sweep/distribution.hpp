@@ -48,8 +48,7 @@ class Distribution {
   double quantile(double u) const;
   // The quantiles of many numbers, with the same bits and far faster.
   void quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const;
-  // The quantile at the u that belongs to a standard normal z, P(Z < z) = u; and of many z.
-  double quantile_of_normal(double z) const;
+  // The quantiles at the u that belong to standard normals z, P(Z < z) = u.
   void quantiles_of_normals(Rows<const double> z, Rows<double> values, std::size_t count) const;
 
   double median() const { return quantile(0.5); }
