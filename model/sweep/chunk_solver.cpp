@@ -114,7 +114,6 @@ struct ChunkSolver::OfScene {
 
 ChunkSolver::ChunkSolver(const SweepPlan& plan, std::function<bool()> stopped)
     : plan_(plan), stopped_(std::move(stopped)), scenes_(plan.scenes.size()) {}
-ChunkSolver::ChunkSolver(ChunkSolver&&) noexcept = default;
 ChunkSolver::~ChunkSolver() = default;
 
 Chunk ChunkSolver::solve(std::uint64_t number) {

@@ -19,7 +19,6 @@ class ChunkSolver {
   // stopped() is asked many times a second while a chunk is solved; once it gives true, solve()
   // throws Stopped.
   explicit ChunkSolver(const SweepPlan& plan, std::function<bool()> stopped = {});
-  ChunkSolver(ChunkSolver&&) noexcept;
   ~ChunkSolver();
 
   // number: below plan.chunks(). The bits of a chunk depend on the plan and the arithmetic alone,

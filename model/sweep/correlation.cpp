@@ -5,24 +5,17 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "scene/text.hpp"
 #include "tribo/elementary.hpp"
 
 namespace tribo::sweep {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string three_digits(double value) {
-  std::array<char, 32> digits{};
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                       std::chars_format::general, 3)
-                             .ptr};
-}
 
 // Coefficients in ascending order.
 template <std::size_t size>
@@ -102,8 +95,9 @@ CorrelationRoot correlation_root(const std::vector<std::vector<double>>& matrix)
   const double rounding = static_cast<double>(size) * std::numeric_limits<double>::epsilon();
   const Eigen::LLT<Eigen::MatrixXd> cholesky(dense);
   if (!(least_eigenvalue > rounding) || cholesky.info() != Eigen::Success) {
-    root.fault = "not positive definite: its least eigenvalue is " +
-                 three_digits(std::abs(least_eigenvalue) <= rounding ? 0 : least_eigenvalue);
+    root.fault =
+        "not positive definite: its least eigenvalue is " +
+        scene_detail::rounded_text(std::abs(least_eigenvalue) <= rounding ? 0 : least_eigenvalue);
     return root;
   }
   const Eigen::MatrixXd lower = cholesky.matrixL();
@@ -139,11 +133,6 @@ void standard_normals(std::span<double> units) {
       some[places[k]] = std::copysign(z, some[places[k]]);
     }
   }
-}
-
-double standard_normal(double u) {
-  standard_normals(std::span(&u, 1));
-  return u;
 }
 
 void correlate(const std::vector<std::vector<double>>& root, std::span<double> normals) {

@@ -21,9 +21,8 @@ struct CorrelationRoot {
 };
 CorrelationRoot correlation_root(const std::vector<std::vector<double>>& matrix);
 
-// The z of a standard normal with P(Z < z) = u, 0 ≤ u ≤ 1; infinite at the ends. Error: 4 ulp,
-// around u = ½ too. The second does so to many numbers in place, with the same bits, far faster.
-double standard_normal(double u);
+// Turns each u into the z of a standard normal with P(Z < z) = u, 0 ≤ u ≤ 1; infinite at the ends.
+// Error: 4 ulp, around u = ½ too.
 void standard_normals(std::span<double> units);
 
 // Mixes independent normals in place.

@@ -174,8 +174,6 @@ UnitPoints::UnitPoints(Design design, std::size_t dimensions, std::uint64_t poin
         [&](std::size_t d, std::uint64_t word) { state_->shift[d] = word; });
   }
 }
-UnitPoints::UnitPoints(UnitPoints&&) noexcept = default;
-UnitPoints& UnitPoints::operator=(UnitPoints&&) noexcept = default;
 UnitPoints::~UnitPoints() = default;
 
 void UnitPoints::points(std::uint64_t first, std::span<double> coordinates) {

@@ -26,16 +26,12 @@ constexpr double unit_number(std::uint64_t word) {
 }
 inline constexpr double least_unit_number = 0x1p-53;
 
-inline constexpr std::size_t most_dimensions = 100;
-
 // Two threads must not use one object at once: each thread has its own.
 class UnitPoints {
  public:
   // design: any but factorial. points: the number of points in all; a Latin hypercube is made for
   // exactly this number, which is at most 2⁴⁸. Throws std::invalid_argument.
   UnitPoints(Design design, std::size_t dimensions, std::uint64_t points, std::uint64_t seed);
-  UnitPoints(UnitPoints&&) noexcept;
-  UnitPoints& operator=(UnitPoints&&) noexcept;
   ~UnitPoints();
 
   // Points first, first + 1 …: as many as there is room for, dimension by dimension: coordinate d

@@ -152,12 +152,6 @@ double Distribution::quantile(double u) const {
   return value;
 }
 
-double Distribution::quantile_of_normal(double z) const {
-  double value = 0;
-  quantiles_of_normals({&z, 1}, {&value, 1}, 1);
-  return value;
-}
-
 void Distribution::quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const {
   in_blocks(u, values, count, [this](std::span<double> numbers) { take_quantiles(numbers); });
 }

@@ -48,8 +48,7 @@ class Distribution {
   double quantile(double u) const;
   // The quantiles of many numbers, with the same bits and far faster.
   void quantiles(Rows<const double> u, Rows<double> values, std::size_t count) const;
-  // The quantile at u = P(Z < z) for a standard normal number z, and the quantiles for many z.
-  double quantile_of_normal(double z) const;
+  // The quantiles at u = P(Z < z) for many standard normal numbers z.
   void quantiles_of_normals(Rows<const double> z, Rows<double> values, std::size_t count) const;
 
   double median() const { return quantile(0.5); }

@@ -218,7 +218,7 @@ double summary_bytes(const SceneSweep& scene) {
 double reading_memory(const SceneSweep& scene) {
   const auto width = static_cast<double>(scene.width());
   const double value =
-      sizeof(ColumnResult::Value) + 16 * sizeof(Quantile) + 128 * sizeof(QuantileSketch::Bin) +
+      sizeof(ColumnResult::Value) + 16 * sizeof(Bounded) + 128 * sizeof(QuantileSketch::Bin) +
       2 * allocation +
       (scene.sensitivity ? 2 * 8 * 3 * 1.5 * static_cast<double>(scene.drawn()) : 0);
   return width * value + 8 * numbers_of_summary * static_cast<double>(widest(scene));

@@ -27,8 +27,18 @@ constexpr double part_seconds = 2;
 constexpr double most_parts = 4000;
 constexpr double most_numbers = 1 << 21;  // in a part: a process holds two or three parts
 
-// A rough estimate of the seconds that a chunk takes one processor.
-double seconds_of_chunk(const SceneSweep& scene) {
+// A rough estimate of what a chunk, or some chunks, take; or the most that a part may take.
+struct Cost {
+  double seconds = 0;  // of one processor
+  double numbers = 0;  // of 8 bytes, about the most
+
+  void add(const Cost& other, double times = 1) {
+    seconds += times * other.seconds;
+    numbers += times * other.numbers;
+  }
+};
+
+Cost cost_of_chunk(const SceneSweep& scene) {
   constexpr double point = 2e-7, solved = 0.5;
   const double speeds = scene.asks_at_speeds() ? static_cast<double>(scene.scene.speeds.size()) : 0;
   double a_case = speeds * (scene.outputs.empty() ? 0 : point);
@@ -38,24 +48,11 @@ double seconds_of_chunk(const SceneSweep& scene) {
         criterion == OnsetCriterion::film_maximum || criterion == OnsetCriterion::film_departure
             ? 1e-6
             : 5e-5;
-  return a_case * static_cast<double>(scene.chunk_groups * scene.cases_per_group());
-}
-
-// About the most numbers of 8 bytes in a chunk, with each column's counts, which grow with cases.
-double numbers_of_chunk(const SceneSweep& scene) {
   const std::size_t kept = scene.keep_points ? scene.width() + scene.variables.size() : 0;
   const auto cases = static_cast<double>(scene.chunk_cases());
-  const double of_column = 8 + std::min(cases, 4096.0) / 2;
-  return cases * static_cast<double>(kept) + static_cast<double>(scene.width()) * of_column;
-}
-
-// The cost of a chunk of a scene, of several chunks, or the most that a part may cost.
-struct Cost {
-  double seconds, numbers;
-};
-
-Cost cost_of_chunk(const SceneSweep& scene) {
-  return {seconds_of_chunk(scene), numbers_of_chunk(scene)};
+  const double of_column = 8 + std::min(cases, 4096.0) / 2;  // its counts, which grow with cases
+  return {a_case * static_cast<double>(scene.chunk_groups * scene.cases_per_group()),
+          cases * static_cast<double>(kept) + static_cast<double>(scene.width()) * of_column};
 }
 
 // A part is full where it has reached one of these two.
@@ -104,37 +101,30 @@ std::vector<ChunkList> cut_in_parts(const SweepPlan& plan, const ChunkList& chun
   std::vector<Cost> of_scene;
   for (const SceneSweep& scene : plan.scenes) of_scene.push_back(cost_of_chunk(scene));
   const auto cost_of = [&](std::uint64_t chunk) { return of_scene[place_of(plan, chunk).scene]; };
-  Cost all{0, 0};
-  for (const std::uint64_t chunk : chunks) {
-    all.seconds += cost_of(chunk).seconds;
-    all.numbers += cost_of(chunk).numbers;
-  }
+  Cost all;
+  for (const std::uint64_t chunk : chunks) all.add(cost_of(chunk));
   const Cost most = most_of_part(all);
   const std::size_t asked = chunks_asked_for();
   std::vector<ChunkList> parts;
-  Cost part{0, 0};
+  Cost part;
   for (const std::uint64_t chunk : chunks) {
     const bool is_full = asked > 0 ? !parts.empty() && parts.back().size() >= asked
                                    : part.seconds >= most.seconds || part.numbers >= most.numbers;
     if (parts.empty() || is_full) {
       parts.emplace_back();
-      part = {0, 0};
+      part = {};
     }
     parts.back().push_back(chunk);
-    part.seconds += cost_of(chunk).seconds;
-    part.numbers += cost_of(chunk).numbers;
+    part.add(cost_of(chunk));
   }
   return parts;
 }
 
 double most_chunks_of_part(const SweepPlan& plan) {
   if (const std::size_t asked = chunks_asked_for(); asked > 0) return static_cast<double>(asked);
-  Cost all{0, 0};
-  for (const SceneSweep& scene : plan.scenes) {
-    const auto chunks = static_cast<double>(scene.chunks);
-    all.seconds += chunks * cost_of_chunk(scene).seconds;
-    all.numbers += chunks * cost_of_chunk(scene).numbers;
-  }
+  Cost all;
+  for (const SceneSweep& scene : plan.scenes)
+    all.add(cost_of_chunk(scene), static_cast<double>(scene.chunks));
   const Cost most = most_of_part(all);
   double chunks = 0;
   for (const SceneSweep& scene : plan.scenes) {

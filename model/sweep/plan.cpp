@@ -46,7 +46,7 @@ ChunkPlace place_of(const SweepPlan& plan, std::uint64_t chunk) {
     const SceneSweep& scene = plan.scenes[i];
     if (chunk < scene.chunks) {
       const std::uint64_t first = chunk * scene.chunk_groups;
-      return {i, chunk, first, std::min(scene.chunk_groups, scene.groups - first)};
+      return {i, first, std::min(scene.chunk_groups, scene.groups - first)};
     }
     chunk -= scene.chunks;
   }

@@ -116,7 +116,6 @@ struct SweepPlan {
 // The place of a chunk of the whole plan: its scene, and its groups of cases.
 struct ChunkPlace {
   std::size_t scene = 0;
-  std::uint64_t chunk = 0;        // within the scene
   std::uint64_t first_group = 0;  // within the scene
   std::uint64_t groups = 0;
 };

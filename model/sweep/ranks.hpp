@@ -4,9 +4,18 @@
 // ranks_mpi.cpp where MPI was found, else with ranks_alone.cpp.
 #pragma once
 
+#include <cstdlib>
 #include <string>
 
 namespace tribo::sweep {
+
+// How many processes mpirun started, by the variables that Open MPI and MPICH set; 0 if it did not
+// start this one, or does not tell.
+inline int ranks_by_mpirun() {
+  for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const char* const text = std::getenv(name)) return std::atoi(text);
+  return 0;
+}
 
 class Ranks {
  public:
@@ -20,7 +29,6 @@ class Ranks {
 
   int rank() const { return rank_; }
   int count() const { return count_; }
-  static bool has_mpi();
 
   // Rank 0's text, on all ranks.
   std::string from_first(std::string text) const;

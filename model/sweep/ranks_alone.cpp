@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "sweep/mpirun.hpp"
 #include "sweep/ranks.hpp"
 
 namespace tribo::sweep {
@@ -18,7 +17,6 @@ Ranks::Ranks() {
 }
 Ranks::~Ranks() = default;
 
-bool Ranks::has_mpi() { return false; }
 std::string Ranks::from_first(std::string text) const { return text; }
 bool Ranks::everywhere(bool mine) const { return mine; }
 void Ranks::end_all() const { std::_Exit(1); }

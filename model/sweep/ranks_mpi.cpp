@@ -10,7 +10,6 @@
 #include <string>
 #include <thread>
 
-#include "sweep/mpirun.hpp"
 #include "sweep/ranks.hpp"
 
 namespace tribo::sweep {
@@ -27,7 +26,9 @@ void wait_for(MPI_Request request) {
 }  // namespace
 
 Ranks::Ranks() {
-  if (!started_by_mpi()) return;
+  // Processes that MPI did not start need not start it, which takes time.
+  const bool is_by_srun = std::getenv("PMIX_RANK") != nullptr;  // srun --mpi=pmix
+  if (ranks_by_mpirun() == 0 && !is_by_srun) return;
   int given = 0;
   MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &given);
   if (given < MPI_THREAD_SERIALIZED)
@@ -42,8 +43,6 @@ Ranks::~Ranks() {
   everywhere(true);
   MPI_Finalize();
 }
-
-bool Ranks::has_mpi() { return true; }
 
 std::string Ranks::from_first(std::string text) const {
   if (count_ == 1) return text;

@@ -82,7 +82,7 @@ struct ColumnResult {
   struct Value {  // one of a column's `width` values of a case
     std::uint64_t count = 0, undefined = 0;
     double mean = 0, sd = 0, least = 0, greatest = 0;
-    std::vector<Quantile> quantiles;             // at quantile_levels
+    std::vector<Bounded> quantiles;              // at quantile_levels
     std::vector<QuantileSketch::Bin> histogram;  // ascending
     SobolIndices sensitivity;                    // empty without
   };

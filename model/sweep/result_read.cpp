@@ -164,12 +164,21 @@ ResultIdentity identity_of(hid_t file) {
           read_text(file, "arithmetic")};
 }
 
-std::vector<QuantileSketch::Bin> bins_from(std::span<const double> edges,
-                                           std::span<const std::uint64_t> counts) {
-  std::vector<QuantileSketch::Bin> bins;
-  for (std::size_t i = 0; i < counts.size() && !std::isnan(edges[i + 1]); ++i)
-    bins.push_back({edges[i], edges[i + 1], counts[i]});
-  return bins;
+// The numbers of a dataset NAME, and of NAME_low and NAME_high.
+std::vector<Bounded> read_bounded(hid_t group, const std::string& name,
+                                  const std::vector<hsize_t>& extents) {
+  const auto value = read_array<double>(group, name, extents);
+  const auto low = read_array<double>(group, name + "_low", extents);
+  const auto high = read_array<double>(group, name + "_high", extents);
+  std::vector<Bounded> numbers;
+  for (std::size_t i = 0; i < value.size(); ++i) numbers.push_back({value[i], low[i], high[i]});
+  return numbers;
+}
+
+// Row i of an array whose rows are of one length.
+template <class T>
+std::span<const T> row_of(const std::vector<T>& array, std::size_t i, std::size_t length) {
+  return std::span(array).subspan(i * length, length);
 }
 
 ColumnResult read_summary(hid_t group, const std::string& name, std::size_t speeds) {
@@ -184,24 +193,24 @@ ColumnResult read_summary(hid_t group, const std::string& name, std::size_t spee
   const auto sd = read_array<double>(group, "sd", {width});
   const auto least = read_array<double>(group, "least", {width});
   const auto greatest = read_array<double>(group, "greatest", {width});
-  const auto quantiles = read_array<double>(group, "quantiles", {width, levels});
-  const auto low = read_array<double>(group, "quantiles_low", {width, levels});
-  const auto high = read_array<double>(group, "quantiles_high", {width, levels});
+  const auto quantiles = read_bounded(group, "quantiles", {width, levels});
   const auto edges = read_array<double>(group, "histogram_edges", {width, histogram_bins + 1});
   const auto counts = read_array<std::uint64_t>(group, "histogram_counts", {width, histogram_bins});
   for (std::size_t i = 0; i < width; ++i) {
-    ColumnResult::Value& value = column.values.emplace_back();
-    value.count = count[i];
-    value.undefined = undefined[i];
-    value.mean = mean[i];
-    value.sd = sd[i];
-    value.least = least[i];
-    value.greatest = greatest[i];
-    for (std::size_t q = i * levels; q < (i + 1) * levels; ++q)
-      value.quantiles.push_back({quantiles[q], low[q], high[q]});
-    value.histogram =
-        bins_from(std::span(edges).subspan(i * (histogram_bins + 1), histogram_bins + 1),
-                  std::span(counts).subspan(i * histogram_bins, histogram_bins));
+    const auto of_value = row_of(quantiles, i, levels);
+    column.values.push_back({count[i],
+                             undefined[i],
+                             mean[i],
+                             sd[i],
+                             least[i],
+                             greatest[i],
+                             {of_value.begin(), of_value.end()},
+                             {},
+                             {}});
+    const auto edge = row_of(edges, i, histogram_bins + 1);
+    const auto in_bin = row_of(counts, i, histogram_bins);
+    for (std::size_t b = 0; b < histogram_bins && !std::isnan(edge[b + 1]); ++b)
+      column.values[i].histogram.push_back({edge[b], edge[b + 1], in_bin[b]});
   }
   return column;
 }
@@ -209,17 +218,13 @@ ColumnResult read_summary(hid_t group, const std::string& name, std::size_t spee
 void read_sensitivity(hid_t group, std::size_t variables, ColumnResult& column) {
   const std::size_t width = column.values.size();
   const auto groups = read_array<std::uint64_t>(group, "groups", {width});
-  const auto read_index = [&](const std::string& name,
-                              std::vector<SobolIndex> SobolIndices::*kind) {
-    const auto value = read_array<double>(group, name, {width, variables});
-    const auto low = read_array<double>(group, name + "_low", {width, variables});
-    const auto high = read_array<double>(group, name + "_high", {width, variables});
-    for (std::size_t i = 0; i < value.size(); ++i)
-      (column.values[i / variables].sensitivity.*kind).push_back({value[i], low[i], high[i]});
-  };
-  read_index("first_order", &SobolIndices::first_order);
-  read_index("total", &SobolIndices::total);
-  for (std::size_t i = 0; i < width; ++i) column.values[i].sensitivity.groups = groups[i];
+  const auto first_order = read_bounded(group, "first_order", {width, variables});
+  const auto total = read_bounded(group, "total", {width, variables});
+  for (std::size_t i = 0; i < width; ++i) {
+    const auto first = row_of(first_order, i, variables), all = row_of(total, i, variables);
+    column.values[i].sensitivity = {
+        {first.begin(), first.end()}, {all.begin(), all.end()}, groups[i]};
+  }
 }
 
 InputResult read_input_texts(hid_t inputs, const std::string& path) {
@@ -292,7 +297,7 @@ void each_field(To& to, T& of) {
   using Struct = std::remove_const_t<T>;
   if constexpr (std::is_same_v<Struct, ResultIdentity>)
     to(of.version, of.digest, of.arithmetic);
-  else if constexpr (std::is_same_v<Struct, Quantile> || std::is_same_v<Struct, SobolIndex>)
+  else if constexpr (std::is_same_v<Struct, Bounded>)
     to(of.value, of.low, of.high);
   else if constexpr (std::is_same_v<Struct, QuantileSketch::Bin>)
     to(of.low, of.high, of.count);

@@ -58,17 +58,16 @@ Handle write_array(hid_t group, const std::string& name, const std::vector<T>& v
   return dataset;
 }
 
-// The group of a column within another, and those on the way to it.
-Handle make_column_group(hid_t parent, const std::string& column) {
-  Handle group;
-  const std::string path = path_of_column(column);
-  for (std::size_t end = 0; end != path.npos;) {
-    end = path.find('/', end + 1);
-    const std::string part = path.substr(0, end);
-    if (checked(H5Lexists(parent, part.c_str(), H5P_DEFAULT)) > 0)
-      group = Handle(H5Gopen2(parent, part.c_str(), H5P_DEFAULT));
-    else
-      group = hdf5::make_group(parent, part);
+// The group at a path below another one; groups on the way are made where they are not there yet.
+Handle make_groups(hid_t parent, const std::string& path) {
+  Handle group(H5Gopen2(parent, ".", H5P_DEFAULT));
+  for (std::size_t start = 0; start < path.size();) {
+    const std::size_t end = std::min(path.find('/', start), path.size());
+    const std::string name = path.substr(start, end - start);
+    const bool is_there = checked(H5Lexists(group, name.c_str(), H5P_DEFAULT)) > 0;
+    group = is_there ? Handle(H5Gopen2(group, name.c_str(), H5P_DEFAULT))
+                     : hdf5::make_group(group, name);
+    start = end + 1;
   }
   return group;
 }
@@ -112,36 +111,47 @@ class CaseDataset {
   int rank_;
 };
 
+// Writes a dataset NAME, and those of the intervals' ends, NAME_low and NAME_high. A relative error
+// that is not 0 is written beside them.
+void write_bounded(hid_t group, const std::string& name, const std::vector<Bounded>& numbers,
+                   const std::vector<hsize_t>& extents, double relative_error = 0) {
+  for (const auto& [ending, part] :
+       {std::pair{"", &Bounded::value}, std::pair{"_low", &Bounded::low},
+        std::pair{"_high", &Bounded::high}}) {
+    std::vector<double> values;
+    for (const Bounded& number : numbers) values.push_back(number.*part);
+    const Handle dataset = write_array(group, name + ending, values, extents);
+    if (relative_error > 0) write_attribute(dataset, "relative_error", relative_error);
+  }
+}
+
 void write_summary(hid_t group, const Column& column, const std::vector<ValueSummary>& summaries) {
+  constexpr std::size_t levels = quantile_levels.size();
   write_attribute(group, "unit", column.unit);
   write_attribute(group, "meaning", column.meaning);
   if (!column.words.empty()) write_attribute(group, "words", column.words);
 
-  std::vector<std::uint64_t> count, undefined, histogram_counts;
-  std::vector<double> mean, sd, least, greatest, quantiles, low, high, histogram_edges;
+  std::vector<std::uint64_t> count, undefined, counts;
+  std::vector<double> mean, sd, least, greatest, edges;
+  std::vector<Bounded> quantiles;
   for (const ValueSummary& summary : summaries) {
     const Moments& moments = summary.moments;
     const bool is_empty = moments.count == 0;
     count.push_back(moments.count);
     undefined.push_back(summary.undefined);
     mean.push_back(is_empty ? nan : moments.mean);
-    sd.push_back(moments.count < 2 ? nan : moments.sd());
+    sd.push_back(moments.sd());
     least.push_back(is_empty ? nan : moments.least);
     greatest.push_back(is_empty ? nan : moments.greatest);
-    for (const double level : quantile_levels) {
-      const Quantile quantile = is_empty ? Quantile{nan, nan, nan} : quantile_of(summary, level);
-      quantiles.push_back(quantile.value);
-      low.push_back(quantile.low);
-      high.push_back(quantile.high);
-    }
+    for (const double level : quantile_levels) quantiles.push_back(quantile_of(summary, level));
+    double* const edge = &*edges.insert(edges.end(), histogram_bins + 1, nan);
+    std::uint64_t* const in_bin = &*counts.insert(counts.end(), histogram_bins, 0);
     const std::vector<QuantileSketch::Bin> bins = histogram_of(summary.sketch, histogram_bins);
-    for (std::size_t i = 0; i < histogram_bins; ++i) {
-      histogram_edges.push_back(i < bins.size()                     ? bins[i].low
-                                : i == bins.size() && !bins.empty() ? bins.back().high
-                                                                    : nan);
-      histogram_counts.push_back(i < bins.size() ? bins[i].count : 0);
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+      edge[i] = bins[i].low;
+      edge[i + 1] = bins[i].high;
+      in_bin[i] = bins[i].count;
     }
-    histogram_edges.push_back(bins.size() == histogram_bins ? bins.back().high : nan);
   }
 
   const hsize_t width = summaries.size();
@@ -152,46 +162,32 @@ void write_summary(hid_t group, const Column& column, const std::vector<ValueSum
   write_array(group, "least", least, {width});
   write_array(group, "greatest", greatest, {width});
   write_array(group, "quantile_levels",
-              std::vector<double>(quantile_levels.begin(), quantile_levels.end()),
-              {quantile_levels.size()});
-  for (const auto& [name, values] :
-       {std::pair{"quantiles", &quantiles}, std::pair{"quantiles_low", &low},
-        std::pair{"quantiles_high", &high}}) {
-    const Handle dataset = write_array(group, name, *values, {width, quantile_levels.size()});
-    write_attribute(dataset, "relative_error", QuantileSketch::relative_error);
-  }
-  write_array(group, "histogram_edges", histogram_edges, {width, histogram_bins + 1});
-  write_array(group, "histogram_counts", histogram_counts, {width, histogram_bins});
+              std::vector<double>(quantile_levels.begin(), quantile_levels.end()), {levels});
+  write_bounded(group, "quantiles", quantiles, {width, levels}, QuantileSketch::relative_error);
+  write_array(group, "histogram_edges", edges, {width, histogram_bins + 1});
+  write_array(group, "histogram_counts", counts, {width, histogram_bins});
 }
 
 void write_sensitivity(hid_t group, std::size_t variables,
                        const std::vector<SensitivityBlocks>& values) {
-  const hsize_t width = values.size();
-  std::vector<SobolIndices> indices;
+  std::vector<Bounded> first_order, total;
   std::vector<std::uint64_t> groups, left_out;
+  // Of a value that no chunk has, all indices are NaN.
+  const auto append = [&](std::vector<Bounded>& to, std::vector<Bounded> indices) {
+    indices.resize(variables, {nan, nan, nan});
+    to.insert(to.end(), indices.begin(), indices.end());
+  };
   for (const SensitivityBlocks& blocks : values) {
-    indices.push_back(sobol_indices(blocks));
-    groups.push_back(indices.back().groups);
+    const SobolIndices indices = sobol_indices(blocks);
+    append(first_order, indices.first_order);
+    append(total, indices.total);
+    groups.push_back(indices.groups);
     left_out.push_back(0);
     for (const SensitivitySums& sums : blocks) left_out.back() += sums.left_out;
   }
-  const auto write_index = [&](const std::string& name,
-                               std::vector<SobolIndex> SobolIndices::*kind) {
-    std::vector<double> value, low, high;
-    for (const SobolIndices& of_value : indices)
-      for (std::size_t v = 0; v < variables; ++v) {
-        const std::vector<SobolIndex>& list = of_value.*kind;
-        const SobolIndex index = v < list.size() ? list[v] : SobolIndex{nan, nan, nan};
-        value.push_back(index.value);
-        low.push_back(index.low);
-        high.push_back(index.high);
-      }
-    write_array(group, name, value, {width, variables});
-    write_array(group, name + "_low", low, {width, variables});
-    write_array(group, name + "_high", high, {width, variables});
-  };
-  write_index("first_order", &SobolIndices::first_order);
-  write_index("total", &SobolIndices::total);
+  const hsize_t width = values.size();
+  write_bounded(group, "first_order", first_order, {width, variables});
+  write_bounded(group, "total", total, {width, variables});
   write_array(group, "groups", groups, {width});
   write_array(group, "left_out", left_out, {width});
 }
@@ -229,7 +225,7 @@ class SceneWriter {
     const Handle summary = hdf5::make_group(group_, "summary");
     for (std::size_t c = 0; c < summaries_.size(); ++c) {
       const Column& column = scene_.columns[c];
-      write_summary(make_column_group(summary, column.name), column, summaries_[c]);
+      write_summary(make_groups(summary, path_of_column(column.name)), column, summaries_[c]);
     }
     if (!scene_.sensitivity) return;
     const Handle sensitivity = hdf5::make_group(group_, "sensitivity");
@@ -238,8 +234,8 @@ class SceneWriter {
       if (variable.is_drawn()) variables.push_back(variable.path);
     write_attribute(sensitivity, "variables", variables);
     for (std::size_t c = 0; c < sensitivities_.size(); ++c)
-      write_sensitivity(make_column_group(sensitivity, scene_.columns[c].name), variables.size(),
-                        sensitivities_[c]);
+      write_sensitivity(make_groups(sensitivity, path_of_column(scene_.columns[c].name)),
+                        variables.size(), sensitivities_[c]);
   }
 
  private:
@@ -281,10 +277,8 @@ class SceneWriter {
     std::vector<hid_t> over_speed;
     for (const Column& column : scene_.columns) {
       const std::string path = path_of_column(column.name);
-      const std::size_t slash = path.rfind('/');
-      const Handle folder = slash == path.npos ? Handle(H5Gopen2(group_, "outputs", H5P_DEFAULT))
-                                               : make_column_group(outputs, path.substr(0, slash));
-      datasets_.emplace_back(folder, slash == path.npos ? path : path.substr(slash + 1),
+      const std::size_t last = path.rfind('/') + 1;
+      datasets_.emplace_back(make_groups(outputs, path.substr(0, last)), path.substr(last),
                              column.words, scene_.cases(), scene_.chunk_cases(), column.width);
       write_attribute(datasets_.back().id(), "unit", column.unit);
       write_attribute(datasets_.back().id(), "meaning", column.meaning);

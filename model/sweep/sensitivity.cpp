@@ -37,7 +37,7 @@ SensitivitySums merged_without(const SensitivityBlocks& blocks, std::size_t left
 }
 
 // replicates: for each block that is not empty, the index without that block.
-SobolIndex with_interval(double value, const std::vector<double>& replicates) {
+Bounded with_interval(double value, const std::vector<double>& replicates) {
   const auto n = static_cast<double>(replicates.size());
   double mean = 0;
   for (const double replicate : replicates) mean += replicate / n;

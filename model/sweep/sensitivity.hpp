@@ -45,12 +45,9 @@ using SensitivityBlocks = std::array<SensitivitySums, jackknife_blocks>;
 
 // An index with the interval of 1.96 standard errors to both sides, by the jackknife over blocks;
 // NaN where nothing varies.
-struct SobolIndex {
-  double value, low, high;
-};
 struct SobolIndices {
-  std::vector<SobolIndex> first_order, total;  // of each variable
-  std::uint64_t groups = 0;                    // that they are computed from
+  std::vector<Bounded> first_order, total;  // of each variable
+  std::uint64_t groups = 0;                 // that they are computed from
 };
 SobolIndices sobol_indices(const SensitivityBlocks& blocks);
 

@@ -109,7 +109,7 @@ void ValueSummary::merge(const ValueSummary& other) {
   undefined += other.undefined;
 }
 
-Quantile quantile_of(const ValueSummary& summary, double p) {
+Bounded quantile_of(const ValueSummary& summary, double p) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const QuantileSketch& sketch = summary.sketch;
@@ -126,7 +126,7 @@ Quantile quantile_of(const ValueSummary& summary, double p) {
   // The values in order are x₁ ≤ x₂ …: x_l is above the quantile if K < l, and x_h is not if K ≥ h;
   // so l = low and h = high + 1.
   const Ranks ranks = ranks_of(n, p);
-  Quantile quantile{within(at(std::ceil(n * p) - 1)), -infinity, infinity};
+  Bounded quantile{within(at(std::ceil(n * p) - 1)), -infinity, infinity};
   if (ranks.low >= 1) {
     const double low = at(ranks.low - 1);
     quantile.low = within(low - QuantileSketch::relative_error * std::abs(low));

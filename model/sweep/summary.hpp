@@ -36,6 +36,11 @@ struct Moments {
   }
 };
 
+// A number that is estimated, and the ends of its interval.
+struct Bounded {
+  double value, low, high;
+};
+
 // A value that does not exist (an onset that is not there, friction of a collapsed film), or is not
 // finite, counts as undefined and enters no other number.
 struct ValueSummary {
@@ -55,10 +60,7 @@ struct ValueSummary {
 // The p-quantile, with an interval that holds the distribution's own p-quantile in 95 of 100 sweeps
 // of independent draws: by the binomial distribution of ranks, wider by the error of the sketch. An
 // end is infinite where too few values bound that side; without a value all three are NaN.
-struct Quantile {
-  double value, low, high;
-};
-Quantile quantile_of(const ValueSummary& summary, double p);
+Bounded quantile_of(const ValueSummary& summary, double p);
 
 // At most `most` bins from the least value to the greatest, without gaps, each made of the same
 // number of neighbouring bins of the sketch, so that the counts are exact. In the logarithm the

@@ -204,18 +204,13 @@ class VariableReader {
           {Fault::other, "", "a whole number is not drawn", "a whole number, or a list of them"});
     const auto kind = table.word("distribution", distribution_names);
     if (!kind) return;
-    switch (static_cast<DistributionKind>(*kind)) {
-      case DistributionKind::uniform:
-      case DistributionKind::log_uniform:
-        read_uniform(table, *kind == 1);
-        break;
-      case DistributionKind::normal:
-        read_normal(table);
-        break;
-      case DistributionKind::log_normal:
-        read_log_normal(table);
-        break;
-    }
+    const auto is = [&](DistributionKind one) {
+      return static_cast<DistributionKind>(*kind) == one;
+    };
+    if (is(DistributionKind::uniform) || is(DistributionKind::log_uniform))
+      read_uniform(table, is(DistributionKind::log_uniform));
+    else
+      read_normal(table, is(DistributionKind::log_normal));
     if (!table.good()) return;
     variable_.nominal = variable_.distribution.median();
     variable_.text = variable_.distribution.text();
@@ -252,26 +247,26 @@ class VariableReader {
                                          : Distribution::uniform(range->from, range->to);
   }
 
-  void read_normal(TableReader& table) {
-    if (!only(table, {"distribution", "mean", "sd", "from", "to"})) return;
-    const auto mean = table.needed_number("mean", "a number");
-    const auto sd = positive(table, "sd");
+  void read_normal(TableReader& table, bool logarithmic) {
+    const std::string_view middle_name = logarithmic ? "median" : "mean";
+    const std::string_view sd_name = logarithmic ? "log_sd" : "sd";
+    if (!only(table, {"distribution", middle_name, sd_name, "from", "to"})) return;
+    const auto middle =
+        logarithmic ? positive(table, middle_name) : table.needed_number(middle_name, "a number");
+    const auto sd = positive(table, sd_name);
     const auto range = read_ends(table, false);
-    if (!mean || !sd || !range) return;
-    if (!holds_some(table, *range, *mean, *sd)) return;
-    variable_.distribution = Distribution::normal(*mean, *sd, range->from, range->to);
-  }
-
-  void read_log_normal(TableReader& table) {
-    if (!only(table, {"distribution", "median", "log_sd", "from", "to"})) return;
-    const auto median = positive(table, "median");
-    const auto log_sd = positive(table, "log_sd");
-    auto range = read_ends(table, false);
-    if (!median || !log_sd || !range) return;
-    range->from = std::max(range->from, 0.0);
-    const Range logs{std::log(range->from), std::log(std::max(range->to, 0.0))};
-    if (!holds_some(table, logs, std::log(*median), *log_sd)) return;
-    variable_.distribution = Distribution::log_normal(*median, *log_sd, range->from, range->to);
+    if (!middle || !sd || !range) return;
+    const double from = logarithmic ? std::max(range->from, 0.0) : range->from;
+    // Nearly nothing of the distribution lies farther out than 30 standard deviations.
+    const auto place = [&](double x) { return logarithmic ? std::log(std::max(x, 0.0)) : x; };
+    const double below = (place(from) - place(*middle)) / *sd;
+    const double above = (place(*middle) - place(range->to)) / *sd;
+    if (!(below < 30 && above < 30))
+      return table.refuse(
+          "from", {Fault::other, "", "all between from and to is more than 30 sd from the middle",
+                   "a range that holds some of the distribution"});
+    variable_.distribution = logarithmic ? Distribution::log_normal(*middle, *sd, from, range->to)
+                                         : Distribution::normal(*middle, *sd, from, range->to);
   }
 
   std::optional<double> positive(TableReader& table, std::string_view name) {
@@ -279,18 +274,6 @@ class VariableReader {
     if (!value || *value > 0) return value;
     table.refuse(name, {Fault::range, number_text(*value), "", "a number above 0"});
     return std::nullopt;
-  }
-
-  // Nearly nothing of the distribution lies farther out than 30 standard deviations.
-  static bool holds_some_within(const Range& range, double middle, double sd) {
-    return (range.from - middle) / sd < 30 && (middle - range.to) / sd < 30;
-  }
-  bool holds_some(TableReader& table, const Range& range, double middle, double sd) {
-    if (holds_some_within(range, middle, sd)) return true;
-    table.refuse("from",
-                 {Fault::other, "", "all between from and to is more than 30 sd from the middle",
-                  "a range that holds some of the distribution"});
-    return false;
   }
 
   const Entry& entry_;

@@ -40,7 +40,7 @@ ReadableUnit readable_unit(const ColumnResult& column) {
 }
 
 // "0.712 ± 0.011"
-std::string with_error(const sweep::SobolIndex& index) {
+std::string with_error(const sweep::Bounded& index) {
   if (!std::isfinite(index.value)) return "–";
   const auto fixed = [](double value) {
     const std::string text = fmt::format("{:.3f}", std::abs(value));

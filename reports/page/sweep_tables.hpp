@@ -25,7 +25,7 @@ std::string sweep_csv(const sweep::SweepResult& result);
 nlohmann::ordered_json sweep_json(const sweep::SweepResult& result);
 
 // The p-quantile, of one of sweep::quantile_levels.
-const sweep::Quantile& quantile(const sweep::ColumnResult::Value& value, double level);
+const sweep::Bounded& quantile(const sweep::ColumnResult::Value& value, double level);
 // In how many cases a column of words had each of its words.
 std::vector<std::uint64_t> word_counts(const sweep::ColumnResult::Value& value, std::size_t words);
 

@@ -56,7 +56,7 @@ struct CsvColumns {
                    std::to_string(value.undefined), csv_number(value.mean), csv_number(value.sd),
                    csv_number(value.least), csv_number(value.greatest)});
     for (const double level : sweep::quantile_levels) {
-      const sweep::Quantile& one = quantile(value, level);
+      const sweep::Bounded& one = quantile(value, level);
       text += csv_cells({csv_number(one.value), csv_number(one.low), csv_number(one.high)});
     }
     const auto counts = word_counts(value, column.words.size());
@@ -162,9 +162,9 @@ ordered_json scene_json(const SceneResult& scene) {
 
 }  // namespace
 
-const sweep::Quantile& quantile(const ColumnResult::Value& value, double level) {
+const sweep::Bounded& quantile(const ColumnResult::Value& value, double level) {
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  static constexpr sweep::Quantile none{nan, nan, nan};
+  static constexpr sweep::Bounded none{nan, nan, nan};
   const auto found = std::find(sweep::quantile_levels.begin(), sweep::quantile_levels.end(), level);
   const auto place = static_cast<std::size_t>(found - sweep::quantile_levels.begin());
   return place < value.quantiles.size() ? value.quantiles[place] : none;

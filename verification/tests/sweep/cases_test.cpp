@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <random>
 #include <set>
@@ -18,6 +17,7 @@
 #include "sweep/case_solver.hpp"
 #include "sweep/chunk_solver.hpp"
 #include "sweep/plan_reader.hpp"
+#include "sweep/small_sweep.hpp"
 #include "tribo/mixed_contact.hpp"
 
 namespace tribo::sweep {
@@ -143,40 +143,42 @@ TEST(Cases, AreTheSameInBlocksFromAnywhere) {
   }
 }
 
+// Few speeds, at which the cases in hand have more points than a block of the engine, and a curve.
 TEST(CaseSolver, GivesWhatTheSceneOfTheCaseGivesByItself) {
-  // With three speeds the cases in hand have more points than a block of the engine.
-  const SceneSweep sweep = drawn("draws = 300\n", "speed = [0.02, 0.1, 0.7]\n");
-  const std::vector<double> values = all_values(sweep);
-  std::vector<double> results(300 * sweep.width());
-  CaseSolver(sweep).solve(values, results);
-  for (std::size_t i = 0; i < 300; ++i) {
-    Scene scene = sweep.scene;
-    scene.surface.summit_height_sd = values[2 * i];
-    scene.lubricant.viscosity = values[2 * i + 1];
-    const MixedContact<double> contact(scene);
-    for (std::size_t j = 0; j < 3; ++j) {
-      const OperatingPoint<double> point = contact.solve(scene.speeds[j]);
-      const double* const row = &results[i * sweep.width() + j];
-      const double expected[] = {point.film_flooded,
-                                 point.film,
-                                 point.separation,
-                                 point.film_parameter,
-                                 point.asperity_load_share,
-                                 point.fluid_load_share,
-                                 point.real_area_ratio,
-                                 point.summit_count,
-                                 point.friction,
-                                 static_cast<double>(point.regime),
-                                 static_cast<double>(point.inlet)};
-      ASSERT_EQ(sweep.columns.size(), std::size(expected));
-      for (std::size_t c = 0; c < std::size(expected); ++c) {
-        const double got = row[3 * c];
-        if (std::isnan(expected[c]))
-          EXPECT_TRUE(std::isnan(got)) << sweep.columns[c].name;
-        else
-          EXPECT_EQ(got, expected[c])
-              << sweep.columns[c].name << " of case " << i << std::hexfloat << ", sd "
-              << values[2 * i] << ", viscosity " << values[2 * i + 1];
+  for (const std::string speed : {"[0.02, 0.1, 0.7]", "{ from = 1e-3, to = 1, count = 20 }"}) {
+    const SceneSweep sweep = drawn("draws = 300\n", "speed = " + speed + '\n');
+    const std::size_t speeds = sweep.scene.speeds.size();
+    const std::vector<double> values = all_values(sweep);
+    std::vector<double> results(300 * sweep.width());
+    CaseSolver(sweep).solve(values, results);
+    for (std::size_t i = 0; i < 300; ++i) {
+      Scene scene = sweep.scene;
+      scene.surface.summit_height_sd = values[2 * i];
+      scene.lubricant.viscosity = values[2 * i + 1];
+      const MixedContact<double> contact(scene);
+      for (std::size_t j = 0; j < speeds; ++j) {
+        const OperatingPoint<double> point = contact.solve(scene.speeds[j]);
+        const std::vector<double> expected{point.film_flooded,
+                                           point.film,
+                                           point.separation,
+                                           point.film_parameter,
+                                           point.asperity_load_share,
+                                           point.fluid_load_share,
+                                           point.real_area_ratio,
+                                           point.summit_count,
+                                           point.friction,
+                                           static_cast<double>(point.regime),
+                                           static_cast<double>(point.inlet)};
+        ASSERT_EQ(sweep.columns.size(), expected.size());
+        for (std::size_t c = 0; c < expected.size(); ++c) {
+          const double got = results[i * sweep.width() + c * speeds + j];
+          if (std::isnan(expected[c]))
+            EXPECT_TRUE(std::isnan(got)) << sweep.columns[c].name;
+          else
+            EXPECT_EQ(got, expected[c])
+                << sweep.columns[c].name << " of case " << i << std::hexfloat << ", sd "
+                << values[2 * i] << ", viscosity " << values[2 * i + 1];
+        }
       }
     }
   }
@@ -225,24 +227,6 @@ TEST(Fields, ThatAreNumbersOfTheContactChangeNothingElseOfIt) {
   }
 }
 
-TEST(CaseSolver, OfManySpeedsAndOfFewAgree) {
-  const SceneSweep many = drawn("draws = 20\n", "speed = { from = 1e-3, to = 1, count = 40 }\n");
-  const SceneSweep few = drawn("draws = 20\n", "speed = [1e-3, 1]\n");
-  std::vector<double> of_many(20 * many.width()), of_few(20 * few.width());
-  CaseSolver(many).solve(all_values(many), of_many);
-  CaseSolver(few).solve(all_values(few), of_few);
-  for (std::size_t i = 0; i < 20; ++i)
-    for (std::size_t c = 0; c < many.columns.size(); ++c)
-      for (const bool last : {false, true}) {
-        const double left = of_many[i * many.width() + 40 * c + (last ? 39 : 0)];
-        const double right = of_few[i * few.width() + 2 * c + (last ? 1 : 0)];
-        if (std::isnan(left) && std::isnan(right)) continue;
-        EXPECT_EQ(left, right) << many.columns[c].name;
-      }
-}
-
-std::uint64_t bits(double number) { return std::bit_cast<std::uint64_t>(number); }
-
 // Sweeps of each kind that the solver tells apart; each has cases beyond one of its blocks of 256.
 std::vector<std::pair<const char*, SceneSweep>> sweeps_of_each_kind() {
   const std::string liquid = "[lubricant]\nviscosity = 0.02\npressure_viscosity = 2e-8\n";
@@ -288,9 +272,7 @@ TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
     CaseSolver again(sweep);
     again.solve(shuffled, of_shuffled);
     const auto bits_of_row = [&](const std::vector<double>& from, std::size_t i) {
-      std::vector<std::uint64_t> found;
-      for (std::size_t c = 0; c < width; ++c) found.push_back(bits(from[i * width + c]));
-      return found;
+      return bits_of(std::span(from).subspan(i * width, width));
     };
     for (std::size_t k = 0; k < cases; ++k) {
       const std::size_t i = order[k];
@@ -309,74 +291,42 @@ TEST(CaseSolver, GivesEachCaseTheBitsThatItHasByItselfInAnyOrder) {
 // A chunk's kept values at each place, its summaries, and its groups' sums by their blocks. Chunks,
 // and blocks of cases, end anywhere.
 TEST(ChunkSolver, KeepsTheValuesOfEachCaseInItsPlace) {
-  for (auto& of_kind : sweeps_of_each_kind()) {
-    const char* const kind = of_kind.first;
-    std::vector<SceneSweep> scenes;
-    scenes.push_back(std::move(of_kind.second));
-    SweepPlan plan = make_plan(std::move(scenes));
+  const auto bytes_of = [](const QuantileSketch& sketch) {
+    Bytes bytes;
+    sketch.write(bytes);
+    return bytes;
+  };
+  for (const auto& [kind, sweep] : sweeps_of_each_kind()) {
+    SweepPlan plan = make_plan({sweep});
     SceneSweep& scene = plan.scenes.front();
     scene.chunk_groups = 111;
     scene.chunks = (scene.groups + 110) / 111;
     const std::vector<double> values = all_values(scene);
-    const std::size_t count = scene.variables.size(), width = scene.width();
-    std::vector<double> results(values.size() / count * width);
+    std::vector<double> results(values.size() / scene.variables.size() * scene.width());
     CaseSolver(scene).solve(values, results);
     ChunkSolver solver(plan);
     for (std::uint64_t number = scene.chunks; number-- > 0;) {
-      const Chunk chunk = solver.solve(number);
-      const std::uint64_t first = number * 111,
-                          groups = std::min(first + 111, scene.groups) - first;
-      const std::size_t rows = scene.cases_per_group(), kept = scene.cases_kept_per_group();
-      // The kept cases of the chunk in a column of `wide` numbers a case, 0 beyond the last.
-      const auto expected_of = [&](const std::vector<double>& all, std::size_t of_case,
-                                   std::size_t at, std::size_t wide) {
-        std::vector<double> expected(scene.chunk_cases() * wide);
-        for (std::uint64_t g = 0; g < groups; ++g)
-          for (std::size_t r = 0; r < kept; ++r)
-            std::copy_n(&all[((first + g) * rows + r) * of_case + at], wide,
-                        &expected[(g * kept + r) * wide]);
-        return expected;
-      };
-      const auto expect_kept = [&](std::size_t place, bool words, std::vector<double> expected) {
-        const PackedValues packed =
-            words ? pack(std::vector<std::uint8_t>(expected.begin(), expected.end()))
-                  : pack(std::span<const double>(expected));
-        EXPECT_EQ(chunk.values[place].bytes, packed.bytes) << kind << ' ' << place;
-      };
-      for (std::size_t v = 0; v < count; ++v)
-        expect_kept(v, !scene.variables[v].words.empty(), expected_of(values, count, v, 1));
-      for (std::size_t c = 0, at = 0; c < scene.columns.size(); at += scene.columns[c++].width) {
-        expect_kept(count + c, !scene.columns[c].words.empty(),
-                    expected_of(results, width, at, scene.columns[c].width));
+      SCOPED_TRACE(kind);
+      const Chunk chunk = solver.solve(number), expected = chunk_of(scene, number, values, results);
+      ASSERT_EQ(chunk.values.size(), expected.values.size());
+      for (std::size_t i = 0; i < chunk.values.size(); ++i)
+        EXPECT_EQ(chunk.values[i].bytes, expected.values[i].bytes) << i;
+      for (std::size_t c = 0; c < scene.columns.size(); ++c)
         for (std::size_t j = 0; j < scene.columns[c].width; ++j) {
-          std::vector<double> all = expected_of(results, width, at + j, 1);
-          all.resize(groups * kept);
-          ValueSummary expected;
-          expected.add(all);
-          const ValueSummary& got = chunk.summaries[c][j];
-          Bytes bytes, expected_bytes;
-          got.sketch.write(bytes);
-          expected.sketch.write(expected_bytes);
-          EXPECT_EQ(bytes, expected_bytes) << kind << ' ' << scene.columns[c].name;
-          EXPECT_EQ(got.undefined, expected.undefined);
-          EXPECT_EQ(got.moments.least, expected.moments.least);
-          EXPECT_EQ(got.moments.greatest, expected.moments.greatest);
-          EXPECT_TRUE(is_within(got.moments.mean, expected.moments.mean,
-                                1e-12 * std::abs(expected.moments.mean)));
+          const ValueSummary &got = chunk.summaries[c][j], &wanted = expected.summaries[c][j];
+          EXPECT_EQ(bytes_of(got.sketch), bytes_of(wanted.sketch)) << scene.columns[c].name;
+          EXPECT_EQ(got.undefined, wanted.undefined);
+          EXPECT_EQ(got.moments.least, wanted.moments.least);
+          EXPECT_EQ(got.moments.greatest, wanted.moments.greatest);
+          EXPECT_TRUE(is_within(got.moments.mean, wanted.moments.mean,
+                                1e-12 * std::abs(wanted.moments.mean)));
+          if (!scene.sensitivity) continue;
+          const auto &sums = chunk.sensitivities[c][j],
+                     &by_definition = expected.sensitivities[c][j];
+          ASSERT_EQ(sums.size(), by_definition.size());
+          for (const auto& [block, one] : by_definition)
+            EXPECT_EQ(sums.at(block).total, one.total) << block;
         }
-        if (!scene.sensitivity) continue;
-        std::map<std::uint32_t, SensitivitySums> blocks;
-        for (std::uint64_t g = first; g < first + groups; ++g) {
-          std::vector<double> of_group;
-          for (std::size_t r = 0; r < rows; ++r)
-            of_group.push_back(results[(g * rows + r) * width + at]);
-          blocks[static_cast<std::uint32_t>(block_of(g, scene.groups))].add(of_group, 0);
-        }
-        const auto& got = chunk.sensitivities[c][0];
-        ASSERT_EQ(got.size(), blocks.size());
-        for (const auto& [block, sums] : blocks)
-          EXPECT_EQ(got.at(block).total, sums.total) << block;
-      }
     }
   }
 }

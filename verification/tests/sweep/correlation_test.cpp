@@ -17,10 +17,14 @@ namespace {
 
 using sweep::correlate;
 using sweep::correlation_root;
-using sweep::standard_normal;
 using Matrix = std::vector<std::vector<double>>;
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
+
+double standard_normal(double u) {
+  sweep::standard_normals(std::span(&u, 1));
+  return u;
+}
 
 // The error of z is the difference of P(Z < z) and u, over the slope of P.
 TEST(StandardNormal, IsExactToFourUlp) {
@@ -121,7 +125,7 @@ TEST(Correlate, GivesDrawsThisCorrelation) {
     points.points(first, u);
     for (std::size_t i = 0; i < block; ++i) {
       const std::span<double> z(&u[3 * i], 3);
-      for (double& x : z) x = standard_normal(x);
+      sweep::standard_normals(z);
       correlate(root.rows, z);
       for (std::size_t d = 0; d < 3; ++d)
         for (std::size_t e = 0; e <= d; ++e) products[d][e] += z[d] * z[e] / draws;

@@ -26,14 +26,6 @@ TEST(OutputLock, IsHeldByOneAtATimeAndLeavesNoFile) {
   EXPECT_NO_THROW(OutputLock{output});
 }
 
-TEST(OutputLock, IsTakenWhereAKilledProcessLeftItsFile) {
-  const TemporaryFolder folder;
-  const std::string output = folder.file("out.h5");
-  write_content(output + ".lock", "");
-  EXPECT_NO_THROW(OutputLock{output});
-  EXPECT_EQ(std::filesystem::exists(output + ".lock"), false);
-}
-
 TEST(OutputLock, KnowsThatItsFileWasRemoved) {
   const TemporaryFolder folder;
   const std::string output = folder.file("out.h5");

@@ -2,14 +2,22 @@
 // A sweep made by hand, with chunks of seeded numbers, and folders for its files.
 #pragma once
 
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <bit>
+#include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -43,14 +51,37 @@ std::string error_of(Throw&& throws) {
   return "none";
 }
 
-inline Column column(std::string name, std::string unit, std::vector<std::string> words,
-                     std::size_t width) {
-  Column made;
-  made.name = std::move(name);
-  made.unit = std::move(unit);
-  made.words = std::move(words);
-  made.width = width;
-  return made;
+inline std::vector<std::uint64_t> bits_of(std::span<const double> values) {
+  std::vector<std::uint64_t> bits;
+  for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
+  return bits;
+}
+
+// Writes where no file may be longer than `room`, as on a full disk: that has to fail with a
+// message of this pattern and leave nothing in the folder. The next attempt has to succeed, in the
+// same process: one of its own, since HDF5 does not free all of a file that it could not close.
+template <class Write, class IsWhole>
+void expect_whole_or_nothing(const TemporaryFolder& folder, std::uint64_t room,
+                             const std::string& pattern, const Write& write,
+                             const IsWhole& is_whole) {
+  const auto write_twice = [&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlim_t before = std::exchange(limit.rlim_cur, room);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string error = error_of(write);
+    const bool is_gone = std::filesystem::is_empty(folder.path());
+    limit.rlim_cur = before;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    write();
+    std::fputs(error.c_str(), stderr);
+    ::_exit(is_gone && is_whole() ? 0 : 1);
+  };
+  EXPECT_EXIT(write_twice(), testing::ExitedWithCode(0), pattern) << room;
+  EXPECT_EQ(std::filesystem::is_empty(folder.path()), false);
+  for (const auto& written : std::filesystem::directory_iterator(folder.path()))
+    std::filesystem::remove(written);
 }
 
 // 21 cases in chunks of 8, so that the last is not full; words, drawn fields, columns of three
@@ -76,10 +107,10 @@ inline SceneSweep small_scene(const std::string& id) {
   viscosity.text = "uniform, from 0.02 to 0.03";
   viscosity.distribution = Distribution::uniform(0.02, 0.03);
   scene.variables = {model, viscosity};
-  scene.columns = {column("film", "m", {}, 3),
-                   column("regime", "", {"boundary", "mixed", "elastohydrodynamic"}, 3),
-                   column("onset.film_maximum.speed", "m/s", {}, 1),
-                   column("onset.film_maximum.film", "m", {}, 1)};
+  scene.columns = {{"film", "m", {}, 3},
+                   {"regime", "", {"boundary", "mixed", "elastohydrodynamic"}, 3},
+                   {"onset.film_maximum.speed", "m/s", {}, 1},
+                   {"onset.film_maximum.film", "m", {}, 1}};
   scene.groups = 21;
   scene.draws = 21;
   scene.chunk_groups = 8;
@@ -120,50 +151,74 @@ inline SmallCases small_cases(const SceneSweep& scene) {
   return cases;
 }
 
-inline PackedValues packed_part(const std::vector<double>& values, std::size_t first,
-                                std::size_t count, bool are_words) {
-  std::vector<double> part(count);
-  for (std::size_t i = 0; i < count && first + i < values.size(); ++i) part[i] = values[first + i];
-  if (!are_words) return pack(std::span<const double>(part));
-  return pack(std::vector<std::uint8_t>(part.begin(), part.end()));
+inline PackedValues packed(const std::vector<double>& numbers, bool are_words) {
+  if (!are_words) return pack(std::span<const double>(numbers));
+  return pack(std::vector<std::uint8_t>(numbers.begin(), numbers.end()));
 }
 
-// Chunk `number` of a scene, which has the number `of_plan` in the plan.
+// Chunk `number` of a scene by its definition, from the values and results of all cases of all
+// groups, row by row.
+inline Chunk chunk_of(const SceneSweep& scene, std::uint64_t number,
+                      const std::vector<double>& values, const std::vector<double>& results) {
+  const std::size_t rows = scene.cases_per_group(), kept = scene.cases_kept_per_group();
+  const std::uint64_t first = number * scene.chunk_groups;
+  const std::uint64_t end = std::min(first + scene.chunk_groups, scene.groups);
+  // `wide` numbers of each row from `at` on, of the first cases of some groups.
+  const auto gathered = [&](const std::vector<double>& from, std::uint64_t group,
+                            std::uint64_t last, std::size_t cases, std::size_t at,
+                            std::size_t wide) {
+    const std::size_t row_size = from.size() / (scene.groups * rows);
+    std::vector<double> numbers;
+    for (std::uint64_t g = group; g < last; ++g)
+      for (std::size_t r = 0; r < cases; ++r) {
+        const double* const row = &from[(g * rows + r) * row_size + at];
+        numbers.insert(numbers.end(), row, row + wide);
+      }
+    return numbers;
+  };
+  Chunk chunk;
+  const auto keep = [&](const std::vector<double>& from, std::size_t at, std::size_t wide,
+                        bool are_words) {
+    if (!scene.keep_points) return;
+    std::vector<double> numbers = gathered(from, first, end, kept, at, wide);
+    numbers.resize(scene.chunk_cases() * wide);
+    chunk.values.push_back(packed(numbers, are_words));
+  };
+  for (std::size_t v = 0; v < scene.variables.size(); ++v)
+    keep(values, v, 1, !scene.variables[v].words.empty());
+  std::size_t at = 0;
+  for (const Column& column : scene.columns) {
+    keep(results, at, column.width, !column.words.empty());
+    auto& summaries = chunk.summaries.emplace_back(column.width);
+    if (scene.sensitivity) chunk.sensitivities.emplace_back(column.width);
+    for (std::size_t j = 0; j < column.width; ++j, ++at) {
+      summaries[j].add(gathered(results, first, end, kept, at, 1));
+      for (std::uint64_t g = first; scene.sensitivity && g < end; ++g)
+        chunk.sensitivities.back()[j][static_cast<std::uint32_t>(block_of(g, scene.groups))].add(
+            gathered(results, g, g + 1, rows, at, 1), 0);
+    }
+  }
+  return chunk;
+}
+
+// Chunk `number` of a scene, which has the number `of_plan` in the plan. The third case of a group
+// with sensitivity has the results of the second.
 inline Chunk small_chunk(const SceneSweep& scene, std::uint64_t number, std::uint64_t of_plan) {
   const SmallCases cases = small_cases(scene);
-  const std::size_t count = scene.chunk_cases(), first = number * count;
-  Chunk chunk;
-  chunk.number = of_plan;
-  if (scene.keep_points) {
-    for (std::size_t v = 0; v < scene.variables.size(); ++v)
-      chunk.values.push_back(
-          packed_part(cases.inputs[v], first, count, !scene.variables[v].words.empty()));
-    for (std::size_t c = 0; c < scene.columns.size(); ++c) {
-      const std::size_t width = scene.columns[c].width;
-      chunk.values.push_back(packed_part(cases.columns[c], first * width, count * width,
-                                         !scene.columns[c].words.empty()));
-    }
-  }
-  for (std::size_t c = 0; c < scene.columns.size(); ++c) {
-    const std::size_t width = scene.columns[c].width;
-    auto& summaries = chunk.summaries.emplace_back(width);
-    for (std::size_t s = 0; s < width; ++s) {
-      std::vector<double> values;
-      for (std::size_t i = first; i < std::min<std::size_t>(first + count, scene.cases()); ++i)
-        values.push_back(cases.columns[c][i * width + s]);
-      summaries[s].add(values);
-    }
-    if (!scene.sensitivity) continue;
-    auto& sensitivities = chunk.sensitivities.emplace_back(width);
-    for (std::size_t s = 0; s < width; ++s)
-      for (std::uint64_t g = number * scene.chunk_groups;
-           g < std::min((number + 1) * scene.chunk_groups, scene.groups); ++g) {
-        const double of_a = cases.columns[c][2 * g * width + s];
-        const double of_b = cases.columns[c][(2 * g + 1) * width + s];
-        const std::vector<double> values{of_a, of_b, of_b};
-        sensitivities[s][static_cast<std::uint32_t>(block_of(g, scene.groups))].add(values, 0);
+  const std::size_t kept = scene.cases_kept_per_group();
+  std::vector<double> values, results;
+  for (std::uint64_t g = 0; g < scene.groups; ++g)
+    for (std::size_t r = 0; r < scene.cases_per_group(); ++r) {
+      const std::uint64_t i = g * kept + std::min(r, kept - 1);
+      for (const std::vector<double>& input : cases.inputs) values.push_back(input[i]);
+      for (std::size_t c = 0; c < scene.columns.size(); ++c) {
+        const std::size_t width = scene.columns[c].width;
+        const double* const row = &cases.columns[c][i * width];
+        results.insert(results.end(), row, row + width);
       }
-  }
+    }
+  Chunk chunk = chunk_of(scene, number, values, results);
+  chunk.number = of_plan;
   return chunk;
 }
 

@@ -10,17 +10,18 @@
 #include <limits>
 #include <random>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "support/judge.hpp"
 #include "sweep/design.hpp"
+#include "sweep/small_sweep.hpp"
 
 namespace tribo::verification {
 namespace {
 
 using sweep::Design;
+using sweep::error_of;
 using sweep::UnitPoints;
 
 constexpr std::array designs{Design::monte_carlo, Design::latin_hypercube, Design::sobol};
@@ -78,32 +79,22 @@ TEST(UnitPoints, AreTheSameOneByOneAndInBlocksInAnyOrder) {
     }
 }
 
-template <class Action>
-std::string fault_of(Action action) {
-  try {
-    action();
-    return "";
-  } catch (const std::exception& fault) {
-    return fault.what();
-  }
-}
-
 TEST(UnitPoints, PointsThatTheDesignDoesNotHaveAreRefused) {
   for (const Design design : designs) {
     UnitPoints unit_points(design, 2, 10, 1);
     const auto fault_from = [&](std::uint64_t first) {
       std::vector<double> three(6);
-      return fault_of([&] { unit_points.points(first, three); });
+      return error_of([&] { unit_points.points(first, three); });
     };
-    EXPECT_EQ(fault_from(7), "") << name(design);
+    EXPECT_EQ(fault_from(7), "none") << name(design);
     EXPECT_EQ(fault_from(8), "the design has no such point") << name(design);
     EXPECT_EQ(fault_from(std::numeric_limits<std::uint64_t>::max()), "the design has no such point")
         << name(design);
   }
-  EXPECT_EQ(fault_of([] { UnitPoints(Design::factorial, 2, 10, 1); }),
+  EXPECT_EQ(error_of([] { UnitPoints(Design::factorial, 2, 10, 1); }),
             "a factorial design draws nothing");
   EXPECT_EQ(
-      fault_of([] { UnitPoints(Design::latin_hypercube, 2, (std::uint64_t{1} << 48) + 1, 1); }),
+      error_of([] { UnitPoints(Design::latin_hypercube, 2, (std::uint64_t{1} << 48) + 1, 1); }),
       "a Latin hypercube has at most 2^48 points");
 }
 
@@ -136,58 +127,68 @@ TEST(MonteCarlo, IsPhiloxOfPointAndDimension) {
     }
 }
 
-// P(χ² > x) with `freedom` degrees of freedom.
-double chi_squared_tail(double x, double freedom) {
-  return boost::math::gamma_q(freedom / 2, x / 2);
-}
 constexpr double improbable = 1e-5;  // of each tail; some hundred tests, all with fixed seeds
 
-void expect_as_likely(const std::vector<double>& counts, const char* what) {
+// Are the counts as even as chance makes them? freedom: degrees of it, 0: one fewer than counts.
+void expect_as_likely(const std::vector<double>& counts, const char* what, double freedom = 0) {
   double sum = 0, squares = 0;
   for (const double count : counts) sum += count;
   const double mean = sum / static_cast<double>(counts.size());
   for (const double count : counts) squares += (count - mean) * (count - mean) / mean;
-  const double tail = chi_squared_tail(squares, static_cast<double>(counts.size() - 1));
+  if (freedom == 0) freedom = static_cast<double>(counts.size() - 1);
+  const double tail = boost::math::gamma_q(freedom / 2, squares / 2);  // P(χ² > squares)
   EXPECT_GT(tail, improbable) << what << ": chi squared " << squares;
   EXPECT_LT(tail, 1 - improbable) << what << ": too even, chi squared " << squares;
+}
+
+// The numbers of points in the squares of a board of 30 by 30, and that the two coordinates, of the
+// points that pair(i) gives, are not correlated.
+template <class Pair>
+std::vector<double> squares_of(std::size_t points, const Pair& pair) {
+  std::vector<double> squares(30 * 30);
+  double product = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    const auto [one, other] = pair(i);
+    ++squares[cell_of(one, 30) * 30 + cell_of(other, 30)];
+    product += (one - 0.5) * (other - 0.5) * 12;
+  }
+  const auto count = static_cast<double>(points);
+  EXPECT_TRUE(is_within(product / count, 0, 5 / std::sqrt(count)));
+  return squares;
 }
 
 TEST(MonteCarlo, FillsTheCubeEvenlyAndWithoutCorrelation) {
   constexpr std::size_t dimensions = 5, points = 100000;
   const std::vector<double> u = all_points(Design::monte_carlo, dimensions, points, 7);
+  const auto at = [&](std::size_t i, std::size_t d) { return u[i * dimensions + d]; };
   for (std::size_t d = 0; d < dimensions; ++d) {
     std::vector<double> counts(100);
-    for (std::size_t i = 0; i < points; ++i) ++counts[cell_of(u[i * dimensions + d], 100)];
+    for (std::size_t i = 0; i < points; ++i) ++counts[cell_of(at(i, d), 100)];
     expect_as_likely(counts, "one dimension");
-    for (std::size_t e = 0; e < d; ++e) {
-      std::vector<double> squares(30 * 30);
-      double product = 0;
-      for (std::size_t i = 0; i < points; ++i) {
-        const double one = u[i * dimensions + d], other = u[i * dimensions + e];
-        ++squares[cell_of(one, 30) * 30 + cell_of(other, 30)];
-        product += (one - 0.5) * (other - 0.5) * 12;
-      }
-      expect_as_likely(squares, "two dimensions");
-      EXPECT_TRUE(is_within(product / points, 0, 5 / std::sqrt(points))) << d << " and " << e;
-    }
-    // a point and the next
-    std::vector<double> squares(30 * 30);
-    for (std::size_t i = 0; i + 1 < points; i += 2)
-      ++squares[cell_of(u[i * dimensions + d], 30) * 30 + cell_of(u[(i + 1) * dimensions + d], 30)];
-    expect_as_likely(squares, "successive points");
+    for (std::size_t e = 0; e < d; ++e)
+      expect_as_likely(
+          squares_of(points, [&](std::size_t i) { return std::pair(at(i, d), at(i, e)); }),
+          "two dimensions");
+    expect_as_likely(
+        squares_of(points / 2,
+                   [&](std::size_t i) { return std::pair(at(2 * i, d), at(2 * i + 1, d)); }),
+        "successive points");
   }
+}
+
+// Exactly one point has its coordinate d in each of so many equal cells.
+void expect_one_in_each_cell(const std::vector<double>& u, std::size_t dimensions, std::size_t d,
+                             std::size_t cells) {
+  std::vector<int> hits(cells);
+  for (std::size_t i = 0; i < cells; ++i) ++hits[cell_of(u[i * dimensions + d], cells)];
+  EXPECT_EQ(hits, std::vector<int>(cells, 1)) << cells << " points, dimension " << d;
 }
 
 TEST(LatinHypercube, HasOnePointInEachCellOfEachDimension) {
   for (const std::uint64_t points : {1, 2, 3, 4, 5, 7, 15, 16, 17, 99, 1000, 4095, 4099, 65536})
     for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}}) {
       const std::vector<double> u = all_points(Design::latin_hypercube, 3, points, seed);
-      for (std::size_t d = 0; d < 3; ++d) {
-        std::vector<int> hits(points);
-        for (std::size_t i = 0; i < points; ++i) ++hits[cell_of(u[i * 3 + d], points)];
-        EXPECT_EQ(hits, std::vector<int>(points, 1))
-            << points << " points, seed " << seed << ", dimension " << d;
-      }
+      for (std::size_t d = 0; d < 3; ++d) expect_one_in_each_cell(u, 3, d, points);
     }
 }
 
@@ -205,29 +206,16 @@ TEST(LatinHypercube, PairsTheCellsOfTwoDimensionsAtRandom) {
   constexpr std::size_t points = 90000;
   for (const std::uint64_t seed : {1, 2, 3}) {
     const std::vector<double> u = all_points(Design::latin_hypercube, 4, points, seed);
-    for (std::size_t d = 0; d < 4; ++d) {
-      for (std::size_t e = 0; e < d; ++e) {
-        std::vector<double> squares(30 * 30);
-        double product = 0;
-        for (std::size_t i = 0; i < points; ++i) {
-          ++squares[cell_of(u[i * 4 + d], 30) * 30 + cell_of(u[i * 4 + e], 30)];
-          product += (u[i * 4 + d] - 0.5) * (u[i * 4 + e] - 0.5) * 12;
-        }
-        // rows and columns are full: 29² degrees of freedom, not 30² − 1
-        double squared = 0;
-        for (const double count : squares) squared += (count - 100) * (count - 100) / 100;
-        const double tail = chi_squared_tail(squared, 29 * 29);
-        EXPECT_GT(tail, improbable) << "chi squared " << squared;
-        EXPECT_LT(tail, 1 - improbable) << "chi squared " << squared;
-        EXPECT_TRUE(is_within(product / points, 0, 5 / std::sqrt(points))) << d << " and " << e;
-      }
-      // the number of a point says nothing of its cell
-      std::vector<double> squares(30 * 30);
-      double squared = 0;
-      for (std::size_t i = 0; i < points; ++i) ++squares[i / 3000 * 30 + cell_of(u[i * 4 + d], 30)];
-      for (const double count : squares) squared += (count - 100) * (count - 100) / 100;
-      EXPECT_GT(chi_squared_tail(squared, 29 * 29), improbable) << "chi squared " << squared;
-    }
+    // Coordinate 0 is the number of the point, which says nothing of its cells.
+    const auto at = [&](std::size_t i, std::size_t d) {
+      return d == 0 ? (static_cast<double>(i) + 0.5) / points : u[i * 4 + d - 1];
+    };
+    for (std::size_t d = 0; d <= 4; ++d)
+      for (std::size_t e = 0; e < d; ++e)
+        // Rows and columns are full: 29² degrees of freedom, not 30² − 1.
+        expect_as_likely(
+            squares_of(points, [&](std::size_t i) { return std::pair(at(i, d), at(i, e)); }),
+            "two dimensions", 29 * 29);
   }
 }
 
@@ -262,11 +250,7 @@ TEST(Sobol, HasOnePointInEachIntervalOfOneDimension) {
   constexpr std::size_t dimensions = 20;
   const std::vector<double> u = all_points(Design::sobol, dimensions, 4096, 5);
   for (const std::size_t points : {1, 2, 4, 64, 1024, 4096})
-    for (std::size_t d = 0; d < dimensions; ++d) {
-      std::vector<int> hits(points);
-      for (std::size_t i = 0; i < points; ++i) ++hits[cell_of(u[i * dimensions + d], points)];
-      EXPECT_EQ(hits, std::vector<int>(points, 1)) << points << " points, dimension " << d;
-    }
+    for (std::size_t d = 0; d < dimensions; ++d) expect_one_in_each_cell(u, dimensions, d, points);
 }
 
 // The first two dimensions are a (0, m, 2)-net.
