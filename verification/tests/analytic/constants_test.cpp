@@ -22,62 +22,59 @@ const Reference root_two = sqrt(Reference(2));
 const Reference pi_50("3.14159265358979323846264338327950288419716939937510582");
 
 template <class T>
-class Constants : public testing::Test {
- protected:
-  static T nearest(const Reference& exact) { return static_cast<T>(exact); }
-  static T fraction(long numerator, long denominator) {
-    return nearest(Reference(numerator) / denominator);
-  }
-};
+T fraction(long numerator, long denominator) {
+  return static_cast<T>(Reference(numerator) / denominator);
+}
+template <class T>
+Reference ulps(T got, const Reference& exact) {
+  return abs(Reference(got) / exact - 1) / Reference(std::numeric_limits<T>::epsilon());
+}
+
+template <class T>
+class Constants : public testing::Test {};
 using Numbers = testing::Types<float, double, long double>;
 TYPED_TEST_SUITE(Constants, Numbers);
 
 TYPED_TEST(Constants, OfTheNumberTypesAreTheNearest) {
   using T = TypeParam;
-  EXPECT_EQ(pi<T>(), this->nearest(pi_50));
-  EXPECT_EQ(sqrt_two_pi<T>(), this->nearest(sqrt(2 * pi_50)));
-  EXPECT_EQ(resolved_exponent<T>(),
-            this->nearest((std::numeric_limits<T>::digits - 1) * log(Reference(2))));
+  EXPECT_EQ(pi<T>(), T(pi_50));
+  EXPECT_EQ(sqrt_two_pi<T>(), T(sqrt(2 * pi_50)));
+  EXPECT_EQ(resolved_exponent<T>(), T((std::numeric_limits<T>::digits - 1) * log(Reference(2))));
 }
 
 TYPED_TEST(Constants, OfTheFilmAreThoseOfHamrockAndDowson) {
   using T = TypeParam;
-  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.speed_exponent), this->fraction(67, 100));
-  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.material_exponent), this->fraction(53, 100));
-  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.sharing_exponent), this->fraction(67 - 53, 100));
+  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.speed_exponent), fraction<T>(67, 100));
+  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.material_exponent), fraction<T>(53, 100));
+  EXPECT_EQ(ratio<T>(hamrock_dowson_central_law.sharing_exponent), fraction<T>(67 - 53, 100));
   const auto exact = [](const Reference& k) {
     return Reference(269) / 100 * (1 - Reference(61) / 100 * exp(-Reference(73) / 100 * k));
   };
-  for (const T k : {T(0.5), T(1), T(3)}) {
-    const Reference ulps = abs(Reference(hamrock_dowson_constant(k)) / exact(Reference(k)) - 1) /
-                           Reference(std::numeric_limits<T>::epsilon());
-    EXPECT_LE(ulps, 4) << "k = " << k;
-  }
+  for (const T k : {T(0.5), T(1), T(3)})
+    EXPECT_LE(ulps(hamrock_dowson_constant(k), exact(Reference(k))), 4) << "k = " << k;
 }
 
 TYPED_TEST(Constants, OfTheInletAreThoseOfCrookAndWolveridge) {
   using T = TypeParam;
-  EXPECT_EQ(crook_constant<T>(), this->nearest(3 / (4 * root_two)));
-  EXPECT_EQ(wolveridge_factor<T>(), this->fraction(27, 10));
+  EXPECT_EQ(crook_constant<T>(), T(3 / (4 * root_two)));
+  EXPECT_EQ(wolveridge_factor<T>(), fraction<T>(27, 10));
 }
 
 TYPED_TEST(Constants, OfRoelandsAreThoseOfTheSpecification) {
   using T = TypeParam;
   EXPECT_EQ(roelands_pressure<T>(), T(196000000));
-  EXPECT_EQ(roelands_log_viscosity<T>(), this->fraction(967, 100));
+  EXPECT_EQ(roelands_log_viscosity<T>(), fraction<T>(967, 100));
 }
 
 TYPED_TEST(Constants, OfTheRoughContactAreThoseOfHertzOnParaboloids) {
   using T = TypeParam;
   // n = β = σ_s = E* = A_nom = F = 1 leaves only the constant factors.
-  const T one = 1;
-  const auto gt =
-      asperity_contact(AsperityModel::greenwood_tripp, one, one, one, T(0), one, one, one);
-  const auto gw =
-      asperity_contact(AsperityModel::greenwood_williamson, one, one, one, T(0), one, one, one);
-  const auto ulps = [](T got, const Reference& exact) {
-    return abs(Reference(got) / exact - 1) / Reference(std::numeric_limits<T>::epsilon());
+  const auto of_ones = [](AsperityModel model) {
+    const T one = 1;
+    return asperity_contact(model, one, one, one, T(0), one, one, one);
   };
+  const auto gt = of_ones(AsperityModel::greenwood_tripp);
+  const auto gw = of_ones(AsperityModel::greenwood_williamson);
   EXPECT_LE(ulps(gt.stiffness, 16 * root_two * pi_50 / 15), 4);
   EXPECT_LE(ulps(gt.area_factor, pi_50 * pi_50), 4);
   EXPECT_LE(ulps(gt.count_factor, 4 * pi_50), 4);

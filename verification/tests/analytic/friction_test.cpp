@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shear laws and viscosity laws: limits, and continuity where a branch begins.
+// Shear laws: limits, and continuity where a branch begins.
 #include "tribo/friction.hpp"
 
 #include <gtest/gtest.h>
@@ -12,20 +12,6 @@ namespace tribo::verification {
 namespace {
 
 using enum FluidShear;
-using enum ViscosityLaw;
-
-// All laws meet at ambient pressure; Barus and Roelands share the slope α there.
-TEST(Friction, ViscosityLawsShareValueAndSlopeAtAmbientPressure) {
-  for (const double alpha : {1e-8, 2e-8}) {
-    EXPECT_EQ(log_viscosity_ratio(ambient, 0.02, alpha, 1e9), 0);
-    for (const auto law : {barus, roelands}) {
-      EXPECT_EQ(log_viscosity_ratio(law, 0.02, alpha, 0.0), 0);
-      const Reference p("1e-20");
-      const Reference slope = log_viscosity_ratio(law, Reference("0.02"), Reference(alpha), p) / p;
-      EXPECT_LT(abs(slope / Reference(alpha) - 1), Reference("1e-25"));
-    }
-  }
-}
 
 TEST(Friction, SmallShearIsNewtonianAndLargeShearIsWhatTheLawSays) {
   // x = 1e-9: both laws give ηγ̇

@@ -5,16 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "support/judge.hpp"
 #include "support/orders.hpp"
 
 namespace tribo::verification {
 namespace {
-
-constexpr std::array orders{Order::zero,         Order::half, Order::one,
-                            Order::three_halves, Order::two,  Order::five_halves};
 
 constexpr double contract = gaussian_moment_contract.ulp * 0x1p-52;
 

@@ -22,42 +22,32 @@ Onset<double> onset_of(const Scene& scene, OnsetCriterion criterion, double depa
   return onset(MixedContact<double>(scene), scene, criterion, departure);
 }
 
-// The solved points whose film is greater, beyond rounding, than those on both sides.
-std::vector<OperatingPoint<double>> swept_film_maxima(const Scene& scene, double from, double to) {
+// The solved points at which a number is less, beyond rounding, than at the speeds before and
+// after, which are apart by the factor `step`. The first and the last speed have no such point.
+template <class Number>
+std::vector<OperatingPoint<double>> swept_minima(const Scene& scene, double from, double to,
+                                                 double step, double rounding, Number&& number) {
   const MixedContact<double> contact(scene);
-  std::vector<OperatingPoint<double>> maxima;
-  double before = std::numeric_limits<double>::infinity();
+  std::vector<OperatingPoint<double>> minima;
+  double before = -std::numeric_limits<double>::infinity();
   OperatingPoint<double> here = contact.solve(from);
-  for (double u = from; u < to; u *= 1.0005) {
+  for (double u = from; u < to; u *= step) {
     const OperatingPoint<double> next = contact.solve(u);
-    const double margin = 1 - 1e-12;
-    if (before < here.film * margin && next.film < here.film * margin) maxima.push_back(here);
-    before = here.film;
+    const double bound = number(here) + std::abs(number(here)) * rounding;
+    if (bound < before && bound < number(next)) minima.push_back(here);
+    before = number(here);
     here = next;
   }
-  return maxima;
+  return minima;
+}
+double minus_film(const OperatingPoint<double>& point) { return -point.film; }
+double friction(const OperatingPoint<double>& point) { return point.friction; }
+std::vector<OperatingPoint<double>> swept_film_maxima(const Scene& scene, double from, double to) {
+  return swept_minima(scene, from, to, 1.0005, 1e-12, minus_film);
 }
 OperatingPoint<double> greatest_film(const std::vector<OperatingPoint<double>>& points) {
   return *std::max_element(points.begin(), points.end(),
                            [](const auto& a, const auto& b) { return a.film < b.film; });
-}
-
-// The solved points whose friction is less, beyond rounding, than on both sides.
-std::vector<OperatingPoint<double>> swept_friction_minima(const Scene& scene) {
-  const MixedContact<double> contact(scene);
-  std::vector<OperatingPoint<double>> minima;
-  double before = 0;
-  OperatingPoint<double> here = contact.solve(scene.speeds.from);
-  for (double u = scene.speeds.from; u < scene.speeds.to; u *= 1.001) {
-    const OperatingPoint<double> next = contact.solve(u);
-    if (next.regime == Regime::collapsed) break;
-    const double margin = 1 + 1e-11;
-    if (here.friction * margin < before && here.friction * margin < next.friction)
-      minima.push_back(here);
-    before = here.friction;
-    here = next;
-  }
-  return minima;
 }
 
 TEST(Onset, FilmMaximumIsThatOfADenseSweep) {
@@ -78,7 +68,7 @@ TEST(Onset, FilmMaximumIsThatOfADenseSweep) {
           EXPECT_TRUE(is_within(found.film / swept.film, 1, 1e-6));
           // the closed form and the solved point are one point
           const OperatingPoint<double> solved = MixedContact<double>(scene).solve(found.speed);
-          EXPECT_TRUE(is_close(solved.film, Reference(found.film), 1e-13, {{"u", found.speed}}));
+          EXPECT_TRUE(is_close(solved.film, found.film, 1e-13, {{"u", found.speed}}));
         }
 }
 
@@ -112,7 +102,7 @@ TEST(Onset, DepartureIsWhereTheSolvedFilmHasLostItsShare) {
         ASSERT_TRUE(found.exists) << found.reason;
         const OperatingPoint<double> solved = MixedContact<double>(scene).solve(found.speed);
         EXPECT_TRUE(is_within(solved.film / solved.film_flooded, 1 - departure, 1e-12));
-        EXPECT_TRUE(is_close(solved.film, Reference(found.film), 1e-12, {{"u", found.speed}}));
+        EXPECT_TRUE(is_close(solved.film, found.film, 1e-12, {{"u", found.speed}}));
       }
 }
 
@@ -141,7 +131,9 @@ TEST(Onset, FrictionMinimumIsTheLowestOfSeveral) {
   for (const auto& [slide_roll_ratio, first_is_lowest] : slide_roll_ratios) {
     Scene scene = paper_scene(PaperSurface::medium);
     scene.friction = {0.01, slide_roll_ratio, FluidShear::limiting, ViscosityLaw::barus};
-    const std::vector<OperatingPoint<double>> minima = swept_friction_minima(scene);
+    // A collapsed film has no friction, and no minimum beside it.
+    const std::vector<OperatingPoint<double>> minima =
+        swept_minima(scene, scene.speeds.from, scene.speeds.to, 1.001, 1e-11, friction);
     ASSERT_GE(minima.size(), 2U) << slide_roll_ratio;
     const auto place =
         std::min_element(minima.begin(), minima.end(),
@@ -245,8 +237,8 @@ TEST(Onset, IsThatOfTheWalkInLongDouble) {
             ASSERT_EQ(got.exists, exact.exists);
             if (!got.exists) continue;
             const double wide = criterion == film_maximum ? 1e-6 : 1e-12;
-            EXPECT_TRUE(is_close(got.speed, Reference(exact.speed), wide, {{"u", got.speed}}));
-            EXPECT_TRUE(is_close(got.film, Reference(exact.film), 1e-12, {{"u", got.speed}}));
+            EXPECT_TRUE(is_close(got.speed, exact.speed, wide, {{"u", got.speed}}));
+            EXPECT_TRUE(is_close(got.film, exact.film, 1e-12, {{"u", got.speed}}));
           }
 }
 

@@ -44,7 +44,7 @@ TEST(StribeckCurve, EachPointIsWhatTheRootGivesAtItsSpeed) {
       const OperatingPoint<double> solved = contact.solve(p.speed);
       const double condition = fluid_condition(contact, p);
       const auto close = [&](double got, double expected, double allowed) {
-        EXPECT_TRUE(is_close(got, Reference(expected), 2e-14, {{"u", p.speed}}, allowed))
+        EXPECT_TRUE(is_close(got, expected, 2e-14, {{"u", p.speed}}, allowed))
             << describe_scene(scene);
       };
       close(p.film_flooded, solved.film_flooded, 1);

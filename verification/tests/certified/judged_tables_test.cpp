@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "accuracy/accuracy.hpp"
 #include "accuracy/reference_table.hpp"
@@ -25,16 +23,6 @@ namespace fs = std::filesystem;
 
 const fs::path exact = fs::path(TRIBOCHECK_SOURCE_DIR) / "reference/exact";
 
-std::string written(const std::string& name, const std::string& text) {
-  static const TemporaryFolder folder;
-  std::ofstream(folder.path() / name) << text;
-  return folder.file(name);
-}
-std::string content_of(const fs::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 // The message on a table that cannot be read; empty: the table can be read.
 template <class Read>
 std::string refusal(Read&& read) {
@@ -47,9 +35,10 @@ std::string refusal(Read&& read) {
 }
 
 TEST(ReferenceRow, ErrorCountsBothHalvesOfTheValueInUnitsOfItsLastPlace) {
-  const auto error = [](const char* high, const char* low, double got) {
+  const TemporaryFolder folder;
+  const auto error = [&](const char* high, const char* low, double got) {
     const std::string path =
-        written("halves.csv", fmt::format("id,high,low\na,{},{}\n", high, low));
+        folder.written("halves.csv", fmt::format("id,high,low\na,{},{}\n", high, low));
     return read_reference_table(path).front().error_in_ulp(got);
   };
   EXPECT_EQ(error("0x1p+0", "0x1p-54", 1), 0.25);
@@ -63,14 +52,16 @@ TEST(ReferenceRow, ErrorCountsBothHalvesOfTheValueInUnitsOfItsLastPlace) {
 }
 
 TEST(ReferenceTable, ThatIsCutOrEmptyIsRefusedByName) {
+  const TemporaryFolder folder;
   for (const char* const text :
        {"", "# nothing\n", "id,high\n", "id,high\na\n", "id,high\na,1,2\n"}) {
-    const std::string path = written("cut.csv", text);
+    const std::string path = folder.written("cut.csv", text);
     EXPECT_EQ(refusal([&] { read_reference_table(path); }).starts_with(path + ": "), true) << text;
   }
   for (const char* const cell : {"", "x", "1x", "0x1p", "1 2"}) {
     const auto row =
-        read_reference_table(written("cell.csv", fmt::format("id,high\na,{}\n", cell))).front();
+        read_reference_table(folder.written("cell.csv", fmt::format("id,high\na,{}\n", cell)))
+            .front();
     EXPECT_NE(refusal([&] { row.number("high"); }), "") << cell;
   }
 }
@@ -132,10 +123,7 @@ class ChangedTables : public testing::Test {
   void SetUp() override { fs::copy(exact, folder.path(), fs::copy_options::recursive); }
 
   void change(const std::string& table, const std::string& from, const std::string& to) const {
-    std::string text = content_of(exact / table);
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    std::ofstream(folder.path() / table) << text.replace(at, from.size(), to);
+    folder.written(table, replaced(content_of(exact / table), from, to));
   }
   QuantityResult of(const std::string& quantity) const {
     const std::vector<QuantityResult> results = check_accuracy(folder.path().string());

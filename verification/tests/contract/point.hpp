@@ -86,7 +86,7 @@ inline constexpr std::array<KindInfo, kind_count> kinds{{
     {Kind::hertz_ellipse, "hertz_ellipse", 400, 400},
     {Kind::hertz_line, "hertz_line", 400, 400},
     {Kind::film_law, "film_law", 800, 800},
-    {Kind::moes_line, "moes_line", 400, 400},
+    {Kind::moes_line, "moes_line", 500, 500},
     {Kind::film_regime, "film_regime", 500, 500},
     {Kind::thermal_reduction, "thermal_reduction", 400, 400},
     {Kind::density, "density", 200, 200},

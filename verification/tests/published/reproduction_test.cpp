@@ -531,24 +531,22 @@ TEST(CommittedLedger, HasTheVerdictsAndNumbersThatComeOut) {
   for (const std::string& line : changes.verdicts) ADD_FAILURE() << "verdict changed: " << line;
   for (const std::string& line : changes.numbers) ADD_FAILURE() << "number moved: " << line;
   // The whole file is compared: no reading or item is missing in it.
-  std::ifstream file(committed);
-  const auto lines = std::count(std::istreambuf_iterator<char>(file), {}, '\n');
+  const std::string text = content_of(committed);
+  const auto lines = std::count(text.begin(), text.end(), '\n');
   EXPECT_EQ(static_cast<std::size_t>(lines), 1 + ledger().readings.size() * items().size());
 }
 
-TEST(CommittedLedger, ChangesAreNamed) {
+LedgerChanges changes_since_text(const std::string& text) {
   const TemporaryFolder folder;
-  const std::string path = folder.file("ledger_changed.csv");
+  return changes_since(folder.written("ledger.csv", text), ledger(), ledger().readings, {});
+}
+
+TEST(CommittedLedger, ChangesAreNamed) {
   std::string text = ledger_csv(ledger(), ledger().readings, {});
-  const auto change = [&](const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
-  };
-  change(",reproduced,reproduced,", ",not reproduced,reproduced,");  // the first is C2.rough
-  change("corrected,corrected,C1.rough,C1,2.0", "corrected,corrected,C1.rough,C1,2.1");
-  std::ofstream(path) << text;
-  const LedgerChanges changes = changes_since(path, ledger(), ledger().readings, {});
+  text = replaced(text, ",reproduced,reproduced,", ",not reproduced,reproduced,");  // C2.rough
+  text =
+      replaced(text, "corrected,corrected,C1.rough,C1,2.0", "corrected,corrected,C1.rough,C1,2.1");
+  const LedgerChanges changes = changes_since_text(text);
   ASSERT_EQ(changes.verdicts.size(), 1U);
   EXPECT_TRUE(changes.verdicts[0].starts_with("C2.rough, corrected: was not reproduced"))
       << changes.verdicts[0];
@@ -559,8 +557,6 @@ TEST(CommittedLedger, ChangesAreNamed) {
 // A number counts as moved if it changed by a millionth or more. An item that the committed ledger
 // lacks is told.
 TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("ledger_moved.csv");
   const std::string text = ledger_csv(ledger(), ledger().readings, {});
   const std::string start = "corrected,corrected,C1.rough,C1,";
   const std::size_t number = text.find(start) + start.size();
@@ -570,16 +566,14 @@ TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
                                         std::pair{1 - 2e-6, true}, std::pair{1.01, true}}) {
     std::string moved = text;
     moved.replace(number, length, fmt::format("{}", computed * factor));
-    std::ofstream(path) << moved;
-    const LedgerChanges changes = changes_since(path, ledger(), ledger().readings, {});
+    const LedgerChanges changes = changes_since_text(moved);
     EXPECT_EQ(changes.numbers.size(), is_told ? 1U : 0U) << factor;
     EXPECT_EQ(changes.verdicts.size(), 0U) << factor;
   }
   std::string shorter = text;
   const std::size_t line = shorter.find("corrected,corrected,C2.rough");
   shorter.erase(line, shorter.find('\n', line) + 1 - line);
-  std::ofstream(path) << shorter;
-  const LedgerChanges changes = changes_since(path, ledger(), ledger().readings, {});
+  const LedgerChanges changes = changes_since_text(shorter);
   ASSERT_EQ(changes.verdicts.size(), 1U);
   EXPECT_EQ(changes.verdicts[0], "C2.rough, corrected: was not there");
 }
@@ -587,16 +581,10 @@ TEST(CommittedLedger, MovedAndMissingItemsAreNamed) {
 // The message on a wrong data file is one line that names the file.
 TEST(PublishedFiles, AreRefusedByNameWhereTheyAreWrong) {
   const TemporaryFolder folder;
-  const std::string path = folder.file("claims_wrong.tsv");
-  std::ifstream file(published + "/claims.tsv");
-  const std::string good((std::istreambuf_iterator<char>(file)), {});
+  const std::string path = folder.file("claims.tsv"), good = content_of(published + "/claims.tsv");
   const auto refused = [&](const std::string& from, const std::string& to, const std::string& why) {
-    std::string text = good;
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    std::ofstream(path) << text.replace(at, from.size(), to);
     try {
-      read_claims(path);
+      read_claims(folder.written("claims.tsv", replaced(good, from, to)));
       ADD_FAILURE() << "not refused: " << to;
     } catch (const std::runtime_error& error) {
       const std::string what = error.what();

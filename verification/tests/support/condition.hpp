@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 
 #include "support/judge.hpp"
@@ -181,6 +182,15 @@ inline double allowed_by(const Contract& contract, const Reference& expected, do
   const double value = std::abs(static_cast<double>(expected));
   const double ulp = std::ldexp(1.0, std::max(std::ilogb(value), -1022) - 52);
   return multiple * std::max(contract.ulp, contract.ulp_per_condition * condition) * ulp / value;
+}
+
+// Is a number as near to the expected one as `multiple` times its contract and `more` allow?
+template <class Real>
+testing::AssertionResult keeps(const Contract& contract, Real got, const Reference& expected,
+                               double condition, double multiple,
+                               std::initializer_list<Input> inputs, double more = 0) {
+  return is_close(got, expected, allowed_by(contract, expected, condition, multiple) + more,
+                  inputs);
 }
 
 }  // namespace verification

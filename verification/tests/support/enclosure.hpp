@@ -93,6 +93,22 @@ Enclosure proven_zero(Function&& f, const Enclosure& candidate, const Enclosure&
   throw std::runtime_error("no change of sign is certain near " + candidate.decimal(20));
 }
 
+// Takes `x` by steps to where a step is below `least(x)`, or the steps end.
+template <class Step, class Least>
+Enclosure refined(Enclosure x, Step&& step, Least&& least) {
+  for (int i = 0; i < 60; ++i) {
+    const Enclosure by = Enclosure(step(x)).midpoint();
+    x = (x + by).midpoint();
+    if (abs(by) < least(x)) break;
+  }
+  return x;
+}
+
+inline AsperityModel model_of(Order load_order) {
+  return load_order == Order::five_halves ? AsperityModel::greenwood_tripp
+                                          : AsperityModel::greenwood_williamson;
+}
+
 inline long double as_long_double(const Enclosure& x) {
   const double high = x.nearest();
   return static_cast<long double>(high) +
@@ -180,18 +196,16 @@ inline void LoadSharing<reference::Ball>::find_floor() {
   floor_ = 0;
   if (!has_floor_) return;
   const verification::Proof proof;
-  const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
-                                                  : AsperityModel::greenwood_williamson;
   const long double offset = verification::as_long_double(offset_);
-  Ball d = verification::as_enclosure(
-      LoadSharing<long double>(model, verification::as_long_double(stiffness_), offset).floor() -
-      offset);
-  for (int i = 0; i < 60; ++i) {
-    const Asperities at = asperities(d);
-    const Ball step = (log(at.share) / -at.log_slope).midpoint();
-    d = (d + step).midpoint();
-    if (abs(step) < (abs(d) + 1) * epsilon<Ball>()) break;
-  }
+  const LoadSharing<long double> near(verification::model_of(order_),
+                                      verification::as_long_double(stiffness_), offset);
+  const Ball d = verification::refined(
+      verification::as_enclosure(near.floor() - offset),
+      [&](const Ball& x) {
+        const Asperities at = asperities(x);
+        return log(at.share) / -at.log_slope;
+      },
+      [](const Ball& x) { return (abs(x) + 1) * epsilon<Ball>(); });
   floor_argument_ = verification::proven_zero([&](const Ball& x) { return share_at(x) - 1; }, d,
                                               abs(d) + Ball(1e-10));
   floor_ = offset_ + floor_argument_;
@@ -205,23 +219,20 @@ inline LoadSharing<reference::Ball>::Root LoadSharing<reference::Ball>::root(
   const Ball& lambda0 = flooded_film_parameter;
   const auto proven = [&] {
     const verification::Proof proof;
-    const auto model = order_ == Order::five_halves ? AsperityModel::greenwood_tripp
-                                                    : AsperityModel::greenwood_williamson;
-    Ball lambda = verification::as_enclosure(
-        LoadSharing<long double>(model, verification::as_long_double(stiffness_),
-                                 verification::as_long_double(offset_), *film_)
-            .solve(verification::as_long_double(lambda0))
-            .film_parameter);
+    const LoadSharing<long double> near(verification::model_of(order_),
+                                        verification::as_long_double(stiffness_),
+                                        verification::as_long_double(offset_), *film_);
     const Ball exponent = ratio<Ball>(film_exponent());
     const Ball p = 1 / exponent;
-    for (int i = 0; i < 60; ++i) {
-      const Asperities at = asperities(Ball(lambda - offset_));
-      const Ball fluid = pow(lambda0 / lambda, p);
-      const Ball step =
-          ((at.share + fluid - 1) / (p * fluid / lambda - at.share * at.log_slope)).midpoint();
-      lambda = (lambda + step).midpoint();
-      if (abs(step) < lambda * epsilon<Ball>()) break;
-    }
+    const Ball lambda = verification::refined(
+        verification::as_enclosure(
+            near.solve(verification::as_long_double(lambda0)).film_parameter),
+        [&](const Ball& x) {
+          const Asperities at = asperities(Ball(x - offset_));
+          const Ball fluid = pow(lambda0 / x, p);
+          return (at.share + fluid - 1) / (p * fluid / x - at.share * at.log_slope);
+        },
+        [](const Ball& x) { return x * epsilon<Ball>(); });
     // ln λ − ln λ₀ + e ln(1 − A), and as good as −∞ where A ≥ 1.
     const auto residual = [&](const Ball& x) {
       const Ball share = asperity_share(x);
@@ -266,13 +277,13 @@ inline reference::Ball LoadSharing<reference::Ball>::distance_above_floor(
     arb_add_error(between.get(), reach.get());
     return log1p(-fluid) / asperities(between).log_slope;
   }
-  Ball distance = (fluid / -floor_log_slope_).midpoint();
-  for (int i = 0; i < 60; ++i) {
-    const Asperities at = asperities(Ball(floor_argument_ + distance));
-    const Ball step = ((fluid - 1 + at.share) / (-at.share * at.log_slope)).midpoint();
-    distance = (distance + step).midpoint();
-    if (abs(step) < distance * epsilon<Ball>()) break;
-  }
+  const Ball distance =
+      verification::refined((fluid / -floor_log_slope_).midpoint(),
+                            [&](const Ball& x) {
+                              const Asperities at = asperities(Ball(floor_argument_ + x));
+                              return (fluid - 1 + at.share) / (-at.share * at.log_slope);
+                            },
+                            [](const Ball& x) { return x * epsilon<Ball>(); });
   return verification::proven_zero([&](const Ball& x) { return fluid_share_near_floor(x) - fluid; },
                                    distance, distance);
 }
@@ -287,14 +298,14 @@ inline EllipseShape<reference::Ball> detail::wide_shape<reference::Ball>(
     return log(at.k * at.k * at.b / at.d / radius_ratio);
   };
   const Ball h = pow(Ball(2), Ball(-120));
-  Ball log_k = verification::as_enclosure(
-      std::log(ellipse_shape(verification::as_long_double(radius_ratio)).ellipticity));
-  for (int i = 0; i < 60; ++i) {
-    const Ball value = residual(log_k);
-    const Ball step = (value * h / (residual((log_k + h).midpoint()) - value)).midpoint();
-    log_k = (log_k - step).midpoint();
-    if (abs(step) < pow(Ball(2), Ball(-250))) break;
-  }
+  const Ball log_k = verification::refined(
+      verification::as_enclosure(
+          std::log(ellipse_shape(verification::as_long_double(radius_ratio)).ellipticity)),
+      [&](const Ball& x) {
+        const Ball value = residual(x);
+        return -value * h / (residual((x + h).midpoint()) - value);
+      },
+      [](const Ball&) { return pow(Ball(2), Ball(-250)); });
   const Ball k = exp(verification::proven_zero(residual, log_k, 1));
   const reference::Associated at = reference::associated(k);
   return {k, at.b + at.d, at.b + at.d / (k * k)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Film laws other than the default one: the minimum film, and made-up laws with the least, a small
-// and the greatest a − b that load sharing takes.
+// Films of each law by hand; and film laws other than the default one: the minimum film, and
+// made-up laws with the least, a small and the greatest a − b that load sharing takes.
 #pragma once
 
 #include <array>
@@ -8,6 +8,21 @@
 #include "tribo/film_thickness.hpp"
 
 namespace tribo::verification {
+
+// h₀ on the paper's Table 1 at 1 m/s, by hand: of a circle, or of a line of 1e5 N/m.
+struct FilmByHand {
+  FilmFormula film;
+  double nanometres;
+};
+inline constexpr FilmByHand films_of_table_one[] = {
+    {FilmFormula::hamrock_dowson_central, 152.460},
+    {FilmFormula::hamrock_dowson_minimum, 86.247},
+    {FilmFormula::hamrock_dowson_soft_central, 48.624},
+    {FilmFormula::hamrock_dowson_soft_minimum, 27.822},
+    {FilmFormula::dowson_higginson_minimum, 165.939},
+    {FilmFormula::dowson_toyoda_central, 216.688},
+    {FilmFormula::pan_hamrock_minimum, 154.850},
+    {FilmFormula::pan_hamrock_central, 178.321}};
 
 constexpr FilmLaw law_with_exponents(Fraction speed, Fraction material) {
   return {{2, 1}, speed, material, {-7, 100}, {1, 2}, {7, 10}};

@@ -13,6 +13,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "sampling/sampler.hpp"
 #include "support/case_count.hpp"
@@ -38,6 +39,14 @@ inline std::string describe(std::initializer_list<Input> inputs) {
 }
 
 template <class Real>
+std::string text_of(const Real& number) {
+  if constexpr (std::is_floating_point_v<Real>)
+    return fmt::format("{} ({:a})", number, number);
+  else
+    return number.str(50);
+}
+
+template <class Real>
 double relative_error(Real got, const Reference& expected) {
   using std::isfinite;
   if (Reference(got) == expected) return 0;
@@ -53,8 +62,9 @@ testing::AssertionResult is_close(Real got, const Reference& expected, double bo
   record_part_of_bound(error / (bound * condition));
   if (error <= bound * condition) return testing::AssertionSuccess();
   return testing::AssertionFailure()
-         << describe(inputs) << "\n  expected " << expected.str(25)
-         << fmt::format("\n  got      {} ({:a})", got, got)
+         << describe(inputs) << "\n  expected "
+         << expected.str(std::is_floating_point_v<Real> ? 25 : 50) << "\n  got      "
+         << text_of(got)
          << fmt::format(
                 "\n  error {:.3g} relative, {:.3g} ulp; condition {:.3g}; bound {:.3g}; "
                 "missed by a factor {:.3g}",

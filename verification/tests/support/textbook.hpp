@@ -41,7 +41,7 @@ inline double brent(const std::function<double(double)>& f, double low, double h
 // GSL: QAGIU for F_p written with pow, Brent for the root.
 class LoadSharing {
  public:
-  LoadSharing(AsperityModel model, double stiffness, double offset, double exponent = 0.14)
+  LoadSharing(AsperityModel model, double stiffness, double offset, double exponent)
       : is_tripp_(model == AsperityModel::greenwood_tripp),
         stiffness_(stiffness),
         offset_(offset),
