@@ -298,7 +298,7 @@ class Kernels(unittest.TestCase):
                             (["--workload", "root_wide_batch", "--set", "lost"], "no workload root_wide_batch on lost")):
             done = subprocess.run([self.PROGRAM, "--counters", *words], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stderr), (2, f"tribocheck_gate_kernels: {said}; --counters lists them\n"))
-        done = subprocess.run([self.PROGRAM, "--lost"], capture_output=True, text=True)
+        done = subprocess.run([self.PROGRAM, "--counters", "--lost"], capture_output=True, text=True)
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("--lost", done.stderr)
 

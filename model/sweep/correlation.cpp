@@ -15,8 +15,6 @@
 namespace tribo::sweep {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // Coefficients in ascending order.
 template <std::size_t size>
 double value_at(const std::array<double, size>& polynomial, double x) {
@@ -129,7 +127,8 @@ void standard_normals(std::span<double> units) {
     logarithm(of_tails, of_tails);
     for (std::size_t k = 0; k < count; ++k) {
       const double r = std::sqrt(-tails[k]);
-      const double z = std::isfinite(r) ? normal_of_tail(r) : infinity;
+      const double z =
+          std::isfinite(r) ? normal_of_tail(r) : std::numeric_limits<double>::infinity();
       some[places[k]] = std::copysign(z, some[places[k]]);
     }
   }

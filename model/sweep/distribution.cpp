@@ -16,7 +16,6 @@
 namespace tribo::sweep {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_part = 1e-300;
 
 constexpr std::size_t block = 256;  // the numbers that are computed at a time

@@ -13,6 +13,9 @@
 
 namespace tribo::sweep {
 
+// The bound of a distribution without one.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 enum class DistributionKind : std::uint8_t { uniform, log_uniform, normal, log_normal };
 
 inline constexpr auto distribution_names =

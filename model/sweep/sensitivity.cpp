@@ -9,7 +9,7 @@
 namespace tribo::sweep {
 namespace {
 
-constexpr double two_sided_95 = 1.96;
+constexpr double standard_errors = 1.96;
 
 struct Values {
   std::vector<double> first_order, total;
@@ -43,7 +43,7 @@ Bounded with_interval(double value, const std::vector<double>& replicates) {
   for (const double replicate : replicates) mean += replicate / n;
   double squares = 0;
   for (const double replicate : replicates) squares += (replicate - mean) * (replicate - mean);
-  const double reach = replicates.size() > 1 ? two_sided_95 * std::sqrt(squares * (n - 1) / n)
+  const double reach = replicates.size() > 1 ? standard_errors * std::sqrt(squares * (n - 1) / n)
                                              : std::numeric_limits<double>::quiet_NaN();
   return {value, value - reach, value + reach};
 }

@@ -16,10 +16,10 @@ constexpr double two_sided_95 = 1.959963984540054;
 
 // The least k with P(K ≤ k) ≥ 2.5 %, and with ≥ 97.5 %, where K counts those of n independent
 // values that are below the p-quantile.
-struct Ranks {
+struct QuantileRanks {
   double low, high;
 };
-Ranks ranks_of(double n, double p) {
+QuantileRanks ranks_of(double n, double p) {
   const double variance = n * p * (1 - p);
   if (variance < exact_below_variance) {
     using namespace boost::math::policies;
@@ -125,7 +125,7 @@ Bounded quantile_of(const ValueSummary& summary, double p) {
   };
   // The values in order are x₁ ≤ x₂ …: x_l is above the quantile if K < l, and x_h is not if K ≥ h;
   // so l = low and h = high + 1.
-  const Ranks ranks = ranks_of(n, p);
+  const QuantileRanks ranks = ranks_of(n, p);
   Bounded quantile{within(at(std::ceil(n * p) - 1)), -infinity, infinity};
   if (ranks.low >= 1) {
     const double low = at(ranks.low - 1);

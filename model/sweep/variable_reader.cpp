@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "scene/fault_text.hpp"
 #include "scene/schema.hpp"
@@ -22,7 +21,6 @@ using scene_detail::Value;
 using scene_detail::ValueKind;
 using scene_detail::wrong_kind;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_grid_values = 1'000'000;
 
 constexpr const char* varying =

@@ -11,6 +11,7 @@ BASELINES = {
     "accuracy.json": ("baseline", "accuracy that later versions have to keep"),
     "stress.json": ("stress", "random points against long double"),
     "mutants.json": ("mutants", "random changes, and how many the tests notice"),
+    "diagnosis.json": ("diagnosis", "wrong solvers, and whose mistakes are named"),
     "planted_faults.json": ("faults", "planted faults and what caught them"),
     "work_precision.json": ("work-precision", "error against work"),
     "performance.json": ("gate-baseline", "work and time that the gates hold"),
