@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Help, version and exit codes of every command."""
 
+import os
 import pathlib
 import re
 import shutil
@@ -9,6 +10,7 @@ import unittest
 
 from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, Folder, run, scene
 
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
 # Every command that the program says it has.
 COMMANDS = re.findall(r"(?m)^  ([a-z]+) ", run("--help").out.partition("\nSubcommands:\n")[2]
                       .partition("\n\n")[0])
@@ -41,6 +43,11 @@ class Help(unittest.TestCase):
                 result = run(*arguments, "--version")
                 self.assertEqual((result.code, result.err), (0, ""))
                 self.assertRegex(result.out, r"^tribocheck \d+\.\d+\.\d+\n$")
+
+    def test_the_citation_and_the_list_of_changes_have_the_programs_version(self):
+        version = run("--version").out.split()[1]
+        self.assertIn(f"\nversion: {version}\n", (ROOT / "CITATION.cff").read_text())
+        self.assertIn(f"\n## {version}", (ROOT / "CHANGELOG.md").read_text())
 
 
 class Start(unittest.TestCase):
