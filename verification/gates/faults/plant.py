@@ -101,6 +101,20 @@ def stale(fault):
     return None if times == 1 else f"its text stands {times} times in {fault['file']}"
 
 
+MEMBER = re.compile(r"(?:\.|->|::)([A-Za-z_]\w*)")
+
+
+def lost_member(fault, members):
+    """A member that the patch brings in, and that no text of the tree has any more, or None: the patch cannot be built."""
+    brought = set(MEMBER.findall(fault["replace"])) - set(MEMBER.findall(fault["find"]))
+    return min(brought - members, default=None)
+
+
+def members_of_the_tree():
+    files = run(["git", "ls-files", "*.cpp", "*.hpp", "*.h", "*.c", "*.py"], cwd=ROOT).stdout.split()
+    return {name for file in files if (path := ROOT / file).is_file() for name in MEMBER.findall(path.read_text(errors="replace"))}
+
+
 def runs_on(text, place, instruction_set):
     """Whether the text at the place is compiled for the instruction set, by the lines #if, #elif and #else before it."""
     def holds(condition):
@@ -487,7 +501,8 @@ def main():
     red += [f"{fault['id']}: {test_of(fault['check'])} did not pass without the fault, says {arguments.green}"
             for fault in faults if test_of(fault["check"]) not in green]
     if arguments.mutants is not None:  # a text that has changed since it was caught says nothing about today's tests
-        gone = {line.split(":")[0] for line in red}
+        members = members_of_the_tree()
+        gone = {line.split(":")[0] for line in red} | {fault["id"] for fault in faults if lost_member(fault, members)}
         faults = [fault for fault in faults if fault["id"] not in gone and instruction_set_for(fault) is not None]
         print(f"{len(catalogue) - len(faults)} of {len(catalogue)} caught mutants do not apply to today's text, their check is not there, "
               "or this machine has no instruction set that runs them")

@@ -152,6 +152,10 @@ class OfMutants(Tree):
                                   ("c.hpp", 2 * plant.COMPILED_AT_MOST), ("d.cpp", plant.COMPILED_AT_MOST), ("e.hpp", 0)):
                 self.assertEqual(built.seconds("/t/" + file, ["it"]), seconds, file)
 
+    def test_a_mutant_that_brings_in_a_member_which_is_gone_is_passed_over(self):
+        for replace, lost in (("a.there", None), ("a.gone", "gone"), ("a->gone + b.there", "gone"), ("gone + 1", None), ("a.old", None)):
+            self.assertEqual(plant.lost_member({"find": "a.old", "replace": replace}, {"there"}), lost, replace)
+
     def test_only_what_is_called_caught_is_planted_and_what_changed_since_is_not(self):
         row = {"id": "m", "operator": "constant", "original": "1", "replacement": "2", "file": "formula.txt", "find": "= 1;", "replace": "= 2;",
                "by": "program.test_formula"}
