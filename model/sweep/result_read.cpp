@@ -198,15 +198,15 @@ ColumnResult read_summary(hid_t group, const std::string& name, std::size_t spee
   const auto counts = read_array<std::uint64_t>(group, "histogram_counts", {width, histogram_bins});
   for (std::size_t i = 0; i < width; ++i) {
     const auto of_value = row_of(quantiles, i, levels);
-    column.values.push_back({count[i],
-                             undefined[i],
-                             mean[i],
-                             sd[i],
-                             least[i],
-                             greatest[i],
-                             {of_value.begin(), of_value.end()},
-                             {},
-                             {}});
+    column.values.push_back({.count = count[i],
+                             .undefined = undefined[i],
+                             .mean = mean[i],
+                             .sd = sd[i],
+                             .least = least[i],
+                             .greatest = greatest[i],
+                             .quantiles = {of_value.begin(), of_value.end()},
+                             .histogram = {},
+                             .sensitivity = {}});
     const auto edge = row_of(edges, i, histogram_bins + 1);
     const auto in_bin = row_of(counts, i, histogram_bins);
     for (std::size_t b = 0; b < histogram_bins && !std::isnan(edge[b + 1]); ++b)

@@ -15,8 +15,9 @@
 namespace tribo::cli {
 namespace {
 
-// Sweeps need HDF5 and MPI, and these some forty libraries, whose loading takes longer than any
-// other command's start. They are in a program of their own, which takes the place of this one.
+// Sweeps need HDF5 and MPI, which bring some forty libraries. Loading these takes as long as the
+// start of any other command. Sweeps are therefore a program of their own, which takes this one's
+// place.
 Command name_sweep(CLI::App& program) {
   return {program.add_subcommand("sweep", sweep_description), {}};
 }

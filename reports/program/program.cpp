@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all commands share: their help, bad usage, and exit codes. Results go to stdout, all else to
-// stderr.
+// All commands share this: the text of the help, bad usage, exit codes. Results go to stdout, all
+// else to stderr.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

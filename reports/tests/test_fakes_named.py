@@ -173,7 +173,7 @@ SETS = [(function, fakes) for function, sets in TOGETHER.items() for fakes in se
 
 
 def all_verdicts(asked, ones):
-    """What asked(one) returns of each, two at a time."""
+    """The answer of asked(one) for each, two at a time."""
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         return dict(zip(ones, pool.map(asked, ones)))
 

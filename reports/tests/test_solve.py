@@ -120,7 +120,7 @@ class Numbers(SolveTest):
 
 
 class About(SolveTest):
-    """What a scene is, in place of its points."""
+    """Facts of a scene, in place of its points."""
 
     def about(self, tree):
         """The values of each part, by their names."""

@@ -15,7 +15,7 @@ tribocheck_scene plugin_scene(const Scene& scene);
 Scene model_scene(const tribocheck_scene& scene);
 
 // The numbers of a plug-in's point, in the order of Output.
-inline constexpr std::array<double tribocheck_point::*, number_count> plugin_numbers{
+inline constexpr auto plugin_numbers = std::to_array<double tribocheck_point::*>({
     &tribocheck_point::film_flooded,
     &tribocheck_point::film,
     &tribocheck_point::separation,
@@ -24,7 +24,9 @@ inline constexpr std::array<double tribocheck_point::*, number_count> plugin_num
     &tribocheck_point::fluid_load_share,
     &tribocheck_point::real_area_ratio,
     &tribocheck_point::summit_count,
-    &tribocheck_point::friction};
+    &tribocheck_point::friction,
+});
+static_assert(plugin_numbers.size() == number_count);
 
 // A point before it is solved: nothing offered.
 tribocheck_point empty_point();

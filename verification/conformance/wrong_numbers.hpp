@@ -52,7 +52,7 @@ struct Part {
   std::vector<const AnsweredNumber*> wrong = {};  // those that a sentence is about
 
   const std::string& quantity() const { return wrong.front()->expected->quantity; }
-  // Of the function; null for operating points.
+  // The function that was asked; null for operating points.
   const catalogue::Function* function() const { return all.front().of->question.function; }
 };
 

@@ -2,7 +2,6 @@
 // Random inputs of the checks.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

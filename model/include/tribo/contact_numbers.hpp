@@ -24,7 +24,8 @@ struct SurfaceNumbers {
   T film_at_unit_speed;  // λ₀/u^a; NaN of a contact beyond the kernels' range
 };
 
-// What a scene gives only to be multiplied into another number is not here.
+// The numbers that kernels read at a point. A number of the scene that is only a factor of one of
+// these is in SceneNumbers alone.
 template <class T>
 struct ContactNumbers {
   SurfaceNumbers<T> surface;

@@ -49,8 +49,7 @@ struct OutputInfo {
   std::span<const std::string_view> words = {};  // empty: a number
 };
 
-// In the order of Output, numbers first. The columns of curves follow it;
-// reports/page/gnuplot/stribeck.gp has their places.
+// In the order of Output, numbers first. The columns of tables and files follow it.
 inline constexpr auto output_infos = std::to_array<OutputInfo>({
     {Output::film_flooded, "film_flooded", "m",
      "h_ff, film of the fully flooded contact with load sharing; the film law's h₀, which is that "

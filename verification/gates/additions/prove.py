@@ -159,7 +159,7 @@ def table_of(root, kinds):
 
 
 def run(command, code=0, **options):
-    """What the command printed: (stdout, all). Raises Red where it ends with another exit code."""
+    """The command's output: (stdout, all). Raises Red where it ends with another exit code."""
     done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, errors="replace", **options)
     if done.returncode != code:
         said = done.stdout + done.stderr
@@ -169,7 +169,7 @@ def run(command, code=0, **options):
 
 
 def at(value, path):
-    """What stands at the path of a JSON value."""
+    """The value at the path of a JSON value."""
     for part in path.split("/"):
         key, is_choice, wanted = part.partition("=")
         try:
