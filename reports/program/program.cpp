@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "build_info.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "page/text_table.hpp"
@@ -22,7 +23,6 @@
 #include "scene/schema.hpp"
 #include "scene_arguments.hpp"
 #include "table.hpp"
-#include "tribo/version.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -134,18 +134,17 @@ std::vector<std::string> guarded(int count, char** arguments) {
 }
 
 int run(std::span<const AddCommand> commands, int count, char** arguments, OutputStream& output) {
-  const std::string version_line = "tribocheck " + std::string(version);
   CLI::App program(
       "Starved, rough point contacts: film, load shares, friction, onset of starvation");
   program.name("tribocheck");
   program.footer(footer_with_scenes(program_footer));
-  program.set_version_flag("--version", version_line);
+  program.set_version_flag("--version", version_line());
   program.get_formatter()->column_width(34);
   program.require_subcommand(1);
   std::vector<Command> added;
   for (const AddCommand add : commands) {
     added.push_back(add(program));
-    added.back().app->set_version_flag("--version", version_line);
+    added.back().app->set_version_flag("--version", version_line());
   }
   if (const std::string fault = command_fault(program, count, arguments); !fault.empty())
     return fail(exit_bad, fault);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "build_info.hpp"
+
+#include <fmt/format.h>
+
+#include "build_commit.hpp"
+#include "tribo/version.hpp"
+
+namespace tribo::cli {
+
+std::string_view program_commit() {
+  const std::string_view commit = build_commit;
+  return commit.empty() ? "unknown" : commit;
+}
+
+std::string version_line() {
+  return fmt::format("tribocheck {} (commit {})", version, program_commit());
+}
+
+std::string document_head(std::string_view schema) {
+  return fmt::format(R"("schema": "{}", "version": "{}")", schema, version);
+}
+
+}  // namespace tribo::cli
