@@ -203,7 +203,7 @@ class Readme(unittest.TestCase):
         worse = NEWCOMER.read_text().replace("1.5 * mean", "1.4 * mean")
         (self.folder / "my_solver.py").write_text(worse)
         with open(self.folder / "CMakeLists.txt", "a") as file:  # and by itself, without the baseline
-            file.write("find_package(tribocheck 0.1 CONFIG REQUIRED)\n"
+            file.write("find_package(tribocheck 0.2 CONFIG REQUIRED)\n"
                        "tribocheck_add_subject(alone COMMAND python3 ${CMAKE_SOURCE_DIR}/my_solver.py SAMPLE 50)\n")
         said = self.sh(script, 8)
         self.assertRegex(said, r" alone \.+\*+Failed")
