@@ -63,6 +63,9 @@ function(tribocheck_add_subject test)
 
   if(DEFINED arg_SPEED)
     set(options --baseline ${arg_SPEED})
+    if(arg_PLUGIN)
+      list(APPEND options --alone)  # not beside the contenders, whose program is not installed
+    endif()
     if(DEFINED arg_JUNIT)
       cmake_path(GET arg_JUNIT EXTENSION LAST_ONLY extension)
       cmake_path(REMOVE_EXTENSION arg_JUNIT LAST_ONLY)
