@@ -9,8 +9,9 @@
 # (with BASELINE: where it does worse than that file says). A COMMAND that is a target of the project is
 # its program. JUNIT writes the verdict on each quantity to a file.
 # SPEED adds a second test, <test>_speed with the label `speed`, which runs alone: it fails where the solver
-# is slower than the baseline of `tribocheck bench` says. With JUNIT it writes a file of its own, with _speed
-# before the extension.
+# is slower than the baseline says, which is made by `tribocheck bench --subject COMMAND`, or by
+# `tribocheck bench --plugin LIB --alone`, with `--baseline <baseline> --update-baseline`. With JUNIT it
+# writes a file of its own, with _speed before the extension.
 # The target tribocheck::plugin has the plug-in's header.
 find_program(TRIBOCHECK_PROGRAM tribocheck HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../bin"
   "${CMAKE_CURRENT_LIST_DIR}/../../../../bin"
@@ -37,9 +38,16 @@ function(tribocheck_add_subject test)
     if(TARGET ${program})
       set(program $<TARGET_FILE:${program}>)
     endif()
-    list(PREPEND arg_COMMAND ${program})
-    list(JOIN arg_COMMAND "' '" line)
-    set(solver --subject "'${line}'")
+    # Plain words stay as they are typed in a shell: a baseline of speed names its solver by the command.
+    set(words "")
+    foreach(word IN LISTS program arg_COMMAND)
+      if(NOT word MATCHES "^[A-Za-z0-9_./+=:@%,-]+$")
+        set(word "'${word}'")
+      endif()
+      list(APPEND words "${word}")
+    endforeach()
+    list(JOIN words " " line)
+    set(solver --subject "${line}")
   elseif(arg_PLUGIN AND NOT arg_COMMAND)
     if(TARGET ${arg_PLUGIN})
       set(arg_PLUGIN $<TARGET_FILE:${arg_PLUGIN}>)

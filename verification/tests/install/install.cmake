@@ -88,8 +88,8 @@ expect("${said}" "^0: ")
 configure_project(said tribocheck::plugin "" FALSE)
 expect("${said}" "^0: ")
 file(READ ${scratch}/project/build/CTestTestfile.cmake tests)
-expect("${tests}" [["verify" "--subject" "'python3' 'my_solver.py'" "--baseline" "b.json" "--junit" "out/my.xml"\)]])
-expect("${tests}" [["bench" "--subject" "'python3' 'my_solver.py'" "--baseline" "s.json" "--junit" "out/my_speed.xml"\)]])
+expect("${tests}" [["verify" "--subject" "python3 my_solver.py" "--baseline" "b.json" "--junit" "out/my.xml"\)]])
+expect("${tests}" [["bench" "--subject" "python3 my_solver.py" "--baseline" "s.json" "--junit" "out/my_speed.xml"\)]])
 expect("${tests}" [[solver_speed[^ ]* PROPERTIES +LABELS "speed" RUN_SERIAL "TRUE"]])
 
 # No installed file is linked with GSL (GPL) or Google Benchmark, neither by a library that it loads nor by code in it.

@@ -25,6 +25,16 @@ BROKEN = {  # what is broken: the solver's text, and which of the two gates are 
     "a function that is gone": (SOLVER.replace('name == "hertz_point"', "False"), (True, None)),
     "half of the speed": (SLOWER, (False, True)),
 }
+# Its lines are those of the conformance README, with a gate of speed.
+CTEST = """
+cmake_minimum_required(VERSION 3.25)
+project(my_solvers LANGUAGES CXX)
+enable_testing()
+find_package(tribocheck CONFIG REQUIRED)
+include(tribocheck)
+tribocheck_add_subject(my_solver COMMAND python3 ${CMAKE_SOURCE_DIR}/my_solver.py JUNIT my_solver.xml
+                       BASELINE ${CMAKE_SOURCE_DIR}/tribocheck.json SPEED ${CMAKE_SOURCE_DIR}/speed.json)
+"""
 
 
 class InItsRoot(unittest.TestCase):
@@ -116,6 +126,19 @@ class Jobs(unittest.TestCase):
                 with self.subTest(folder=folder.name):
                     self.assertFalse(run.is_green, f"{run.said}\n{run.summary}")
                     self.assert_kept(folder, run, red)
+
+    def test_5_ctest_has_both_gates_too(self):
+        for name, text, code in (("good in ctest", SOLVER, 0), ("slow in ctest", SLOWER, 8)):
+            folder = self.workspace(name, text)
+            (folder / "CMakeLists.txt").write_text(CTEST)
+            done = subprocess.run(["sh", "-ec", "cmake -S . -B build -D CMAKE_PREFIX_PATH=$PWD/.tribocheck > configured\n"
+                                   "ctest --test-dir build"], cwd=folder, env=self.environment, check=False,
+                                  capture_output=True, text=True)
+            with self.subTest(name=name):
+                self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+                self.assertRegex(done.stdout, r" my_solver \.+ +Passed")
+                for file in ("my_solver.xml", "my_solver_speed.xml"):
+                    self.assertTrue((folder / "build" / file).is_file(), file)
 
 
 if __name__ == "__main__":
