@@ -133,7 +133,7 @@ class Names(Words):
                                   ["verify", "--subject", "true", "--tolerance", word],
                                   ["verify", "--subject", "true", "--require", word], ["reproduce", "--claim", word],
                                   ["reproduce", "--reading", word], ["report", "--section", word], ["report", "--scenes", word],
-                                  ["init", word], ["init", "subject", "--language", word], ["plugin-host", word],
+                                  ["init", word], ["init", "subject", "--language", word], ["init", "ci", "--for", word], ["plugin-host", word],
                                   ["bench", "--filter", word + "("], ["solve", "--" + word]):
                     result = run(*arguments, cwd=self.folder.name)
                     self.assertIn(result.code, (0, 1, 2), result.said)
