@@ -40,6 +40,7 @@ FORMS = [
     ("sweep", ["SWEEP", "--estimate"], {"--estimate"}),
     ("sweep", ["SWEEP", "-o", "DIR/part.shard", "--shard", "1/2"], {"-o", "--shard"}),
     ("sweep show", ["DIR/done.h5"], ()),
+    ("sweep diff", ["DIR/done.h5", "DIR/other.h5"], ()),
     ("sweep merge", ["DIR/1.shard", "DIR/2.shard", "-o", "DIR/merged.h5"], {"-o"}),
     ("verify", [], ()),
     ("verify", ["--subject", "SUBJECT", "--sample", "3"], {"--subject", "--plugin", "--sample"}),
@@ -59,7 +60,7 @@ FORMS = [
 VALUES = {
     "--format": ["json"], "--about": [], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
-    "--profile": [], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--out": ["DIR/other"],
+    "--profile": [], "--most": ["2"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--out": ["DIR/other"],
     "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
     "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
@@ -103,11 +104,12 @@ class Ignored(unittest.TestCase):
     if "first" not in globals():
         import time
         first = time.sleep(0.3)""")}
+        cls.folder.write("other.toml", SWEEP.replace("load = 50", "load = 51"))
         less = Folder()
         cls.addClassCleanup(less.cleanup)
         nearly = altered(less, 'answer = answer if name == "hertz_point" else {"id": case, "skip": "no"}')
         for words in (["verify", "--subject", nearly, "--sample", "3", "--baseline", "base.json", "--update-baseline"],
-                      ["sweep", "sweep.toml", "-o", "done.h5"], ["sweep", "sweep.toml", "-o", "1.shard", "--shard", "1/2"],
+                      ["sweep", "sweep.toml", "-o", "done.h5"], ["sweep", "other.toml", "-o", "other.h5"], ["sweep", "sweep.toml", "-o", "1.shard", "--shard", "1/2"],
                       ["sweep", "sweep.toml", "-o", "2.shard", "--shard", "2/2"]):
             done = run(*words, cwd=cls.folder.name)
             assert done.code == 0, done.err

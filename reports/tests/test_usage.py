@@ -28,7 +28,7 @@ class Help(unittest.TestCase):
 
     def test_help_fits_80_columns_but_for_examples_and_long_words(self):
         for arguments in [[], *[[command] for command in COMMANDS], ["init", "subject"], ["sweep", "show"],
-                          ["sweep", "merge"]]:
+                          ["sweep", "merge"], ["sweep", "diff"]]:
             text, _, _ = run(*arguments, "--help").out.partition("\nExample:\n")
             self.assertEqual([line for line in text.splitlines() if len(line) > 80 and len(line.split()) > 1], [],
                              arguments)

@@ -127,7 +127,7 @@ class Names(Words):
             word = os.fsdecode(word)
             with self.subTest(word):
                 for arguments in ([word], ["solve", word], ["solve", "--format", word, "x"], ["curve", word], ["onset", word],
-                                  ["film", word], ["functions", word], ["sweep", word], ["sweep", "show", word],
+                                  ["film", word], ["functions", word], ["sweep", word], ["sweep", "show", word], ["sweep", "diff", word, word],
                                   ["sweep", "merge", word, "-o", "x"], ["sweep", "x", "-o", word], ["verify", "--subject", word],
                                   ["verify", "--plugin", word], ["verify", "--reference", word], ["verify", "--show", word],
                                   ["verify", "--subject", "true", "--tolerance", word],
