@@ -82,7 +82,8 @@ class ChildProcess {
 
   bool refuses_input() const { return refuses_input_; }
   void kill();
-  // "exits with code 3", "is killed by signal 11 (Segmentation fault)", "is still running".
+  // "exits with code 3", "is killed by signal 11 (SIGSEGV, Segmentation fault)", with ", as its exit
+  // code 139 says" where a shell reports it so, "is still running".
   std::string end_text();
   bool has_ended() { return child_->has_ended(); }
   int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
