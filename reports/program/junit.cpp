@@ -17,8 +17,8 @@ std::string junit_xml(const JunitSuite& suite) {
   };
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\"{}>\n",
-      suite.tests.size(), count(JunitTest::End::failure),
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\"{}>\n",
+      text(suite.name), suite.tests.size(), count(JunitTest::End::failure),
       suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "");
   for (const JunitTest& one : suite.tests) {
     xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", suite.classname, text(one.name));

@@ -20,6 +20,7 @@ struct JunitSuite {
   std::vector<JunitTest> tests = {};
   bool counts_skipped = false;
   std::string output = {}, errors = {};  // of the whole run; empty: none
+  std::string name = "tribocheck verify";
 };
 
 std::string junit_xml(const JunitSuite& suite);
