@@ -28,7 +28,7 @@ constexpr std::size_t starts = 3;  // of each solver, as memory and hashes lie e
 constexpr std::size_t least_laps = 3;
 constexpr double longest_laps = 1;  // s, of one function after one start, beyond the least
 
-std::size_t laps_a_start(bool is_quick) { return is_quick ? least_laps : 9; }
+std::size_t laps_a_start(bool is_quick) { return is_quick ? least_laps : 5; }
 
 // The name in rows: the command without the folders of its words, so that it is the same elsewhere.
 std::string name_of_solver(const std::string& given, bool is_plugin) {

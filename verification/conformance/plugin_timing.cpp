@@ -72,7 +72,7 @@ void prepare_points(Block& block, const PluginFunctions& functions,
     const auto* reading = std::get_if<SceneReading>(&one);
     if (reading == nullptr) throw std::invalid_argument("a block has questions of one function");
     const Scene& scene = *reading->scene;
-    // The header knows circles with the default film law alone.
+    // The header knows circles with the default film law alone: no answer is asked of others.
     if (scene.closures.film != FilmFormula::hamrock_dowson_central ||
         scene.bodies.shape() != ContactShape::circle)
       return;
@@ -111,19 +111,32 @@ Times times_of(const Block& block, std::size_t calls) {
   return {spent / static_cast<double>(calls), wall.count() / static_cast<double>(calls)};
 }
 
-std::string answer_to(const PluginFunctions& functions, const std::vector<Question>& questions) {
-  Block block;
+void prepare(Block& block, const PluginFunctions& functions,
+             const std::vector<Question>& questions) {
   block.status.assign(questions.size(), not_written);
   if (std::holds_alternative<FunctionCall>(questions[0]))
     prepare_calls(block, functions, questions);
   else
     prepare_points(block, functions, questions);
-  const std::string nothing = "{\"answered\": 0}";
-  if (!block.call || !block.call()) return nothing;
-  const auto answered = std::count_if(
-      block.status.begin(), block.status.end(),
-      [](const int status) { return status == TRIBOCHECK_DONE || status == TRIBOCHECK_UNDEFINED; });
-  if (answered == 0) return nothing;
+}
+
+// Takes away the questions that have no answer.
+void keep_answered(const PluginFunctions& functions, std::vector<Question>& questions) {
+  Block block;
+  prepare(block, functions, questions);
+  std::vector<Question> answered;
+  if (block.call && block.call())
+    for (std::size_t i = 0; i < questions.size(); ++i)
+      if (block.status[i] == TRIBOCHECK_DONE || block.status[i] == TRIBOCHECK_UNDEFINED)
+        answered.push_back(std::move(questions[i]));
+  questions = std::move(answered);
+}
+
+std::string answer_to(const PluginFunctions& functions, std::vector<Question> questions) {
+  if (!questions.empty()) keep_answered(functions, questions);
+  if (questions.empty()) return "{\"answered\": 0}";
+  Block block;
+  prepare(block, functions, questions);
   std::size_t calls = 1;
   while (times_of(block, calls).seconds * static_cast<double>(calls) < enough) calls *= 2;
   const double before = control_seconds(Control::exponentials);
@@ -131,7 +144,7 @@ std::string answer_to(const PluginFunctions& functions, const std::vector<Questi
   const double control = (before + control_seconds(Control::exponentials)) / 2;
   const auto count = static_cast<double>(questions.size());
   return fmt::format("{{\"answered\": {}, \"seconds\": {}, \"wall\": {}, \"control\": {}}}",
-                     answered, times.seconds / count, times.wall / count, control);
+                     questions.size(), times.seconds / count, times.wall / count, control);
 }
 
 std::string error_of(std::string_view message) {
@@ -162,12 +175,12 @@ int time_plugin(const std::string& path) {
       }
       continue;
     }
-    std::string answer = fault.empty() ? "{\"answered\": 0}" : error_of(fault);
-    if (fault.empty() && !questions.empty()) try {
-        answer = answer_to(plugin.functions, questions);
-      } catch (const std::exception& error) {
-        answer = error_of(error.what());
-      }
+    std::string answer;
+    try {
+      answer = fault.empty() ? answer_to(plugin.functions, questions) : error_of(fault);
+    } catch (const std::exception& error) {
+      answer = error_of(error.what());
+    }
     protocol::append(output.text(), answer + "\n");
     output.flush();
     questions.clear();

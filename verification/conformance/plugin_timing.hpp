@@ -12,10 +12,10 @@ namespace tribo::conformance {
 //
 //   {"answered": 32, "seconds": 1.9e-8, "wall": 1.9e-8, "control": 2.3e-9}
 //
-// `answered`: the questions for which it has a result, or says that there is none; `seconds`: CPU
-// time for a question; `wall`: the same by the clock; `control`: CPU time of the control
-// (cpu_time.hpp), before and after. {"error": …}: the block cannot be asked. Throws PluginRefused.
-// Returns an exit code.
+// `answered`: the questions for which it has a result, or says that there is none; they alone are
+// timed. `seconds`: CPU time for one of them; `wall`: the same by the clock; `control`: CPU time of
+// the control (cpu_time.hpp), before and after. {"error": …}: the block cannot be asked. Throws
+// PluginRefused. Returns an exit code.
 int time_plugin(const std::string& path);
 
 }  // namespace tribo::conformance

@@ -16,8 +16,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::chrono::seconds longest_answer{60};
-constexpr double enough = 1e-2;           // s, of a lap
-constexpr std::size_t most_passes = 200;  // their lines wait in a pipe
+constexpr double enough = 1e-2;  // s, of a lap
+constexpr std::size_t most_passes = 1000;
 constexpr unsigned microseconds_between_looks = 500;
 constexpr int exit_failed = 1, exit_bad = 2;
 
@@ -75,9 +75,9 @@ TimedSolver::TimedSolver(const std::string& command, bool is_plugin, Clock::time
 }
 
 void TimedSolver::fail(const std::string& why, const TimedFunction& function) {
+  const int code = process_->exit_code();
   process_->kill();
   const std::string said = last_line(process_->last_errors());
-  const int code = process_->exit_code();
   const bool is_bad =
       !has_answered_ && (code == 126 || code == 127 || (is_plugin_ && code == exit_bad));
   if (is_bad) throw SolverFailed(said.empty() ? "it cannot be started" : said, exit_bad);
@@ -107,10 +107,8 @@ std::string TimedSolver::next_answer(const TimedFunction& function) {
       case ChildProcess::Event::too_long_line:
         fail("writes a line over 1 MiB", function);
       case ChildProcess::Event::end_of_output:
-        for (int i = 0; i < 200 && !process_->has_ended(); ++i) {
-          std::string ignored;
-          process_->next_line(ignored, ChildProcess::Time(5));
-        }
+        // The pipe closes a moment before the process is gone.
+        for (int i = 0; i < 100 && !process_->has_ended(); ++i) ::usleep(5000);
         fail(process_->has_ended() ? process_->end_text() : "closes its output", function);
       case ChildProcess::Event::nothing:
         break;
@@ -134,7 +132,9 @@ TimedSolver::Pass TimedSolver::ask(const TimedFunction& function, std::size_t pa
     has_answered_ = true;
     if (answer["id"] != std::to_string(i) && answer["id"] != i)
       fail("answers in another order than it was asked", function);
-    if (answer.contains("skip") || answer.contains("error")) continue;
+    const bool has_answer = !answer.contains("skip") && !answer.contains("error");
+    found.has_answer.push_back(has_answer);
+    if (!has_answer) continue;
     ++found.answered;
     const auto seconds = answer.find("seconds");
     if (seconds == answer.end() || !seconds->is_number()) continue;
@@ -159,13 +159,17 @@ void TimedSolver::warm_up(TimedFunction& function, bool is_first) {
     if (is_first) function.answered = ask_plugin(function).value("answered", std::size_t{0});
     return;
   }
-  ask(function, 1);
+  const Pass first = ask(function, 1);
   if (!is_first) return;
+  std::vector<TestCase> answered;
+  for (std::size_t i = 0; i < function.cases.size(); ++i)
+    if (first.has_answer[i]) answered.push_back(std::move(function.cases[i]));
+  function.cases = std::move(answered);
+  function.answered = first.answered;
+  if (function.cases.empty()) return;
   const double before = cpu_seconds_of_tree(process_->guard_id());
   const Pass pass = ask(function, 1);
   const double spent = cpu_seconds_of_tree(process_->guard_id()) - before;
-  function.answered = pass.answered;
-  if (pass.answered == 0) return;
   const bool reports = pass.reporting == pass.answered && pass.reported > 0;
   function.measured = reports ? Measured::reported : Measured::process_cpu;
   const double passes = std::ceil(enough / std::max(spent, 1e-6));

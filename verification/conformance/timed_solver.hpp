@@ -28,9 +28,9 @@ const char* name_of(Measured measured);  // "reported", "process", "calls"
 // The cases of one function that a solver is asked for its time, and the state of their measuring.
 struct TimedFunction {
   std::string name;
-  std::vector<TestCase> cases;
+  std::vector<TestCase> cases;  // after the first pass those alone that have an answer
   Measured measured = Measured::call_cpu;
-  std::size_t answered = 0;  // cases with an answer, in the first pass; 0: it is not offered
+  std::size_t answered = 0;  // cases with an answer; 0: it is not offered
   std::size_t passes = 1;    // over the cases in a lap, so that it takes some milliseconds
 };
 
@@ -58,8 +58,8 @@ class TimedSolver {
   // Starts it by the shell. `deadline`: no wait goes beyond it.
   TimedSolver(const std::string& command, bool is_plugin, Clock::time_point deadline);
 
-  // Asks all cases once, which warms it up. In the first process, where `is_first`, this finds how
-  // many have an answer, how the time is known, and the passes of a lap.
+  // Asks all cases once, which warms it up. In the first process, where `is_first`, this finds
+  // which have an answer, how the time is known, and the passes of a lap.
   void warm_up(TimedFunction& function, bool is_first);
   // Throws SolverFailed, as warm_up() does.
   Lap lap(const TimedFunction& function);
@@ -69,6 +69,7 @@ class TimedSolver {
 
  private:
   struct Pass {
+    std::vector<bool> has_answer;
     std::size_t answered = 0, reporting = 0;
     double reported = 0;
   };
