@@ -2,6 +2,7 @@
 #include "conformance/cpu_time.hpp"
 
 #include <dirent.h>
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <unordered_map>
@@ -31,11 +30,20 @@ double seconds_on(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+// Empty where it cannot be read; a process may end meanwhile.
+std::string content_of(const std::string& path) {
+  std::array<char, 1024> text{};
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return {};
+  const ssize_t count = ::read(file, text.data(), text.size());
+  ::close(file);
+  return {text.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
+}
+
 // From a line of /proc/<id>/stat: "12 (a name) S 7 …". Its parent stays 0 where the process is
 // gone.
 Process read_process(const std::string& id) {
-  std::ifstream file("/proc/" + id + "/stat");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = content_of("/proc/" + id + "/stat");
   Process found;
   const std::size_t name_end = text.rfind(')');
   if (name_end == std::string::npos) return found;
