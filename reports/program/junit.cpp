@@ -17,9 +17,9 @@ std::string junit_xml(const JunitSuite& suite) {
   };
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\" "
-      "errors=\"0\"{}>\n",
-      suite.tests.size(), count(JunitTest::End::failure),
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\"{}>
+",
+      text(suite.name), suite.tests.size(), count(JunitTest::End::failure),
       suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "");
   if (!suite.properties.empty()) {
     xml += "  <properties>\n";

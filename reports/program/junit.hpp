@@ -23,6 +23,7 @@ struct JunitSuite {
   bool counts_skipped = false;
   std::vector<std::pair<std::string, std::string>> properties = {};  // name and value
   std::string output = {}, errors = {};  // of the whole run; empty: none
+  std::string name = "tribocheck verify";
 };
 
 std::string junit_xml(const JunitSuite& suite);
