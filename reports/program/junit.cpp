@@ -17,8 +17,7 @@ std::string junit_xml(const JunitSuite& suite) {
   };
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\"{}>
-",
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\"{}>\n",
       text(suite.name), suite.tests.size(), count(JunitTest::End::failure),
       suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "");
   if (!suite.properties.empty()) {

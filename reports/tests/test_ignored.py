@@ -36,6 +36,7 @@ FORMS = [
     ("stream", [], ()), ("plugin-host", ["PLUGIN"], ()),
     ("functions", [], ()), ("functions", ["hertz_point"], ()),
     ("init", ["subject", "--language", "python", "--out", "DIR/new.py"], {"--language", "--out"}),
+    ("init", ["ci", "--for", "github", "--out", "DIR/new.yml"], {"--for", "--out"}),
     ("sweep", ["SWEEP", "-o", "DIR/out.h5"], {"-o"}),
     ("sweep", ["SWEEP", "--estimate"], {"--estimate"}),
     ("sweep", ["SWEEP", "-o", "DIR/part.shard", "--shard", "1/2"], {"-o", "--shard"}),
@@ -60,7 +61,8 @@ FORMS = [
 VALUES = {
     "--format": ["json"], "--about": [], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
-    "--profile": [], "--most": ["2"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--out": ["DIR/other"],
+    "--profile": [], "--most": ["2"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--for": ["gitlab"],
+    "--out": ["DIR/other"],
     "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
     "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
