@@ -114,10 +114,9 @@ class Structure(unittest.TestCase):
         for program in ("tribocheck", "tribocheck_sweep"):
             dynamic = subprocess.run(["readelf", "--dynamic", BUILD / program], capture_output=True, text=True, check=True)
             needed.update(re.findall(r"NEEDED.*\[(.*)\]", dynamic.stdout))
-        packages = set()
-        for library in needed:
-            owner = subprocess.run(["dpkg-query", "--search", f"*/x86_64-linux-gnu/{library}"], capture_output=True, text=True, check=True)
-            packages.update(line.partition(":")[0] for line in owner.stdout.splitlines())
+        owners = subprocess.run(["dpkg-query", "--search", *(f"*/x86_64-linux-gnu/{library}" for library in needed)],
+                                capture_output=True, text=True, check=True).stdout
+        packages = {line.partition(":")[0] for line in owners.splitlines()}
         self.assertEqual(packages - ALWAYS_THERE, listed[0])
 
 

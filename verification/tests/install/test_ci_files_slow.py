@@ -131,8 +131,8 @@ class Jobs(unittest.TestCase):
         for name, text, code in (("good in ctest", SOLVER, 0), ("slow in ctest", SLOWER, 8)):
             folder = self.workspace(name, text)
             (folder / "CMakeLists.txt").write_text(CTEST)
-            done = subprocess.run(["sh", "-ec", "cmake -S . -B build -D CMAKE_PREFIX_PATH=$PWD/.tribocheck > configured\n"
-                                   "ctest --test-dir build"], cwd=folder, env=self.environment, check=False,
+            script = 'cmake -S . -B build -D CMAKE_PREFIX_PATH="$PWD/.tribocheck"; ctest --test-dir build'
+            done = subprocess.run(["sh", "-ec", script], cwd=folder, env=self.environment, check=False,
                                   capture_output=True, text=True)
             with self.subTest(name=name):
                 self.assertEqual(done.returncode, code, done.stdout + done.stderr)
