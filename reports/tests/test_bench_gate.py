@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 from plugins import plugin
 from program import ENVIRONMENT, PROGRAM, TIMEOUT, Result, run
@@ -80,7 +81,8 @@ class Gate(unittest.TestCase):
         options = [one for one in runs_and_options if not isinstance(one, dict)]
         (self.folder / "asked").unlink(missing_ok=True)
         (self.folder / "rows.json").write_text(json.dumps(runs))
-        return self.bench("--format", "json", "--baseline", self.path, *options)
+        form = [] if "--format" in options else ["--format", "json"]
+        return self.bench(*form, "--baseline", self.path, *options)
 
     def with_row(self, name=MINE, **values):
         return {**self.rows, name: row(**values)}
@@ -157,7 +159,7 @@ class Gate(unittest.TestCase):
         (self.folder / "rows.json").write_text(json.dumps([rows]))
         (self.folder / "asked").unlink(missing_ok=True)
         found = {f"{one['job']}/{one['family']}/{one['name']}": one
-                 for one in self.bench("--format", "json").json()}
+                 for one in self.bench("--format", "json").json()["rows"]}
         self.assertEqual({name: (one["ns"], one["ratio"]) for name, one in found.items()},
                          {MINE: (75.0, 5.0), OURS: (25.0, 25 / 15), "moment_5_2/tribocheck/AVX2": (15.0, 1.0)})
         self.assertEqual([found[MINE][name] for name in ("judged", "failures", "max_ulp", "p99_ulp", "mean_ulp",
@@ -239,7 +241,7 @@ class Gate(unittest.TestCase):
 
     def test_a_file_that_is_no_baseline_is_told_before_anything_is_measured_with_what_renews_it(self):
         for text, words in (("{}", "no baseline of"), ("no", "no JSON"), ("[]", "no baseline of"),
-                            (json.dumps({**self.baseline(), "schema": 1}), "schema 1, and this program has 2")):
+                            (json.dumps({**self.baseline(), "schema": 1}), "schema 1, and this program has 3")):
             self.path.write_text(text)
             done = self.gate(self.rows, "--filter", "/plugin/", "--quick")
             self.assertEqual((done.code, done.out, len(done.error_lines)), (2, "", 1), done.err)
@@ -248,6 +250,30 @@ class Gate(unittest.TestCase):
             renewal = shlex.split(done.err.partition("; this makes it anew: tribocheck bench ")[2])
             self.assertEqual(self.bench(*renewal).code, 0)
             self.assert_passes(self.gate(self.rows, "--filter", "/plugin/"))
+
+    def test_a_baseline_of_schema_2_is_read(self):
+        old = {name: one for name, one in self.baseline().items() if name in ("environment", "rows")}
+        self.path.write_text(json.dumps({"schema": 2, **old}))
+        self.assert_passes(self.gate(self.rows), "3 of 4 rows compared, the times of 3")
+        self.assert_fails(self.gate(self.with_row(evaluations=8.0)), "evaluations were 7.5, are 8")
+        self.gate(self.rows, "--update-baseline")
+        self.assertEqual(self.baseline()["schema"], "bench-baseline/3")
+
+    def test_all_formats_tell_what_differs(self):
+        rows = {**self.with_row(evaluations=8.0, max_ulp=0.1), "new/plugin/one": row(), OURS: row(median=200.0)}
+        rows.pop(OTHER)
+        told = {MINE: "worse", OTHER: "gone", OURS: "slower", "new/plugin/one": "new"}
+        found = self.gate(rows).json()["comparison"]
+        self.assertEqual({note["row"]: name for name in ("new", "slower", "gone", "worse") for note in found[name]}, told)
+        self.assertEqual([note["row"] for note in found["better"]], [MINE])
+        report = self.folder / "speed.xml"
+        for form in ("table", "markdown"):
+            text = self.gate(rows, "--format", form, "--junit", report).out
+            for word in ("WORSE", "SLOWER", "new"):
+                self.assertRegex(text, rf"(?m)\b{word}( \|)?$", form)
+            self.assertRegex(text, r"(?i)gone.*: moment\\?_2/plugin/mine", form)
+        suite = xml.etree.ElementTree.parse(report).getroot()
+        self.assertEqual({one.get("name") for one in suite if one.find("failure") is not None}, {MINE, OTHER, OURS})
 
     def test_a_row_that_is_no_row_is_one_line(self):
         baseline = self.baseline()

@@ -28,7 +28,7 @@ def run_on_path(path, *arguments, **options):
 class Init(ProgramTest):
     def assert_all_functions(self, text):
         """Each function with its arguments and results is there, and no mark of the template is left."""
-        functions = json.loads(run("functions", "--format", "json").out)
+        functions = run("functions", "--format", "json").json()["functions"]
         self.assertGreaterEqual(len(functions), 5)
         for function in functions:
             self.assertIn(function["name"], text)

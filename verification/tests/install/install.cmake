@@ -128,7 +128,8 @@ list(TRANSFORM scenes PREPEND share/tribocheck/)
 foreach(file IN LISTS headers scenes
     ITEMS include/tribo/version.hpp share/doc/tribocheck/LICENSE
     share/tribocheck/ci/github.yml share/tribocheck/ci/gitlab.yml
-    share/tribocheck/scene.schema.json share/tribocheck/page/gnuplot share/tribocheck/page/render/render.py)
+    share/tribocheck/scene.schema.json share/tribocheck/schemas/solve.schema.json
+    share/tribocheck/page/gnuplot share/tribocheck/page/render/render.py)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()
