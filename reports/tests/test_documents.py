@@ -44,11 +44,15 @@ DOCUMENTS = [
     Document("sweep-diff", "sweep diff OUT MORE_LOAD --most 1000", 1), Document("sweep-diff", "sweep diff OUT OUT"),
     Document("verify-baseline", "verify --subject RIGHT --sample 5 --baseline BASE --update-baseline", file="BASE"),
     Document("verify-baseline", "verify --subject WRONG --sample 5 --baseline WRONG_BASE --update-baseline", 1, "WRONG_BASE"),
-    Document("verify-subject", "verify --subject RIGHT --sample 5"), Document("verify-subject", "verify --subject WRONG --sample 5", 1),
+    Document("verify-subject", "verify --subject RIGHT --sample 5"),
+    Document("verify-subject", "verify --subject WRONG --sample 5", 1),
     Document("verify-subject", "verify --subject WRONG --sample 5 --baseline BASE", 1),
+    Document("bench", "bench --subject RIGHT --quick --filter ^hertz_point"),
+    Document("bench-baseline", "bench --subject RIGHT --quick --filter ^hertz_point --baseline SPEED --update-baseline", file="SPEED"),
+    Document("bench", "bench --subject WRONG --quick --filter ^hertz_point --baseline SPEED", 1),  # its rows have another name
 ]
-# Schemas whose documents take long or need another program, and the tests that hold these to them.
-ELSEWHERE = {"bench": "test_bench", "bench-baseline": "test_bench_gate", "profile": "test_profile"}
+# Schemas whose documents, or some of their members, need another program, and the tests that hold these to them.
+ELSEWHERE = {"bench-baseline": "test_bench_gate has rows of contenders", "profile": "test_profile"}
 
 
 def files_in(folder):
@@ -73,7 +77,7 @@ def files_in(folder):
     wrong = """if name == "hamrock_dowson_central": answer["value"] *= 0.7
     if name == "hertz_line": os.kill(os.getpid(), signal.SIGKILL)"""
     paths |= {"RIGHT": altered(folder, "pass"), "WRONG": altered(folder, wrong, name="wrong.py"),
-              "BASE": folder.path("base.json"), "WRONG_BASE": folder.path("wrong_base.json")}
+              "BASE": folder.path("base.json"), "WRONG_BASE": folder.path("wrong_base.json"), "SPEED": folder.path("speed.json")}
     exact = pathlib.Path(folder.path("exact"))
     exact.mkdir()
     for table in (ROOT / "reference/exact").iterdir():
