@@ -43,6 +43,8 @@ std::string name_of_solver(const std::string& given, bool is_plugin) {
   std::istringstream words(given);
   std::string name;
   for (std::string word; words >> word;) name += (name.empty() ? "" : " ") + without_folder(word);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; }, ' ');
   return name;
 }
 

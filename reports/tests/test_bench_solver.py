@@ -224,6 +224,22 @@ class Refusals(OfSolvers):
         self.assert_refused(run("bench", "--alone", "--plugin", plugin("crashing"), cwd=ROOT), "is killed by signal 6", code=1)
 
 
+class Rates(unittest.TestCase):
+    def test_the_counted_ones_are_what_is_promised_and_the_page_tells_them(self):
+        rates = json.loads((ROOT / "reference/baselines/bench_rates.json").read_text(encoding="utf-8"))["rates"]
+        page = (ROOT / "verification/conformance/README.md").read_text(encoding="utf-8")
+        self.assertGreaterEqual(len(rates), 12)
+        for one in rates:
+            red = one["red"] / one["runs"]
+            if one["solver"] == "unchanged":
+                self.assertLessEqual(red, 0.01, one)
+            elif one["solver"] == "slower_25":
+                self.assertGreaterEqual(red, 0.95, one)
+            else:
+                self.assertGreaterEqual(red + one["told"] / one["runs"], 0.95, one)
+            self.assertIn(f"| {one['red']} of {one['runs']} ", page)
+
+
 class PluginHost(ProgramTest):
     def test_a_block_of_questions_is_answered_by_its_time(self):
         asked = [moment(0.5), moment(1.5), "", hertz(), moment(0), "", "no question", "", ""]

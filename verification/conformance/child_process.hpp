@@ -39,7 +39,9 @@ class GuardedChild {
 
   int exit_code() const { return exited_ ? status_ : -1; }             // of a normal end, else −1
   int signal() const { return has_ended_ && !exited_ ? status_ : 0; }  // that ended it, or 0
-  pid_t guard_id() const { return guard_; }  // of the process above the program and all that it starts
+  pid_t guard_id() const {
+    return guard_;
+  }  // of the process above the program and all that it starts
 
  private:
   bool ended(int options);

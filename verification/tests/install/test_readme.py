@@ -167,6 +167,18 @@ class Readme(unittest.TestCase):
         self.assertIn("Worse than the baseline: hertz_point.peak_pressure: was held, is FAILED", said)
         self.assertRegex(said, r" my_library_holds \.+ +Passed")
 
+    def test_the_speed_of_a_solver(self):
+        shutil.copy(NEWCOMER, self.folder / "my_solver.py")
+        for name in ("libmine.so", "libbefore.so"):
+            self.installed(f"cc -O2 -shared -fPIC -I \"$HOME/tribocheck/include\" {shlex.quote(str(ROOT / 'verification/tests/install/my_library.c'))} "
+                           f"-o {name} -lm")
+        script, = blocks(CONFORMANCE, "The speed of a solver", "sh")
+        first, second, third = script.splitlines()
+        self.assertIn("baseline written: speed.json", self.installed(first))
+        self.assertIn("PASSED, no worse than speed.json: 3 of 3 rows compared, the times of 3", self.installed(second))
+        self.assertEqual(ElementTree.parse(self.folder / "speed.xml").getroot().get("failures"), "0")
+        self.assertIn("PASSED, no worse than ./libbefore.so: ", self.installed(third))
+
     def test_as_a_library(self):
         one, million = blocks(PROJECT, "As a library", "cpp")
         texts = {"CMakeLists.txt": blocks(PROJECT, "As a library", "cmake")[0], "one.cpp": one,
