@@ -5,7 +5,7 @@ FUZZ_SECONDS ?= 900
 clang_format = git ls-files --cached --others --exclude-standard '*.cpp' '*.hpp' \
   | xargs clang-format-14
 
-.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
+.PHONY: all deps build film-survey references references-check pieces pieces-check report test test-elsewhere test-slow ledger bench bench-sweep work-precision gate-program gate gate-baseline gate-proof bench-rates profile fuzz-short fuzz manifest mutants faults numbers diagnosis additions verify-full stress baseline install format format-check tidy tidy-program debug clean help
 all: build
 
 ##@ Start here
@@ -173,6 +173,9 @@ gate-baseline: gate-program ## write what the gates hold: reference/baselines/pe
 
 gate-proof: gate-program ## plant more work, see each gate fail: writes reference/baselines/gates.json; a minute or two
 	benchmarks/gates/prove.py $(GATE_PROGRAM) --out reference/baselines/gates.json
+
+bench-rates: build ## count how often `tribocheck bench` is right of solvers as before, 10 % and 25 % slower: writes reference/baselines/bench_rates.json; an hour or less
+	benchmarks/gates/solver_rates.py build/release/tribocheck --out reference/baselines/bench_rates.json
 
 profile: gate-program ## run callgrind on the inner loop: build/profile/callgrind.out, and how to look at it
 	benchmarks/gates/profile $(GATE_PROGRAM) build/profile

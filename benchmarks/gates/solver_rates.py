@@ -100,6 +100,13 @@ def outcome(done):
     return "told" if "a little slower" in done.stderr else "silent"
 
 
+def rate(solvers, way, change, runs):
+    """The counts of one kind, with the load of the machine (running processes, over 5 minutes) at its end."""
+    runs = runs // 5 if change == "slower_10" else runs
+    counts = collections.Counter(outcome(solvers.bench(way, change)) for _ in range(runs))
+    return {"solver": change, "runs": runs, "red": counts["red"], "told": counts["told"], "load": round(os.getloadavg()[1], 1)}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path, help="build/release/tribocheck")
@@ -111,7 +118,8 @@ def main():
     version = subprocess.run([given.program, "--version"], capture_output=True, text=True, check=True).stdout
     cpu = next((line.partition(": ")[2].strip() for line in open("/proc/cpuinfo", encoding="utf-8")
                 if line.startswith("model name")), "unknown")
-    rates = []
+    result = {"commit": version.partition("commit ")[2].strip(" )\n"), "date": datetime.date.today().isoformat(),
+              "environment": {"cpu": cpu, "cores": os.cpu_count()}, "rates": []}
     with tempfile.TemporaryDirectory() as folder:
         solvers = Solvers(given.program.resolve(), include, pathlib.Path(folder))
         for way in given.ways.split(","):
@@ -122,19 +130,14 @@ def main():
                         for _ in range(2 if state == "loaded" else 0)]
                 try:
                     for change in STEPS:
-                        runs = given.runs // 5 if change == "slower_10" else given.runs
-                        counts = collections.Counter(outcome(solvers.bench(way, change)) for _ in range(runs))
-                        rates.append({"way": way, "state": state, "solver": change, "runs": runs,
-                                      "red": counts["red"], "told": counts["told"]})
-                        print(rates[-1], flush=True)
+                        result["rates"].append({"way": way, "state": state, **rate(solvers, way, change, given.runs)})
+                        print(result["rates"][-1], flush=True)
+                        if given.out:  # after each kind, so that a run that is stopped has measured what it has
+                            given.out.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
                 finally:
                     for one in busy:
                         one.kill()
                         one.wait()
-    result = {"commit": version.partition("commit ")[2].strip(" )\n"), "date": datetime.date.today().isoformat(),
-              "environment": {"cpu": cpu, "cores": os.cpu_count()}, "rates": rates}
-    if given.out:
-        given.out.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -182,7 +182,7 @@ std::string cannot_read(const std::string& path) { return "cannot read " + path;
 }  // namespace
 
 PartHeader header_of(const SweepPlan& plan) {
-  PartHeader header{plan.version, numbers_version, plan.part_digest, std::string(arithmetic()), {}};
+  PartHeader header{plan.version, numbers_version, plan.digest, std::string(arithmetic()), {}};
   for (const SceneSweep& scene : plan.scenes) header.files.emplace_back(scene.file, scene.text);
   return header;
 }

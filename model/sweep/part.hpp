@@ -2,8 +2,8 @@
 // A part of a sweep: some of its chunks, in one HDF5 file that is whole or not there. Shards, and
 // all files that are put together to a result, are such files too.
 //
-//   /        attributes: format, tribocheck_version, numbers (numbers_version), digest (the plan's
-//            part_digest), arithmetic, replaces, file_names and file_texts (of the sweep's files)
+//   /        attributes: format, tribocheck_version, numbers (numbers_version), digest (of the
+//            plan), arithmetic, replaces, file_names and file_texts (of the sweep's files)
 //     chunks [bytes] the chunks (chunk.hpp), one behind the other
 //     index  [chunks, 3] of each chunk, ascending: its number, where it ends in `chunks`, and its
 //            checksum (XXH3)

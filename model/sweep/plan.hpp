@@ -99,15 +99,15 @@ struct SceneSweep {
 };
 
 // The version of the numbers that chunks hold: it changes only when an answer changes a bit, or the
-// bytes of a chunk mean something else, so that a newer program goes on with older parts. After it
-// was raised, `make numbers` writes the answers that it stands for (reports/tests/kept_numbers.py).
+// bytes of a chunk mean something else, so that a newer program takes older parts and results.
+// After it was raised, `make numbers` writes the answers that it stands for
+// (reports/tests/kept_numbers.py).
 inline constexpr std::uint64_t numbers_version = 1;
 
 struct SweepPlan {
   std::vector<SceneSweep> scenes;
-  std::string version;           // of tribocheck
-  std::string digest;            // of version, files' texts and layout, 32 hexadecimal digits
-  std::string part_digest = {};  // the same with numbers_version in place of the version
+  std::string version;  // of tribocheck
+  std::string digest;   // of numbers_version, files' texts and layout, 32 hexadecimal digits
 
   std::uint64_t chunks() const;
   std::uint64_t points() const;

@@ -558,10 +558,14 @@ SweepPlan make_plan(std::vector<SceneSweep> scenes) {
                                     "\"; allowed: each its own, as it names a group of the result");
   SweepPlan plan;
   plan.version = version;
-  plan.digest = digest_of(plan.version, scenes);
-  plan.part_digest = digest_of(std::to_string(numbers_version), scenes);
+  plan.digest = digest_of(std::to_string(numbers_version), scenes);
   plan.scenes = std::move(scenes);
   return plan;
+}
+
+bool is_result_of(const SweepPlan& plan, const std::string& digest) {
+  return digest == plan.digest ||
+         (numbers_version == 1 && digest == digest_of("0.1.0", plan.scenes));
 }
 
 }  // namespace tribo::sweep

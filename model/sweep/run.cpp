@@ -201,12 +201,13 @@ class Starter {
   std::string of_result(const std::string& path) const {
     try {
       const ResultIdentity identity = ResultFile(path).identity();
-      if (identity.version != plan_.version)
+      const bool is_mine = is_result_of(plan_, identity.digest);
+      if (!is_mine && identity.version != plan_.version)
         return path + " was computed by tribocheck " + identity.version + ", this is " +
-               plan_.version;
+               plan_.version + ", and its numbers or its sweep are others";
       PartHeader theirs = header_;
       theirs.arithmetic = identity.arithmetic;
-      if (identity.digest != plan_.digest) theirs.digest.clear();
+      if (!is_mine) theirs.digest.clear();
       const std::string why = difference(header_, theirs, settings_.mixed_fma);
       return why.empty() ? why : path + ' ' + why;
     } catch (const std::runtime_error& error) {
@@ -679,7 +680,7 @@ RunEnd merge_under_lock(const std::vector<std::string>& shards, const RunSetting
       throw RunRefused(shards.front() + " was computed by tribocheck " + header.version +
                        ", whose numbers are not those of " + std::string(version));
     plan = plan_of(header);
-    if (plan->part_digest != header.digest)
+    if (plan->digest != header.digest)
       throw RunRefused(shards.front() + " is of a sweep that this tribocheck lays out otherwise");
     chunks.emplace(std::move(parts), plan->chunks(), settings.mixed_fma);
   } catch (const Stopped&) {

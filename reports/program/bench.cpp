@@ -340,11 +340,22 @@ says. A row that is gone is worse, unless the filter leaves it out. The last lin
 code 1: something is worse, or nothing could be compared.
 Takes some five minutes, with --quick less than one.
 
+With --subject, with --plugin twice, or with --alone, solvers alone are timed, here without contenders: up to 32
+cases of each function, those that have an answer, again and again after each of three starts, the functions and the
+solvers in turns, and beside each lap a control. A row is function/family/name. Its time is CPU time: of a plug-in's
+calls; of a subject what its answers tell ("seconds": CPU seconds for the answer), or else of all its processes;
+the column `measured` says which, and over which control. Wall time is shown, and never gated. Times start after
+the first answers. The interval is one of ranks (95 %). With --baseline a solver is slower where the whole interval is
+above 1.12 times what it was over the control, twice; of two solvers, where the first is so over the second, on any
+machine. From 5 % on it is told. Exit code 1: slower, or nothing could be compared. Takes a second a function.
+
 Example:
   tribocheck bench --quick --filter 'root_wide/(GSL|tribocheck)/'
   tribocheck bench --plugin ./libsolver.so --filter '/(plugin|tribocheck)/'
   tribocheck bench --plugin ./libsolver.so --filter '/plugin/' --baseline speed.json --update-baseline
-  tribocheck bench --plugin ./libsolver.so --filter '/plugin/' --baseline speed.json)";
+  tribocheck bench --plugin ./libsolver.so --filter '/plugin/' --baseline speed.json
+  tribocheck bench --plugin ./libsolver.so --plugin ./libbefore.so --junit speed.xml
+  tribocheck bench --subject 'python3 my_solver.py' --filter '^hertz_point/')";
 
 }  // namespace
 

@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr double accuracy_ratchet = 4;  // times the greatest error, or 1 ulp
 constexpr double time_ratio = 1.10;     // ratio of the medians
-constexpr double solver_ratio = 1.15;   // ratio of a solver's lower end to the median
+constexpr double solver_ratio = 1.12;   // ratio of a solver's lower end to the median
 constexpr double told_ratio = 1.05;     // ratio of the medians
 constexpr int oldest_schema = 2, schema = 3;
 constexpr std::string_view schema_name = "bench-baseline/";

@@ -204,7 +204,7 @@ void tell_about(const std::vector<Scene>& scenes, std::string_view format, Outpu
   Text& text = output.text();
   if (format == "csv") append(text, "id,part,name,value,unit,meaning\n");
   const bool is_json = format == "json";
-  std::string before = is_json ? list_start("solve_about/1", "scenes") : "";
+  std::string before = is_json ? list_start("solve-about/1", "scenes") : "";
   for (const Scene& scene : scenes) {
     append(text, std::exchange(before, is_json ? list_comma : format == "csv" ? "" : "\n"));
     const MixedContact<double> contact(scene);

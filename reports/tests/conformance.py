@@ -32,9 +32,9 @@ for text in sys.stdin:
 """
 
 
-def altered(folder, change, end="pass"):
+def altered(folder, change, end="pass", name="altered.py"):
     """The command of an altered solver, whose file stands in the folder."""
-    path = folder.write("altered.py", ALTERED.format(folder=str(SUBJECTS / "python_stdlib"), change=change, end=end))
+    path = folder.write(name, ALTERED.format(folder=str(SUBJECTS / "python_stdlib"), change=change, end=end))
     return f"{PYTHON} -B {path}"
 
 

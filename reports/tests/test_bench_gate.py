@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 from plugins import plugin
 from program import ENVIRONMENT, PROGRAM, TIMEOUT, Result, run
@@ -80,7 +81,8 @@ class Gate(unittest.TestCase):
         options = [one for one in runs_and_options if not isinstance(one, dict)]
         (self.folder / "asked").unlink(missing_ok=True)
         (self.folder / "rows.json").write_text(json.dumps(runs))
-        return self.bench("--format", "json", "--baseline", self.path, *options)
+        form = [] if "--format" in options else ["--format", "json"]
+        return self.bench(*form, "--baseline", self.path, *options)
 
     def with_row(self, name=MINE, **values):
         return {**self.rows, name: row(**values)}
@@ -248,6 +250,30 @@ class Gate(unittest.TestCase):
             renewal = shlex.split(done.err.partition("; this makes it anew: tribocheck bench ")[2])
             self.assertEqual(self.bench(*renewal).code, 0)
             self.assert_passes(self.gate(self.rows, "--filter", "/plugin/"))
+
+    def test_a_baseline_of_schema_2_is_read(self):
+        old = {name: one for name, one in self.baseline().items() if name in ("environment", "rows")}
+        self.path.write_text(json.dumps({"schema": 2, **old}))
+        self.assert_passes(self.gate(self.rows), "3 of 4 rows compared, the times of 3")
+        self.assert_fails(self.gate(self.with_row(evaluations=8.0)), "evaluations were 7.5, are 8")
+        self.gate(self.rows, "--update-baseline")
+        self.assertEqual(self.baseline()["schema"], "bench-baseline/3")
+
+    def test_all_formats_tell_what_differs(self):
+        rows = {**self.with_row(evaluations=8.0, max_ulp=0.1), "new/plugin/one": row(), OURS: row(median=200.0)}
+        rows.pop(OTHER)
+        told = {MINE: "worse", OTHER: "gone", OURS: "slower", "new/plugin/one": "new"}
+        found = self.gate(rows).json()["comparison"]
+        self.assertEqual({note["row"]: name for name in ("new", "slower", "gone", "worse") for note in found[name]}, told)
+        self.assertEqual([note["row"] for note in found["better"]], [MINE])
+        report = self.folder / "speed.xml"
+        for form in ("table", "markdown"):
+            text = self.gate(rows, "--format", form, "--junit", report).out
+            for word in ("WORSE", "SLOWER", "new"):
+                self.assertRegex(text, rf"(?m)\b{word}( \|)?$", form)
+            self.assertRegex(text, r"(?i)gone.*: moment\\?_2/plugin/mine", form)
+        suite = xml.etree.ElementTree.parse(report).getroot()
+        self.assertEqual({one.get("name") for one in suite if one.find("failure") is not None}, {MINE, OTHER, OURS})
 
     def test_a_row_that_is_no_row_is_one_line(self):
         baseline = self.baseline()

@@ -302,10 +302,10 @@ class Damage(SweepTest):
             self.assert_refused(run("sweep", *command), "out.h5.journal-0")
         self.assert_whole(self.sweep(SHORT, "--force"))
 
-    def changed(self, **attributes):
-        """The part with other attributes and the right checksum."""
+    def changed(self, content=None, **attributes):
+        """The part, or another file, with other attributes and the right checksum."""
         import h5py
-        self.put("changed", self.part[:-24])
+        self.put("changed", (content or self.part)[:-24])
         with h5py.File(self.path("changed"), "r+") as file:
             for name, value in attributes.items():
                 file.attrs.modify(name, value)
@@ -321,6 +321,19 @@ class Damage(SweepTest):
         self.put("old.shard", other)
         self.assert_refused(run("sweep", "merge", self.path("old.shard"), "-o", self.path("merged.h5")), "old.shard",
                             "whose numbers")
+
+    def test_a_result_of_another_version_is_shown_and_done_if_its_numbers_are_the_same(self):
+        for changes, is_mine in (({}, True), ({"sweep_digest": "0" * 32}, False)):
+            old = self.changed(self.whole, tribocheck_version="0.0.9", **changes)
+            self.put("out.h5", old)
+            self.assertEqual(run("sweep", "show", self.path("out.h5"), "--format", "json").json()["tribocheck_version"], "0.0.9")
+            result = self.sweep(SHORT, "--resume")
+            if is_mine:
+                self.assertEqual((result.code, result.err), (0, ""))
+            else:
+                self.assert_refused(result, "out.h5 was computed by tribocheck 0.0.9, this is ", "--force replaces it")
+            self.assertEqual(self.bytes_of("out.h5"), old)
+            os.remove(self.path("out.h5"))
 
     def test_an_arithmetic_with_other_bits_is_refused_unless_asked_for(self):
         self.swept(SHORT, "--shard", "1/2", "--without-fma", out="1.shard")

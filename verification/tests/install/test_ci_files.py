@@ -30,7 +30,8 @@ mv "$prefix/bin/tribocheck" "$prefix/bin/real"
 cat > "$prefix/bin/tribocheck" << 'END'
 #!/bin/sh
 [ "$1" = bench ] || exec "$(dirname "$0")/real" "$@"
-[ "$2 $4 $5 $6 $7 $8 $9" = "--subject --baseline speed.json --junit speed.xml --format markdown" ] || exit 2
+[ "$2 $4 $5 $6 $7 $8 $9" = "--subject --subject env -C before $3 --junit speed.xml --format markdown" ] || exit 2
+[ -f "before/${3#python3 }" ] || exit 2
 end=PASSED; grep -q 'slow' "${3#python3 }" && end=FAILED
 echo '<testsuites/>' > speed.xml
 echo "### tribocheck bench: $end"
@@ -71,6 +72,9 @@ class Structure(unittest.TestCase):
         ids = {step.get("id") for step in steps}
         self.assertLessEqual(set(re.findall(r"steps\.(\w+)\.", text_of("github"))), ids)
         kinds = [step.get("uses", "").partition("@")[0] for step in steps]
+        first, before = (step for step, kind in zip(steps, kinds, strict=True) if kind == "actions/checkout")
+        self.assertEqual(("with" in first, before["with"]["path"]), (False, "before"))
+        self.assertEqual(set(before["with"]), {"ref", "path"})
         restored, saved = (steps[kinds.index(f"actions/cache/{way}")]["with"] for way in ("restore", "save"))
         self.assertEqual(restored, saved)
         self.assertIn("${{ env.TRIBOCHECK_TAG }}", restored["key"])
@@ -114,10 +118,9 @@ class Structure(unittest.TestCase):
         for program in ("tribocheck", "tribocheck_sweep"):
             dynamic = subprocess.run(["readelf", "--dynamic", BUILD / program], capture_output=True, text=True, check=True)
             needed.update(re.findall(r"NEEDED.*\[(.*)\]", dynamic.stdout))
-        packages = set()
-        for library in needed:
-            owner = subprocess.run(["dpkg-query", "--search", f"*/x86_64-linux-gnu/{library}"], capture_output=True, text=True, check=True)
-            packages.update(line.partition(":")[0] for line in owner.stdout.splitlines())
+        owners = subprocess.run(["dpkg-query", "--search", *(f"*/x86_64-linux-gnu/{library}" for library in needed)],
+                                capture_output=True, text=True, check=True).stdout
+        packages = {line.partition(":")[0] for line in owners.splitlines()}
         self.assertEqual(packages - ALWAYS_THERE, listed[0])
 
 
@@ -133,13 +136,19 @@ class Jobs(unittest.TestCase):
         subprocess.run([BUILD / "tribocheck", "verify", "--subject", f"python3 {NEWCOMER}", "--baseline",
                         cls.baseline, "--update-baseline"], capture_output=True, check=False)
 
+    def fill(self, folder, text):
+        """A solver of this text, its baseline, and the version before, which the systems check out."""
+        (folder / "my_solver.py").write_text(text)
+        shutil.copy(self.baseline, folder)
+        (folder / "before").mkdir()
+        shutil.copy(NEWCOMER, folder / "before")
+
     def run_both(self, text, is_green, verdict, failed):
         """Runs a solver of this text in both systems; what was asked of the stand-ins, and the two runs."""
         for system in ("github", "gitlab"):
             with self.subTest(system=system):
                 folder = pathlib.Path(tempfile.mkdtemp(dir=self.home))
-                (folder / "my_solver.py").write_text(text)
-                shutil.copy(self.baseline, folder)
+                self.fill(folder, text)
                 stand_ins.asked(self.home)
                 run = getattr(ci_jobs, f"run_{system}")(folder, self.environment)
                 self.assertEqual(run.is_green, is_green, run.said)
@@ -148,7 +157,8 @@ class Jobs(unittest.TestCase):
                 self.assertIn("### tribocheck bench: ", run.summary)
                 suite = ElementTree.parse(folder / "tribocheck.xml").getroot()
                 self.assertEqual(suite.findall(".//failure") != [], failed)
-                update, install, clone, make = stand_ins.asked(self.home)
+                update, install, clone, make, *before = stand_ins.asked(self.home)
+                self.assertEqual([line.split()[3] for line in before], ["fetch", "worktree"] if system == "gitlab" else [])
                 self.assertEqual(update, "apt-get update")
                 self.assertTrue(install.startswith("apt-get install -y --no-install-recommends "), install)
                 tag = ci_jobs.read("github")["env"]["TRIBOCHECK_TAG"]
@@ -170,14 +180,15 @@ class Jobs(unittest.TestCase):
 
     def test_a_program_that_is_in_the_cache_is_not_built_again(self):
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.home))
-        shutil.copy(NEWCOMER, folder)
-        shutil.copy(self.baseline, folder)
+        self.fill(folder, NEWCOMER.read_text())
         self.assertTrue(ci_jobs.run_gitlab(folder, self.environment).is_green)
         stand_ins.asked(self.home)
         for run in (ci_jobs.run_gitlab(folder, self.environment),
                     ci_jobs.run_github(folder, self.environment, is_cached=True)):
             self.assertTrue(run.is_green, run.said)
-        self.assertEqual({line.split()[0] for line in stand_ins.asked(self.home)}, {"apt-get"})
+        asked = stand_ins.asked(self.home)
+        self.assertEqual({line.split()[0] for line in asked}, {"apt-get", "git"})
+        self.assertNotIn("clone", " ".join(asked))
 
 
 if __name__ == "__main__":

@@ -59,23 +59,31 @@ class Jobs(unittest.TestCase):
         (HOME / "bin/apt-get").chmod(0o755)
         tag = ci_jobs.read("github")["env"]["TRIBOCHECK_TAG"]
         sources = HOME / "sources.git"
+        # The version of the solver before, on the default branch of its project.
+        cls.project = HOME / "project"
+        cls.project.mkdir()
+        (cls.project / "my_solver.py").write_text(SOLVER)
+        for command in (["init", "--quiet", "--initial-branch=main"], ["add", "."],
+                        ["-c", "user.name=a", "-c", "user.email=a@example.org", "commit", "--quiet", "-m", "The solver"]):
+            subprocess.run(["git", *command], cwd=cls.project, check=True)
         for command in (["clone", "--quiet", "--bare", ROOT, sources], ["-C", sources, "tag", "--force", tag, "HEAD"]):
             subprocess.run(["git", "-c", "safe.directory=*", *command], check=True)
         cls.environment = {"HOME": str(HOME), "PATH": f"{HOME}/bin:/usr/sbin:/usr/bin:/sbin:/bin", "LANG": "C.UTF-8",
-                           "TRIBOCHECK_REPOSITORY": f"file://{sources}"}
-        cls.first = cls.workspace("first", SOLVER)
-        # The baselines are made as the head of the files says, by the program that the first job has built.
+                           "TRIBOCHECK_REPOSITORY": f"file://{sources}", "CI_DEFAULT_BRANCH": "main"}
+        cls.first = cls.workspace("first by github", SOLVER)
+        # The baseline is made as the head of the files says, by the program that the first job has built.
         cls.built = ci_jobs.run_github(cls.first, cls.environment)
 
     @classmethod
     def workspace(cls, name, text):
         folder = HOME / "work" / name
-        folder.mkdir(parents=True)
+        checkouts = [folder, folder / "before"] if name.endswith("github") else [folder]
+        for checkout in checkouts:
+            subprocess.run(["git", "clone", "--quiet", cls.project, checkout], check=True)
         (folder / "my_solver.py").write_text(text)
-        if name != "first":
+        if not name.startswith("first"):
             shutil.copytree(cls.first / ".tribocheck", folder / ".tribocheck")
-            for baseline in ("tribocheck.json", "speed.json"):
-                shutil.copy(cls.first / baseline, folder)
+            shutil.copy(cls.first / "tribocheck.json", folder)
         return folder
 
     def lines_of_the_head(self):
@@ -83,20 +91,20 @@ class Jobs(unittest.TestCase):
                 if line.startswith("#")]
         return [line for line in head if line.startswith("tribocheck ")]
 
-    def test_1_the_program_is_built_and_without_baselines_both_gates_are_red(self):
+    def test_1_the_program_is_built_and_without_a_baseline_the_gate_is_red(self):
         self.assertTrue((self.first / ".tribocheck/bin/tribocheck").is_file(), self.built.said)
         self.assertIn("tribocheck is installed under ", self.built.said)
         self.assertIn("--update-baseline", self.built.said)
         self.assertFalse(self.built.is_green)
 
-    def test_2_the_lines_of_the_head_make_the_baselines(self):
-        lines = self.lines_of_the_head()
-        self.assertEqual(len(lines), 2)
-        for line in lines:
-            subprocess.run(["sh", "-c", line], cwd=self.first, check=False, stdout=subprocess.DEVNULL,
-                           env={**self.environment, "PATH": f"{self.first}/.tribocheck/bin:/usr/bin:/bin"})
-        for baseline in ("tribocheck.json", "speed.json"):
-            self.assertTrue((self.first / baseline).is_file(), baseline)
+    def installed(self, line, folder):
+        return subprocess.run(["sh", "-c", line], cwd=folder, check=False, capture_output=True, text=True,
+                              env={**self.environment, "PATH": f"{self.first}/.tribocheck/bin:/usr/bin:/bin"})
+
+    def test_2_the_line_of_the_head_makes_the_baseline(self):
+        line, = self.lines_of_the_head()
+        self.installed(line, self.first)
+        self.assertTrue((self.first / "tribocheck.json").is_file())
 
     def run_both(self, name, text):
         github = self.workspace(f"{name} by github", text)
@@ -129,10 +137,13 @@ class Jobs(unittest.TestCase):
 
     def test_5_ctest_has_both_gates_too(self):
         for name, text, code in (("good in ctest", SOLVER, 0), ("slow in ctest", SLOWER, 8)):
-            folder = self.workspace(name, text)
+            folder = self.workspace(name, SOLVER)
+            line = "tribocheck bench --subject 'python3 my_solver.py' --baseline speed.json --update-baseline"
+            self.assertEqual(self.installed(line, folder).returncode, 0)
+            (folder / "my_solver.py").write_text(text)
             (folder / "CMakeLists.txt").write_text(CTEST)
-            done = subprocess.run(["sh", "-ec", "cmake -S . -B build -D CMAKE_PREFIX_PATH=$PWD/.tribocheck > configured\n"
-                                   "ctest --test-dir build"], cwd=folder, env=self.environment, check=False,
+            script = 'cmake -S . -B build -D CMAKE_PREFIX_PATH="$PWD/.tribocheck"; ctest --test-dir build'
+            done = subprocess.run(["sh", "-ec", script], cwd=folder, env=self.environment, check=False,
                                   capture_output=True, text=True)
             with self.subTest(name=name):
                 self.assertEqual(done.returncode, code, done.stdout + done.stderr)

@@ -370,17 +370,27 @@ pressure_viscosity = 2e-8
   }
 }
 
+SweepPlan plan_of(const std::string& text, const std::string& path) {
+  std::vector<SceneSweep> scenes;
+  scenes.push_back(parse_sweep(text, path).sweep.value());
+  return make_plan(std::move(scenes));
+}
+
+const std::string two_loads = "speed = 1\nload = [10, 20]\n" + std::string(start) +
+                              "summit_height_sd = 1e-8\n[lubricant]\nviscosity = 0.02\n"
+                              "pressure_viscosity = 2e-8\n";
+
 TEST(PlanReader, DigestFollowsTheTextAndNotItsFolder) {
-  const auto digest_of = [](const std::string& text, const std::string& path) {
-    std::vector<SceneSweep> scenes;
-    scenes.push_back(parse_sweep(text, path).sweep.value());
-    return make_plan(std::move(scenes)).digest;
-  };
-  const std::string text = "speed = 1\nload = [10, 20]\n" + std::string(start) +
-                           "summit_height_sd = 1e-8\n[lubricant]\nviscosity = 0.02\n"
-                           "pressure_viscosity = 2e-8\n";
-  EXPECT_EQ(digest_of(text, "a/s.toml"), digest_of(text, "/b/c/s.toml"));
-  EXPECT_NE(digest_of(text, "s.toml"), digest_of(text + "#\n", "s.toml"));
+  EXPECT_EQ(plan_of(two_loads, "a/s.toml").digest, plan_of(two_loads, "/b/c/s.toml").digest);
+  EXPECT_NE(plan_of(two_loads, "s.toml").digest, plan_of(two_loads + "#\n", "s.toml").digest);
+}
+
+TEST(PlanReader, ResultsOfTheSameNumbersAreTaken) {
+  const SweepPlan plan = plan_of(two_loads, "s.toml");
+  EXPECT_TRUE(is_result_of(plan, plan.digest));
+  EXPECT_TRUE(is_result_of(plan, "4e824314f9d8f0ae07e07d015b7cd0be"));  // as 0.1.0 wrote it
+  EXPECT_FALSE(is_result_of(plan_of(two_loads + "#\n", "s.toml"), plan.digest));
+  EXPECT_FALSE(is_result_of(plan, ""));
 }
 
 }  // namespace
