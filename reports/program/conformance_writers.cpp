@@ -258,6 +258,12 @@ ordered_json changes_json(const std::vector<BaselineChange>& changes) {
   return list;
 }
 
+// A list or an object is told as its text, so that the document has no members of the subject's.
+ordered_json got_json(const Example& one) {
+  if (!one.got) return nullptr;
+  return one.got->is_structured() ? ordered_json(got_text(one)) : ordered_json(*one.got);
+}
+
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   const Conversation& talk = result.conversation;
@@ -291,16 +297,15 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                  {"worst_case", one.judged() > 0 ? worst.id : ""},
                                  {"reason", one.first_reason}});
     if (one.failed > 0)
-      all["examples"].push_back(
-          {{"quantity", one.quantity},
-           {"case", worst.id},
-           {"request", worst.request},
-           {"expected", expected_json(worst.expected)},
-           {"allowed_error", worst.allowed},
-           {"unit", worst.expected.unit},
-           {"got", worst.got ? ordered_json(*worst.got) : ordered_json(nullptr)},
-           {"reason", worst.reason},
-           {"part_of_bound", worst.part_of_bound}});
+      all["examples"].push_back({{"quantity", one.quantity},
+                                 {"case", worst.id},
+                                 {"request", worst.request},
+                                 {"expected", expected_json(worst.expected)},
+                                 {"allowed_error", worst.allowed},
+                                 {"unit", worst.expected.unit},
+                                 {"got", got_json(worst)},
+                                 {"reason", worst.reason},
+                                 {"part_of_bound", worst.part_of_bound}});
   }
   for (const Diagnosis& one : verdict.diagnoses)
     all["diagnoses"].push_back({{"quantity", one.quantity},

@@ -5,6 +5,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 
 from program import PROGRAM, run
 
@@ -39,6 +40,24 @@ def altered(folder, change, end="pass", name="altered.py"):
 
 def verify(*arguments):
     return run("verify", *arguments, "--format", "json")
+
+
+# The elements of JUnit and their attributes in junit-10.xsd of Jenkins' xUnit plug-in; those in capitals are required.
+JUNIT = {"testsuite": "NAME TESTS FAILURES ERRORS skipped time", "properties": "", "property": "NAME VALUE",
+         "testcase": "NAME classname time", "failure": "message type", "skipped": "message type", "system-out": "",
+         "system-err": ""}
+
+
+def junit_suite(path):
+    """The suite of a JUnit file, which has no other elements and attributes than those of JUNIT, and counts rightly."""
+    suite = ElementTree.parse(path).getroot()
+    for element in suite.iter():
+        words = JUNIT[element.tag].split()
+        assert set(element.keys()) <= {word.lower() for word in words}, ElementTree.tostring(element)
+        assert {word.lower() for word in words if word.isupper()} <= set(element.keys()), ElementTree.tostring(element)
+    for attribute, found in (("tests", "testcase"), ("failures", ".//failure"), ("skipped", ".//skipped")):
+        assert int(suite.get(attribute, 0)) == len(suite.findall(found)), attribute
+    return suite
 
 
 def listed(script):

@@ -4,12 +4,11 @@
 import json
 import pathlib
 import unittest
-import xml.etree.ElementTree as ElementTree
 
 import jsonschema
 
-from conformance import PYTHON, SUBJECTS
-from program import PROGRAM, ProgramTest, run
+from conformance import PYTHON, SUBJECTS, junit_suite
+from program import ProgramTest, run
 
 SCHEMAS = pathlib.Path(SUBJECTS).parents[2] / "reference/schemas"
 
@@ -55,7 +54,7 @@ class Breaks(ProgramTest):
         jsonschema.validate(document, json.loads((SCHEMAS / "verify-subject.schema.json").read_text()))
         worse = document["changes"]["worse"]
         self.assertEqual(result.code, 1 if worse else 0, result.err)
-        suite = ElementTree.parse(self.junit).getroot()
+        suite = junit_suite(self.junit)
         red = [case.get("name") for case in suite.iter("testcase") if case.find("failure") is not None]
         self.assertEqual(sorted(red), sorted({one["quantity"] for one in worse}))
         return [one["text"] for one in worse]
@@ -92,7 +91,7 @@ class Breaks(ProgramTest):
         line, = self.worse(crash)
         self.assertRegex(line, r"^subject: at case m0000 \(gaussian_moment\) and at \d more: it is killed by signal 11 "
                          r"\(SIGSEGV, Segmentation fault\).*; lost by this: gaussian_moment(, \S+)*; --show m0000 asks it alone$")
-        suite = ElementTree.parse(self.junit).getroot()
+        suite = junit_suite(self.junit)
         skipped = suite.find("testcase[@name='gaussian_moment']/skipped").get("message")
         self.assertIn("lost by the subject's end or silence: ", skipped)
         for format in ("table", "markdown"):
@@ -100,6 +99,10 @@ class Breaks(ProgramTest):
             self.assertIn("tribocheck verify --subject '", said)
             self.assertIn("--show m0000\n", said)
             self.assertNotIn("Worst of", said)
+        # Without a baseline it is one fault, too.
+        alone = run("verify", "--subject", f"{PYTHON} -B {self.folder.path('solver.py')}", "--junit", self.junit)
+        self.assertEqual((alone.code, [one.get("name") for one in junit_suite(self.junit).findall("testcase[failure]")]),
+                         (1, ["subject"]))
         # An update does not write it down; --force does, and then it is as before.
         kept = self.ask(crash, "engineering", "--update-baseline")
         self.assertIn("baseline kept: subject: at case m", kept.err)

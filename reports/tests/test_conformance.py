@@ -8,7 +8,7 @@ import shlex
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from conformance import BUILT, PYTHON, altered, subject, verify
+from conformance import BUILT, PYTHON, altered, junit_suite, subject, verify
 from program import PROGRAM, Folder, ProgramTest, run
 
 
@@ -166,7 +166,7 @@ class Baselines(ProgramTest):
                     "--format", format, "--junit", junit) for format in ("table", "markdown", "json")]
         code, = {one.code for one in told}
         return (code, told[0].out.splitlines()[-1], told[1].out.splitlines()[0], told[2].json(),
-                ElementTree.parse(junit).getroot())
+                junit_suite(junit))
 
     def test_a_gate_that_passes_is_headed_so_in_every_format_and_names_what_failed_before(self):
         small = ("small_python/my_solver.py",)
@@ -180,8 +180,6 @@ class Baselines(ProgramTest):
         self.assertEqual(told["baseline"], {"file": self.path, "failed_already": ["hamrock_dowson_central"], "lost": []})
         self.assertEqual(told["changes"], {"better": [], "worse": [], "new": [], "gone": []})
         self.assertEqual((junit.get("failures"), junit.findall(".//failure")), ("0", []))
-        self.assertEqual(int(junit.get("skipped")), len(junit.findall(".//skipped")))
-        self.assertEqual(int(junit.get("tests")), len(junit.findall("testcase")))
         skipped = junit.find(".//testcase[@name='hamrock_dowson_central']/skipped").get("message")
         self.assertIn("failed as before", skipped)
 

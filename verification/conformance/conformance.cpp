@@ -175,7 +175,9 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const Offers& offers
     ++verdict.held;
     verdict.held_physical += is_physical ? 1 : 0;
   }
-  if (verdict.judged() > 1 && found->part_of_bound <= verdict.worst.part_of_bound) return;
+  const bool is_lesser = found->part_of_bound <= verdict.worst.part_of_bound;
+  if (verdict.judged() > 1 && (is_lesser || (verdict.failed > 1 && offers.is_lost(of.answer))))
+    return;
   verdict.worst = example_of(of, tolerance);
   verdict.worst.part_of_bound = found->part_of_bound;
   verdict.worst_relative = found->relative;
@@ -194,12 +196,15 @@ std::vector<QuantityVerdict> verdicts_on(const std::vector<TestCase>& cases,
   const Offers offers(cases, answers);
   std::vector<QuantityVerdict> verdicts;
   std::map<std::string, std::size_t> places;
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    for (const Expected& expected : cases[i].expected) {
-      const auto [place, is_new] = places.try_emplace(expected.quantity, verdicts.size());
-      if (is_new) verdicts.emplace_back().quantity = expected.quantity;
-      add(verdicts[place->second], {cases[i], expected, answers[i]}, offers, tolerance);
-    }
+  // Lost cases come last, so that a reason and a worst case of the quantity's own go before theirs.
+  for (const bool lost : {false, true})
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      for (const Expected& expected : cases[i].expected) {
+        const auto [place, is_new] = places.try_emplace(expected.quantity, verdicts.size());
+        if (is_new) verdicts.emplace_back().quantity = expected.quantity;
+        if (offers.is_lost(answers[i]) == lost)
+          add(verdicts[place->second], {cases[i], expected, answers[i]}, offers, tolerance);
+      }
   for (QuantityVerdict& one : verdicts) one.status = status_of(one, tolerance);
   return verdicts;
 }

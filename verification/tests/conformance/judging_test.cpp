@@ -612,6 +612,9 @@ TEST(Losses, AreOneChangeWhateverTheyCost) {
   const BaselineChanges both = compare(result({1, 4}, with({{"value", 3}})), baseline);
   ASSERT_EQ(both.worse.size(), 2U);
   EXPECT_EQ(both.worse[0].quantity, "film");
+  const ConformanceResult later = judged({cases[0], cases[1]}, {lost, with({{"value", 3}})});
+  EXPECT_TRUE(later.quantities[0].first_reason.starts_with("film2: 3, not 2"));
+  EXPECT_EQ(later.quantities[0].worst.id, "film2");
   EXPECT_EQ(both.lost, std::vector<std::string>{"radius"});
   // What a baseline has is no change; elsewhere it is; and its end is better.
   const json with_loss = baseline_of(result({1}, right), nullptr);
