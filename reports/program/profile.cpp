@@ -20,11 +20,13 @@
 #include "conformance/busy_run.hpp"
 #include "conformance/conformance.hpp"
 #include "page/project_files.hpp"
+#include "page/rendering.hpp"
 #include "page/text_table.hpp"
 #include "page/texts.hpp"
 #include "profiler.hpp"
 #include "scene/schema.hpp"
 #include "stop_signal.hpp"
+#include "sweep/output_file.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -40,7 +42,8 @@ struct ProfileArguments {
   std::string format = "table";
   std::string out;  // the folder for the tool's file; empty: the file is not kept
   std::size_t most = 20;
-  double start_timeout = 60, timeout = 600;  // s
+  std::string picture;  // empty: none
+  double seconds = 1, start_timeout = 60, timeout = 600;
 
   const std::string& subject() const { return plugin.empty() ? command : plugin; }
 };
@@ -124,7 +127,8 @@ Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
       conformance::cases_for(cases, conformance::engineering_tolerance(), sample);
   conformance::Limits limits;
   limits.first_answer = milliseconds(arguments.start_timeout);
-  limits.one_case = std::min(limits.one_case, limits.first_answer);
+  // A subject that is silent for so long is tried with its input closed.
+  limits.one_case = std::min(limits.one_case, limits.first_answer / 2);
   limits.all_cases = milliseconds(arguments.timeout);
   const conformance::Conversation conversation =
       conformance::ask(profiler.plain_command(), few, limits, [](std::size_t) {});
@@ -242,7 +246,7 @@ void append_table(Text& to, const Profile& profile, std::size_t most) {
                                                        : "python3 -m pstats"));
 }
 
-void append_json(Text& to, const Profile& profile, std::size_t most) {
+std::string json_text(const Profile& profile, std::size_t most) {
   ordered_json object{{"subject", profile.subject},
                       {"tool", profile.tool},
                       {"unit", profile.unit},
@@ -263,7 +267,18 @@ void append_json(Text& to, const Profile& profile, std::size_t most) {
          {"share", line.cost / profile.total}});
   }
   const std::string text = object.dump(1, ' ', false, ordered_json::error_handler_t::replace);
-  append(to, "{\n " + document_head("profile/1") + "," + text.substr(1) + "\n");
+  return "{\n " + document_head("profile/1") + "," + text.substr(1) + "\n";
+}
+
+// Returns whether the picture was drawn.
+bool draw(const Profile& profile, const ProfileArguments& arguments) {
+  const sweep::PartFile data(arguments.picture);  // removed at the end
+  data.write(json_text(profile, arguments.most));
+  const report::Rendering drawn = report::run_script(report::usual_places(), "profile_picture.py",
+                                                     {data.path(), arguments.picture});
+  for (const std::string& why : drawn.undrawn) complain(why);
+  for (const std::string& picture : drawn.written) complain("drew " + picture);
+  return drawn.undrawn.empty();
 }
 
 // --- The command.
@@ -287,6 +302,7 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
   std::error_code ignored;
   fs::remove(profiler.raw_file(folder.path()), ignored);
   conformance::BusySettings settings;
+  settings.work = milliseconds(arguments.seconds);
   settings.limit = milliseconds(arguments.timeout);
   settings.answers_at_end_of_input = offered.answers_at_end_of_input;
   settings.stopped = [] { return stop_signal() != 0; };
@@ -310,19 +326,20 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
   if (profile.lines.empty())
     throw std::runtime_error(profile.tool + " saw no work of the solver's own");
   if (arguments.format == "json")
-    append_json(output.text(), profile, arguments.most);
+    append(output.text(), json_text(profile, arguments.most));
   else
     append_table(output.text(), profile, arguments.most);
   output.flush();
-  return exit_done;
+  return arguments.picture.empty() || draw(profile, arguments) ? exit_done : exit_failed;
 }
 
 constexpr const char* profile_footer =
-    R"(The solver answers certified cases of each function for about a second. What is compiled is measured by
+    R"(The solver answers certified cases of each function for about a second (--seconds). What is compiled is measured by
 callgrind of valgrind, which counts the instructions of each line (build with -g, and optimized as you ship
 it); Python by cProfile, which takes the time of each function. Work in libraries, such as exp(), belongs to
 the line that calls it; that of tribocheck is left out.
-Exit code 0: done; 1: the solver failed under the tool; 2: bad usage, or it cannot be started or measured.
+Exit code 0: done; 1: the solver failed under the tool, or the picture
+is missing; 2: bad usage, or it cannot be started or measured.
 
 Example:
   tribocheck profile --plugin ./libmine.so
@@ -348,6 +365,16 @@ Command add_profile(CLI::App& program) {
   app->add_option("--format", arguments->format, "how to write them (default: table)")
       ->check(CLI::IsMember({"table", "json"}));
   app->add_option("--out", arguments->out, "keep the file of the tool in this folder");
+  app->add_option("--picture", arguments->picture,
+                  "draw the shares: a file .png or .svg (needs gnuplot)")
+      ->check([](const std::string& name) {
+        const std::string ending = fs::path(name).extension().string();
+        return ending == ".png" || ending == ".svg"
+                   ? std::string()
+                   : name + " is not allowed; allowed: a name that ends in .png or .svg";
+      });
+  app->add_option("--seconds", arguments->seconds, "keep the solver busy so long (default: 1)")
+      ->check(CLI::Range(0.01, 1e5));
   app->add_option("--start-timeout", arguments->start_timeout,
                   "seconds from a start to the first answer (default: 60)")
       ->check(CLI::Range(0.01, 1e5));

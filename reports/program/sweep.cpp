@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "build_info.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "page/rendering.hpp"
@@ -116,8 +117,8 @@ void write_cases(const sweep::SweepResult& result, const sweep::ResultFile& file
 
 void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
   if (format == "json")
-    return append(to, report::sweep_json(result).dump(1, ' ', false,
-                                                      nlohmann::json::error_handler_t::replace) +
+    return append(to, document("sweep/1", report::sweep_json(result))
+                              .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                           '\n');
   if (format == "csv") return append(to, report::sweep_csv(result));
   bool first = true;

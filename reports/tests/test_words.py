@@ -65,12 +65,12 @@ class Ids(Words):
                     self.assertEqual(cell.startswith('"'), bool(re.search(r'[,"\n\r\t]|^[=+@]|^-2', word)), cell[:40])
 
     def test_json_gives_the_id_back(self):
-        for command in (["solve"], ["onset"]):
+        for command, rows in (("solve", "points"), ("onset", "onsets")):
             for word in HOSTILE:
                 with self.subTest(word, command=command):
-                    result = run(*command, self.scene(word), "--format", "json")
+                    result = run(command, self.scene(word), "--format", "json")
                     self.assert_dead(result)
-                    self.assertEqual({row["id"] for row in result.json()}, {word})
+                    self.assertEqual({row["id"] for row in result.json()[rows]}, {word})
         lines = [json.dumps(quiet_scene(id=word, speed=0.1)) for word in HOSTILE]
         calls = [json.dumps({"id": word, "function": "gaussian_moment", "order": 2.5, "argument": 1}) for word in HOSTILE]
         wrong = [json.dumps({"id": word, "function": word, word: 1}) for word in HOSTILE]
