@@ -33,6 +33,7 @@ Command add_functions(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);
+Command add_profile(CLI::App& program);
 Command add_plugin_host(CLI::App& program);
 Command add_reproduce(CLI::App& program);
 Command add_init(CLI::App& program);

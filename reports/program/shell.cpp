@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "conformance/child_process.hpp"
 
@@ -63,6 +64,19 @@ std::string shell_word(const std::string& text) {
       word += c;
   }
   return word + "'";
+}
+
+std::optional<std::vector<std::string>> words_of(const std::string& command) {
+  std::vector<std::string> words;
+  std::string_view line = command;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t\n"), line.size()));
+    if (line.empty()) return words;
+    const std::size_t before = line.size();
+    std::optional<std::string> word = take_word(line);
+    if (!word || line.size() == before) return std::nullopt;
+    words.push_back(std::move(*word));
+  }
 }
 
 std::string found_by_shell(const std::string& program) {

@@ -5,11 +5,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tribo::cli {
 
 // A text as one word of a command line; in quotes only where it needs them.
 std::string shell_word(const std::string& text);
+
+// The words of a command line; empty where only the shell can read it, as it has variables, pipes
+// or other signs of the shell.
+std::optional<std::vector<std::string>> words_of(const std::string& command);
 
 // The path at which the shell finds a program; the name itself of a command that is built into the
 // shell. Empty where it finds none.

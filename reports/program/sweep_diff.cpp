@@ -13,6 +13,7 @@
 #include "page/text_table.hpp"
 #include "page/texts.hpp"
 #include "sweep/compare_results.hpp"
+#include "tribo/scene_reader.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -105,7 +106,8 @@ report::TextTable count_table(const ComparedResults& results) {
 void append_tables(Text& to, const ComparedResults& results, const SweepDiffArguments& asked) {
   if (!results.worst.empty()) append(to, report::plain_table(worst_table(results, asked)) + '\n');
   append(to, report::plain_table(count_table(results)) + '\n');
-  for (const std::string& note : results.notes) append(to, "  - " + printable(note) + '\n');
+  for (const std::string& note : results.notes)
+    append(to, "  - " + printable(note, std::string::npos) + '\n');
   append(to, verdict(results, asked.tolerance) + '\n');
 }
 

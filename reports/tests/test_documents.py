@@ -49,6 +49,7 @@ DOCUMENTS = [
     Document("bench", "bench --subject RIGHT --quick --filter ^hertz_point"),
     Document("bench-baseline", "bench --subject RIGHT --quick --filter ^hertz_point --baseline SPEED --update-baseline", file="SPEED"),
     Document("bench", "bench --subject WRONG --quick --filter ^hertz_point --baseline SPEED", 1),  # its rows have another name
+    Document("profile", "profile --plugin PLUGIN --function hertz_point --seconds 0.1"),
 ]
 # Schemas whose documents, or some of their members, need another program, and the tests that hold these to them.
 ELSEWHERE = {"bench-baseline": "test_bench_gate has rows of contenders", "profile": "test_profile"}
@@ -82,7 +83,7 @@ def files_in(folder):
     for table in (ROOT / "reference/exact").iterdir():
         lines = table.read_text(encoding="utf-8").splitlines(keepends=True)
         (exact / table.name).write_text("".join(one for one in lines if ",friction," not in one), encoding="utf-8")
-    return paths | {"ROLLER": str(ROOT / "reference/scenes/roller.toml"), "WITHOUT_FRICTION": str(exact)}
+    return paths | {"PLUGIN": os.path.join(os.environ["TRIBOCHECK_SUBJECTS"], "c_plugin.so"), "ROLLER": str(ROOT / "reference/scenes/roller.toml"), "WITHOUT_FRICTION": str(exact)}
 
 
 class Schema:

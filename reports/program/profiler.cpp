@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "profiler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "conformance/callgrind_file.hpp"
+#include "conformance/child_process.hpp"
+#include "page/project_files.hpp"
+#include "shell.hpp"
+
+namespace tribo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using conformance::CallGraph;
+
+std::string without_links(const std::string& path) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  return error ? path : real.string();
+}
+
+std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
+
+bool is_python(const std::string& program) {
+  return fs::path(program).filename().string().starts_with("python");
+}
+
+// Their own work would be shown in place of the solver's.
+bool is_interpreter(const std::string& program) {
+  constexpr auto known = std::to_array<std::string_view>(
+      {"sh", "bash", "dash", "octave", "octave-cli", "julia", "java", "node", "perl", "ruby", "lua",
+       "R", "Rscript", "matlab"});
+  const std::string name = fs::path(program).filename().string();
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+// The words of a script's first line, "#!/usr/bin/env python3", without env; empty of any other
+// file.
+std::vector<std::string> interpreter_of(const std::string& program) {
+  std::ifstream file(program, std::ios::binary);
+  std::string line;
+  std::getline(file, line);
+  if (!line.starts_with("#!")) return {};
+  std::istringstream stream(line.substr(2));
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;)
+    if (fs::path(word).filename() != "env" && word != "-S") words.push_back(word);
+  return words;
+}
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument("--subject: " + why);
+}
+
+constexpr const char* measurable =
+    "what can be measured: a plug-in, a compiled program, `python3 solver.py`";
+
+// Libraries that the system has, in contrast to those that come with a solver.
+bool is_of_system(const std::string& object) {
+  return object.empty() || object == "???" || object.starts_with("/usr/lib") ||
+         object.starts_with("/lib") || object.starts_with("/usr/local/lib/valgrind");
+}
+
+void check_valgrind() {
+  if (found_by_shell("valgrind").empty())
+    throw std::invalid_argument(
+        "valgrind is not installed, which counts the instructions of each line; apt-get install "
+        "valgrind");
+}
+
+}  // namespace
+
+Profiler::Profiler(const std::string& plugin, const std::string& command) {
+  if (!plugin.empty()) {
+    if (!fs::exists(plugin))
+      throw std::invalid_argument(fmt::format(
+          "--plugin: there is no file {}; correct the path, or build it first", plugin));
+    words_ = {this_program(), "plugin-host", plugin};
+    own_object_ = without_links(plugin);
+    plain_ = "exec " + shell_word(words_[0]) + " plugin-host " + shell_word(plugin);
+    check_valgrind();
+    return;
+  }
+  if (const std::optional<std::string> why_not = why_not_startable(command)) refuse(*why_not);
+  const std::optional<std::vector<std::string>> words = words_of(command);
+  if (!words || words->empty())
+    refuse("only the shell can read this; give a program and its arguments alone");
+  plain_ = command;
+  take_program(*words);
+  if (tool_ == Tool::callgrind) check_valgrind();
+}
+
+// Finds the program among the words: behind `exec` and variables of the environment, which `env`
+// sets.
+void Profiler::take_program(std::vector<std::string> words) {
+  if (words.front() == "exec") words.erase(words.begin());
+  const auto program = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+    return word.find('=') == word.npos;
+  });
+  if (program == words.end()) refuse("it names no program");
+  if (program != words.begin()) words.insert(words.begin(), "env");
+  words_ = std::move(words);
+  tool_place_ = words_.front() == "env" ? 1 : 0;
+  while (tool_place_ > 0 && words_[tool_place_].find('=') != std::string::npos) ++tool_place_;
+  if (is_python(words_[tool_place_])) return take_python(tool_place_);
+  const std::string path = found_by_shell(words_[tool_place_]);
+  std::vector<std::string> interpreter = interpreter_of(path);
+  if (!interpreter.empty()) {
+    words_[tool_place_] = path;
+    words_.insert(words_.begin() + static_cast<std::ptrdiff_t>(tool_place_), interpreter.begin(),
+                  interpreter.end());
+  }
+  const std::string& first = words_[tool_place_];
+  if (is_python(first)) return take_python(tool_place_);
+  if (!interpreter.empty() || is_interpreter(first))
+    refuse(fmt::format("the work of {} would be shown, not that of the solver that it runs; {}",
+                       fs::path(first).filename().string(), measurable));
+  own_object_ = without_links(path);
+}
+
+// cProfile's words stand in front of the script or of -m, behind the options of Python.
+void Profiler::take_python(std::size_t at) {
+  tool_ = Tool::cprofile;
+  tool_place_ = at + 1;
+  while (tool_place_ < words_.size() && words_[tool_place_].starts_with('-') &&
+         words_[tool_place_] != "-m" && words_[tool_place_] != "-c")
+    tool_place_ += words_[tool_place_] == "-W" || words_[tool_place_] == "-X" ? 2 : 1;
+  if (tool_place_ >= words_.size() || words_[tool_place_] == "-c")
+    refuse("cProfile measures a script or a module; give python3 solver.py, or python3 -m solver");
+  if (words_[tool_place_] == "-m" && tool_place_ + 1 < words_.size())
+    module_ = words_[tool_place_ + 1];
+}
+
+std::string Profiler::tool_name() const {
+  if (tool_ == Tool::cprofile) return "cProfile";
+  const std::string version = conformance::run_child({"valgrind", "--version"}).text;
+  const std::size_t start = version.find('-') + 1;
+  return "callgrind " + version.substr(start, version.find('\n') - start);
+}
+
+fs::path Profiler::raw_file(const fs::path& folder) const {
+  return folder / (tool_ == Tool::callgrind ? "callgrind.out" : "profile.pstats");
+}
+
+std::vector<std::string> Profiler::command(const fs::path& folder) const {
+  std::string raw = raw_file(fs::absolute(folder)).string();
+  std::vector<std::string> tool;
+  if (tool_ == Tool::callgrind) {
+    for (std::size_t at = 0; (at = raw.find('%', at)) != raw.npos; at += 2)
+      raw.insert(at, 1, '%');  // valgrind replaces %p and the like
+    tool = {"valgrind", "-q", "--tool=callgrind", "--callgrind-out-file=" + raw};
+  } else {
+    tool = {"-m", "cProfile", "-o", raw};
+  }
+  std::vector<std::string> words = words_;
+  words.insert(words.begin() + static_cast<std::ptrdiff_t>(tool_place_), tool.begin(), tool.end());
+  return words;
+}
+
+CallGraph Profiler::measured(const fs::path& folder) const {
+  const fs::path raw = raw_file(folder);
+  try {
+    return tool_ == Tool::callgrind ? measured_instructions(raw) : measured_calls(raw);
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(raw.string() + ": " + error.what());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(raw.string() + ": " + error.what());
+  }
+}
+
+CallGraph Profiler::measured_instructions(const fs::path& raw) const {
+  std::ifstream text(raw);
+  if (!text) throw std::runtime_error("valgrind left no such file");
+  const std::string host = without_links(this_program());
+  return conformance::read_callgrind(text, [&](const std::string& object) {
+    if (object == own_object_) return CallGraph::Kind::own;
+    if (object == host) return CallGraph::Kind::apart;
+    return is_of_system(object) ? CallGraph::Kind::library : CallGraph::Kind::own;
+  });
+}
+
+CallGraph Profiler::measured_calls(const fs::path& raw) const {
+  if (!fs::exists(raw)) throw std::runtime_error("cProfile left no such file");
+  const std::string script = (report::usual_places().render / "python_calls.py").string();
+  std::vector<std::string> command(words_.begin(),
+                                   words_.begin() + static_cast<std::ptrdiff_t>(tool_place_));
+  command.insert(command.end(), {"-B", script, raw.string()});
+  if (!module_.empty()) command.push_back(module_);
+  const conformance::ChildEnd end = conformance::run_child(std::move(command));
+  if (!end.succeeded()) throw std::runtime_error("Python cannot read it: see above");
+  CallGraph graph;
+  const nlohmann::json said = nlohmann::json::parse(end.text);
+  for (const nlohmann::json& one : said.at("functions")) {
+    const auto kind = one.at("kind").get<std::string>();
+    const std::size_t place = graph.functions.size();
+    const CallGraph::Line line{one.at("file").get<std::string>(),
+                               one.at("line").get<std::uint64_t>()};
+    graph.functions.push_back({one.at("name").get<std::string>(),
+                               {},
+                               kind == "own"       ? CallGraph::Kind::own
+                               : kind == "library" ? CallGraph::Kind::library
+                                                   : CallGraph::Kind::apart,
+                               one.at("calls").get<std::uint64_t>(),
+                               {{line, one.at("seconds").get<double>()}}});
+    for (const nlohmann::json& caller : one.at("callers"))
+      graph.calls.push_back(
+          {caller.at(0).get<std::size_t>(), place, {}, caller.at(1).get<double>()});
+  }
+  // A call is at the line of the function that makes it: cProfile knows no other.
+  for (CallGraph::Call& call : graph.calls)
+    call.line = graph.functions.at(call.caller).cost.begin()->first;
+  return graph;
+}
+
+}  // namespace tribo::cli

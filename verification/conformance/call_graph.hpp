@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a profiler measured: functions, what each line of them cost, and who called whom. From it
+// follow the lines of a solver that cost most.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tribo::conformance {
+
+struct CallGraph {
+  enum class Kind : std::uint8_t {
+    own,      // of the solver
+    library,  // of others; its cost belongs to the line of the solver that has called it
+    apart,    // reads questions and writes answers, or loads code: it and what it calls is left out
+  };
+  using Line = std::pair<std::string, std::uint64_t>;  // file and number; 0: not known
+  struct Function {
+    std::string name;
+    std::string object;  // the file of its code; empty: not known
+    Kind kind = Kind::library;
+    std::uint64_t calls = 0;
+    std::map<Line, double> cost;  // of each line, without what it calls
+  };
+  struct Call {
+    std::size_t caller = 0, callee = 0;  // in `functions`
+    Line line;                           // of the caller
+    double cost = 0;                     // of the callee with all that it calls
+  };
+
+  std::vector<Function> functions;
+  std::vector<Call> calls;
+};
+
+struct HotLine {
+  std::string file;
+  std::uint64_t line = 0;  // 0: not known
+  std::string function;
+  std::string object;
+  std::uint64_t calls = 0;  // of the function
+  double cost = 0;          // with the libraries that the line calls
+};
+
+// The lines of the solver's own functions, the greatest cost first. The cost of a library is shared
+// out among the lines that call it, directly or through other libraries, in proportion to the cost
+// of their calls.
+std::vector<HotLine> hot_lines(const CallGraph& graph);
+
+}  // namespace tribo::conformance
