@@ -162,7 +162,7 @@ class Profile(ProgramTest):
         self.assertEqual(one["lines"][0]["line"], line_of(C_CALLBACK, "the slow line"))
         self.assertGreater(one["lines"][0]["share"], 0.7)
         self.assertGreater(shares[line_of(C_CALLBACK, "the line that calls")], 0.005)
-        self.assertAlmostEqual(sum(shares.values()), 1, delta=1e-9)
+        self.assertAlmostEqual(sum(line["share"] for line in one["lines"]), 1, delta=1e-3)  # 20 lines
 
     def test_without_line_numbers_it_names_functions_and_says_how_to_get_them(self):
         library = self.plugin("-fno-inline")
@@ -202,7 +202,7 @@ class Profile(ProgramTest):
 
     def test_a_solver_that_answers_at_the_end_of_its_input(self):
         text = PYTHON.replace("for line in sys.stdin:", "for line in sys.stdin.readlines():").replace(", flush=True", "")
-        one = self.document("--subject", self.python(text), "--start-timeout", "2", "--function", "gaussian_moment")
+        one = self.document("--subject", self.python(text), "--start-timeout", "20", "--function", "gaussian_moment")
         self.assertIn(one["lines"][0]["function"], ("<genexpr>", "slow"))
 
     def test_the_file_of_the_tool_is_kept_where_it_is_asked(self):
