@@ -71,6 +71,7 @@ std::string joined(const std::vector<std::string>& words) {
 std::vector<std::string> remarks(const ConformanceResult& result) {
   const Conversation& talk = result.conversation;
   std::vector<std::string> lines = result.notes;
+  for (std::string& one : unsteady_lines(result.unsteady)) lines.push_back(std::move(one));
   if (talk.violation_count > 0)
     lines.push_back(fmt::format("The protocol was broken {} times:", talk.violation_count));
   for (const std::string& one : talk.violations) lines.push_back("  " + one);
@@ -213,6 +214,31 @@ nlohmann::ordered_json expected_json(const Expected& one) {
   return one.high;
 }
 
+nlohmann::ordered_json unsteady_json(const std::vector<Unsteady>& unsteady) {
+  using nlohmann::ordered_json;
+  ordered_json all = ordered_json::array();
+  const auto value = [](const Said& one) {
+    return one.value ? ordered_json(*one.value) : ordered_json(nullptr);
+  };
+  for (const Unsteady& one : unsteady)
+    all.push_back({{"quantity", one.quantity},
+                   {"asked_again", one.asked_again},
+                   {"changed", one.changed},
+                   {"case", one.id},
+                   {"first", value(one.first)},
+                   {"second", value(one.second)},
+                   {"reason", one.second.value ? one.first.reason : one.second.reason},
+                   {"relative_difference", one.apart}});
+  return all;
+}
+
+nlohmann::ordered_json seconds_json(const Durations& seconds) {
+  nlohmann::ordered_json functions = nlohmann::ordered_json::array();
+  for (const auto& [function, taken] : seconds.functions)
+    functions.push_back({{"function", function}, {"seconds", taken}});
+  return {{"run", seconds.run}, {"cpu", seconds.cpu}, {"functions", std::move(functions)}};
+}
+
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   using nlohmann::ordered_json;
   const ConformanceResult& result = verdict.result;
@@ -261,6 +287,8 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                 {"explained", one.explained},
                                 {"wrong", one.wrong},
                                 {"text", one.text}});
+  all["unsteady"] = unsteady_json(result.unsteady);
+  all["seconds"] = seconds_json(talk.seconds);
   if (verdict.changes)
     all["baseline"] = {{"file", verdict.baseline},
                        {"worse", texts(verdict.changes->worse)},
@@ -307,6 +335,18 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     append(to, "- **Worse than the baseline.** " + cell(one.text) + "\n");
   for (const QuantityNote& one : verdict.changes->better)
     append(to, "- Better than the baseline: " + cell(one.text) + "\n");
+}
+
+// A quantity's part of the seconds of its function, which asks for all of its quantities at once:
+// so the parts add up to the run.
+double seconds_of(const ConformanceResult& result, const std::string& quantity) {
+  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
+  const auto sharing = std::count_if(
+      result.quantities.begin(), result.quantities.end(),
+      [&](const QuantityVerdict& one) { return function(one.quantity) == function(quantity); });
+  const auto& all = result.conversation.seconds.functions;
+  const auto found = all.find(function(quantity));
+  return found == all.end() ? 0 : found->second / static_cast<double>(sharing);
 }
 
 // The diagnosis of a quantity that failed, and its worst case.
@@ -357,9 +397,11 @@ std::string subject_junit(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   const std::vector<QuantityNote> failed = failures(verdict);
   JunitSuite suite{"conformance", {}, true};
+  suite.seconds = result.conversation.seconds.run;
   for (const QuantityVerdict& one : result.quantities) {
     const auto add = [&](End end, const std::string& message) {
-      suite.tests.push_back({one.quantity, end, message, junit_details(verdict, one)});
+      suite.tests.push_back({one.quantity, end, message, junit_details(verdict, one),
+                             seconds_of(result, one.quantity)});
     };
     const auto why = std::find_if(failed.begin(), failed.end(), [&](const QuantityNote& failure) {
       return failure.quantity == one.quantity;

@@ -8,6 +8,13 @@
 #include "page/texts.hpp"
 
 namespace tribo::cli {
+namespace {
+
+std::string time_attribute(const std::optional<double>& seconds) {
+  return seconds ? fmt::format(" time=\"{:.3f}\"", *seconds) : "";
+}
+
+}  // namespace
 
 std::string junit_xml(const JunitSuite& suite) {
   const auto text = [](const std::string& plain) { return report::escape_html(plain); };
@@ -17,11 +24,13 @@ std::string junit_xml(const JunitSuite& suite) {
   };
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\"{}>\n",
+      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\"{}{}>\n",
       suite.tests.size(), count(JunitTest::End::failure),
-      suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "");
+      suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "",
+      time_attribute(suite.seconds));
   for (const JunitTest& one : suite.tests) {
-    xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", suite.classname, text(one.name));
+    xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\"{}", suite.classname,
+                       text(one.name), time_attribute(one.seconds));
     if (one.end == JunitTest::End::passed) {
       xml += "/>\n";
       continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct JunitTest {
   std::string name;
   End end = End::passed;
   std::string message = {}, details = {};  // of a failure or a skip; details may be empty
+  std::optional<double> seconds = {};      // that it took, where that is known
 };
 
 struct JunitSuite {
@@ -20,6 +22,7 @@ struct JunitSuite {
   std::vector<JunitTest> tests = {};
   bool counts_skipped = false;
   std::string output = {}, errors = {};  // of the whole run; empty: none
+  std::optional<double> seconds = {};    // of the whole run
 };
 
 std::string junit_xml(const JunitSuite& suite);

@@ -125,12 +125,12 @@ std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
   const bool judges_own = !has_subject && !shows && !saves;
   const std::string no_subject = "without --subject or --plugin";
   return {{{"--tolerance", "--sample"}, judges_own, no_subject},
-          {{"--case-timeout", "--start-timeout", "--timeout", "--require", "--baseline",
+          {{"--jobs", "--case-timeout", "--start-timeout", "--timeout", "--require", "--baseline",
             "--update-baseline", "--force"},
            !has_subject,
            no_subject},
-          {{"--sample", "--require", "--baseline", "--update-baseline", "--force", "--save-cases",
-            "--format", "--junit"},
+          {{"--sample", "--jobs", "--require", "--baseline", "--update-baseline", "--force",
+            "--save-cases", "--format", "--junit"},
            shows,
            "beside --show"},
           {{"--format", "--junit"}, !has_subject && saves, no_subject}};
@@ -157,6 +157,7 @@ all cases, one JSON object a line, to be fed to any program; it needs no subject
 Example:
   tribocheck verify --junit verify.xml
   tribocheck verify --subject 'python3 my_solver.py'
+  tribocheck verify --subject 'python3 my_solver.py' --jobs 4
   tribocheck verify --subject 'python3 my_solver.py' --show f0012
   tribocheck verify --save-cases - | python3 my_solver.py
   tribocheck verify --plugin ./libmine.so --tolerance strict --baseline mine.json)";
@@ -184,6 +185,11 @@ Command add_verify(CLI::App& program) {
                   "condition; the default), or a file of lines QUANTITY RELATIVE");
   app->add_option("--sample", subject.sample, "at most so many cases of each function")
       ->check(CLI::PositiveNumber);
+  app->add_option(
+         "--jobs", subject.jobs,
+         "start so many of the subject, 1 to 64, and ask all of them at once; the verdict is "
+         "the same (default: 1)")
+      ->check(CLI::Range(1, 64));
   app->add_option("--case-timeout", subject.case_timeout, "seconds for one case (default: 10)")
       ->check(CLI::Range(0.01, 1e5));
   app->add_option("--start-timeout", subject.start_timeout,

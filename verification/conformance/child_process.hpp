@@ -39,6 +39,8 @@ class GuardedChild {
 
   int exit_code() const { return exited_ ? status_ : -1; }             // of a normal end, else −1
   int signal() const { return has_ended_ && !exited_ ? status_ : 0; }  // that ended it, or 0
+  // CPU time of the program and of all that it had started; known after end().
+  double cpu_seconds() const { return cpu_seconds_; }
 
  private:
   bool ended(int options);
@@ -47,6 +49,7 @@ class GuardedChild {
   bool has_ended_ = false;
   bool exited_ = false;  // with code status_; else killed by signal status_
   int status_ = 0;
+  double cpu_seconds_ = 0;
 };
 
 inline constexpr std::size_t longest_line = std::size_t{1} << 20;
@@ -87,7 +90,8 @@ class ChildProcess {
   bool has_ended() { return child_->has_ended(); }
   int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
   int signal() { return has_ended() ? child_->signal() : 0; }         // that ended it, or 0
-  const std::string& last_errors() const { return errors_; }  // the last 16 kB of its stderr
+  const std::string& last_errors() const { return errors_; }    // the last 16 kB of its stderr
+  double cpu_seconds() const { return child_->cpu_seconds(); }  // known after kill()
 
  private:
   bool take_line(std::string& line);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "conformance/conversation.hpp"
+#include "conformance/unsteady.hpp"
 
 namespace tribo::conformance {
 
@@ -101,6 +102,8 @@ struct ConformanceResult {
   std::size_t sample = 0;  // cases of each function at most; 0: all were asked
   Overall overall = Overall::nothing;
   std::vector<QuantityVerdict> quantities;
+  std::vector<Unsteady> unsteady;  // the quantities whose answers change
+  // Where a case was asked twice, its answer is the worse of both.
   Conversation conversation;
   // Notes on the answers for the user: lines between them, and fields that are no results, as
   // misspelt ones. Each note is one line.
