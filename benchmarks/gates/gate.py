@@ -191,6 +191,17 @@ def update(program, path):
     print(f"{path}: {', '.join(f'{len(section)} rows of {name}' for name, section in sections.items())}")
 
 
+def check_base(program):
+    """Raises Unmeasured where this is another file than a tribocheck_gate_kernels: a library, as of a user's solver, dies."""
+    try:
+        why = None if "compiler" in measure.environment(program) else "it does not tell its compiler"
+    except (measure.Unmeasured, ValueError) as error:
+        why = str(error).strip()
+    if why is not None:
+        raise measure.Unmeasured(f"--base: {program} is no tribocheck_gate_kernels, which holds this project's own kernels ({why}); "
+                                 "for a library of yours: tribocheck bench --plugin YOURS --plugin BEFORE")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path, help="a built tribocheck_gate_kernels")
@@ -201,6 +212,8 @@ def main():
     parser.add_argument("--update", action="store_true", help="write the baseline instead")
     arguments = parser.parse_args()
     try:
+        if arguments.base:
+            check_base(arguments.base)
         if arguments.update:
             update(arguments.program, arguments.baseline)
             return 0

@@ -208,6 +208,17 @@ class Holds(OnAProgram):
         self.assertEqual(self.held(fails=3), (2, ["counters"], f"gate.py: {self.now} --environment: exit code 3: \n"))
         self.assertEqual(self.held(fails="no memory")[2], f"gate.py: {self.now} --environment: exit code 1: no memory\n")
 
+    def test_a_base_that_is_another_program_or_a_library_is_told_in_one_line(self):
+        library = self.folder / "libmine.so"
+        library.write_text("#!/bin/sh\nkill -SEGV $$\n")
+        library.chmod(0o755)
+        for base, why in ((library, "exit code -11"), ("/bin/true", "it does not tell its compiler"), (self.folder / "lost", "No such file")):
+            code, lines, said = self.gate(self.now, "--base", base)
+            self.assertEqual((code, lines, said.count("\n")), (2, [], 1), said)
+            self.assertIn(f"gate.py: --base: {base} is no tribocheck_gate_kernels", said)
+            self.assertIn(why, said)
+            self.assertIn("tribocheck bench --plugin YOURS --plugin BEFORE", said)
+
     def test_a_pass_that_callgrind_did_not_see_is_told(self):
         for counts in ({"root": 100000, "curve": 0}, {"root": 100000}):
             self.assertEqual(self.held("--gates", "instructions", instructions=counts),

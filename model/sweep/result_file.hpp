@@ -32,6 +32,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -111,6 +112,11 @@ struct SweepResult {
   std::vector<SceneResult> scenes;
 };
 
+// Cases in a row.
+struct CaseRange {
+  std::uint64_t first = 0, count = 0;
+};
+
 // A result, open for reading. A file that another process has written is read in a child process
 // with limits of time and memory (apart.hpp), for a forged file may crash or hang HDF5. All
 // functions throw std::runtime_error, with a text that names the file, where it is not a whole
@@ -124,15 +130,19 @@ class ResultFile {
   const std::string& path() const { return path_; }
   ResultIdentity identity() const;
   SweepResult read() const;
-  // The kept values of one input or column of a scene, [cases, width]; of words, their places.
-  std::vector<double> input(const std::string& scene_id, const std::string& name) const;
-  std::vector<double> column(const std::string& scene_id, const std::string& name) const;
+  // The kept values of one input or column of a scene, [cases, width]; of words, their places. With
+  // a range: of these cases alone.
+  using Range = std::optional<CaseRange>;
+  std::vector<double> input(const std::string& scene_id, const std::string& name,
+                            const Range& range = {}) const;
+  std::vector<double> column(const std::string& scene_id, const std::string& name,
+                             const Range& range = {}) const;
 
  private:
   template <class Result, class Read>
   Result read_with(Read&& read) const;
   std::vector<double> cases(const std::string& scene_id, const std::string& folder,
-                            const std::string& name) const;
+                            const std::string& name, const Range& range) const;
 
   std::string path_;
   Descriptor file_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -113,10 +114,11 @@ std::size_t length_of(hid_t parent, const std::string& name) {
   return static_cast<std::size_t>(extents.front());
 }
 
-// The content of a dataset whose type and extents are known.
+// The content of a dataset whose type and extents are known; with a range, its rows of these cases.
 template <class T>
 std::vector<T> read_array(hid_t parent, const std::string& name, hid_t type,
-                          const std::vector<hsize_t>& extents) {
+                          const std::vector<hsize_t>& extents,
+                          const std::optional<CaseRange>& range = {}) {
   const Handle dataset = open_object(parent, name);
   if (H5Iget_type(dataset) != H5I_DATASET) throw hdf5::Error(name + " is no dataset");
   if (checked(H5Tequal(Handle(H5Dget_type(dataset)), type)) == 0)
@@ -124,11 +126,21 @@ std::vector<T> read_array(hid_t parent, const std::string& name, hid_t type,
   if (extents_of(dataset, name) != extents)
     throw hdf5::Error(name + " is of another size than its scene or column");
   check_storage(dataset, name);
+  const Handle in_file(H5Dget_space(dataset));
+  std::vector<hsize_t> read = extents;
+  if (range) {
+    std::vector<hsize_t> start(extents.size(), 0);
+    start.front() = range->first;
+    read.front() = range->count;
+    checked(
+        H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, read.data(), nullptr));
+  }
   std::size_t count = 1;
-  for (const hsize_t extent : extents)
+  for (const hsize_t extent : read)
     if (__builtin_mul_overflow(count, extent, &count)) throw hdf5::Error(name + " is too large");
   std::vector<T> values(count);
-  checked(H5Dread(dataset, hdf5::memory_type(T()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  const Handle in_memory(H5Screate_simple(static_cast<int>(read.size()), read.data(), nullptr));
+  checked(H5Dread(dataset, hdf5::memory_type(T()), in_memory, in_file, H5P_DEFAULT, values.data()));
   return values;
 }
 template <class T>
@@ -264,9 +276,9 @@ SceneResult read_scene(hid_t file, const std::string& id) {
   return scene;
 }
 
-// The values of each case at a path below a scene.
+// The values of each case, or of a range of cases, at a path below a scene.
 std::vector<double> read_cases(hid_t file, const std::string& scene_id, const std::string& folder,
-                               const std::string& name) {
+                               const std::string& name, const std::optional<CaseRange>& range) {
   if (scene_id.empty() || !exists(file, scene_id)) throw NotThere("has no scene " + scene_id);
   const Handle scene = open_group(file, scene_id);
   if (!exists(scene, "outputs"))
@@ -285,8 +297,9 @@ std::vector<double> read_cases(hid_t file, const std::string& scene_id, const st
     const std::size_t width = length_of(open_group(summary, place), "count");
     if (width > 1) extents.push_back(width);
   }
-  if (words_of(open_object(group, place)).empty()) return read_array<double>(group, place, extents);
-  return read_array<double>(group, place, H5T_STD_U8LE, extents);
+  const hid_t type =
+      words_of(open_object(group, place)).empty() ? hdf5::file_type(0.0) : H5T_STD_U8LE;
+  return read_array<double>(group, place, type, extents, range);
 }
 
 }  // namespace
@@ -376,18 +389,20 @@ SweepResult ResultFile::read() const {
   });
 }
 
-std::vector<double> ResultFile::input(const std::string& scene_id, const std::string& name) const {
-  return cases(scene_id, "inputs", name);
+std::vector<double> ResultFile::input(const std::string& scene_id, const std::string& name,
+                                      const Range& range) const {
+  return cases(scene_id, "inputs", name, range);
 }
 
-std::vector<double> ResultFile::column(const std::string& scene_id, const std::string& name) const {
-  return cases(scene_id, "outputs", name);
+std::vector<double> ResultFile::column(const std::string& scene_id, const std::string& name,
+                                       const Range& range) const {
+  return cases(scene_id, "outputs", name, range);
 }
 
 std::vector<double> ResultFile::cases(const std::string& scene_id, const std::string& folder,
-                                      const std::string& name) const {
+                                      const std::string& name, const Range& range) const {
   return read_with<std::vector<double>>(
-      [&](hid_t file) { return read_cases(file, scene_id, folder, name); });
+      [&](hid_t file) { return read_cases(file, scene_id, folder, name, range); });
 }
 
 }  // namespace tribo::sweep

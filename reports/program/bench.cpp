@@ -10,17 +10,21 @@
 #include <filesystem>
 #include <memory>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "bench_rows.hpp"
+#include "bench_solver.hpp"
 #include "command.hpp"
 #include "conformance/child_process.hpp"
 #include "conformance/conformance_baseline.hpp"
+#include "conformance/timed_solver.hpp"
 #include "messages.hpp"
 #include "page/project_files.hpp"
 #include "shell.hpp"
@@ -35,8 +39,14 @@ struct BenchArguments {
   std::string filter;
   double timeout = 1800;  // s
   std::string format = "table";
-  std::string plugin;  // empty: none
+  std::string junit;                  // empty: none
+  std::vector<std::string> plugins;   // none, one, or two side by side
+  std::vector<std::string> subjects;  // the same; none where there is a plug-in
+  bool alone = false;                 // the plug-in without contenders
   conformance::BaselineUse baseline;
+
+  bool times_solvers() const { return alone || plugins.size() > 1 || !subjects.empty(); }
+  bool has_plugin() const { return !plugins.empty(); }
 };
 
 // A limit, because the readers of expressions recurse with each bracket.
@@ -75,23 +85,15 @@ std::vector<std::string> command_line(const fs::path& program, const BenchArgume
       fmt::format("--benchmark_repetitions={}", arguments.quick ? 3 : 9),
       fmt::format("--benchmark_min_time={}", arguments.quick ? 0.02 : 0.2)};
   if (!arguments.filter.empty()) command.push_back("--benchmark_filter=" + filter_of(arguments));
-  if (!arguments.plugin.empty()) command.push_back("--plugin=" + arguments.plugin);
+  if (arguments.has_plugin()) command.push_back("--plugin=" + arguments.plugins[0]);
   return command;
-}
-
-void append_results(Text& to, const BenchResults& results, const std::string& format) {
-  if (format == "json")
-    append_bench_json(to, results);
-  else if (format == "tsv")
-    append_bench_tsv(to, results);
-  else
-    append_bench_table(to, results);
 }
 
 // The message on a run without results.
 std::string failure_text(const conformance::ChildEnd& end, const BenchArguments& arguments) {
   const std::string with_plugin =
-      arguments.plugin.empty() ? "" : fmt::format(", with the plug-in {} loaded", arguments.plugin);
+      arguments.has_plugin() ? fmt::format(", with the plug-in {} loaded", arguments.plugins[0])
+                             : "";
   if (end.is_late)
     return fmt::format(
         "tribocheck_bench was stopped, as it had not ended within {} s{}; allowed: a "
@@ -101,8 +103,7 @@ std::string failure_text(const conformance::ChildEnd& end, const BenchArguments&
     return fmt::format("tribocheck_bench ended by signal {} ({}){}", end.signal,
                        ::strsignal(end.signal), with_plugin);
   return fmt::format("tribocheck_bench ended without results, with exit code {}{}{}", end.exit_code,
-                     with_plugin,
-                     arguments.plugin.empty() ? "" : "; a plug-in must not call exit()");
+                     with_plugin, arguments.has_plugin() ? "; a plug-in must not call exit()" : "");
 }
 
 // "; the jobs are moment_5_2, …; the families are GSL, …", as the contenders' names have them.
@@ -126,11 +127,16 @@ std::string contenders_text(const fs::path& program) {
                      fmt::join(families, ", "));
 }
 
+using Measurement = std::variant<BenchResults, int>;
+
 // Runs the contenders. If that fails, the reason is printed and an exit code is returned.
-std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
+Measurement measure_contenders(const BenchArguments& arguments) {
   const fs::path program = helper_program("tribocheck_bench");
   if (program.empty())
-    return fail(exit_bad, "tribocheck_bench is not built; `make bench` builds it");
+    return fail(
+        exit_bad,
+        fmt::format("tribocheck_bench is not built; `make bench` builds it{}",
+                    arguments.has_plugin() ? "; --alone times the plug-in without it" : ""));
   const auto limit = std::chrono::milliseconds(static_cast<long long>(1000 * arguments.timeout));
   const conformance::ChildEnd end = conformance::run_child(command_line(program, arguments), limit);
   if (end.start_error != 0)
@@ -151,96 +157,170 @@ std::variant<BenchResults, int> measure(const BenchArguments& arguments) {
   }
 }
 
+// Times the solvers, as measure_contenders() does. `chosen`: the functions; empty: all that the
+// filter takes.
+Measurement measure_solvers(const BenchArguments& arguments, const std::set<std::string>& chosen) {
+  const SolverRun run{arguments.plugins.empty() ? arguments.subjects : arguments.plugins,
+                      arguments.has_plugin(), arguments.quick, arguments.timeout};
+  const IsRun is_asked = [&](const std::string& key) {
+    return is_run(arguments.filter, key) &&
+           (chosen.empty() || chosen.contains(key.substr(0, key.find('/'))));
+  };
+  try {
+    BenchResults results = measure_solvers(run, is_asked);
+    if (!results.jobs.empty()) return results;
+    return fail(exit_failed, run.solvers[0] +
+                                 ": it offers no function that is asked for, so that "
+                                 "nothing is timed");
+  } catch (const conformance::SolverFailed& failure) {
+    return fail(failure.exit_code,
+                (run.are_plugins ? "--plugin: " : "--subject: ") + std::string(failure.what()));
+  }
+}
+
+Measurement measure(const BenchArguments& arguments, const std::set<std::string>& chosen = {}) {
+  return arguments.times_solvers() ? measure_solvers(arguments, chosen)
+                                   : measure_contenders(arguments);
+}
+
 // The content of the file of --baseline, read before anything is measured.
 nlohmann::json baseline_before(const BenchArguments& arguments) {
   conformance::BaselineUse use = arguments.baseline;
-  use.renewal =
-      fmt::format("tribocheck bench{}{}{} --baseline {} --update-baseline --force",
-                  arguments.quick ? " --quick" : "",
-                  arguments.plugin.empty() ? "" : " --plugin " + shell_word(arguments.plugin),
-                  arguments.filter.empty() ? "" : " --filter " + shell_word(arguments.filter),
-                  shell_word(use.file));
+  std::string options;
+  for (const std::string& one : arguments.subjects) options += " --subject " + shell_word(one);
+  for (const std::string& one : arguments.plugins) options += " --plugin " + shell_word(one);
+  if (arguments.alone) options += " --alone";
+  if (!arguments.filter.empty()) options += " --filter " + shell_word(arguments.filter);
+  use.renewal = fmt::format("tribocheck bench{}{} --baseline {} --update-baseline --force",
+                            arguments.quick ? " --quick" : "", options, shell_word(use.file));
   return conformance::usable_baseline(use, check_bench_baseline);
+}
+
+// The changes from the baseline, which may be null, and from the second solver.
+BenchChanges changes_of(const BenchResults& results, const nlohmann::json& before,
+                        const IsAsked& asked) {
+  BenchChanges changes;
+  if (!before.is_null()) changes = compare(results, before, asked);
+  if (!results.base.empty()) compare_with_base(results, changes);
+  if (results.is_of_solvers && changes.timed == 0)
+    changes.worse.push_back({"", "no time was compared"});
+  return changes;
 }
 
 // A time counts as slower when a second run says so too.
 void confirm_slower(const BenchArguments& arguments, const nlohmann::json& before,
                     const IsAsked& asked, BenchChanges& changes) {
   if (changes.slower.empty()) return;
-  complain("slower than the baseline; measuring once more");
-  const auto again = measure(arguments);
+  std::set<std::string> functions;
+  for (const RowNote& note : changes.slower)
+    functions.insert(note.key.substr(0, note.key.find('/')));
+  complain("slower; measuring once more");
+  const Measurement again = measure(arguments, functions);
   const BenchResults* const second = std::get_if<BenchResults>(&again);
   if (second == nullptr) return;
-  const std::vector<std::string> slow = compare(*second, before, asked).slower;
-  std::erase_if(changes.slower, [&](const std::string& line) {
-    const std::string key = line.substr(0, line.find(": ") + 2);
-    return std::none_of(slow.begin(), slow.end(),
-                        [&](const std::string& other) { return other.starts_with(key); });
-  });
+  const std::vector<RowNote> slow = changes_of(*second, before, asked).slower;
+  std::vector<RowNote> kept;
+  for (RowNote& note : changes.slower) {
+    const bool is_slow_again = std::any_of(
+        slow.begin(), slow.end(), [&](const RowNote& other) { return other.key == note.key; });
+    if (is_slow_again)
+      kept.push_back(std::move(note));
+    else
+      changes.told.push_back({note.key, note.text + "; a second run was not so slow"});
+  }
+  changes.slower = std::move(kept);
 }
 
-void write_baseline(const BenchArguments& arguments, const nlohmann::json& made) {
-  report::write_file(arguments.baseline.file, made.dump(1) + "\n");
+// Says what has changed, on stderr.
+void tell(const BenchReport& report) {
+  const BenchChanges& changes = *report.changes;
+  const std::string than = report.baseline.empty() ? "the second solver" : "the baseline";
+  for (const std::string& line : changes.remarks) complain(line);
+  for (const RowNote& note : changes.told) complain("a little slower, not red: " + note.line());
+  for (const std::vector<RowNote>* notes : {&changes.worse, &changes.gone})
+    for (const RowNote& note : *notes)
+      complain(fmt::format("worse than {}: {}", than, note.line()));
+  for (const RowNote& note : changes.slower)
+    complain(fmt::format("slower than {}: {}", than, note.line()));
+  complain(report.verdict());
 }
 
-int hold_to_baseline(const BenchArguments& arguments, const BenchResults& results,
-                     nlohmann::json before) {
+void update_baseline(const BenchArguments& arguments, const BenchResults& results,
+                     nlohmann::json before, const IsAsked& asked) {
+  const std::string& file = arguments.baseline.file;
+  if (before.is_null() || arguments.baseline.force) {
+    write_bench_baseline(file, new_bench_baseline(results, before, asked));
+    return complain((before.is_null() ? "baseline written: " : "baseline written anew: ") + file);
+  }
+  const std::vector<std::string> said = improve(before, results);
+  write_bench_baseline(file, before);
+  for (const std::string& line : said) complain(line);
+}
+
+void write_results(const BenchArguments& arguments, const BenchReport& report,
+                   OutputStream& output) {
+  append_bench(output.text(), report, arguments.format);
+  output.flush();
+  if (!arguments.junit.empty()) report::write_file(arguments.junit, bench_junit(report));
+}
+
+int bench_with(const BenchArguments& arguments, const nlohmann::json& before,
+               OutputStream& output) {
+  Measurement measured = measure(arguments);
+  if (const int* code = std::get_if<int>(&measured)) return *code;
+  BenchReport report{std::move(std::get<BenchResults>(measured))};
+  for (const std::string& line : report.results.left_out) complain("left out: " + line);
   const IsAsked asked = [&](const std::string& key) {
     return key == control_row || is_run(arguments.filter, key);
   };
-  if (before.is_null()) {
-    write_baseline(arguments, new_bench_baseline(results, before, asked));
-    complain("baseline written: " + arguments.baseline.file);
-    return exit_done;
+  if (!before.is_null()) report.baseline = arguments.baseline.file;
+  if (!before.is_null() || !report.results.base.empty()) {
+    report.changes = changes_of(report.results, before, asked);
+    confirm_slower(arguments, before, asked, *report.changes);
   }
-  BenchChanges changes = compare(results, before, asked);
-  confirm_slower(arguments, before, asked, changes);
-  for (const std::string& line : changes.remarks) complain(line);
-  for (const std::string& line : changes.worse) complain("worse than the baseline: " + line);
-  for (const std::string& line : changes.slower) complain("slower than the baseline: " + line);
-  const bool holds = changes.worse.empty() && changes.slower.empty();
-  complain(fmt::format("{} {}: {} of {} rows compared, the times of {}",
-                       holds ? "PASSED, no worse than" : "FAILED, worse than",
-                       arguments.baseline.file, changes.compared, changes.rows, changes.timed));
-  if (!arguments.baseline.update) return holds ? exit_done : exit_failed;
-  if (arguments.baseline.force) {
-    write_baseline(arguments, new_bench_baseline(results, before, asked));
-    complain("baseline written anew: " + arguments.baseline.file);
-    return exit_done;
-  }
-  const std::vector<std::string> said = improve(before, results);
-  write_baseline(arguments, before);
-  for (const std::string& line : said) complain(line);
-  return holds ? exit_done : exit_failed;
+  write_results(arguments, report, output);
+  if (report.changes) tell(report);
+  if (arguments.baseline.update) update_baseline(arguments, report.results, before, asked);
+  const bool is_forced = !before.is_null() && arguments.baseline.force;
+  return !report.changes || report.changes->holds() || is_forced ? exit_done : exit_failed;
+}
+
+// The fault of the options; empty where there is none.
+std::string option_fault(const BenchArguments& arguments) {
+  for (const auto& [option, solvers] :
+       {std::pair("--plugin", &arguments.plugins), std::pair("--subject", &arguments.subjects)})
+    if (solvers->size() > 2)
+      return fmt::format("{}: {} are given; allowed: one, or two to be compared", option,
+                         solvers->size());
+  if (arguments.filter.size() > longest_filter)
+    return fmt::format("--filter: longer than {} signs", longest_filter);
+  if (!is_expression(arguments.filter))
+    return "--filter: \"" + arguments.filter + "\" is no extended regular expression";
+  if (!arguments.times_solvers() && !arguments.baseline.file.empty() &&
+      arguments.filter.starts_with('-') && !is_run(arguments.filter, control_row))
+    return fmt::format(
+        "--filter: \"{}\" leaves out {}, which --baseline needs; allowed: a filter "
+        "that leaves it in",
+        arguments.filter, control_row);
+  return {};
 }
 
 int bench(const BenchArguments& arguments, OutputStream& output) {
-  if (arguments.filter.size() > longest_filter)
-    return fail(exit_bad, fmt::format("--filter: longer than {} signs", longest_filter));
-  if (!is_expression(arguments.filter))
-    return fail(exit_bad,
-                "--filter: \"" + arguments.filter + "\" is no extended regular expression");
-  if (!arguments.baseline.file.empty() && arguments.filter.starts_with('-') &&
-      !is_run(arguments.filter, control_row))
-    return fail(exit_bad, fmt::format("--filter: \"{}\" leaves out {}, which --baseline needs; "
-                                      "allowed: a filter that leaves it in",
-                                      arguments.filter, control_row));
+  if (const std::string fault = option_fault(arguments); !fault.empty())
+    return fail(exit_bad, fault);
   try {
-    nlohmann::json before = baseline_before(arguments);
-    const auto measured = measure(arguments);
-    if (const int* code = std::get_if<int>(&measured)) return *code;
-    const BenchResults& results = std::get<BenchResults>(measured);
-    for (const std::string& line : results.left_out) complain("left out: " + line);
-    append_results(output.text(), results, arguments.format);
-    output.flush();
-    if (arguments.baseline.file.empty()) return exit_done;
-    return hold_to_baseline(arguments, results, std::move(before));
+    return bench_with(arguments, baseline_before(arguments), output);
   } catch (const nlohmann::json::exception& error) {
     return fail(exit_bad, fmt::format("{}: it is no baseline of `tribocheck bench`: {}",
                                       arguments.baseline.file, error.what()));
   } catch (const std::invalid_argument& error) {
     return fail(exit_bad, error.what());
   }
+}
+
+std::vector<Ignored> ignored_by(const BenchArguments& arguments) {
+  return {{{"--alone"}, !arguments.has_plugin(), "without --plugin"},
+          {{"--alone"}, arguments.plugins.size() > 1, "beside a second --plugin"}};
 }
 
 constexpr const char* bench_footer =
@@ -276,12 +356,24 @@ Command add_bench(CLI::App& program) {
   app->add_flag("--quick", arguments->quick, "fewer and shorter repetitions");
   app->add_option("--filter", arguments->filter,
                   "run only contenders whose job/family/name matches this regular expression");
-  app->add_option("--plugin", arguments->plugin, "a shared library with a solver of yours");
+  CLI::Option* const plugin =
+      app->add_option("--plugin", arguments->plugins,
+                      "a shared library with a solver of yours; given twice: the first beside the "
+                      "second")
+          ->allow_extra_args(false);
+  app->add_option("--subject", arguments->subjects,
+                  "command line of a program that answers JSON lines; given twice: the first "
+                  "beside the second")
+      ->allow_extra_args(false)
+      ->excludes(plugin);
+  app->add_flag("--alone", arguments->alone,
+                "time one plug-in without the contenders; needs no tribocheck_bench");
   app->add_option("--timeout", arguments->timeout,
                   "seconds for each run of all contenders (default: 1800)")
       ->check(CLI::Range(0.01, 1e6));
   app->add_option("--format", arguments->format, "how to write the results (default: table)")
-      ->check(CLI::IsMember({"table", "json", "tsv"}));
+      ->check(CLI::IsMember({"table", "json", "tsv", "markdown"}));
+  app->add_option("--junit", arguments->junit, "also write a JUnit XML file");
   app->add_option("--baseline", arguments->baseline.file,
                   "fail on more work, more error, and more time than this file says");
   CLI::Option* const update = app->add_flag("--update-baseline", arguments->baseline.update,
@@ -289,7 +381,8 @@ Command add_bench(CLI::App& program) {
   update->needs("--baseline");
   app->add_flag("--force", arguments->baseline.force, "with --update-baseline: what is worse, too")
       ->needs(update);
-  return {app, [arguments](OutputStream& output) { return bench(*arguments, output); }};
+  return {app, [arguments](OutputStream& output) { return bench(*arguments, output); },
+          [arguments] { return ignored_by(*arguments); }};
 }
 
 }  // namespace tribo::cli

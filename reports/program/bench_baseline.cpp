@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <fstream>
 #include <stdexcept>
 
 #include "bench_rows.hpp"
+#include "build_info.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -15,7 +18,10 @@ using nlohmann::json;
 
 constexpr double accuracy_ratchet = 4;  // times the greatest error, or 1 ulp
 constexpr double time_ratio = 1.10;     // ratio of the medians
-constexpr int schema = 2;
+constexpr double solver_ratio = 1.15;   // ratio of a solver's lower end to the median
+constexpr double told_ratio = 1.05;     // ratio of the medians
+constexpr int oldest_schema = 2, schema = 3;
+constexpr std::string_view schema_name = "bench-baseline/";
 
 // The control's median; empty where it did not run.
 std::optional<double> control_of(const BenchResults& results) {
@@ -34,6 +40,7 @@ std::optional<double> optional_number(const json& row, const char* field) {
 constexpr auto time_fields =
     std::to_array<const char*>({"least_over_control", "median_over_control"});
 
+// Members that only rows of solvers have are "cases" and "measured".
 json row_json(const BenchRow& row, const std::optional<double>& control) {
   json made{
       {"max_ulp", optional_json(row.max_ulp)},   {"judged", optional_json(row.judged)},
@@ -43,7 +50,18 @@ json row_json(const BenchRow& row, const std::optional<double>& control) {
     made["least_over_control"] = row.least_ns / *control;
     made["median_over_control"] = row.ns / *control;
   }
+  if (row.over_control) {
+    made["least_over_control"] = row.over_control->low;
+    made["median_over_control"] = row.over_control->median;
+  }
+  if (row.cases) made["cases"] = *row.cases;
+  if (!row.measured.empty()) made["measured"] = row.measured;
   return made;
+}
+
+// "12 % slower".
+std::string percent_slower(double ratio) {
+  return fmt::format("{:.0f} % slower", 100 * (ratio - 1));
 }
 
 // "AMD EPYC"; "unknown" where the machine does not tell.
@@ -62,14 +80,23 @@ bool is_of_this_machine(const json& baseline) {
 // The comparison of a row with the baseline's row.
 class RowComparison {
  public:
-  // Without a control times are not compared.
-  RowComparison(const BenchRow& row, const json& before, const std::optional<double>& control)
+  // Without `compares_times` times are not compared: their control did not run, or on another
+  // machine.
+  RowComparison(const BenchRow& row, const json& before, const std::optional<double>& control,
+                bool compares_times)
       : key(row.key()), before_(before), now_(row_json(row, control)) {
     compare_count("evaluations", "evaluations", 1);
     compare_count("failures", "failures", 1);
     compare_count("judged", "judged cases", -1);
+    if (row.cases) compare_count("cases", "cases with an answer", -1);
     compare_error();
-    if (control) compare_time();
+    // Times of other cases are other times.
+    const bool has_other_cases = row.cases && *row.cases != before.at("cases");
+    if (!compares_times) return;
+    if (has_other_cases)
+      improved_fields_.insert(improved_fields_.end(), time_fields.begin(), time_fields.end());
+    else if (is_measured_alike(row))
+      compare_time(row);
   }
 
   // The baseline's row, updated with the numbers that became better.
@@ -80,12 +107,12 @@ class RowComparison {
   }
 
   std::string key;
-  std::vector<std::string> worse, slower, better;
+  std::vector<RowNote> worse, slower, told, better;
   bool any_compared = false, is_timed = false;
 
  private:
   void note(bool is_worse, const char* field, const std::string& text) {
-    (is_worse ? worse : better).push_back(key + ": " + text);
+    (is_worse ? worse : better).push_back({key, text});
     if (!is_worse) improved_fields_.push_back(field);
   }
 
@@ -116,25 +143,44 @@ class RowComparison {
       note(false, "max_ulp", text);
   }
 
-  // Slower: the intervals from minimum to median do not meet, and the median grew by over a tenth.
-  void compare_time() {
+  bool is_measured_alike(const BenchRow& row) {
+    if (row.measured.empty()) return true;
+    const std::string was = before_.value("measured", "");
+    if (was == row.measured) return true;
+    worse.push_back(
+        {key, fmt::format("its time was measured as \"{}\", is as \"{}\"; the baseline is to be "
+                          "made anew (--update-baseline --force)",
+                          was, row.measured)});
+    return false;
+  }
+
+  // Rows of contenders are slower where the intervals from minimum to median do not meet, and the
+  // median grew by over a tenth; rows of solvers where their whole interval is above the limit.
+  void compare_time(const BenchRow& row) {
     const auto least = optional_number(now_, time_fields[0]),
                median = optional_number(now_, time_fields[1]);
     if (!least || !median) return;  // the row is the control
     const auto was_least = optional_number(before_, time_fields[0]),
                was_median = optional_number(before_, time_fields[1]);
     if (!was_least || !was_median) {
-      better.push_back(key + ": its time is new");
+      better.push_back({key, "its time is new"});
       improved_fields_.insert(improved_fields_.end(), time_fields.begin(), time_fields.end());
       return;
     }
     any_compared = is_timed = true;
     const double ratio = *median / *was_median;
-    const std::string line =
-        fmt::format("{}: {:.3g} times the control, was {:.3g}", key, *median, *was_median);
-    if (*least > *was_median && ratio > time_ratio) slower.push_back(line);
-    if (*median < *was_least && ratio < 1 / time_ratio) {
-      better.push_back(line);
+    const bool is_of_solver = row.over_control.has_value();
+    const bool is_slower = is_of_solver ? *least > solver_ratio * *was_median
+                                        : *least > *was_median && ratio > time_ratio;
+    const double greatest = is_of_solver ? row.over_control->high : *median;
+    const std::string text =
+        fmt::format("{:.3g} times the control, was {:.3g}", *median, *was_median);
+    if (is_slower)
+      slower.push_back({key, text});
+    else if (ratio > told_ratio && *least > *was_median)
+      told.push_back({key, fmt::format("{}, {}", percent_slower(ratio), text)});
+    if (greatest < *was_least && ratio < 1 / time_ratio) {
+      better.push_back({key, text});
       improved_fields_.insert(improved_fields_.end(), time_fields.begin(), time_fields.end());
     }
   }
@@ -143,6 +189,10 @@ class RowComparison {
   json now_;
   std::vector<const char*> improved_fields_;
 };
+
+void add_notes(std::vector<RowNote>& to, const std::vector<RowNote>& notes) {
+  to.insert(to.end(), notes.begin(), notes.end());
+}
 
 // Why a row of the baseline has no row in this run; empty where the reason is not known.
 std::string reason_of(const std::string& key, const BenchResults& results) {
@@ -168,7 +218,7 @@ void note_gone(const BenchResults& results, const json& baseline, const IsAsked&
     else if (is_of_processor)
       changes.remarks.push_back(key + ": another processor or compiler has no such row");
     else
-      changes.worse.push_back(key + ": is gone" + reason_of(key, results));
+      changes.gone.push_back({key, "is gone" + reason_of(key, results)});
   }
   if (left_out > 0)
     changes.remarks.push_back(
@@ -189,61 +239,107 @@ void check_bench_baseline(const json& baseline) {
   if (!baseline.is_object() || !baseline.contains("schema") || !baseline.contains("rows") ||
       !baseline.contains("environment"))
     throw std::runtime_error("it is no baseline of `tribocheck bench`");
-  if (baseline.at("schema") != schema)
-    throw std::runtime_error(fmt::format("it is a baseline of schema {}, and this program has {}",
-                                         baseline.at("schema").dump(), schema));
+  // Up to schema 2 it was the number alone.
+  const json& told = baseline.at("schema");
+  const bool is_known = told == oldest_schema || told == fmt::format("{}{}", schema_name, schema);
+  if (!is_known)
+    throw std::runtime_error(
+        fmt::format("it is a baseline of schema {}, and this program has {}", told.dump(), schema));
 }
 
 BenchChanges compare(const BenchResults& results, const json& baseline, const IsAsked& is_asked) {
   BenchChanges changes;
   const json& rows = baseline.at("rows");
-  std::optional<double> control = control_of(results);
-  if (!is_of_this_machine(baseline)) {
-    control.reset();
+  const std::optional<double> control = control_of(results);
+  const bool is_here = is_of_this_machine(baseline);
+  if (!is_here)
     changes.remarks.emplace_back("times are not comparable: another processor or compiler");
-  } else if (!control) {
-    changes.worse.emplace_back("the control did not run, so that no times are compared");
-  }
+  else if (!control && !results.is_of_solvers)
+    changes.worse.push_back({"", "the control did not run, so that no times are compared"});
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows) {
       ++changes.rows;
       if (!rows.contains(row.key())) {
-        changes.better.push_back(row.key() + ": is new");
+        changes.fresh.push_back({row.key(), "is new"});
         continue;
       }
-      const RowComparison one(row, rows.at(row.key()), control);
+      const bool has_control = row.over_control || control;
+      const RowComparison one(row, rows.at(row.key()), control, is_here && has_control);
       changes.compared += one.any_compared ? 1 : 0;
       changes.timed += one.is_timed ? 1 : 0;
-      const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& lines) {
-        to.insert(to.end(), lines.begin(), lines.end());
-      };
-      add(changes.worse, one.worse);
-      add(changes.slower, one.slower);
-      add(changes.better, one.better);
+      add_notes(changes.worse, one.worse);
+      add_notes(changes.slower, one.slower);
+      add_notes(changes.told, one.told);
+      add_notes(changes.better, one.better);
     }
   note_gone(results, baseline, is_asked, changes);
-  if (changes.compared == 0) changes.worse.emplace_back("nothing of this run is in the baseline");
+  if (changes.compared == 0)
+    changes.worse.push_back({"", "nothing of this run is in the baseline"});
   return changes;
+}
+
+void compare_with_base(const BenchResults& results, BenchChanges& changes) {
+  for (const BenchJob& job : results.jobs) {
+    const BenchRow *mine = nullptr, *base = nullptr;
+    ++changes.rows;
+    for (const BenchRow& row : job.rows) (row.family == base_family ? base : mine) = &row;
+    if (base == nullptr) {
+      changes.fresh.push_back({mine->key(), "the second solver does not offer it"});
+      continue;
+    }
+    if (mine == nullptr) {
+      changes.gone.push_back({base->key(), "the first solver does not offer it"});
+      continue;
+    }
+    ++changes.compared;
+    if (mine->measured != base->measured) {
+      changes.worse.push_back(
+          {mine->key(), fmt::format("its time is measured as \"{}\", of the second solver as "
+                                    "\"{}\": they cannot be compared",
+                                    mine->measured, base->measured)});
+      continue;
+    }
+    if (*mine->cases != *base->cases) {
+      (*mine->cases < *base->cases ? changes.worse : changes.better)
+          .push_back({mine->key(), fmt::format("cases with an answer are {}, of the second solver "
+                                               "{}, so that their times are not compared",
+                                               *mine->cases, *base->cases)});
+      continue;
+    }
+    ++changes.timed;
+    const Ratio& ratio = *mine->over_base;
+    const std::string text = fmt::format("{:.3g} times the second solver's time ({:.3g} to {:.3g})",
+                                         ratio.median, ratio.low, ratio.high);
+    if (ratio.low > solver_ratio)
+      changes.slower.push_back({mine->key(), text});
+    else if (ratio.median > told_ratio && ratio.low > 1)
+      changes.told.push_back(
+          {mine->key(), fmt::format("{}, {}", percent_slower(ratio.median), text)});
+    else if (ratio.high < 1 / time_ratio)
+      changes.better.push_back({mine->key(), text});
+  }
 }
 
 std::vector<std::string> improve(json& baseline, const BenchResults& results) {
   std::vector<std::string> said;
-  const std::optional<double> control =
-      is_of_this_machine(baseline) ? control_of(results) : std::nullopt;
+  const bool is_here = is_of_this_machine(baseline);
+  const std::optional<double> control = is_here ? control_of(results) : std::nullopt;
   json& rows = baseline.at("rows");
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows) {
       const std::string key = row.key();
       if (!rows.contains(key)) {
         rows[key] = row_json(row, control);
+        for (const char* field : time_fields)
+          if (!is_here) rows[key][field] = nullptr;
         said.push_back("baseline improved: " + key + ": is new");
         continue;
       }
       const json before = rows.at(key);
-      const RowComparison one(row, before, control);
+      const RowComparison one(row, before, control, is_here && (row.over_control || control));
       if (one.worse.empty() && one.slower.empty()) {
         rows[key] = one.improved();
-        for (const std::string& line : one.better) said.push_back("baseline improved: " + line);
+        for (const RowNote& note : one.better) said.push_back("baseline improved: " + note.line());
       } else {
         said.push_back("baseline kept: " + key + ": it got worse");
       }
@@ -265,7 +361,18 @@ json new_bench_baseline(const BenchResults& results, const json& before, const I
   const std::optional<double> control = control_of(results);
   for (const BenchJob& job : results.jobs)
     for (const BenchRow& row : job.rows) rows[row.key()] = row_json(row, control);
-  return {{"schema", schema}, {"environment", environment_json()}, {"rows", std::move(rows)}};
+  return {{"rows", std::move(rows)}};
+}
+
+void write_bench_baseline(const std::string& file, const json& content) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::parse(
+      "{" + document_head(fmt::format("{}{}", schema_name, schema)) + "}");
+  all["commit"] = std::string(program_commit());
+  all["date"] = fmt::format("{:%F}", fmt::gmtime(std::time(nullptr)));
+  all["environment"] =
+      content.contains("environment") ? content.at("environment") : environment_json();
+  all["rows"] = content.at("rows");
+  report::write_file(file, all.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace tribo::cli

@@ -2,13 +2,13 @@
 #include "bench_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 
 #include "protocol/bounded_json.hpp"
-#include "table.hpp"
 
 namespace tribo::cli {
 namespace {
@@ -55,30 +55,18 @@ void add_ratios(BenchJob& job) {
   for (BenchRow& row : job.rows) row.ratio = row.ns / *ours;
 }
 
-// Five digits at most, without an exponent below a million.
-std::string short_number(double x) {
-  if (x >= 1e6) return fmt::format("{:.1e}", x);
-  return x >= 1000 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
-}
-std::string cell(const std::optional<double>& x) { return x ? short_number(*x) : "-"; }
-
-struct Field {
-  const char* name;
-  std::optional<double> (*value)(const BenchRow&);
-  bool is_count = false;
-};
-constexpr Field fields[] = {
-    {"ns", [](const BenchRow& r) { return std::optional(r.ns); }},
-    {"ratio", [](const BenchRow& r) { return r.ratio; }},
-    {"max_ulp", [](const BenchRow& r) { return r.max_ulp; }},
-    {"p99_ulp", [](const BenchRow& r) { return r.p99_ulp; }},
-    {"mean_ulp", [](const BenchRow& r) { return r.mean_ulp; }},
-    {"evaluations", [](const BenchRow& r) { return r.evaluations; }},
-    {"failures", [](const BenchRow& r) { return r.failures; }, true},
-    {"judged", [](const BenchRow& r) { return r.judged; }, true},
-};
-
 }  // namespace
+
+// The ranks between which the median lies in 95 of 100 samples: n/2 ± 0.98 √n.
+Ratio ratio_of(std::vector<double> ratios) {
+  std::sort(ratios.begin(), ratios.end());
+  const auto count = static_cast<double>(ratios.size());
+  const auto below = static_cast<std::size_t>(std::max(0.0, (count - 1.96 * std::sqrt(count)) / 2));
+  const std::size_t middle = ratios.size() / 2;
+  const double median =
+      ratios.size() % 2 == 1 ? ratios[middle] : (ratios[middle - 1] + ratios[middle]) / 2;
+  return {median, ratios[below], ratios[ratios.size() - 1 - below]};
+}
 
 BenchResults read_bench_results(const std::string& json) {
   // A spread of nothing but zeros has no coefficient of variation: Google Benchmark writes it as
@@ -124,55 +112,6 @@ BenchResults read_bench_results(const std::string& json) {
         row.least_ns = found->second;
   }
   return results;
-}
-
-void append_bench_table(Text& to, const BenchResults& results) {
-  bool is_first = true;
-  for (const BenchJob& job : results.jobs) {
-    if (!is_first) append(to, "\n");
-    is_first = false;
-    append_title(to, job.title);
-    const auto add = [&](const auto&... cells) {
-      append(to, fmt::format("{:<14}{:<38}{:>10}{:>9}{:>10}{:>13}{:>11}\n", cells...));
-    };
-    add("family", "contender", "ns", "ratio", "max ulp", "evaluations", "failures");
-    for (const BenchRow& row : job.rows)
-      add(row.family, row.name, short_number(row.ns), cell(row.ratio), cell(row.max_ulp),
-          cell(row.evaluations),
-          row.judged ? fmt::format("{} of {}", *row.failures, *row.judged) : "-");
-  }
-}
-
-void append_bench_json(Text& to, const BenchResults& results) {
-  Json rows = Json::array();
-  for (const BenchJob& job : results.jobs)
-    for (const BenchRow& row : job.rows) {
-      Json object{{"job", row.job}, {"family", row.family}, {"name", row.name}};
-      for (const Field& field : fields) {
-        const std::optional<double> value = field.value(row);
-        object[field.name] = !value           ? Json()
-                             : field.is_count ? Json(static_cast<long>(*value))
-                                              : Json(*value);
-      }
-      rows.push_back(std::move(object));
-    }
-  append(to, rows.dump(1));
-  append(to, "\n");
-}
-
-void append_bench_tsv(Text& to, const BenchResults& results) {
-  append(to, "job\tfamily\tname");
-  for (const Field& field : fields) append(to, fmt::format("\t{}", field.name));
-  append(to, "\n");
-  for (const BenchJob& job : results.jobs)
-    for (const BenchRow& row : job.rows) {
-      append(to, fmt::format("{}\t{}\t{}", row.job, row.family, row.name));
-      for (const Field& field : fields) {
-        const std::optional<double> value = field.value(row);
-        append(to, value ? fmt::format("\t{}", *value) : "\t");
-      }
-      append(to, "\n");
-    }
 }
 
 }  // namespace tribo::cli

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of `tribocheck bench`, from the measurements of tribocheck_bench, and their comparison
-// with a baseline, a file of earlier numbers that users commit: a gate for their CI. Work and
-// accuracy are compared on any machine. Times are divided by the control's time of the same run,
-// and compared only if processor and compiler are the same as in the baseline.
+// The rows of `tribocheck bench`, from the measurements of tribocheck_bench or of solvers, and
+// their comparison with a baseline, a file of earlier numbers that users commit: a gate for their
+// CI. Work and accuracy are compared on any machine. Times are divided by the control's time of the
+// same run, and compared only if processor and compiler are the same as in the baseline. Of two
+// solvers in one run the times are compared on any machine.
 #pragma once
 
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "messages.hpp"
@@ -18,17 +20,31 @@ namespace tribo::cli {
 // "g++ 12.2.0", of this program.
 std::string compiler_name();
 
+// The median of ratios, and an interval around it, which 95 of 100 such medians lie in.
+struct Ratio {
+  double median, low, high;
+};
+
+// From ranks, so that it asks for no law of the numbers. There is at least one.
+Ratio ratio_of(std::vector<double> ratios);
+
 struct BenchRow {
   std::string job;
   std::string family;
   std::string name;
-  double ns;                    // a point: CPU time, the median of the repetitions
-  double least_ns;              // the least of the repetitions
-  std::optional<double> ratio;  // to the fastest of tribocheck's in this job and run
+  double ns;                         // a point: CPU time, the median of the repetitions
+  double least_ns;                   // the least of the repetitions
+  std::optional<double> ratio = {};  // to the fastest of tribocheck's in this job and run
   // Empty if nothing was judged. Failures are cases without a number or off by more than 1e-6 times
   // their condition; the ulp values are true errors of the cases that are numbers.
-  std::optional<double> judged, failures, max_ulp, p99_ulp, mean_ulp;
-  std::optional<double> evaluations;  // of integrand or moment, a point; empty: not counted
+  std::optional<double> judged = {}, failures = {}, max_ulp = {}, p99_ulp = {}, mean_ulp = {};
+  std::optional<double> evaluations = {};  // of integrand or moment, a point; empty: not counted
+  // From here on of solvers alone.
+  std::optional<Ratio> over_control = {};  // of each lap's time, to the control's beside it
+  std::optional<Ratio> over_base = {};     // of each lap's time, to the second solver's beside it
+  std::optional<double> wall_ns = {};      // a case, by the clock; for the eye alone
+  std::optional<double> cases = {};        // that have an answer
+  std::string measured = {};               // how the time is known, and the control
 
   std::string key() const { return job + '/' + family + '/' + name; }
 };
@@ -40,25 +56,38 @@ struct BenchJob {
 
 struct BenchResults {
   std::vector<BenchJob> jobs;
-  std::vector<std::string> left_out;  // contenders that could not run, with the reason
+  std::vector<std::string> left_out = {};  // contenders that could not run, with the reason
+  bool is_of_solvers = false;              // and of no contenders
+  std::string base = {};                   // the second solver's name; empty: there is one alone
 };
+
+// The family of the second solver's rows.
+inline constexpr const char* base_family = "base";
 
 // From Google Benchmark's JSON with aggregates. Throws std::runtime_error.
 BenchResults read_bench_results(const std::string& json);
 
-void append_bench_table(Text& to, const BenchResults& results);
-void append_bench_json(Text& to, const BenchResults& results);
-void append_bench_tsv(Text& to, const BenchResults& results);
-
 // Was the row "job/family/name" asked for?
 using IsAsked = std::function<bool(const std::string& key)>;
 
+// One line about a row.
+struct RowNote {
+  std::string key, text;
+
+  std::string line() const { return key.empty() ? text : key + ": " + text; }
+};
+
 struct BenchChanges {
-  std::vector<std::string> worse;    // red; rows that are gone, too, or a run that compares no row
-  std::vector<std::string> slower;   // red if a second run says so too
-  std::vector<std::string> better;   // may be written into the baseline
+  std::vector<RowNote> worse;        // red; or, without a key, why nothing could be compared
+  std::vector<RowNote> gone;         // red, too: rows of the baseline that did not run
+  std::vector<RowNote> slower;       // red if a second run says so too
+  std::vector<RowNote> told;         // slower by 5 % or more, but not so that it is red
+  std::vector<RowNote> better;       // may be written into the baseline
+  std::vector<RowNote> fresh;        // rows that the baseline does not have
   std::vector<std::string> remarks;  // why something is not compared
   std::size_t rows = 0, compared = 0, timed = 0;  // in this run; compared; times compared, too
+
+  bool holds() const { return worse.empty() && gone.empty() && slower.empty(); }
 };
 
 // Throws std::runtime_error with one line where this is no baseline of this command and schema.
@@ -68,6 +97,9 @@ void check_bench_baseline(const nlohmann::json& baseline);
 BenchChanges compare(const BenchResults& results, const nlohmann::json& baseline,
                      const IsAsked& is_asked);
 
+// Adds the changes from the second solver to the first.
+void compare_with_base(const BenchResults& results, BenchChanges& changes);
+
 // Writes what became better into the baseline, number by number, unless the row got worse in
 // anything. Returns a line for each change, and for each row that is not written as it got worse.
 std::vector<std::string> improve(nlohmann::json& baseline, const BenchResults& results);
@@ -76,5 +108,23 @@ std::vector<std::string> improve(nlohmann::json& baseline, const BenchResults& r
 // without their times where these are of another machine. `before` may be null.
 nlohmann::json new_bench_baseline(const BenchResults& results, const nlohmann::json& before,
                                   const IsAsked& is_asked);
+
+// Writes the rows with the head of a baseline: schema, version, commit, date, and the environment,
+// which is that of `content` where it has one, as the times of an earlier run stay.
+void write_bench_baseline(const std::string& file, const nlohmann::json& content);
+
+// All that a run has to say.
+struct BenchReport {
+  BenchResults results;
+  std::optional<BenchChanges> changes = {};  // from the baseline, or from the second solver
+  std::string baseline = {};                 // the file; empty: none
+
+  // "PASSED, no worse than speed.json: 3 of 4 rows compared, the times of 3". There are changes.
+  std::string verdict() const;
+};
+
+// format: "table", "json", "tsv" or "markdown".
+void append_bench(Text& to, const BenchReport& report, const std::string& format);
+std::string bench_junit(const BenchReport& report);
 
 }  // namespace tribo::cli

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "build_commit.hpp"
 #include "tribo/version.hpp"
 
@@ -19,6 +21,16 @@ std::string version_line() {
 
 std::string document_head(std::string_view schema) {
   return fmt::format(R"("schema": "{}", "version": "{}")", schema, version);
+}
+
+nlohmann::ordered_json document(std::string_view schema, const nlohmann::ordered_json& members) {
+  nlohmann::ordered_json made{{"schema", schema}, {"version", version}};
+  made.update(members);
+  return made;
+}
+
+std::string list_start(std::string_view schema, std::string_view member) {
+  return fmt::format("{{{}, \"{}\": [\n", document_head(schema), member);
 }
 
 }  // namespace tribo::cli

@@ -2,6 +2,7 @@
 // The version and the commit of this program, and the head of every JSON document that it writes.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,13 @@ std::string version_line();
 // `schema` names the file of reference/schemas that describes the document, and its number, which
 // grows when a member is taken away, renamed, or given another meaning.
 std::string document_head(std::string_view schema);
+
+// A document of these members after its head.
+nlohmann::ordered_json document(std::string_view schema, const nlohmann::ordered_json& members);
+
+// A document of one list, which is written row by row: the text before its rows, between two of
+// them, and after the last.
+std::string list_start(std::string_view schema, std::string_view member);
+inline constexpr std::string_view list_comma = ",\n", list_end = "\n]}\n";
 
 }  // namespace tribo::cli

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "build_info.hpp"
 #include "junit.hpp"
 #include "page/text_table.hpp"
 #include "page/texts.hpp"
@@ -67,11 +68,25 @@ std::string joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+// The quantities that have failed, or become worse, only by the subject's end or silence.
+std::vector<std::string> lost(const SubjectVerdict& verdict) {
+  if (verdict.changes && !verdict.changes->lost.empty()) return verdict.changes->lost;
+  std::vector<std::string> quantities;
+  for (const QuantityVerdict& one : verdict.result.quantities)
+    if (one.fails_by_losses_alone()) quantities.push_back(one.quantity);
+  return quantities;
+}
+
 // Breaches of the protocol, and facts of the run that a user should know.
-std::vector<std::string> remarks(const ConformanceResult& result) {
+std::vector<std::string> remarks(const SubjectVerdict& verdict) {
+  const ConformanceResult& result = verdict.result;
   const Conversation& talk = result.conversation;
   std::vector<std::string> lines = result.notes;
   for (std::string& one : unsteady_lines(result.unsteady)) lines.push_back(std::move(one));
+  if (!result.losses.empty()) {
+    lines.push_back("The subject failed " + loss_text(result.losses, lost(verdict)) + ":");
+    lines.push_back(fmt::format("  {} --show {}", verdict.same_question, result.losses.front().id));
+  }
   if (talk.violation_count > 0)
     lines.push_back(fmt::format("The protocol was broken {} times:", talk.violation_count));
   for (const std::string& one : talk.violations) lines.push_back("  " + one);
@@ -108,11 +123,19 @@ std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
   return found;
 }
 
-std::vector<std::string> texts(const std::vector<QuantityNote>& changes) {
-  std::vector<std::string> all;
-  all.reserve(changes.size());
-  for (const QuantityNote& one : changes) all.push_back(one.text);
-  return all;
+// All changes against the baseline, each after a word on its kind.
+std::vector<std::string> change_lines(const SubjectVerdict& verdict) {
+  std::vector<std::string> lines;
+  if (!verdict.changes) return lines;
+  const auto add = [&](const char* kind, const std::vector<BaselineChange>& changes) {
+    for (const BaselineChange& one : changes)
+      lines.push_back(fmt::format("{}: {}", kind, one.text));
+  };
+  add("Better than the baseline", verdict.changes->better);
+  add("Not in the baseline", verdict.changes->fresh);
+  add("In the baseline alone", verdict.changes->gone);
+  add("Worse than the baseline", verdict.changes->worse);
+  return lines;
 }
 
 std::string summary(const SubjectVerdict& verdict) {
@@ -138,12 +161,18 @@ std::string summary(const SubjectVerdict& verdict) {
   return text + fmt::format(" (tolerance: {}).", result.tolerance.name);
 }
 
+// Is the worst case of a quantity to be shown? Cases that the subject's end or silence has cost are
+// told at once.
+bool has_example(const QuantityVerdict& one) {
+  return one.failed > 0 && !one.fails_by_losses_alone();
+}
+
 // The worst cases of the quantities that failed. The request of a case is written once, where
 // several quantities of it are wrong.
 void append_examples(Text& to, const ConformanceResult& result) {
   std::string last;
   for (const QuantityVerdict& one : result.quantities) {
-    if (one.failed == 0) continue;
+    if (!has_example(one)) continue;
     append(to, "\n");
     append_line(to, fmt::format("Worst of {}, in case {}: {}", one.quantity, one.worst.id,
                                 comparison(one.worst)));
@@ -195,15 +224,13 @@ void append_subject_table(Text& to, const SubjectVerdict& verdict) {
     append(to, "\n");
     append_line(to, "Diagnosis: " + one.text);
   }
-  const std::vector<std::string> lines = remarks(verdict.result);
+  const std::vector<std::string> lines = remarks(verdict);
   const std::vector<std::string> errors = shown_errors(verdict.result);
   if (!lines.empty() || !errors.empty()) append(to, "\n");
   for (const std::string& line : lines) append_line(to, line);
   if (!errors.empty()) append(to, "The last it wrote to stderr:\n");
   for (const std::string& line : errors) append_line(to, "  " + line);
-  if (verdict.changes)
-    for (const QuantityNote& one : verdict.changes->worse)
-      append_line(to, "Worse than the baseline: " + one.text);
+  for (const std::string& line : change_lines(verdict)) append_line(to, line);
   append(to, "\n");
   append_line(to, summary(verdict));
 }
@@ -214,8 +241,9 @@ nlohmann::ordered_json expected_json(const Expected& one) {
   return one.high;
 }
 
-nlohmann::ordered_json unsteady_json(const std::vector<Unsteady>& unsteady) {
-  using nlohmann::ordered_json;
+using nlohmann::ordered_json;
+
+ordered_json unsteady_json(const std::vector<Unsteady>& unsteady) {
   ordered_json all = ordered_json::array();
   const auto value = [](const Said& one) {
     return one.value ? ordered_json(*one.value) : ordered_json(nullptr);
@@ -232,31 +260,49 @@ nlohmann::ordered_json unsteady_json(const std::vector<Unsteady>& unsteady) {
   return all;
 }
 
-nlohmann::ordered_json seconds_json(const Durations& seconds) {
-  nlohmann::ordered_json functions = nlohmann::ordered_json::array();
+ordered_json seconds_json(const Durations& seconds) {
+  ordered_json functions = ordered_json::array();
   for (const auto& [function, taken] : seconds.functions)
     functions.push_back({{"function", function}, {"seconds", taken}});
   return {{"run", seconds.run}, {"cpu", seconds.cpu}, {"functions", std::move(functions)}};
 }
 
+ordered_json changes_json(const std::vector<BaselineChange>& changes) {
+  ordered_json list = ordered_json::array();
+  for (const BaselineChange& one : changes) {
+    ordered_json cases = ordered_json::array();
+    for (const CaseChange& of : one.cases)
+      cases.push_back({{"case", of.id}, {"before", of.before}, {"after", of.after}});
+    list.push_back({{"quantity", one.quantity},
+                    {"text", one.text},
+                    {"fact", one.fact.empty() ? ordered_json() : ordered_json(one.fact)},
+                    {"before", one.before},
+                    {"after", one.after},
+                    {"cases", std::move(cases)}});
+  }
+  return list;
+}
+
 void append_subject_json(Text& to, const SubjectVerdict& verdict) {
-  using nlohmann::ordered_json;
   const ConformanceResult& result = verdict.result;
   const Conversation& talk = result.conversation;
   // Numbers that are not finite are written as null.
-  ordered_json all{{"subject", result.subject},
-                   {"tolerance", result.tolerance.name},
-                   {"overall", overall(verdict)},
-                   {"summary", summary(verdict)},
-                   {"quantities", ordered_json::array()},
-                   {"examples", ordered_json::array()},
-                   {"diagnoses", ordered_json::array()},
-                   {"violation_count", talk.violation_count},
-                   {"violations", talk.violations},
-                   {"starts", talk.starts},
-                   {"answers_at_end_of_input", talk.answers_at_end_of_input},
-                   {"notes", result.notes},
-                   {"last_errors", talk.last_errors}};
+  ordered_json all = ordered_json::parse("{" + document_head("verify-subject/1") + "}");
+  all.update({{"subject", result.subject},
+              {"tolerance", result.tolerance.name},
+              {"sample", result.sample == 0 ? ordered_json("all") : ordered_json(result.sample)},
+              {"overall", overall(verdict)},
+              {"summary", summary(verdict)},
+              {"quantities", ordered_json::array()},
+              {"examples", ordered_json::array()},
+              {"diagnoses", ordered_json::array()},
+              {"losses", ordered_json::array()},
+              {"violation_count", talk.violation_count},
+              {"violations", talk.violations},
+              {"starts", talk.starts},
+              {"answers_at_end_of_input", talk.answers_at_end_of_input},
+              {"notes", result.notes},
+              {"last_errors", talk.last_errors}});
   for (const QuantityVerdict& one : result.quantities) {
     const Example& worst = one.worst;
     all["quantities"].push_back({{"quantity", one.quantity},
@@ -289,11 +335,17 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                 {"text", one.text}});
   all["unsteady"] = unsteady_json(result.unsteady);
   all["seconds"] = seconds_json(talk.seconds);
-  if (verdict.changes)
+  for (const Loss& one : result.losses)
+    all["losses"].push_back({{"case", one.id}, {"function", one.function}, {"reason", one.reason}});
+  if (verdict.changes) {
     all["baseline"] = {{"file", verdict.baseline},
-                       {"worse", texts(verdict.changes->worse)},
-                       {"better", texts(verdict.changes->better)},
-                       {"failed_already", verdict.changes->failed_already}};
+                       {"failed_already", verdict.changes->failed_already},
+                       {"lost", verdict.changes->lost}};
+    all["changes"] = {{"better", changes_json(verdict.changes->better)},
+                      {"worse", changes_json(verdict.changes->worse)},
+                      {"new", changes_json(verdict.changes->fresh)},
+                      {"gone", changes_json(verdict.changes->gone)}};
+  }
   append(to, all.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
@@ -317,11 +369,11 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
   for (const Diagnosis& one : verdict.diagnoses)
     append(to, fmt::format("- **Diagnosis.** {}\n", cell(one.text)));
   for (const QuantityVerdict& one : verdict.result.quantities)
-    if (one.failed > 0)
+    if (has_example(one))
       append(to, fmt::format("- Worst of `{}`, in case {}: {}\n\n  ```json\n  {}\n  ```\n",
                              one.quantity, cell(one.worst.id), cell(comparison(one.worst)),
                              one.worst.request.dump()));
-  for (const std::string& line : remarks(verdict.result)) append(to, "- " + cell(line) + "\n");
+  for (const std::string& line : remarks(verdict)) append(to, "- " + cell(line) + "\n");
   if (const std::vector<std::string> errors = shown_errors(verdict.result); !errors.empty()) {
     std::string fence = "````";  // longer than any fence in the text
     for (const std::string& line : errors)
@@ -331,10 +383,14 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
     append(to, "  " + fence + "\n");
   }
   if (!verdict.changes) return;
-  for (const QuantityNote& one : verdict.changes->worse)
-    append(to, "- **Worse than the baseline.** " + cell(one.text) + "\n");
-  for (const QuantityNote& one : verdict.changes->better)
-    append(to, "- Better than the baseline: " + cell(one.text) + "\n");
+  const auto add = [&](const char* kind, const std::vector<BaselineChange>& changes) {
+    for (const BaselineChange& one : changes)
+      append(to, fmt::format("- {} {}\n", kind, cell(one.text)));
+  };
+  add("**Worse than the baseline.**", verdict.changes->worse);
+  add("Better than the baseline:", verdict.changes->better);
+  add("Not in the baseline:", verdict.changes->fresh);
+  add("In the baseline alone:", verdict.changes->gone);
 }
 
 // A quantity's part of the seconds of its function, which asks for all of its quantities at once:
@@ -352,7 +408,7 @@ double seconds_of(const ConformanceResult& result, const std::string& quantity) 
 // The diagnosis of a quantity that failed, and its worst case.
 std::string junit_details(const SubjectVerdict& verdict, const QuantityVerdict& one) {
   std::string text;
-  if (one.failed == 0) return text;
+  if (!has_example(one)) return text;
   for (const Diagnosis* diagnosis : diagnoses_of(verdict, one.quantity))
     text += "Diagnosis: " + diagnosis->text + "\n";
   return text + fmt::format("Worst in case {}: {}\n{}\n", one.worst.id, comparison(one.worst),
@@ -365,12 +421,18 @@ std::vector<QuantityNote> failures(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   std::vector<QuantityNote> all;
   if (verdict.changes) {
-    all = verdict.changes->worse;
+    for (const BaselineChange& one : verdict.changes->worse)
+      all.push_back({one.quantity, one.text});
   } else {
+    bool any_lost = false;
+    for (const Loss& one : result.losses) any_lost |= one.is_physical;
     for (const QuantityVerdict& one : result.quantities)
-      if (one.status == Verdict::failed)
+      if (one.status == Verdict::failed && one.fails_by_losses_alone())
+        any_lost = true;
+      else if (one.status == Verdict::failed)
         all.push_back(
             {one.quantity, fmt::format("{} of {}: {}", one.failed, one.asked, one.first_reason)});
+    if (any_lost) all.push_back({"subject", loss_text(result.losses, lost(verdict))});
     if (result.conversation.violation_count > 0)
       all.push_back({"protocol", result.conversation.violations.front()});
     if (result.overall == Overall::nothing)
@@ -396,8 +458,17 @@ std::string subject_junit(const SubjectVerdict& verdict) {
   using End = JunitTest::End;
   const ConformanceResult& result = verdict.result;
   const std::vector<QuantityNote> failed = failures(verdict);
+  const std::vector<std::string> lost_quantities = lost(verdict);
+  const auto is_lost = [&](const QuantityVerdict& one) {
+    return std::find(lost_quantities.begin(), lost_quantities.end(), one.quantity) !=
+           lost_quantities.end();
+  };
   JunitSuite suite{"conformance", {}, true};
   suite.seconds = result.conversation.seconds.run;
+  suite.properties = {{"version", version_line()},
+                      {"subject", result.subject},
+                      {"tolerance", result.tolerance.name}};
+  if (verdict.changes) suite.properties.emplace_back("baseline", verdict.baseline);
   for (const QuantityVerdict& one : result.quantities) {
     const auto add = [&](End end, const std::string& message) {
       suite.tests.push_back({one.quantity, end, message, junit_details(verdict, one),
@@ -411,6 +482,8 @@ std::string subject_junit(const SubjectVerdict& verdict) {
     else if (failed_already(verdict, one))
       add(End::skipped, fmt::format("failed as before ({}): {} of {}: {}", verdict.baseline,
                                     one.failed, one.asked, one.first_reason));
+    else if (is_lost(one))
+      add(End::skipped, "lost by the subject's end or silence: " + one.first_reason);
     else if (one.status == Verdict::not_offered)
       add(End::skipped, one.first_reason);
     else
@@ -421,7 +494,8 @@ std::string subject_junit(const SubjectVerdict& verdict) {
                      [&](const QuantityVerdict& known) { return known.quantity == one.quantity; }))
       suite.tests.push_back({one.quantity, End::failure, one.text});
   if (result.conversation.violation_count == 0) suite.tests.push_back({"protocol"});
-  for (const std::string& line : remarks(result)) suite.output += line + "\n";
+  for (const std::string& line : remarks(verdict)) suite.output += line + "\n";
+  for (const std::string& line : change_lines(verdict)) suite.output += line + "\n";
   suite.errors = fmt::format("{}", fmt::join(shown_errors(result), "\n"));
   return junit_xml(suite);
 }

@@ -82,7 +82,7 @@ class FilmWriter {
   const FilmSettings& settings_;
   bool with_profile_;
   Text& text_;
-  const char* before_;  // the text before the next film
+  std::string_view before_;  // the next film
 };
 
 // One film as the JSON has it.

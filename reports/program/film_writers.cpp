@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "build_info.hpp"
 #include "film_case.hpp"
 #include "page/text_table.hpp"
 #include "page/texts.hpp"
@@ -220,12 +221,10 @@ ordered_json film_json(const FilmCase& film, const FilmSettings& settings, bool 
 
 FilmWriter::FilmWriter(std::string_view format, const FilmSettings& settings, bool with_profile,
                        Text& text)
-    : format_(format),
-      settings_(settings),
-      with_profile_(with_profile),
-      text_(text),
-      before_(format == "json" ? "[\n" : "") {
-  if (format == "csv" && with_profile)
+    : format_(format), settings_(settings), with_profile_(with_profile), text_(text), before_("") {
+  if (format == "json")
+    append(text_, list_start("film/1", "films"));
+  else if (format == "csv" && with_profile)
     append(text_, "id,speed,x,x_over_half_width,pressure,film\n");
   else if (format == "csv")
     append_csv_heads(text_);
@@ -234,14 +233,14 @@ FilmWriter::FilmWriter(std::string_view format, const FilmSettings& settings, bo
 void FilmWriter::add(const FilmCase& film) {
   if (format_ == "csv")
     return with_profile_ ? append_csv_profile(text_, film) : append_csv(text_, film, settings_);
-  append(text_, std::exchange(before_, format_ == "table" ? "\n" : ",\n"));
+  append(text_, std::exchange(before_, format_ == "table" ? "\n" : list_comma));
   if (format_ == "table") return append_table(text_, film, with_profile_);
   append(text_, film_json(film, settings_, with_profile_)
                     .dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
 void FilmWriter::finish() {
-  if (format_ == "json") append(text_, before_[0] == '[' ? "[\n]\n" : "\n]\n");
+  if (format_ == "json") append(text_, list_end);
 }
 
 }  // namespace tribo::cli

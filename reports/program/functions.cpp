@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "build_info.hpp"
 #include "catalogue/catalogue.hpp"
 #include "command.hpp"
 #include "messages.hpp"
@@ -117,6 +118,12 @@ ordered_json json_of(const Function& function) {
           {"example", example_of(function)}};
 }
 
+ordered_json all_json() {
+  ordered_json all = ordered_json::array();
+  for (const Function& function : catalogue::functions()) all.push_back(json_of(function));
+  return all;
+}
+
 int unknown(const std::string& name) {
   std::vector<std::string_view> names;
   for (const Function& function : catalogue::functions()) names.push_back(function.name);
@@ -134,10 +141,9 @@ int show(const FunctionsArguments& arguments, OutputStream& output) {
     if (one == nullptr) return unknown(arguments.name);
   }
   if (arguments.format == "json") {
-    ordered_json all = ordered_json::array();
-    for (const Function& function : catalogue::functions())
-      if (one == nullptr || one == &function) all.push_back(json_of(function));
-    append(output.text(), (one == nullptr ? all : all[0]).dump(2) + '\n');
+    const ordered_json told = one == nullptr ? document("functions/1", {{"functions", all_json()}})
+                                             : document("function/1", json_of(*one));
+    append(output.text(), told.dump(2) + '\n');
   } else if (one != nullptr) {
     describe(*one, output);
   } else {
@@ -153,7 +159,7 @@ answers to certified values, and with --subject those of another solver.
 Example:
   tribocheck functions
   tribocheck functions load_sharing
-  tribocheck functions --format json | jq -r '.[].name')";
+  tribocheck functions --format json | jq -r '.functions[].name')";
 
 }  // namespace
 

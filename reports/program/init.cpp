@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck init: writes a solver that speaks the protocol already and skips everything, with a
-// function for each of the catalogue. The languages are the rows of templates/languages.tsv whose
-// template is there.
+// function for each of the catalogue, or a file that gates a solver in somebody's CI. The languages
+// are the rows of templates/languages.tsv whose template is there; the systems of CI are the files
+// of ci/.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -37,8 +38,9 @@ using kainjow::mustache::mustache;
 
 struct InitArguments {
   std::string what;
-  std::string language;
-  std::string out;  // empty: the template's own name, in the current folder
+  std::string language;  // of a subject
+  std::string system;    // of CI
+  std::string out;       // empty: the template's own name, in the current folder
   bool force = false;
 };
 
@@ -185,13 +187,31 @@ std::string filled_template(const std::string& text, const std::string& path,
 
 // --- The command.
 
-int init(const InitArguments& arguments, OutputStream& output) {
+constexpr const char* no_templates =
+    "templates not found; run in the project, or install tribocheck: make install";
+
+// Writes the file, where none is there or --force overwrites it, and says so. False: it is refused,
+// and one line says why.
+bool write_new_file(const InitArguments& arguments, const std::string& out, const std::string& text,
+                    OutputStream& output) {
+  std::error_code ignored;
+  if (!arguments.force && fs::exists(fs::symlink_status(out, ignored))) {
+    complain(out + ": is there already; --force overwrites it");
+    return false;
+  }
+  report::write_file(out, text, {.any = arguments.force, .only = {}});
+  append_line(output.text(), out + ": written");
+  return true;
+}
+
+int init_subject(const InitArguments& arguments, OutputStream& output) {
+  if (arguments.language.empty()) return fail(exit_bad, "--language is required (see --help)");
+  if (!arguments.system.empty())
+    return fail(exit_bad, "--for is an option of ci; a subject has --language");
   const report::ReportPlaces places = report::usual_places();
   const fs::path& templates = places.templates;
   const std::vector<Language> languages = read_languages(templates);
-  if (languages.empty())
-    return fail(exit_bad,
-                "templates not found; run in the project, or install tribocheck: make install");
+  if (languages.empty()) return fail(exit_bad, no_templates);
   std::vector<std::string> names;
   for (const Language& one : languages) names.push_back(one.name);
   const auto found = std::find(names.begin(), names.end(), arguments.language);
@@ -204,12 +224,8 @@ int init(const InitArguments& arguments, OutputStream& output) {
   if (!text) return fail(exit_failed, path.string() + ": cannot be read");
   const std::string out = arguments.out.empty() ? language->file : arguments.out;
   const std::string next = printable(next_line(*language, places.include, out), std::string::npos);
-  std::error_code ignored;
-  if (!arguments.force && fs::exists(fs::symlink_status(out, ignored)))
-    return fail(exit_bad, out + ": is there already; --force overwrites it");
-  report::write_file(out, filled_template(*text, path.string(), next),
-                     {.any = arguments.force, .only = {}});
-  append_line(output.text(), out + ": written");
+  if (!write_new_file(arguments, out, filled_template(*text, path.string(), next), output))
+    return exit_bad;
   append(output.text(), "next:\n");
   append_line(output.text(), "  " + next);
   output.flush();
@@ -220,27 +236,72 @@ int init(const InitArguments& arguments, OutputStream& output) {
   return exit_done;
 }
 
+// The systems of CI, each of which has a file ready to paste: NAME.yml.
+std::vector<std::string> systems_in(const fs::path& folder) {
+  std::vector<std::string> systems;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".yml") systems.push_back(entry.path().stem().string());
+  std::sort(systems.begin(), systems.end());
+  return systems;
+}
+
+int init_ci(const InitArguments& arguments, OutputStream& output) {
+  if (arguments.system.empty()) return fail(exit_bad, "--for is required (see --help)");
+  if (!arguments.language.empty())
+    return fail(exit_bad, "--language is an option of subject; ci has --for");
+  const fs::path folder = report::usual_places().templates.parent_path() / "ci";
+  const std::vector<std::string> systems = systems_in(folder);
+  if (systems.empty()) return fail(exit_bad, no_templates);
+  const std::string name = arguments.system + ".yml";
+  if (std::find(systems.begin(), systems.end(), arguments.system) == systems.end())
+    return fail(exit_bad, fmt::format("--for: no file for {}; allowed: {}", arguments.system,
+                                      fmt::join(systems, ", ")));
+  const std::optional<std::string> text = read_text(folder / name);
+  if (!text) return fail(exit_failed, (folder / name).string() + ": cannot be read");
+  const std::string out = arguments.out.empty() ? name : arguments.out;
+  if (const fs::path parent = fs::path(out).parent_path(); !parent.empty())
+    report::make_folder(parent);
+  if (!write_new_file(arguments, out, *text, output)) return exit_bad;
+  append(output.text(),
+         "next: change the variables marked CHANGE, make the two baselines as its head says, and "
+         "commit all three files\n");
+  output.flush();
+  return exit_done;
+}
+
+int init(const InitArguments& arguments, OutputStream& output) {
+  return arguments.what == "ci" ? init_ci(arguments, output) : init_subject(arguments, output);
+}
+
 constexpr const char* init_footer =
-    R"(The file answers every question of `tribocheck verify` with a skip until you fill in what you have;
+    R"(subject: the file answers every question of `tribocheck verify` with a skip until you fill in what you have;
 until then the verdict is NOTHING, and the exit code 1. Its comments say what each function is and in
 which units. The line that is printed builds it, where it has to be built, and puts it to the tests. A
 language without a template is answered with a list of those that have one.
 
+ci: the file has the gates of values and of speed for a system of CI, github or gitlab, ready to paste;
+its head says where it goes. Folders that --out names are made.
+
 Example:
   tribocheck init subject --language python --out my_solver.py
-  tribocheck verify --subject "python3 my_solver.py")";
+  tribocheck verify --subject "python3 my_solver.py"
+  tribocheck init ci --for github --out .github/workflows/tribocheck.yml)";
 
 }  // namespace
 
 Command add_init(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("init", "a solver of your own to start from");
+  CLI::App* app =
+      program.add_subcommand("init", "a solver of your own to start from, or a file for your CI");
   app->footer(init_footer);
   const auto arguments = std::make_shared<InitArguments>();
-  app->add_option("what", arguments->what, "subject: a solver for `verify --subject`")
+  app->add_option("what", arguments->what,
+                  "subject: a solver for `verify --subject`; ci: a file that gates one")
       ->required()
-      ->check(CLI::IsMember({"subject"}));
-  app->add_option("--language", arguments->language, "language of the solver")->required();
-  app->add_option("--out", arguments->out, "file to write (default: solver.py, solver.m, …)");
+      ->check(CLI::IsMember({"subject", "ci"}));
+  app->add_option("--language", arguments->language, "language of the solver");
+  app->add_option("--for", arguments->system, "system of CI: github, gitlab");
+  app->add_option("--out", arguments->out, "file to write (default: solver.py, github.yml, …)");
   app->add_flag("--force", arguments->force, "overwrite the file if it is there");
   return {app, [arguments](OutputStream& output) { return init(*arguments, output); }};
 }

@@ -24,10 +24,16 @@ std::string junit_xml(const JunitSuite& suite) {
   };
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"tribocheck verify\" tests=\"{}\" failures=\"{}\"{}{}>\n",
-      suite.tests.size(), count(JunitTest::End::failure),
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\"{}{}>\n",
+      text(suite.name), suite.tests.size(), count(JunitTest::End::failure),
       suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "",
       time_attribute(suite.seconds));
+  if (!suite.properties.empty()) {
+    xml += "  <properties>\n";
+    for (const auto& [name, value] : suite.properties)
+      xml += fmt::format("    <property name=\"{}\" value=\"{}\"/>\n", text(name), text(value));
+    xml += "  </properties>\n";
+  }
   for (const JunitTest& one : suite.tests) {
     xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\"{}", suite.classname,
                        text(one.name), time_attribute(one.seconds));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results as JUnit XML, which CI systems read.
+// Results as JUnit XML, which CI systems read. Its elements and attributes are those of the schema
+// junit-10.xsd of Jenkins' xUnit plug-in, which the schemas of other systems have, too.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tribo::cli {
@@ -21,8 +23,10 @@ struct JunitSuite {
   std::string classname;  // of all tests
   std::vector<JunitTest> tests = {};
   bool counts_skipped = false;
+  std::vector<std::pair<std::string, std::string>> properties = {};  // name and value
   std::string output = {}, errors = {};  // of the whole run; empty: none
-  std::optional<double> seconds = {};    // of the whole run
+  std::string name = "tribocheck verify";
+  std::optional<double> seconds = {};  // of the whole run
 };
 
 std::string junit_xml(const JunitSuite& suite);

@@ -70,7 +70,8 @@ std::array<protocol::OutputValue, 4> cells_of(const Onset<double>& onset) {
 int find_onsets(const OnsetArguments& arguments, OutputStream& output) {
   const LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::onset);
   if (loaded.scenes.empty()) return exit_bad;
-  RowWriter writer(arguments.scenes.format, output, columns(), RowWriter::Reasons::in_rows);
+  RowWriter writer(arguments.scenes.format, output, columns(), {"onset/1", "onsets"},
+                   RowWriter::Reasons::in_rows);
   for (const Scene& scene : loaded.scenes) {
     writer.begin(scene.id, scene.id + ": onset of starvation", columns());
     for (const Onset<double>& onset : onsets_of(scene, arguments)) writer.add(cells_of(onset));

@@ -6,14 +6,15 @@
 
 #include "command.hpp"
 #include "conformance/plugin.hpp"
+#include "conformance/plugin_timing.hpp"
 #include "messages.hpp"
 
 namespace tribo::cli {
 namespace {
 
-int host(const std::string& path) {
+int host(const std::string& path, bool times) {
   try {
-    return conformance::host_plugin(path);
+    return times ? conformance::time_plugin(path) : conformance::host_plugin(path);
   } catch (const conformance::PluginRefused& refusal) {
     return fail(exit_bad, refusal.what());
   }
@@ -22,7 +23,10 @@ int host(const std::string& path) {
 constexpr const char* plugin_host_footer =
     R"(The library is one made for tribocheck_plugin.h. Lines and answers are those of `tribocheck stream`;
 what the library does not offer is answered with "skip". What it prints to stdout comes out on stderr.
-`tribocheck verify --plugin` starts this. Exit code 2: the library cannot be used.
+`tribocheck verify --plugin` starts this. With --time each block of lines, all of one function and ended by an
+empty line, is asked in one call, again and again for some milliseconds, and answered by one line: how many of
+the questions have an answer, CPU seconds for a question, the same by the clock, and those of the control
+(std::exp). `tribocheck bench --plugin` starts this. Exit code 2: the library cannot be used.
 
 Example:
   echo '{"id": "f1", "function": "gaussian_moment", "order": 2.5, "argument": 0}' |
@@ -35,8 +39,10 @@ Command add_plugin_host(CLI::App& program) {
                                          "answer JSON lines from stdin on stdout with a plug-in");
   app->footer(plugin_host_footer);
   const auto path = std::make_shared<std::string>();
+  const auto times = std::make_shared<bool>(false);
   app->add_option("LIBRARY", *path, "the shared library")->required();
-  return {app, [path](OutputStream&) { return host(*path); }};
+  app->add_flag("--time", *times, "answer each block of lines with the time that it takes");
+  return {app, [path, times](OutputStream&) { return host(*path, *times); }};
 }
 
 }  // namespace tribo::cli

@@ -27,7 +27,7 @@ std::vector<Column> columns_of(std::span<const Scene> scenes) {
 
 PointWriter::PointWriter(std::string_view format, OutputStream& output,
                          const std::vector<Scene>& scenes)
-    : rows_(format, output, columns_of(scenes)) {}
+    : rows_(format, output, columns_of(scenes), {"solve/1", "points"}) {}
 
 void PointWriter::begin_scene(const Scene& scene) {
   scene_ = &scene;

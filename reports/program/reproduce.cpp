@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "accuracy/reference_table.hpp"
+#include "build_info.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "page/ledger_tables.hpp"
@@ -144,8 +145,10 @@ std::size_t line_width() {
 void write(const Ledger& ledger, const std::vector<NamedReading>& readings,
            const ReproduceArguments& arguments, OutputStream& output) {
   Text& to = output.text();
-  if (arguments.format == "json")
-    return append(to, report::ledger_json(ledger, readings, arguments.claims).dump(1) + "\n");
+  if (arguments.format == "json") {
+    const auto told = report::ledger_json(ledger, readings, arguments.claims);
+    return append(to, document("reproduce/1", told).dump(1) + "\n");
+  }
   if (arguments.format == "csv") return append(to, ledger_csv(ledger, readings, arguments.claims));
   const NamedReading& corrected = ledger.readings.front();
   append(to, report::verdict_sentence(ledger, corrected) + " (misprints mended).\n");

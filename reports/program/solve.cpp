@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "build_info.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "page/texts.hpp"
@@ -202,18 +203,17 @@ void append_tables(Text& to, const Scene& scene, const std::vector<Facts>& parts
 void tell_about(const std::vector<Scene>& scenes, std::string_view format, OutputStream& output) {
   Text& text = output.text();
   if (format == "csv") append(text, "id,part,name,value,unit,meaning\n");
-  const char* before = format == "json" ? "[\n" : "";
+  const bool is_json = format == "json";
+  std::string before = is_json ? list_start("solve_about/1", "scenes") : "";
   for (const Scene& scene : scenes) {
-    append(text, std::exchange(before, format == "json" ? ",\n" : format == "csv" ? "" : "\n"));
+    append(text, std::exchange(before, is_json ? list_comma : format == "csv" ? "" : "\n"));
     const MixedContact<double> contact(scene);
     const std::vector<Facts> parts{inputs_of(scene), contact_of(scene, contact), outputs_of(scene),
                                    work_facts(scene, contact)};
-    (format == "json"  ? append_json
-     : format == "csv" ? append_csv
-                       : append_tables)(text, scene, parts);
+    (is_json ? append_json : format == "csv" ? append_csv : append_tables)(text, scene, parts);
     output.end_row();
   }
-  if (format == "json") append(text, "\n]\n");
+  if (is_json) append(text, list_end);
 }
 
 int solve(const SolveArguments& arguments, OutputStream& output) {

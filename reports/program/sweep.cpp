@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "build_info.hpp"
 #include "command.hpp"
 #include "messages.hpp"
 #include "page/rendering.hpp"
@@ -26,6 +27,7 @@
 #include "sweep/plan_reader.hpp"
 #include "sweep/result_file.hpp"
 #include "sweep/run.hpp"
+#include "sweep_diff.hpp"
 #include "table.hpp"
 #include "tribo/batch.hpp"
 
@@ -115,8 +117,8 @@ void write_cases(const sweep::SweepResult& result, const sweep::ResultFile& file
 
 void write_result(const sweep::SweepResult& result, const std::string& format, Text& to) {
   if (format == "json")
-    return append(to, report::sweep_json(result).dump(1, ' ', false,
-                                                      nlohmann::json::error_handler_t::replace) +
+    return append(to, document("sweep/1", report::sweep_json(result))
+                              .dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
                           '\n');
   if (format == "csv") return append(to, report::sweep_csv(result));
   bool first = true;
@@ -282,7 +284,7 @@ int told(Step&& step) {
 // "sweep show" for `sweep shwo`: no file, and nearly the name of a subcommand; else empty.
 std::string subcommand_meant(const SweepArguments& arguments) {
   if (arguments.files.empty() || std::filesystem::exists(arguments.files.front())) return {};
-  constexpr auto names = std::to_array<std::string_view>({"merge", "show"});
+  constexpr auto names = std::to_array<std::string_view>({"merge", "show", "diff"});
   const std::string_view meant = scene_detail::nearest_choice(arguments.files.front(), names);
   return meant.empty() ? "" : "sweep " + std::string(meant);
 }
@@ -340,20 +342,28 @@ int merge_shards(const SweepArguments& arguments, OutputStream& output) {
   });
 }
 
-int show_results(const SweepArguments& arguments, OutputStream& output) {
+// Runs a step that reads results; a file that is none is bad input.
+template <class Step>
+int told_of_results(const std::vector<std::string>& files, Step&& step) {
   return told([&] {
-    const std::string& path = arguments.files.front();
     try {
-      return show_result(arguments, sweep::ResultFile(path), false, output);
+      return step();
     } catch (const OutputFailed&) {
       throw;
     } catch (const std::runtime_error& unreadable) {
-      if (!is_shard_or_part(path)) throw std::invalid_argument(unreadable.what());
+      const auto part = std::find_if(files.begin(), files.end(), is_shard_or_part);
+      if (part == files.end()) throw std::invalid_argument(unreadable.what());
       throw std::invalid_argument(
-          path +
+          *part +
           ": this is a shard or part of a sweep; make a result of it first: of all shards by "
           "`tribocheck sweep merge`, of parts by `tribocheck sweep --resume`");
     }
+  });
+}
+
+int show_results(const SweepArguments& arguments, OutputStream& output) {
+  return told_of_results(arguments.files, [&] {
+    return show_result(arguments, sweep::ResultFile(arguments.files.front()), false, output);
   });
 }
 
@@ -395,6 +405,18 @@ constexpr const char* show_footer = R"(Example:
   tribocheck sweep reference/published/sweeps/film_map.toml -o film_map.h5
   tribocheck sweep show film_map.h5 --format csv
   tribocheck sweep show film_map.h5 --cases --format csv > points.csv)";
+
+constexpr const char* diff_footer =
+    R"(Numbers differ where |a - b| exceeds the tolerance times the greater of |a| and |b|; with 0, where any bit
+differs. A sensitivity index is a part of 1: its difference is |a - b|. An undefined number equals an
+undefined one, and differs from all others, as words do. Where a result keeps no cases, the summaries are
+compared. Exit code 0: no number differs; 1: some do; 2: the results cannot be compared, as they have other
+scenes, columns or numbers of cases.
+
+Example:
+  tribocheck sweep reference/published/sweeps/onset_smooth.toml -o smooth.h5
+  tribocheck sweep reference/published/sweeps/onset_smooth.toml -o without.h5 --without-fma
+  tribocheck sweep diff smooth.h5 without.h5 --tolerance 1e-12)";
 
 std::string footer() {
   std::string text = footer_start;
@@ -460,10 +482,16 @@ Command add_sweep(CLI::App& program) {
                  "each point in place of the summaries: what varies, the speed, the outputs");
   show->footer(footer_with_scenes(show_footer));
 
+  const auto compared = std::make_shared<SweepDiffArguments>();
+  CLI::App* diff = add_sweep_diff(*app, *compared);
+  diff->footer(footer_with_scenes(diff_footer));
+
   return {
       app,
       [=](OutputStream& output) {
         if (merge->parsed()) return merge_shards(*merged, output);
+        if (diff->parsed())
+          return told_of_results(compared->files, [&] { return diff_sweeps(*compared, output); });
         if (show->parsed()) return show_results(*shown, output);
         return run_sweep(*arguments, output);
       },

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "build_info.hpp"
 #include "page/text_table.hpp"
 #include "page/texts.hpp"
 #include "tribo/scene_reader.hpp"
@@ -85,13 +86,14 @@ void append_title(Text& to, std::string_view title) {
 using protocol::OutputValue;
 
 RowWriter::RowWriter(std::string_view format, OutputStream& output, std::vector<Column> columns,
-                     Reasons reasons)
+                     Document document, Reasons reasons)
     : is_csv_(format == "csv"),
       is_table_(format == "table"),
       output_(output),
       all_(std::move(columns)),
       reasons_(reasons),
-      before_(is_csv_ || is_table_ ? "" : "[\n") {
+      before_("") {
+  if (!is_csv_ && !is_table_) append(output_.text(), list_start(document.schema, document.rows));
   if (!is_csv_) return;
   append(output_.text(), "id");
   for (const Column& column : all_) append(output_.text(), fmt::format(",{}", column.name));
@@ -122,7 +124,7 @@ void RowWriter::add(std::span<const OutputValue> cells) {
   } else if (is_table_) {
     add_line(cells);
   } else {
-    append(output_.text(), std::exchange(before_, ",\n"));
+    append(output_.text(), std::exchange(before_, list_comma));
     protocol::AnswerObject answer(output_.text(), id_);
     for (std::size_t i = 0; i < cells.size(); ++i) answer.value(columns_[i].name, cells[i]);
     answer.close();
@@ -180,7 +182,7 @@ void RowWriter::end_table() {
 
 void RowWriter::finish() {
   end_table();
-  if (!is_csv_ && !is_table_) append(output_.text(), "\n]\n");
+  if (!is_csv_ && !is_table_) append(output_.text(), list_end);
 }
 
 }  // namespace tribo::cli

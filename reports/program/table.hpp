@@ -73,9 +73,14 @@ class RowWriter {
   // CSV as a column of its own. JSON tells it in each row.
   enum class Reasons : std::uint8_t { below, in_rows };
 
+  // The schema of the JSON, and its member that holds the rows.
+  struct Document {
+    std::string_view schema, rows;
+  };
+
   // format: "table", "csv" or "json". `columns`: all that a scene has, as CSV has one header.
   RowWriter(std::string_view format, OutputStream& output, std::vector<Column> columns,
-            Reasons reasons = Reasons::below);
+            Document document, Reasons reasons = Reasons::below);
 
   // The next rows are about this scene, with these of the columns.
   void begin(std::string_view id, std::string_view title, std::vector<Column> columns);
@@ -93,8 +98,8 @@ class RowWriter {
   OutputStream& output_;
   std::vector<Column> all_, columns_;
   Reasons reasons_;
-  std::string id_;  // in CSV quoted
-  const char* before_;
+  std::string id_;           // in CSV quoted
+  std::string_view before_;  // the next row
   std::vector<ColumnHead> heads_;
   std::vector<std::pair<std::string_view, std::string_view>> notes_;  // name and reason
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "accuracy/accuracy.hpp"
+#include "build_info.hpp"
 #include "command.hpp"
 #include "junit.hpp"
 #include "messages.hpp"
@@ -64,12 +65,13 @@ void append_table(Text& to, const std::vector<QuantityResult>& results) {
 }
 
 void append_json(Text& to, const std::vector<QuantityResult>& results) {
-  append(to, "[");
+  append(to, list_start("accuracy/1", "quantities"));
   for (std::size_t i = 0; i < results.size(); ++i) {
     const QuantityResult& r = results[i];
     // JSON has no infinity: the error of a result that is no number is written as null.
     const auto number = [](double x) { return x <= 1e300 ? fmt::format("{}", x) : "null"; };
-    append(to, i == 0 ? "\n{\"quantity\": " : ",\n{\"quantity\": ");
+    if (i > 0) append(to, list_comma);
+    append(to, "{\"quantity\": ");
     protocol::append_json_text(to, r.quantity);
     append(to,
            fmt::format(", \"cases\": {}, \"worst_ulp\": {}, \"worst_ulp_per_condition\": {}, "
@@ -80,7 +82,7 @@ void append_json(Text& to, const std::vector<QuantityResult>& results) {
     protocol::append_json_text(to, r.worst_row);
     append(to, fmt::format(", \"passed\": {}}}", r.passed()));
   }
-  append(to, "\n]\n");
+  append(to, list_end);
 }
 
 std::string junit_text(const std::vector<QuantityResult>& results) {
@@ -149,6 +151,7 @@ it skips; NaN is an error. Exit code 0: all that it offers holds, or with --base
 that file says; 1: something failed, it offers nothing, or it ended badly after its last answer; 2: it cannot
 be started, or never answers. It has 60 s for the first answer, as it may have much to load, and 10 s for each
 one after it. With --baseline each case that failed then may fail, by no more than four times its error.
+Some cases are asked again at the end: answers that change are told, and the worse one is judged.
 
 Each failed quantity is shown with its worst case. --show asks one case again, and prints the line that
 asks, what is expected and how far off it may be, and what came. --save-cases writes the lines that ask

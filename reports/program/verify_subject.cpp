@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify_subject.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
 
+#include "build_info.hpp"
 #include "messages.hpp"
 #include "page/project_files.hpp"
 #include "progress.hpp"
@@ -81,34 +84,47 @@ Conversation conversation_with(const Subject& subject, const std::vector<TestCas
   return conversation;
 }
 
-// The line that makes the baseline anew.
-std::string renewal(const SubjectArguments& arguments) {
-  std::string line = "tribocheck verify ";
-  const auto add = [&](const char* option, const std::string& value) {
-    line += fmt::format("{} {} ", option, shell_word(value));
-  };
-  add(arguments.plugin.empty() ? "--subject" : "--plugin",
-      arguments.plugin.empty() ? arguments.command : arguments.plugin);
-  if (!arguments.exact.empty()) add("--reference", arguments.exact);
-  if (arguments.tolerance != "engineering") add("--tolerance", arguments.tolerance);
-  if (arguments.sample > 0) add("--sample", std::to_string(arguments.sample));
-  add("--baseline", arguments.baseline.file);
-  return line + "--update-baseline --force";
+std::string option_text(const char* option, const std::string& value) {
+  return fmt::format(" {} {}", option, shell_word(value));
 }
 
-// Writes the baseline anew where that was asked for.
+// The start of a line that asks the same subject by the same tables and tolerance.
+std::string same_question(const SubjectArguments& arguments) {
+  std::string line = "tribocheck verify";
+  line += arguments.plugin.empty() ? option_text("--subject", arguments.command)
+                                   : option_text("--plugin", arguments.plugin);
+  if (!arguments.exact.empty()) line += option_text("--reference", arguments.exact);
+  if (arguments.tolerance != "engineering") line += option_text("--tolerance", arguments.tolerance);
+  return line;
+}
+
+// The line that makes the baseline anew.
+std::string renewal(const SubjectArguments& arguments) {
+  std::string line = same_question(arguments);
+  if (arguments.sample > 0) line += option_text("--sample", std::to_string(arguments.sample));
+  return line + option_text("--baseline", arguments.baseline.file) + " --update-baseline --force";
+}
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
+
+// Writes the baseline anew where that was asked for, and it would not hold the subject to the same.
 void update_baseline(const BaselineUse& use, const nlohmann::json& before,
                      SubjectVerdict& verdict) {
   if (!use.update) return;
   const nlohmann::json after =
       baseline_of(verdict.result, use.force ? nlohmann::json(nullptr) : before);
-  report::write_file(use.file,
-                     after.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  const bool is_new = before.is_null() || !hold_the_same(before, after);
+  if (is_new) report::write_file(use.file, baseline_text(after, program_commit(), today()));
   if (!verdict.changes) return complain("baseline written: " + use.file);
-  for (const QuantityNote& one : verdict.changes->better)
-    complain("baseline improved: " + one.text);
-  for (const QuantityNote& one : verdict.changes->worse)
-    complain((use.force ? "baseline lowered: " : "baseline kept: ") + one.text);
+  const auto tell = [](const char* what, const std::vector<BaselineChange>& changes) {
+    for (const BaselineChange& one : changes)
+      complain(fmt::format("baseline {}: {}", what, one.text));
+  };
+  tell("improved", verdict.changes->better);
+  tell("extended", verdict.changes->fresh);
+  tell("shortened", verdict.changes->gone);
+  tell(use.force ? "lowered" : "kept", verdict.changes->worse);
+  if (!is_new) complain("baseline unchanged: " + use.file);
   if (use.force) verdict.changes = compare(verdict.result, after);
 }
 
@@ -194,6 +210,7 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
     verdict.diagnoses = diagnose(cases, verdict.result.conversation, tolerance, mistakes);
   }
   verdict.baseline = arguments.baseline.file;
+  verdict.same_question = same_question(arguments);
   verdict.changes = changes_since(before, arguments.baseline, verdict.result);
   update_baseline(arguments.baseline, before, verdict);
   append_verdict(output.text(), verdict, arguments.format);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // tribocheck verify --subject: somebody else's solver put to the tests, and its verdict as a table,
-// JSON, Markdown for a pull request, and JUnit XML.
+// JSON (reference/schemas/verify-subject.schema.json), Markdown for a pull request, and JUnit XML.
 #pragma once
 
 #include <optional>
@@ -42,8 +42,9 @@ int verify_subject(SubjectArguments arguments, OutputStream& output);
 struct SubjectVerdict {
   conformance::ConformanceResult result;
   std::vector<conformance::Diagnosis> diagnoses;
-  std::vector<conformance::QuantityNote> missing;       // named by --require, not held
-  std::string baseline;                                 // the file of --baseline
+  std::vector<conformance::QuantityNote> missing;  // named by --require, not held
+  std::string baseline;                            // the file of --baseline
+  std::string same_question;  // the start of a line that asks the same subject, for messages
   std::optional<conformance::BaselineChanges> changes;  // changes against that file
 };
 

@@ -79,7 +79,7 @@ def examples():
     asked = {line["function"] for line in (moments() + effective_moduli() + reduced_radii() + hertz_points()
                                            + films() + starvation_ratios() + load_sharings())}
     lines = []
-    for entry in json.loads(run("functions", "--format", "json").out):
+    for entry in run("functions", "--format", "json").json()["functions"]:
         if entry["name"] in asked:
             continue
         one = {name: value for name, value in entry["example"].items() if name != "id"}

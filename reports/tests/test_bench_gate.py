@@ -157,7 +157,7 @@ class Gate(unittest.TestCase):
         (self.folder / "rows.json").write_text(json.dumps([rows]))
         (self.folder / "asked").unlink(missing_ok=True)
         found = {f"{one['job']}/{one['family']}/{one['name']}": one
-                 for one in self.bench("--format", "json").json()}
+                 for one in self.bench("--format", "json").json()["rows"]}
         self.assertEqual({name: (one["ns"], one["ratio"]) for name, one in found.items()},
                          {MINE: (75.0, 5.0), OURS: (25.0, 25 / 15), "moment_5_2/tribocheck/AVX2": (15.0, 1.0)})
         self.assertEqual([found[MINE][name] for name in ("judged", "failures", "max_ulp", "p99_ulp", "mean_ulp",
@@ -239,7 +239,7 @@ class Gate(unittest.TestCase):
 
     def test_a_file_that_is_no_baseline_is_told_before_anything_is_measured_with_what_renews_it(self):
         for text, words in (("{}", "no baseline of"), ("no", "no JSON"), ("[]", "no baseline of"),
-                            (json.dumps({**self.baseline(), "schema": 1}), "schema 1, and this program has 2")):
+                            (json.dumps({**self.baseline(), "schema": 1}), "schema 1, and this program has 3")):
             self.path.write_text(text)
             done = self.gate(self.rows, "--filter", "/plugin/", "--quick")
             self.assertEqual((done.code, done.out, len(done.error_lines)), (2, "", 1), done.err)

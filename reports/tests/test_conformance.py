@@ -3,12 +3,18 @@
 
 import json
 import pathlib
+import re
 import shlex
 import unittest
 import xml.etree.ElementTree as ElementTree
 
 from conformance import BUILT, PYTHON, altered, subject, verify
 from program import PROGRAM, Folder, ProgramTest, run
+
+
+def texts(result, kind):
+    """The sentences of the changes against the baseline that are "better", "worse", "new" or "gone"."""
+    return [one["text"] for one in result.json()["changes"][kind]]
 
 
 class RightSolvers(unittest.TestCase):
@@ -148,10 +154,10 @@ class Baselines(ProgramTest):
         worse = self.gate(("fakes/fake.py", "--mistake", "hertz_peak_without_3_2"))
         self.assertEqual(worse.code, 1)
         self.assertIn("hertz_point.peak_pressure: was held, is FAILED",
-                      "\n".join(worse.json()["baseline"]["worse"]))
+                      "\n".join(texts(worse, "worse")))
         better = self.gate(("python_stdlib/subject.py",))
         self.assertEqual(better.code, 0)
-        self.assertTrue(better.json()["baseline"]["better"])
+        self.assertTrue(texts(better, "better"))
 
     def told(self, script):
         """The verdict of a gate in each format: exit code, last line, head, JSON, JUnit."""
@@ -171,11 +177,11 @@ class Baselines(ProgramTest):
         self.assertIn("1 failed as before (hamrock_dowson_central)", table)
         self.assertTrue(markdown.startswith("### tribocheck: PASSED, no worse than "), markdown)
         self.assertEqual((told["overall"], told["summary"]), ("no worse", table))
-        self.assertEqual(told["baseline"], {"file": self.path, "worse": [], "better": [],
-                                            "failed_already": ["hamrock_dowson_central"]})
+        self.assertEqual(told["baseline"], {"file": self.path, "failed_already": ["hamrock_dowson_central"], "lost": []})
+        self.assertEqual(told["changes"], {"better": [], "worse": [], "new": [], "gone": []})
         self.assertEqual((junit.get("failures"), junit.findall(".//failure")), ("0", []))
         self.assertEqual(int(junit.get("skipped")), len(junit.findall(".//skipped")))
-        self.assertEqual(int(junit.get("tests")), len(junit))
+        self.assertEqual(int(junit.get("tests")), len(junit.findall("testcase")))
         skipped = junit.find(".//testcase[@name='hamrock_dowson_central']/skipped").get("message")
         self.assertIn("failed as before", skipped)
 
@@ -188,10 +194,38 @@ class Baselines(ProgramTest):
         self.assertTrue(markdown.startswith("### tribocheck: FAILED, worse than "), markdown)
         self.assertEqual((told["overall"], told["summary"]), ("worse", table))
         red = [case.get("name") for case in junit if case.find("failure") is not None]
-        self.assertEqual(red, [line.split(":")[0] for line in told["baseline"]["worse"]])
+        self.assertEqual(red, [one["quantity"] for one in told["changes"]["worse"]])
         self.assertEqual(int(junit.get("failures")), len(red))
         self.assertIn("load_sharing", red)  # held in the baseline, not offered now
         self.assertNotIn("hamrock_dowson_central", red)
+
+    def test_better_new_and_gone_are_told_in_every_format_and_are_not_red(self):
+        self.gate(("fakes/fake.py", "--mistake", "film_minimum"), "--update-baseline")
+        old = json.loads(pathlib.Path(self.path).read_text())
+        del old["quantities"]["hertz_point.radius"]
+        rows = {"hamrock_dowson_central": old["quantities"]["hamrock_dowson_central"],
+                "hertz_point.approach": old["quantities"]["hertz_point.approach"],
+                "hertz_cone": old["quantities"]["hertz_line.half_width"]}
+        pathlib.Path(self.path).write_text(json.dumps({**old, "quantities": rows, "version": "0.0.1"}))
+        for format in ("table", "markdown", "json"):
+            junit = self.folder.path("junit.xml")
+            result = run("verify", "--subject", subject("python_stdlib/subject.py"), "--sample", "60", "--baseline",
+                         self.path, "--format", format, "--junit", junit)
+            self.assertEqual(result.code, 0, result.out)
+            out = ElementTree.parse(junit).getroot().find("system-out").text
+            for said in (result.out.replace("\\", ""), out):  # Markdown escapes signs
+                for words in ("hamrock_dowson_central: was FAILED, is held", "hertz_point.radius: is new, held",
+                              "hertz_cone: is no longer asked by version "):
+                    self.assertIn(words, said, format)
+        better, = result.json()["changes"]["better"]
+        self.assertEqual((better["quantity"], better["fact"], better["before"], better["after"], len(better["cases"])),
+                         ("hamrock_dowson_central", "status", "FAILED", "held", 60))
+        self.assertEqual({one["after"] for one in better["cases"]}, {None})
+        updated = self.gate(("python_stdlib/subject.py",), "--update-baseline")
+        for words in ("baseline improved: hamrock_dowson_central: ", "baseline extended: hertz_point.radius: is new",
+                      "baseline shortened: hertz_cone: is no longer asked"):
+            self.assertIn(words, updated.err)
+        self.assertEqual(texts(self.gate(("python_stdlib/subject.py",)), "new"), [])
 
     def test_update_takes_what_is_better_and_force_what_is_worse(self):
         right, wrong = ("python_stdlib/subject.py",), ("fakes/fake.py", "--mistake", "film_minimum")
@@ -206,6 +240,31 @@ class Baselines(ProgramTest):
         self.assertIn("baseline lowered: hamrock_dowson_central", forced.err)
         self.assertEqual(self.gate(wrong).code, 0)
 
+    def test_an_update_that_improves_nothing_leaves_the_file_as_it_is(self):
+        right, file = ("python_stdlib/subject.py",), pathlib.Path(self.path)
+        self.gate(right, "--update-baseline")
+        file.write_text(re.sub(r'"date": ".*"', '"date": "2020-02-02"', file.read_text()))
+        before = file.read_bytes()
+        for more in ([], ["--force"]):
+            self.assertIn(f"baseline unchanged: {self.path}", self.gate(right, "--update-baseline", *more).err)
+            self.assertEqual(file.read_bytes(), before)
+        self.gate(("fakes/fake.py", "--mistake", "film_minimum"), "--update-baseline")
+        self.assertEqual(file.read_bytes(), before)
+        rows = json.loads(before)
+        self.assertEqual(list(rows), ["schema", "version", "commit", "date", "subject", "tolerance", "sample", "losses",
+                                      "quantities"])
+        self.assertEqual(list(rows["quantities"]), sorted(rows["quantities"]))
+
+    def test_a_file_of_schema_2_is_read_and_becomes_one_of_schema_3_when_it_is_improved(self):
+        self.gate(("fakes/fake.py", "--mistake", "film_minimum"), "--update-baseline")
+        old = json.loads(pathlib.Path(self.path).read_text())
+        old = {"schema": 2, **{name: old[name] for name in ("tolerance", "sample", "subject", "quantities")}}
+        pathlib.Path(self.path).write_text(json.dumps(old))
+        self.assertEqual(self.gate(("fakes/fake.py", "--mistake", "film_minimum")).code, 0)
+        self.assertEqual(self.gate(("fakes/fake.py", "--mistake", "hertz_peak_without_3_2")).code, 1)
+        self.gate(("python_stdlib/subject.py",), "--update-baseline")
+        self.assertEqual(json.loads(pathlib.Path(self.path).read_text())["schema"], "verify-baseline/3")
+
     def test_accuracy_has_a_ratchet(self):
         right = ("python_stdlib/subject.py",)
         self.gate(right, "--update-baseline")
@@ -219,12 +278,14 @@ class Baselines(ProgramTest):
             result = self.gate(right)
             self.assertEqual(result.code, code, part)
         self.assertIn(f"{quantity}: the worst error was {worst / 4.001:.3g}",
-                      "\n".join(result.json()["baseline"]["worse"]))
+                      "\n".join(texts(result, "worse")))
 
     def test_a_file_that_is_no_baseline(self):
         right = ("python_stdlib/subject.py",)
         for text, words in (("{}", "no baseline of"), ("no", "no JSON"),
                             ('{"schema": 1, "quantities": {}, "tolerance": "engineering"}', "of schema 1"),
+                            ('{"schema": "verify-baseline/4", "quantities": {}}', "of schema 4, and this program has 3"),
+                            ('{"schema": "bench-baseline/3", "quantities": {}}', "no baseline of"),
                             ('{"schema": 2, "quantities": {"gaussian_moment": 1}, "sample": 60, '
                              '"tolerance": {"default": 1e-6}}', "type")):
             pathlib.Path(self.path).write_text(text)
@@ -338,7 +399,7 @@ class Ends(ProgramTest):
         for more in (["--update-baseline"], []):
             result = verify("--subject", command, "--sample", "3", "--baseline", path, *more)
             self.assertEqual(result.code, 1)
-        self.assertIn("exits with code 77 after its last answer", "".join(result.json()["baseline"]["worse"]))
+        self.assertIn("exits with code 77 after its last answer", "".join(texts(result, "worse")))
 
 
 if __name__ == "__main__":

@@ -48,7 +48,7 @@ class FilmTest(ProgramTest):
     def films(self, tree, *arguments, code=0):
         result = run("film", self.write(tree), *arguments, "--format", "json")
         self.assertEqual(result.code, code, result.err)
-        return result.json()
+        return result.json()["films"]
 
     def film(self, tree, *arguments):
         found, = self.films(tree, *arguments)
@@ -179,7 +179,7 @@ class Numbers(FilmTest):
 class Formats(FilmTest):
     def test_they_agree(self):
         path = self.write(line(10, 5, speed=[0.5, 1]))
-        found = run("film", path, "--format", "json").json()
+        found = run("film", path, "--format", "json").json()["films"]
         rows = run("film", path, "--format", "csv").rows()
         tables = re.split(r"(?m)^(?=line: line contact at )", run("film", path).out)[1:]
         self.assertEqual(len(found), 2)
@@ -222,7 +222,7 @@ class Formats(FilmTest):
         path = self.write(line(10, 5, speed=[0.5, 1]))
         rows = run("film", path, "--profile", "--format", "csv").rows()
         self.assertEqual(list(rows[0]), ["id", "speed", "x", "x_over_half_width", "pressure", "film"])
-        for found in run("film", path, "--profile", "--format", "json").json():
+        for found in run("film", path, "--profile", "--format", "json").json()["films"]:
             mine = [row for row in rows if float(row["speed"]) == found["speed"]]
             for name in ("x", "pressure", "film"):
                 self.assertEqual([float(row[name]) for row in mine], found["profile"][name])
@@ -230,7 +230,7 @@ class Formats(FilmTest):
                              len(run("film", path, "--speed", found["speed"]).out.splitlines()) + 3 + len(mine))
 
     def test_the_shipped_roller_has_a_spike(self):
-        found = run("film", ROLLER, "--format", "json").json()
+        found = run("film", ROLLER, "--format", "json").json()["films"]
         self.assertEqual(len(found), 3)
         self.assertLess(found[0]["spike_pressure"]["error"], 0.001*found[0]["spike_pressure"]["value"])
 
@@ -266,7 +266,7 @@ class Scenes(FilmTest):
     def test_a_bad_scene_leaves_the_others(self):
         bad = self.write(line(10, 5, load=-1), "bad.toml")
         result = run("film", bad, self.write(line(10, 5)), "--format", "json")
-        self.assertEqual((result.code, len(result.json()), len(result.error_lines)), (2, 1, 1))
+        self.assertEqual((result.code, len(result.json()["films"]), len(result.error_lines)), (2, 1, 1))
 
     def test_a_liquid_of_constant_viscosity_is_solved(self):
         tree = line(10, 0)
@@ -275,7 +275,7 @@ class Scenes(FilmTest):
         for more in [(), ("--viscosity", "roelands")]:  # Roelands' law has no z at α = 0, and so no warning
             result = run("film", self.write(tree), *more, "--format", "json")
             self.assertEqual((result.code, result.err), (0, ""))
-            self.assertEqual(result.json()[0]["central_film"], found["central_film"])
+            self.assertEqual(result.json()["films"][0]["central_film"], found["central_film"])
         formulas = {one["name"]: one["film"] for one in found["formulas"]}
         self.assertIsNotNone(formulas.pop("moes_line"))
         self.assertEqual(set(formulas.values()), {None})
@@ -338,7 +338,7 @@ class Failures(FilmTest):
         said_low, said_high = [line for line in result.error_lines if "warning: " not in line]
         self.assertRegex(said_low, r"^tribocheck: line at 1e-20 m/s: the film is about \S+ of b²/R")
         self.assertRegex(said_high, r"^tribocheck: line at 1e\+10 m/s: M = 0.0001 is below 0.001")
-        low, good, high = result.json()
+        low, good, high = result.json()["films"]
         self.assertEqual(good, {**self.film(tree, "--speed", "1")})
         for film, said in [(low, said_low), (high, said_high)]:
             self.assertEqual([film[name] for name in QUANTITIES + SPIKE], [None]*5)
@@ -357,7 +357,7 @@ class Failures(FilmTest):
         process.send_signal(signal.SIGINT)
         rest, said = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
-        found = strict_json((first + rest).decode())
+        found = strict_json((first + rest).decode())["films"]
         met = sum("reason" not in film for film in found)
         self.assertGreater(met, 0)
         self.assertRegex(said.decode(), rf"^tribocheck: stopped: {met} of 1000 contacts are solved to the tolerance"
@@ -374,7 +374,7 @@ class Failures(FilmTest):
         self.assertEqual(process.wait(), 0)
         self.assertRegex(said, r"line at \S+ m/s \(\d+ of 4\): grid of \d+ cells, step \d+ of Newton's method")
         with open(self.folder.path("films.json")) as out:
-            finest = max(film["cells"] for film in strict_json(out.read()))
+            finest = max(film["cells"] for film in strict_json(out.read())["films"])
         for cells in map(int, re.findall(r"grid of (\d+) cells", said)):
             self.assertTrue(64 <= cells <= finest, (cells, finest))
 

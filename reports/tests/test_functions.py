@@ -75,7 +75,7 @@ class Listed(unittest.TestCase):
         self.assertEqual([line.split()[0] for line in listed.out.splitlines()], list(GOOD))
 
     def test_json_has_the_arguments_that_stream_takes(self):
-        for entry in json.loads(run("functions", "--format", "json").out):
+        for entry in run("functions", "--format", "json").json()["functions"]:
             name = entry["name"]
             for field, (has, has_not) in {"meaning": ("^[a-z]+ .* ", r" = |\(1[89]\d\d\)"), "equation": (" = ", r"\(1[89]\d\d\)"),
                                           "source": (r"\(1[89]\d\d\)|ASTM D341", "Error of")}.items():
@@ -275,7 +275,7 @@ class Mistakes(unittest.TestCase):
                 "0, 0.5, 1, 1.5, 2 or 2.5": ([0, 0.5, 1, 1.5, 2, 2.5],
                                              [-0.5, math.nextafter(0.5, 0), math.nextafter(2.5, 3), 3])}
         asked = [(entry["name"], one, number, is_refused)
-                 for entry in json.loads(run("functions", "--format", "json").out)
+                 for entry in run("functions", "--format", "json").json()["functions"]
                  for one in entry["parameters"] if "words" not in one
                  for is_refused in (False, True) for number in ends[one["allowed"]][is_refused]]
         answers = ask(*(call(name, {**GOOD[name], one["name"]: number}) for name, one, number, _ in asked))

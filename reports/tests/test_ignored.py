@@ -36,10 +36,12 @@ FORMS = [
     ("stream", [], ()), ("plugin-host", ["PLUGIN"], ()),
     ("functions", [], ()), ("functions", ["hertz_point"], ()),
     ("init", ["subject", "--language", "python", "--out", "DIR/new.py"], {"--language", "--out"}),
+    ("init", ["ci", "--for", "github", "--out", "DIR/new.yml"], {"--for", "--out"}),
     ("sweep", ["SWEEP", "-o", "DIR/out.h5"], {"-o"}),
     ("sweep", ["SWEEP", "--estimate"], {"--estimate"}),
     ("sweep", ["SWEEP", "-o", "DIR/part.shard", "--shard", "1/2"], {"-o", "--shard"}),
     ("sweep show", ["DIR/done.h5"], ()),
+    ("sweep diff", ["DIR/done.h5", "DIR/other.h5"], ()),
     ("sweep merge", ["DIR/1.shard", "DIR/2.shard", "-o", "DIR/merged.h5"], {"-o"}),
     ("verify", [], ()),
     ("verify", ["--subject", "SUBJECT", "--sample", "3"], {"--subject", "--plugin", "--sample"}),
@@ -59,7 +61,8 @@ FORMS = [
 VALUES = {
     "--format": ["json"], "--about": [], "--threads": ["1000000"], "--criterion": ["asperity_minimum"], "--departure": ["0.2"],
     "--viscosity": ["roelands"], "--density": ["dowson_higginson"], "--tolerance": ["5e-3"], "--speed": ["1.25"],
-    "--profile": [], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--out": ["DIR/other"],
+    "--profile": [], "--most": ["2"], "--picture": ["DIR/no_such_folder/a.png"], "--language": ["c"], "--for": ["gitlab"],
+    "--out": ["DIR/other"],
     "--estimate": [], "--resume": [], "--join": [], "--force": [], "--shard": ["2/2"], "--without-fma": [], "--mixed-fma": [],
     "--pictures": ["DIR/pictures"], "--cases": [], "--reference": ["/nowhere"], "--junit": ["DIR/junit.xml"],
     "--subject": ["SUBJECT"], "--plugin": ["PLUGIN"], "--sample": ["2"], "--case-timeout": ["0.01", "--start-timeout", "0.01"],
@@ -67,11 +70,12 @@ VALUES = {
     "--show": ["h0001"], "--save-cases": ["DIR/saved"], "--baseline": ["DIR/no_such.json"],
     "--update-baseline": [], "--claim": ["C3"], "--reading": ["literal"], "--section": ["errata"],
     "--published": ["/nowhere"], "--ledger": ["/nowhere.csv"], "--scenes": ["/nowhere"], "--commit": ["abc"],
-    "--quick": [], "--filter": ["no such contender"],
+    "--quick": [], "--jobs": ["2"], "--filter": ["no such contender"],
 }
 # Options without an effect in these tests, and the reason why they are nevertheless not ignored.
 UNSEEN = {
     ("solve", "--threads"): "the results are the same bits for any number",
+    ("verify", "--jobs"): "the verdict is the same; test_jobs counts the processes, and has the refusals",
     ("sweep", "--without-fma"): "it changes last digits, and estimated times; test_sweep holds the bits",
     ("sweep merge", "--mixed-fma"): "the shards are of one processor; test_sweep_faults has others",
     ("sweep merge", "--force"): "there is no result yet; test_sweep has one",
@@ -103,11 +107,12 @@ class Ignored(unittest.TestCase):
     if "first" not in globals():
         import time
         first = time.sleep(0.3)""")}
+        cls.folder.write("other.toml", SWEEP.replace("load = 50", "load = 51"))
         less = Folder()
         cls.addClassCleanup(less.cleanup)
         nearly = altered(less, 'answer = answer if name == "hertz_point" else {"id": case, "skip": "no"}')
         for words in (["verify", "--subject", nearly, "--sample", "3", "--baseline", "base.json", "--update-baseline"],
-                      ["sweep", "sweep.toml", "-o", "done.h5"], ["sweep", "sweep.toml", "-o", "1.shard", "--shard", "1/2"],
+                      ["sweep", "sweep.toml", "-o", "done.h5"], ["sweep", "other.toml", "-o", "other.h5"], ["sweep", "sweep.toml", "-o", "1.shard", "--shard", "1/2"],
                       ["sweep", "sweep.toml", "-o", "2.shard", "--shard", "2/2"]):
             done = run(*words, cwd=cls.folder.name)
             assert done.code == 0, done.err

@@ -28,7 +28,7 @@ def run_on_path(path, *arguments, **options):
 class Init(ProgramTest):
     def assert_all_functions(self, text):
         """Each function with its arguments and results is there, and no mark of the template is left."""
-        functions = json.loads(run("functions", "--format", "json").out)
+        functions = run("functions", "--format", "json").json()["functions"]
         self.assertGreaterEqual(len(functions), 5)
         for function in functions:
             self.assertIn(function["name"], text)
@@ -155,6 +155,20 @@ class Init(ProgramTest):
         self.assert_refused(run("init", "subject"), "--language")
         self.assert_refused(run("init", "--language", "python"), "what")
         self.assert_refused(run("init", "scene", "--language", "python"), "scene")
+        self.assert_refused(run("init", "subject", "--language", "python", "--for", "github"), "--for", "ci")
+        self.assert_refused(run("init", "ci"), "--for")
+        self.assert_refused(run("init", "ci", "--for", "nobody"), "nobody", "github, gitlab")
+        self.assert_refused(run("init", "ci", "--for", "github", "--language", "c"), "--language", "subject")
+
+    def test_a_file_for_ci_is_written_as_it_stands_in_the_project(self):
+        for system in ("github", "gitlab"):
+            for out, options in ((f"{system}.yml", []), ("new/folders/a.yml", ["--out", "new/folders/a.yml", "--force"])):
+                with self.subTest(system=system, out=out):
+                    result = run("init", "ci", "--for", system, *options, cwd=self.folder.name)
+                    self.assertEqual((result.code, result.out.splitlines()[0]), (0, f"{out}: written"))
+                    self.assertEqual(pathlib.Path(self.folder.path(out)).read_bytes(),
+                                     (TEMPLATES.parent / "ci" / f"{system}.yml").read_bytes())
+        self.assert_refused(run("init", "ci", "--for", "github", cwd=self.folder.name), "github.yml", "--force")
 
 
 if __name__ == "__main__":

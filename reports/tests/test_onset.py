@@ -13,7 +13,7 @@ class OnsetTest(ProgramTest):
     def found(self, tree, *arguments):
         result = run("onset", self.folder.write("scene.toml", tree), *arguments, "--format", "json")
         self.assertEqual((result.code, result.err), (0, ""))
-        return {onset["criterion"]: onset for onset in result.json()}
+        return {onset["criterion"]: onset for onset in result.json()["onsets"]}
 
     def test_film_maximum_of_table_1(self):
         for surface in ["rough", "medium", "smooth"]:
@@ -27,7 +27,7 @@ class OnsetTest(ProgramTest):
         onset = self.found(scene("medium"))["film_maximum"]
         speeds = [onset["speed"] * factor for factor in [0.99, 1, 1.01]]
         path = self.folder.write("at.json", scene("medium", speed=speeds))
-        before, at, after = [p["film"] for p in run("solve", path, "--format", "json").json()]
+        before, at, after = [p["film"] for p in run("solve", path, "--format", "json").json()["points"]]
         self.assertAlmostEqual(at / onset["film"], 1, delta=1e-12)
         self.assertLess(before, at)
         self.assertLess(after, at)
@@ -36,7 +36,7 @@ class OnsetTest(ProgramTest):
         for departure in [0.05, 0.5]:
             onset = self.found(scene(), "--departure", departure)["film_departure"]
             path = self.folder.write("at.json", scene(speed=onset["speed"]))
-            point = run("solve", path, "--format", "json").json()[0]
+            point = run("solve", path, "--format", "json").json()["points"][0]
             self.assertAlmostEqual(point["film"] / point["film_flooded"], 1 - departure, delta=1e-12)
 
     def test_the_default_departure_is_one_twentieth(self):
@@ -62,7 +62,7 @@ class OnsetTest(ProgramTest):
         tree = scene()
         tree["lubricant"]["viscosity"] = 1e-320
         path = self.folder.write("thin.toml", tree)
-        found = run("onset", path, "--criterion", "film_maximum", "--format", "json").json()[0]
+        found = run("onset", path, "--criterion", "film_maximum", "--format", "json").json()["onsets"][0]
         self.assertEqual([found[value] for value in VALUES], [None] * 3)
         row = run("onset", path, "--criterion", "film_maximum", "--format", "csv").rows()[0]
         self.assertEqual([row[value] for value in VALUES], [""] * 3)

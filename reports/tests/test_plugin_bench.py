@@ -14,7 +14,7 @@ class Rows(unittest.TestCase):
     def rows(self, name, pattern):
         done = bench(plugin(name), pattern, "--format", "json")
         self.assertEqual((done.code, done.err), (0, ""))
-        return done.json()
+        return done.json()["rows"]
 
     def test_every_job_that_is_offered(self):
         rows = self.rows("own_model_plugin", "/plugin/")
@@ -40,7 +40,7 @@ class Rows(unittest.TestCase):
     def test_what_it_prints_is_not_in_the_table(self):
         done = bench(plugin("talkative"), "moment_2/plugin", "--format", "json")
         self.assertEqual(done.code, 0)
-        row, = done.json()
+        row, = done.json()["rows"]
         self.assertEqual((row["name"], row["failures"]), ("talkative plug-in", row["judged"]))
         self.assertIn("greeting", done.err)
 

@@ -161,8 +161,9 @@ class Numbers(WrittenReport):
     def test_groups_are_what_the_commands_answer(self):
         """`reproduce`, `verify` and `film`, each number."""
         ledger = run("reproduce", "--format", "json", cwd=ROOT).json()
+        self.assertEqual((ledger.pop("schema"), ledger.pop("version")), ("reproduce/1", self.told["version"]))
         self.assertEqual({name: self.told["ledger"][name] for name in ledger}, ledger)
-        quantities = run("verify", "--format", "json", cwd=ROOT).json()
+        quantities = run("verify", "--format", "json", cwd=ROOT).json()["quantities"]
         shown = {line.split()[0]: line.split() for line in run("verify", cwd=ROOT).out.splitlines() if " held" in line}
         for mine, other in zip(self.told["certified"]["quantities"], quantities, strict=True):
             other["held"] = other.pop("passed")
@@ -172,7 +173,7 @@ class Numbers(WrittenReport):
                 other["quantity"], str(other["cases"]), f"{other['worst_ulp']:.3g}", f"{other['worst_ulp_per_condition']:.3g}", allowed,
                 f"{100 * mine['worst_part_of_bound']:.3g}", other["worst_row"], "held")))
         profile = self.told["line_films"]["profile"]
-        film, = run("film", ROOT / profile["file"], "--speed", profile["speed"], "--format", "json").json()
+        film, = run("film", ROOT / profile["file"], "--speed", profile["speed"], "--format", "json").json()["films"]
         for name in ("load_number", "material_number", "half_width", "peak_pressure"):
             self.assert_close(profile[name], film[name])
         for name, other in (("central", film["central_film"]), ("minimum", film["minimum_film"])):

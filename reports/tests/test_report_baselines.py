@@ -100,7 +100,7 @@ class Baselines(unittest.TestCase):
                                  (["skipped-work", "work-precision"], {"skipped_work", "work_precision", "ellipse_fits"})):
             page = self.page(sections)
             self.assertEqual(set(page["sections"]), set(sections))
-            self.assertEqual(set(page) - {"tribocheck", "sections", "findings", "not_run", "files"}, groups)
+            self.assertEqual(set(page) - {"schema", "version", "sections", "findings", "not_run", "files"}, groups)
         done = report("--section", "sweeps", cwd=self.project)
         self.assertEqual((done.code, done.out), (2, ""))
         self.assertIn("sweeps is not one of figures, comparison", done.err)

@@ -19,7 +19,7 @@ from page_perturbed import perturbed
 from report_files import FIGURES, ROOT, SECTIONS, WORK_FIGURES, PageReader, WrittenReport, report, table
 
 
-COMMON = {"tribocheck", "sections", "findings", "not_run", "files"}
+COMMON = {"schema", "version", "sections", "findings", "not_run", "files"}
 
 
 class Page(WrittenReport):

@@ -264,7 +264,7 @@ class ReproduceTest(ProgramTest):
         found = {row["item"]: row for row in rows}
         for surface in ["rough", "medium", "smooth"]:
             path = str(ROOT / f"reference/published/{surface}.toml")
-            onset = run("onset", path, "--criterion", "film_maximum", "--format", "json").json()[0]
+            onset = run("onset", path, "--criterion", "film_maximum", "--format", "json").json()["onsets"][0]
             self.assertAlmostEqual(float(found[f"C1.{surface}"]["computed"]) / onset["speed"], 1,
                                    delta=1e-12)
             factor = float(found[f"C1.{surface}"]["computed"]) / float(found[f"C1.{surface}"]["reported"])

@@ -20,7 +20,7 @@ class SolveTest(ProgramTest):
         return result
 
     def points(self, tree, command="solve"):
-        return self.solved(tree, "--format", "json", command=command).json()
+        return self.solved(tree, "--format", "json", command=command).json()["points"]
 
 
 class Numbers(SolveTest):
@@ -99,7 +99,7 @@ class Numbers(SolveTest):
         result = run("solve", path, "--format", "json")
         self.assertEqual(result.code, 0)
         self.assertIn("warning: ", result.err)
-        point = result.json()[0]
+        point = result.json()["points"][0]
         self.assertIsNone(point["film_parameter"])
         self.assertEqual(point["undefined"]["film_parameter"],
                          "outside the range of double precision")
@@ -114,7 +114,7 @@ class Numbers(SolveTest):
         tree = scene(speed=1e300, supply=None, outputs=["inlet"])
         tree["lubricant"]["viscosity"] = 1e300
         path = self.folder.write("thick.toml", tree)
-        point = run("solve", path, "--format", "json").json()[0]
+        point = run("solve", path, "--format", "json").json()["points"][0]
         self.assertIsNone(point["inlet"])
         self.assertEqual(point["undefined"]["inlet"], "outside the range of double precision")
 
@@ -124,7 +124,7 @@ class About(SolveTest):
 
     def about(self, tree):
         """The values of each part, by their names."""
-        told, = self.solved(tree, "--about", "--format", "json").json()
+        told, = self.solved(tree, "--about", "--format", "json").json()["scenes"]
         return {part: {one["name"]: one["value"] for one in told[part]} for part in ("inputs", "contact", "outputs", "work")}
 
     def test_inputs_are_those_of_the_scene_what_follows_and_defaults(self):
@@ -169,7 +169,7 @@ class About(SolveTest):
 
     def test_formats_agree(self):
         tree = quiet_scene()
-        told, = self.solved(tree, "--about", "--format", "json").json()
+        told, = self.solved(tree, "--about", "--format", "json").json()["scenes"]
         entries = [(part, one) for part in ("inputs", "contact", "outputs", "work") for one in told[part]]
         rows = self.solved(tree, "--about", "--format", "csv").rows()
         for (part, one), row in zip(entries, rows, strict=True):
@@ -233,7 +233,7 @@ class Formats(SolveTest):
 
     def test_json_is_one_object_a_line(self):
         lines = self.solved(scene(), "--format", "json").out.splitlines()
-        self.assertEqual((lines[0], lines[-1], len(lines)), ("[", "]", 22))
+        self.assertEqual((lines[0].split()[-1], lines[-1], len(lines)), ("[", "]}", 22))
 
     def test_csv_has_one_header_for_all_scenes(self):
         first = self.folder.write("a.toml", scene(id='a,"b"', speed=1, outputs=["film", "friction"]))
@@ -264,8 +264,7 @@ class Formats(SolveTest):
         for name in ["ü ρ", "a\\b", 'quo"te', "tab\there", "new\nline", "'"]:
             with self.subTest(name=name):
                 tree = json_value(scene(id=name, speed=1))
-                self.assertEqual(run("solve", "-", "--format", "json", stdin=tree).json()[0]["id"],
-                                 name)
+                self.assertEqual(run("solve", "-", "--format", "json", stdin=tree).json()["points"][0]["id"], name)
                 rows = run("solve", "-", "--format", "csv", stdin=tree).rows()
                 self.assertEqual([row["id"] for row in rows], [name])
                 self.assertEqual(run("stream", stdin=tree).json_lines()[0]["id"], name)

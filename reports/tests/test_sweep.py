@@ -35,7 +35,7 @@ class Results(SweepTest):
             for case in (0, 7, 19, 20, 39):
                 values = {path: data[case] for path, data in group["inputs"].items()}
                 solved = run("solve", self.scene_of(values, speed="[0.01, 0.2, 2.0]"), "--format",
-                             "json").json()
+                             "json").json()["points"]
                 for j, point in enumerate(solved):
                     for name, data in group["outputs"].items():
                         self.assert_same(data[case][j], point[name], name, data)
@@ -55,7 +55,7 @@ class Results(SweepTest):
         with opened(self.path("out.h5")) as file:
             for case, load in enumerate((20.0, 50.0)):
                 solved = run("solve", self.scene_of({"load": load}, speed=speeds), "--format",
-                             "json").json()
+                             "json").json()["points"]
                 films = [point["film"] for point in solved]
                 self.assertEqual(list(file["smooth/outputs/film"][case]), films)
                 self.assertEqual(list(file["smooth/speed"]), [point["speed"] for point in solved])
@@ -69,7 +69,7 @@ class Results(SweepTest):
                 values = {path: data[case] for path, data in group["inputs"].items()}
                 rows = run("onset", self.scene_of(values), "--criterion", "film_maximum",
                            "--criterion", "film_departure", "--departure", "0.1", "--format",
-                           "json").json()
+                           "json").json()["onsets"]
                 for row in rows:
                     for number in ("speed", "film", "film_parameter"):
                         got = group[f"outputs/onset/{row['criterion']}/{number}"][case]
@@ -81,7 +81,7 @@ class Results(SweepTest):
         with opened(self.path("out.h5")) as file:
             self.assertEqual(file["smooth/outputs/film"].shape, (100,))
             speed = file["smooth/inputs/speed"][42]
-            solved = run("solve", self.scene_of({"speed": speed}), "--format", "json").json()[0]
+            solved = run("solve", self.scene_of({"speed": speed}), "--format", "json").json()["points"][0]
             film = file["smooth/outputs/film"][42]
             self.assertLessEqual(abs(film - solved["film"]), 1e-14 * film)
 

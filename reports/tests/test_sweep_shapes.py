@@ -76,7 +76,7 @@ class Shapes(SweepTest):
         """The points of a scene by `stream`; by `solve` where JSON has no infinity."""
         tree = tomllib.loads(text)
         if any(isinstance(value, float) and math.isinf(value) for value in tree["bodies"].values()):
-            return run("solve", self.folder.write("case.toml", text), "--format", "json").json()
+            return run("solve", self.folder.write("case.toml", text), "--format", "json").json()["points"]
         asked = "".join(json.dumps(tree | {"id": str(speed), "speed": speed}) + "\n" for speed in tree["speed"])
         return run("stream", stdin=asked).json_lines()
 
@@ -124,7 +124,7 @@ class Shapes(SweepTest):
                     for case in range(group["outputs/onset/film_maximum/speed"].shape[0]):
                         text = sweep({**scene, **self.case_values(group, case), "speed": speed}).replace("[sweep]\n", "")
                         rows = run("onset", self.folder.write("case.toml", text), "--format", "json",
-                                   *(part for one in criteria for part in ("--criterion", one))).json()
+                                   *(part for one in criteria for part in ("--criterion", one))).json()["onsets"]
                         self.assertEqual([row["criterion"] for row in rows], criteria)
                         for row in rows:
                             for number in ("speed", "film", "film_parameter"):

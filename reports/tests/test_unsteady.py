@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """verify asks a sample of the cases again: answers that change are told, and judged by the worse one."""
 
+import json
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -70,6 +71,43 @@ class Unsteady(ProgramTest):
     def test_a_cache_with_a_wrong_key_is_found(self):
         result = self.asked(CACHE)
         self.assertIn("effective_modulus", [one["quantity"] for one in result.json()["unsteady"]])
+
+    def test_with_a_baseline_one_that_was_steady_is_red(self):
+        path = self.folder.path("base.json")
+        noise = 'answer["radius"] = math.nextafter(answer["radius"], 1)'
+        gate = ["--baseline", path]
+
+        def row(quantity="hertz_point.radius"):
+            with open(path) as file:
+                return json.load(file)["quantities"][quantity]
+        self.assertEqual(self.asked("pass", *gate, "--update-baseline").code, 0)
+        self.assertNotIn("unsteady", row())
+        for more in ([], ["--update-baseline"]):
+            red = self.again(noise, *gate, *more)
+            self.assertEqual(red.code, 1)
+            worse, = red.json()["changes"]["worse"]
+            self.assertEqual((worse["quantity"], worse["text"]),
+                             ("hertz_point.radius", "hertz_point.radius: its answers were the same each time, and change "
+                                                    "now when they are asked again"))
+        self.assertEqual(self.again(noise, *gate, "--update-baseline", "--force").code, 0)
+        for quantity in ("hertz_point.radius", "hertz_point.approach"):  # of one function
+            self.assertTrue(row(quantity)["unsteady"])
+        self.assertNotIn("unsteady", row("effective_modulus"))
+        self.assertEqual(self.again(noise.replace("radius", "approach"), *gate).code, 0)
+        self.assertEqual(self.asked("pass", *gate, "--update-baseline").code, 0)
+        self.assertTrue(row()["unsteady"])  # one run proves nothing
+        self.assertEqual(self.asked("pass", *gate, "--update-baseline", "--force").code, 0)
+        self.assertNotIn("unsteady", row())
+
+    def test_a_baseline_of_before_does_not_know_what_was_steady(self):
+        path = self.folder.path("base.json")
+        self.asked("pass", "--baseline", path, "--update-baseline")
+        with open(path) as file:
+            old = json.load(file)
+        with open(path, "w") as file:
+            json.dump({name: value for name, value in old.items() if name not in ("version", "commit", "date", "losses")}
+                      | {"schema": 2}, file)
+        self.assertEqual(self.again('answer["radius"] = math.nextafter(answer["radius"], 1)', "--baseline", path).code, 0)
 
     def test_showing_a_case_asks_it_once(self):
         command = altered(self.folder, 'print("asked", file=open("asked.txt", "a"))')

@@ -11,9 +11,15 @@ import unittest
 from program import ENVIRONMENT, PROGRAM, SWEEP_PROGRAM, Folder, run, scene
 
 ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+
+
+def commands_in(text):
+    """The commands that a help text lists."""
+    return re.findall(r"(?m)^  ([a-z]+) ", text.partition("\nSubcommands:\n")[2].partition("\n\n")[0])
+
+
 # Every command that the program says it has.
-COMMANDS = re.findall(r"(?m)^  ([a-z]+) ", run("--help").out.partition("\nSubcommands:\n")[2]
-                      .partition("\n\n")[0])
+COMMANDS = commands_in(run("--help").out)
 
 
 class Help(unittest.TestCase):
@@ -28,7 +34,7 @@ class Help(unittest.TestCase):
 
     def test_help_fits_80_columns_but_for_examples_and_long_words(self):
         for arguments in [[], *[[command] for command in COMMANDS], ["init", "subject"], ["sweep", "show"],
-                          ["sweep", "merge"]]:
+                          ["sweep", "merge"], ["sweep", "diff"]]:
             text, _, _ = run(*arguments, "--help").out.partition("\nExample:\n")
             self.assertEqual([line for line in text.splitlines() if len(line) > 80 and len(line.split()) > 1], [],
                              arguments)

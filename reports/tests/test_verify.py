@@ -60,7 +60,7 @@ class Verify(unittest.TestCase):
     def test_every_contract_holds(self):
         done = run("verify", "--format", "json", cwd=ROOT)
         self.assertEqual(done.code, 0, done.out + done.err)
-        results = done.json()
+        results = done.json()["quantities"]
         self.assertEqual(sum(r["cases"] for r in results),
                          sum(1 for t in TABLES for row in rows_of(EXACT / f"{t}.csv")
                              if not row.rstrip().endswith(",undefined")))
@@ -80,7 +80,7 @@ class Verify(unittest.TestCase):
             self.assertEqual(suite.get("failures"), "0")
             for case in suite:
                 self.assertIn(case.get("name"), done.out)
-            cases = run("verify", "--format", "json", cwd=ROOT).json()
+            cases = run("verify", "--format", "json", cwd=ROOT).json()["quantities"]
             self.assertEqual(done.out.splitlines()[-1],
                              f"COMPLETE: {len(suite)} of {len(suite)} quantities held, "
                              f"in {sum(one['cases'] for one in cases)} cases.")
@@ -101,7 +101,7 @@ class Verify(unittest.TestCase):
             wrong = ",".join([*cells[:-4], moved, *cells[-3:]])
             done = self.with_changed(table, lambda text, row=row, wrong=wrong: text.replace(row, wrong))
             self.assertEqual(done.code, 1, table)
-            failed = [r for r in done.json() if not r["passed"]]
+            failed = [r for r in done.json()["quantities"] if not r["passed"]]
             self.assertEqual([r["worst_row"] for r in failed], [cells[0]])
 
     def test_a_quantity_without_certified_rows_is_told_as_such(self):

@@ -65,12 +65,12 @@ class Ids(Words):
                     self.assertEqual(cell.startswith('"'), bool(re.search(r'[,"\n\r\t]|^[=+@]|^-2', word)), cell[:40])
 
     def test_json_gives_the_id_back(self):
-        for command in (["solve"], ["onset"]):
+        for command, rows in (("solve", "points"), ("onset", "onsets")):
             for word in HOSTILE:
                 with self.subTest(word, command=command):
-                    result = run(*command, self.scene(word), "--format", "json")
+                    result = run(command, self.scene(word), "--format", "json")
                     self.assert_dead(result)
-                    self.assertEqual({row["id"] for row in result.json()}, {word})
+                    self.assertEqual({row["id"] for row in result.json()[rows]}, {word})
         lines = [json.dumps(quiet_scene(id=word, speed=0.1)) for word in HOSTILE]
         calls = [json.dumps({"id": word, "function": "gaussian_moment", "order": 2.5, "argument": 1}) for word in HOSTILE]
         wrong = [json.dumps({"id": word, "function": word, word: 1}) for word in HOSTILE]
@@ -127,7 +127,7 @@ class Names(Words):
             word = os.fsdecode(word)
             with self.subTest(word):
                 for arguments in ([word], ["solve", word], ["solve", "--format", word, "x"], ["curve", word], ["onset", word],
-                                  ["film", word], ["functions", word], ["sweep", word], ["sweep", "show", word],
+                                  ["film", word], ["functions", word], ["sweep", word], ["sweep", "show", word], ["sweep", "diff", word, word],
                                   ["sweep", "merge", word, "-o", "x"], ["sweep", "x", "-o", word], ["verify", "--subject", word],
                                   ["verify", "--plugin", word], ["verify", "--reference", word], ["verify", "--show", word],
                                   ["verify", "--subject", "true", "--tolerance", word],

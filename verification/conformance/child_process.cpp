@@ -384,9 +384,17 @@ void ChildProcess::kill() {
 
 std::string ChildProcess::end_text() {
   if (!has_ended()) return "is still running";
-  const int signal = child_->signal();
-  if (signal == 0) return fmt::format("exits with code {}", exit_code());
-  return fmt::format("is killed by signal {} ({})", signal, ::strsignal(signal));
+  const auto killed_by = [](int signal) {
+    const char* const name = ::sigabbrev_np(signal);  // without "SIG"; null: it has no name
+    return fmt::format("is killed by signal {} ({}{})", signal,
+                       name == nullptr ? "" : fmt::format("SIG{}, ", name), ::strsignal(signal));
+  };
+  if (child_->signal() != 0) return killed_by(child_->signal());
+  // A shell whose command is killed by a signal exits with 128 and the signal's number.
+  const int code = exit_code(), told = code - 128;
+  if (told > 0 && ::sigabbrev_np(told) != nullptr)
+    return fmt::format("{}, as its exit code {} says", killed_by(told), code);
+  return fmt::format("exits with code {}", code);
 }
 
 // --- A program to its end.

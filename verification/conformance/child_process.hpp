@@ -41,6 +41,8 @@ class GuardedChild {
   int signal() const { return has_ended_ && !exited_ ? status_ : 0; }  // that ended it, or 0
   // CPU time of the program and of all that it had started; known after end().
   double cpu_seconds() const { return cpu_seconds_; }
+  // The process above the program and all that it starts.
+  pid_t guard_id() const { return guard_; }
 
  private:
   bool ended(int options);
@@ -85,12 +87,14 @@ class ChildProcess {
 
   bool refuses_input() const { return refuses_input_; }
   void kill();
-  // "exits with code 3", "is killed by signal 11 (Segmentation fault)", "is still running".
+  // "exits with code 3", "is killed by signal 11 (SIGSEGV, Segmentation fault)", with ", as its
+  // exit code 139 says" where a shell reports it so, "is still running".
   std::string end_text();
   bool has_ended() { return child_->has_ended(); }
   int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
   int signal() { return has_ended() ? child_->signal() : 0; }         // that ended it, or 0
   const std::string& last_errors() const { return errors_; }    // the last 16 kB of its stderr
+  pid_t guard_id() const { return child_->guard_id(); }         // as of GuardedChild
   double cpu_seconds() const { return child_->cpu_seconds(); }  // known after kill()
 
  private:

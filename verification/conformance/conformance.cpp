@@ -107,6 +107,15 @@ void take_worse_answers(Conversation& conversation, const std::vector<TestCase>&
   }
 }
 
+void mark_unsteady(ConformanceResult& result) {
+  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
+  for (QuantityVerdict& one : result.quantities)
+    for (const Unsteady& changing : result.unsteady) {
+      one.is_unsteady |= changing.quantity == one.quantity;
+      one.is_of_unsteady_function |= function(changing.quantity) == function(one.quantity);
+    }
+}
+
 // One quantity of one case.
 struct AskedQuantity {
   const TestCase& asked;
@@ -127,28 +136,68 @@ Example example_of(const AskedQuantity& of, const Tolerance& tolerance) {
   return made;
 }
 
+// The subject ended while this case was the next one, or it was late.
+bool is_loss(const Reply& answer) {
+  return answer.outcome == Outcome::died || answer.outcome == Outcome::late;
+}
+
+// What a subject offers, as all of its answers tell.
+class Offers {
+ public:
+  Offers(const std::vector<TestCase>& cases, const std::vector<Reply>& answers) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const std::string& function = cases[i].function;
+      any_loss_ |= is_loss(answers[i]);
+      if (answers[i].outcome == Outcome::skipped) skipped_.insert(function);
+      if (answers[i].outcome != Outcome::answered) continue;
+      answered_.insert(function);
+      for (const auto& [field, value] : answers[i].fields.items())
+        fields_.insert(function + '.' + field);
+    }
+  }
+
+  // A field that no answer of its function has is not offered. Neither is a function of which all
+  // cases are skipped, but for those that the subject's end or silence has cost.
+  bool has(const AskedQuantity& of) const {
+    const std::string& function = of.asked.function;
+    if (fields_.contains(function + '.' + of.expected.field)) return true;
+    if (answered_.contains(function)) return false;
+    return !(is_lost(of.answer) && skipped_.contains(function));
+  }
+
+  bool is_lost(const Reply& answer) const {
+    return is_loss(answer) || (answer.outcome == Outcome::not_asked && any_loss_);
+  }
+
+ private:
+  std::set<std::string> answered_, skipped_;  // functions
+  std::set<std::string> fields_;              // "hertz_point.radius"
+  bool any_loss_ = false;
+};
+
 // The error of an answer; none where the quantity is not offered, for this reason.
-std::optional<Measured> measured(const AskedQuantity& of, const std::set<std::string>& offered,
+std::optional<Measured> measured(const AskedQuantity& of, const Offers& offers,
                                  const Tolerance& tolerance, std::string& why_not) {
   if (of.answer.outcome == Outcome::skipped) {
     why_not = of.answer.reason;
+    return std::nullopt;
+  }
+  if (!offers.has(of)) {
+    why_not = "the field is never there";
     return std::nullopt;
   }
   if (of.answer.outcome != Outcome::answered)
     return Measured{.reason = of.answer.reason, .how = Failure::no_answer};
   const auto value = of.answer.fields.find(of.expected.field);
   if (value != of.answer.fields.end()) return measure(of.asked, of.expected, *value, tolerance);
-  if (offered.contains(of.asked.function + '.' + of.expected.field))
-    return Measured{.reason = "the field is missing", .how = Failure::no_answer};
-  why_not = "the field is never there";
-  return std::nullopt;
+  return Measured{.reason = "the field is missing", .how = Failure::no_answer};
 }
 
-void add(QuantityVerdict& verdict, const AskedQuantity& of, const std::set<std::string>& offered,
+void add(QuantityVerdict& verdict, const AskedQuantity& of, const Offers& offers,
          const Tolerance& tolerance) {
   if (verdict.asked++ == 0) verdict.worst = example_of(of, tolerance);
   std::string why_not;
-  const std::optional<Measured> found = measured(of, offered, tolerance, why_not);
+  const std::optional<Measured> found = measured(of, offers, tolerance, why_not);
   if (!found) {
     if (verdict.skipped++ == 0 && verdict.failed == 0) verdict.first_reason = why_not;
     return;
@@ -160,7 +209,8 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const std::set<std::
       verdict.first_reason = fmt::format("{}: {}", of.asked.id, found->reason);
     const double error = of.expected.high != 0 ? found->relative : std::abs(found->got);
     const bool is_beyond = found->how == Failure::number && !std::isfinite(error);
-    verdict.failed_cases.push_back({of.asked.id, is_beyond ? Failure::wrong : found->how, error});
+    verdict.failed_cases.push_back(
+        {of.asked.id, is_beyond ? Failure::wrong : found->how, error, offers.is_lost(of.answer)});
     ++verdict.failed;
     verdict.failed_physical += is_physical ? 1 : 0;
   } else {
@@ -184,21 +234,30 @@ Verdict status_of(const QuantityVerdict& one, const Tolerance& tolerance) {
 std::vector<QuantityVerdict> verdicts_on(const std::vector<TestCase>& cases,
                                          const std::vector<Reply>& answers,
                                          const Tolerance& tolerance) {
-  std::set<std::string> offered;  // a field that no answer of its function has is not offered
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    if (answers[i].outcome == Outcome::answered)
-      for (const auto& [field, value] : answers[i].fields.items())
-        offered.insert(cases[i].function + '.' + field);
+  const Offers offers(cases, answers);
   std::vector<QuantityVerdict> verdicts;
   std::map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < cases.size(); ++i)
     for (const Expected& expected : cases[i].expected) {
       const auto [place, is_new] = places.try_emplace(expected.quantity, verdicts.size());
       if (is_new) verdicts.emplace_back().quantity = expected.quantity;
-      add(verdicts[place->second], {cases[i], expected, answers[i]}, offered, tolerance);
+      add(verdicts[place->second], {cases[i], expected, answers[i]}, offers, tolerance);
     }
   for (QuantityVerdict& one : verdicts) one.status = status_of(one, tolerance);
   return verdicts;
+}
+
+std::vector<Loss> losses_of(const std::vector<TestCase>& cases, const std::vector<Reply>& answers,
+                            const Tolerance& tolerance) {
+  std::vector<Loss> losses;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (is_loss(answers[i])) {
+      const bool is_physical = std::any_of(cases[i].expected.begin(), cases[i].expected.end(),
+                                           [](const Expected& one) { return one.is_physical; });
+      losses.push_back(
+          {cases[i].id, cases[i].function, answers[i].reason, is_physical || tolerance.is_strict});
+    }
+  return losses;
 }
 
 Overall overall_of(const ConformanceResult& result) {
@@ -207,6 +266,10 @@ Overall overall_of(const ConformanceResult& result) {
                        [&](const QuantityVerdict& one) { return one.status == status; });
   };
   if (any(Verdict::failed) || result.conversation.violation_count > 0) return Overall::failed;
+  // The subject may have ended at a case of a function that it does not offer.
+  if (std::any_of(result.losses.begin(), result.losses.end(),
+                  [](const Loss& one) { return one.is_physical; }))
+    return Overall::failed;
   if (any(Verdict::held_physically)) return Overall::physical;
   if (!any(Verdict::held) && !any(Verdict::partly_held)) return Overall::nothing;
   return any(Verdict::partly_held) || any(Verdict::not_offered) ? Overall::partial
@@ -295,6 +358,20 @@ double allowed_error(const TestCase& asked, const Expected& expected, const Tole
   return std::max(relative * expected.condition * std::abs(expected.high), least_of_engineering);
 }
 
+bool QuantityVerdict::fails_by_losses_alone() const {
+  return failed > 0 && std::all_of(failed_cases.begin(), failed_cases.end(),
+                                   [](const FailedCase& one) { return one.is_lost; });
+}
+
+std::string loss_text(const std::vector<Loss>& losses, const std::vector<std::string>& quantities) {
+  const Loss& first = losses.front();
+  std::string text = fmt::format("at case {} ({})", first.id, first.function);
+  if (losses.size() > 1) text += fmt::format(" and at {} more", losses.size() - 1);
+  text += ": " + first.reason;
+  if (!quantities.empty()) text += fmt::format("; lost by this: {}", fmt::join(quantities, ", "));
+  return text + fmt::format("; --show {} asks it alone", first.id);
+}
+
 std::string_view name(Verdict status) {
   constexpr std::array<std::string_view, 5> names{"held", "held in the physical range",
                                                   "held in part", "FAILED", "not offered"};
@@ -366,6 +443,8 @@ ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
   take_worse_answers(conversation, cases, tolerance);
   result.conversation = std::move(conversation);
   result.quantities = verdicts_on(cases, result.conversation.answers, tolerance);
+  mark_unsteady(result);
+  result.losses = losses_of(cases, result.conversation.answers, tolerance);
   result.overall = overall_of(result);
   result.notes = notes_on(cases, result.conversation);
   return result;

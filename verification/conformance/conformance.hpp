@@ -53,6 +53,8 @@ struct FailedCase {
   std::string id;
   Failure how = Failure::no_answer;
   double error = 0;  // of a number: relative, or absolute where 0 is expected
+  // The subject ended or was late here, or was not asked any more as it had (Loss).
+  bool is_lost = false;
 };
 
 struct HeldCase {
@@ -88,9 +90,26 @@ struct QuantityVerdict {
   std::vector<HeldCase> held_cases;
   std::vector<FailedCase> failed_cases;
   std::string first_reason;  // of the first failure, or of the first skip
+  bool is_unsteady = false;  // an answer changed when it was asked again
+  bool is_of_unsteady_function = false;
 
   std::size_t judged() const { return held + failed; }
+  // Every case that fails is one that the subject's end or silence has cost.
+  bool fails_by_losses_alone() const;
 };
+
+// A case at which the subject ended, or gave no answer in time. It is one fault of the subject,
+// whatever number of quantities it costs a case.
+struct Loss {
+  std::string id;        // of the case
+  std::string function;  // that was asked
+  std::string reason;    // "it is killed by signal 11 (SIGSEGV, Segmentation fault)"
+  // The strict tolerance is asked for, or contacts on earth have such inputs.
+  bool is_physical = true;
+};
+// "at case m0499 (gaussian_moment) and at 8 more: it is killed by signal 11 (SIGSEGV, Segmentation
+// fault); lost by this: gaussian_moment; --show m0499 asks it alone".
+std::string loss_text(const std::vector<Loss>& losses, const std::vector<std::string>& quantities);
 
 // physical: all failures are beyond the physical range.
 enum class Overall : std::uint8_t { complete, partial, physical, failed, nothing };
@@ -102,6 +121,7 @@ struct ConformanceResult {
   std::size_t sample = 0;  // cases of each function at most; 0: all were asked
   Overall overall = Overall::nothing;
   std::vector<QuantityVerdict> quantities;
+  std::vector<Loss> losses;        // in the order of the cases
   std::vector<Unsteady> unsteady;  // the quantities whose answers change
   // Where a case was asked twice, its answer is the worse of both.
   Conversation conversation;
@@ -125,7 +145,7 @@ std::optional<std::string> unknown_of(const std::vector<std::string>& required,
 
 // The message on one quantity.
 struct QuantityNote {
-  std::string quantity;  // or "protocol", "anything"
+  std::string quantity;  // or "protocol", "subject", "anything"
   std::string text;      // "hertz_point.radius: was held, is FAILED"
 };
 // The quantities that were asked for by name and are not held.

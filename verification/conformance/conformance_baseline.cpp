@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
 #include "protocol/bounded_json.hpp"
+#include "tribo/version.hpp"
 
 namespace tribo::conformance {
 namespace {
@@ -18,7 +22,8 @@ namespace {
 using nlohmann::json;
 
 constexpr double ratchet = 4;
-constexpr int schema = 2;
+constexpr int oldest_schema = 2, schema = 3;
+constexpr std::string_view schema_name = "verify-baseline/";
 
 // The rank of a status; `failed` has the lowest.
 int worth(const std::string& status) {
@@ -73,28 +78,47 @@ HeldCase worst_of(const QuantityVerdict& now, Which&& is_meant) {
   return worst;
 }
 
+// The number of cases that hold and did not fail before.
+std::size_t held_without_mended(const QuantityVerdict& now, const json& before) {
+  const json& failed = before.at("failed");
+  return static_cast<std::size_t>(
+      std::count_if(now.held_cases.begin(), now.held_cases.end(),
+                    [&](const HeldCase& one) { return !failed.contains(one.id); }));
+}
+
 // The worst of the cases that held before, too; nothing where that is not known, as some were
 // skipped then.
 std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& before) {
   const json& failed = before.at("failed");
-  std::size_t old = 0;
-  for (const HeldCase& one : now.held_cases) old += failed.contains(one.id) ? 0 : 1;
-  if (old > before.at("held").get<std::size_t>()) return std::nullopt;
+  if (held_without_mended(now, before) > before.at("held").get<std::size_t>()) return std::nullopt;
   return worst_of(now, [&](const std::string& id) { return !failed.contains(id); });
+}
+
+// Answers of a function change now and then from one ask to the next, those of one quantity in this
+// run and those of another in that. A row without the member is of a function that is steady.
+bool is_unsteady(const json& row) { return row.value("unsteady", false); }
+void put_unsteady(json& row, bool is_so) {
+  if (is_so)
+    row["unsteady"] = true;
+  else
+    row.erase("unsteady");
 }
 
 json row_of(const QuantityVerdict& one) {
   json failed = json::object();
   for (const FailedCase& fault : one.failed_cases) failed[fault.id] = json_of(fault);
   const HeldCase worst = worst_of(one, [](const std::string&) { return true; });
-  return {{"status", name(one.status)}, {"asked", one.asked},         {"held", one.held},
-          {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
+  json row{{"status", name(one.status)}, {"asked", one.asked},         {"held", one.held},
+           {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
+  put_unsteady(row, one.is_of_unsteady_function);
+  return row;
 }
 
 // The row of a quantity that became better. Numbers of it that became worse meanwhile, but not by
 // so much as to be red, stay as they were, so that a baseline does not get worse step by step.
 json merged_row(const QuantityVerdict& now, const json& before) {
   json row = row_of(now);
+  put_unsteady(row, is_unsteady(before));  // one run in which it is steady proves nothing
   for (const FailedCase& one : now.failed_cases)
     if (const auto old = before.at("failed").find(one.id); old != before.at("failed").end())
       if (is_lesser(failed_case(one.id, *old), one)) row["failed"][one.id] = *old;
@@ -111,67 +135,150 @@ std::string cases_text(std::size_t count) {
   return fmt::format("{} {}", count, count == 1 ? "case" : "cases");
 }
 
-// "2 cases fail that did not before, the first is f0012 (off by 0.0066)"; empty where none is.
-std::string worse_cases(const QuantityVerdict& now, const json& failed_before) {
+// How a quantity differs from its row of the baseline; the text is empty where it does not.
+struct Difference {
+  std::string text = {};
+  std::string fact = {};
+  json before = {}, after = {};
+  std::vector<CaseChange> cases = {};
+};
+
+// "2 cases failed that did not before; the first is f0012 (off by 0.0066)".
+Difference worse_cases(const QuantityVerdict& now, const json& failed_before) {
+  Difference found;
   std::size_t fresh = 0, grown = 0;
   std::string first_fresh, first_grown;
   for (const FailedCase& one : now.failed_cases) {
     const auto before = failed_before.find(one.id);
     if (before == failed_before.end()) {
       if (fresh++ == 0) first_fresh = fmt::format("{} ({})", one.id, text_of(one));
+      found.cases.push_back({one.id, nullptr, json_of(one)});
     } else if (const FailedCase old = failed_case(one.id, *before); is_worse(one, old)) {
       if (grown++ == 0)
         first_grown = fmt::format("{}, which was {}, is {}", one.id, text_of(old), text_of(one));
+      found.cases.push_back({one.id, *before, json_of(one)});
     }
   }
-  std::string text;
   if (fresh > 0)
-    text = fmt::format("{} failed that did not before; the first is {}", cases_text(fresh),
-                       first_fresh);
+    found.text = fmt::format("{} failed that did not before; the first is {}", cases_text(fresh),
+                             first_fresh);
   if (grown > 0)
-    text += fmt::format("{}{} failed before and {} worse by more than {} times; the first is {}",
-                        text.empty() ? "" : "; ", cases_text(grown), grown == 1 ? "is" : "are",
-                        ratchet, first_grown);
-  return text;
+    found.text +=
+        fmt::format("{}{} failed before and {} worse by more than {} times; the first is {}",
+                    found.text.empty() ? "" : "; ", cases_text(grown), grown == 1 ? "is" : "are",
+                    ratchet, first_grown);
+  return found;
 }
 
-std::size_t better_cases(const QuantityVerdict& now, const json& failed_before) {
-  std::size_t count = failed_before.size();
-  for (const FailedCase& one : now.failed_cases)
-    if (const auto before = failed_before.find(one.id); before != failed_before.end())
-      count -= is_worse(failed_case(one.id, *before), one) ? 0 : 1;
-  return count;
+Difference better_cases(const QuantityVerdict& now, const json& failed_before) {
+  std::map<std::string_view, const FailedCase*> failing;
+  for (const FailedCase& one : now.failed_cases) failing[one.id] = &one;
+  Difference found;
+  for (const auto& [id, before] : failed_before.items()) {
+    const auto one = failing.find(id);
+    if (one == failing.end())
+      found.cases.push_back({id, before, nullptr});
+    else if (is_worse(failed_case(id, before), *one->second))
+      found.cases.push_back({id, before, json_of(*one->second)});
+  }
+  if (const std::size_t count = found.cases.size(); count > 0)
+    found.text =
+        fmt::format("{} that failed {} better", cases_text(count), count == 1 ? "is" : "are");
+  return found;
 }
 
-std::string what_is_worse(const QuantityVerdict& now, const json& before) {
+Difference what_is_worse(const QuantityVerdict& now, const json& before) {
   const std::string was(before.at("status").get<std::string>()), is(name(now.status));
-  std::string cases = worse_cases(now, before.at("failed"));
+  Difference cases = worse_cases(now, before.at("failed"));
   if (worth(is) < worth(was))
-    return fmt::format("was {}, is {}{}", was, is,
-                       now.first_reason.empty() ? "" : " (" + now.first_reason + ")");
-  if (!cases.empty()) return cases;
+    return {fmt::format("was {}, is {}{}", was, is,
+                        now.first_reason.empty() ? "" : " (" + now.first_reason + ")"),
+            "status", was, is, std::move(cases.cases)};
+  if (!cases.text.empty()) return cases;
+  // A case that failed and now holds does not stand for one that held and is lost.
   const auto held = before.at("held").get<std::size_t>();
-  if (now.held < held) return fmt::format("{} held, {} hold", cases_text(held), now.held);
+  if (const std::size_t still = held_without_mended(now, before); still < held)
+    return {fmt::format("{} held, {} hold", cases_text(held), still), "held", held, still};
   const double error = before.at("worst_error").get<double>();
   const std::optional<HeldCase> worst = worst_of_old(now, before);
   if (worst && is_beyond_ratchet(worst->error, error))
-    return fmt::format("the worst error was {:.3g}, is {:.3g} (case {}); more than {} times", error,
-                       worst->error, worst->id, ratchet);
+    return {fmt::format("the worst error was {:.3g}, is {:.3g} (case {}); more than {} times",
+                        error, worst->error, worst->id, ratchet),
+            "worst_error", error, worst->error};
+  if (now.is_unsteady && !is_unsteady(before))
+    return {"its answers were the same each time, and change now when they are asked again"};
   return {};
 }
 
-std::string what_is_better(const QuantityVerdict& now, const json& before) {
+Difference what_is_better(const QuantityVerdict& now, const json& before) {
   const std::string was(before.at("status").get<std::string>()), is(name(now.status));
-  if (worth(is) > worth(was)) return fmt::format("was {}, is {}", was, is);
+  Difference cases = better_cases(now, before.at("failed"));
+  if (worth(is) > worth(was))
+    return {fmt::format("was {}, is {}", was, is), "status", was, is, std::move(cases.cases)};
   const auto held = before.at("held").get<std::size_t>();
-  if (now.held > held) return fmt::format("{} held, {} hold", cases_text(held), now.held);
-  if (const std::size_t count = better_cases(now, before.at("failed")); count > 0)
-    return fmt::format("{} that failed {} better", cases_text(count), count == 1 ? "is" : "are");
+  if (now.held > held)
+    return {fmt::format("{} held, {} hold", cases_text(held), now.held), "held", held, now.held,
+            std::move(cases.cases)};
+  if (!cases.text.empty()) return cases;
   const double error = before.at("worst_error").get<double>();
   const std::optional<HeldCase> worst = worst_of_old(now, before);
   if (worst && is_beyond_ratchet(error, worst->error))
-    return fmt::format("the worst error was {:.3g}, is {:.3g}", error, worst->error);
+    return {fmt::format("the worst error was {:.3g}, is {:.3g}", error, worst->error),
+            "worst_error", error, worst->error};
   return {};
+}
+
+// --- Cases that the subject's end or silence has cost.
+
+// The quantity as it would be had the lost cases held that did not fail before.
+QuantityVerdict without_losses(const QuantityVerdict& now, const json& before) {
+  QuantityVerdict mended = now;
+  mended.is_unsteady = false;  // the loss may be the change
+  mended.failed_cases.clear();
+  bool is_as_before = true;  // all that still fails failed before
+  for (const FailedCase& one : now.failed_cases) {
+    const bool failed_before = before.at("failed").contains(one.id);
+    if (one.is_lost && !failed_before) {
+      mended.held_cases.push_back({one.id, 0});
+      continue;
+    }
+    mended.failed_cases.push_back(one);
+    is_as_before &= failed_before;
+  }
+  mended.held = mended.held_cases.size();
+  mended.failed = mended.failed_cases.size();
+  for (const Verdict status : {Verdict::held, Verdict::held_physically, Verdict::partly_held,
+                               Verdict::failed, Verdict::not_offered})
+    if (is_as_before && name(status) == before.at("status").get<std::string>() &&
+        worth(std::string(name(status))) > worth(std::string(name(now.status))))
+      mended.status = status;
+  return mended;
+}
+
+bool was_lost(const Loss& loss, const json& baseline) {
+  const json losses = baseline.value("losses", json::array());
+  if (std::find(losses.begin(), losses.end(), loss.id) != losses.end()) return true;
+  const json& rows = baseline.at("quantities");
+  return std::any_of(rows.begin(), rows.end(), [&](const json& row) {
+    return row.at("failed").value(loss.id, json()) == no_answer_text;
+  });
+}
+
+std::vector<Loss> new_losses(const ConformanceResult& result, const json& baseline) {
+  std::vector<Loss> found;
+  for (const Loss& one : result.losses)
+    if (!was_lost(one, baseline)) found.push_back(one);
+  return found;
+}
+
+// The cases at which it was lost then, and is not any more.
+std::vector<std::string> mended_losses(const ConformanceResult& result, const json& baseline) {
+  std::vector<std::string> found;
+  for (const json& id : baseline.value("losses", json::array()))
+    if (std::none_of(result.losses.begin(), result.losses.end(),
+                     [&](const Loss& one) { return one.id == id; }))
+      found.push_back(id.get<std::string>());
+  return found;
 }
 
 // --- The whole file.
@@ -184,13 +291,43 @@ json tolerance_json(const Tolerance& tolerance) {
   return content;
 }
 
+// The number of "verify-baseline/3"; of 2, which stood alone.
+json schema_of(const json& baseline) {
+  const json& written = baseline.at("schema");
+  if (!written.is_string()) return written;
+  const std::string text = written.get<std::string>();
+  if (!text.starts_with(schema_name))
+    throw std::runtime_error("it is no baseline of `tribocheck verify`");
+  const json number = json::parse(text.substr(schema_name.size()), nullptr, false);
+  return number.is_number_integer() ? number : written;
+}
+
 const json& quantities_of(const json& baseline) {
   if (!baseline.is_object() || !baseline.contains("quantities") || !baseline.contains("schema"))
     throw std::runtime_error("it is no baseline of `tribocheck verify`");
-  if (baseline.at("schema") != schema)
+  if (const json number = schema_of(baseline); number != schema && number != oldest_schema)
     throw std::runtime_error(fmt::format("it is a baseline of schema {}, and this program has {}",
-                                         baseline.at("schema").dump(), schema));
+                                         number.dump(), schema));
   return baseline.at("quantities");
+}
+
+// The rows of the baseline. Those of the oldest schema do not know what is steady.
+json rows_of(const json& baseline) {
+  json rows = quantities_of(baseline);
+  if (schema_of(baseline) == oldest_schema)
+    for (json& row : rows) put_unsteady(row, true);
+  return rows;
+}
+
+bool is_asked(const std::string& quantity, const ConformanceResult& result) {
+  return std::any_of(result.quantities.begin(), result.quantities.end(),
+                     [&](const QuantityVerdict& one) { return one.quantity == quantity; });
+}
+
+// Another version of this program may ask for other quantities.
+bool is_of_other_version(const json& baseline) {
+  const std::string was = baseline.value("version", "");
+  return !was.empty() && was != version;
 }
 
 std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& error) {
@@ -201,18 +338,57 @@ std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& 
 }  // namespace
 
 json baseline_of(const ConformanceResult& result, const json& before) {
-  json rows = before.is_null() ? json::object() : quantities_of(before);
-  for (const QuantityVerdict& one : result.quantities)
-    if (!rows.contains(one.quantity))
+  json rows = before.is_null() ? json::object() : rows_of(before);
+  for (const QuantityVerdict& one : result.quantities) {
+    if (before.is_null() || (!rows.contains(one.quantity) && one.status != Verdict::failed))
       rows[one.quantity] = row_of(one);
+    else if (!rows.contains(one.quantity))
+      continue;
     else if (const json& row = rows.at(one.quantity);
-             what_is_worse(one, row).empty() && !what_is_better(one, row).empty())
+             what_is_worse(one, row).text.empty() && !what_is_better(one, row).text.empty())
       rows[one.quantity] = merged_row(one, row);
-  return {{"schema", schema},
+    if (!before.is_null() && schema_of(before) == oldest_schema)
+      put_unsteady(rows.at(one.quantity), one.is_of_unsteady_function);
+  }
+  if (!before.is_null() && is_of_other_version(before))
+    for (auto row = rows.begin(); row != rows.end();)
+      row = is_asked(row.key(), result) ? std::next(row) : rows.erase(row);
+  json losses = json::array();
+  for (const Loss& one : result.losses)
+    if (before.is_null() || was_lost(one, before)) losses.push_back(one.id);
+  return {{"schema", fmt::format("{}{}", schema_name, schema)},
+          {"version", version},
+          {"subject", result.subject},
           {"tolerance", tolerance_json(result.tolerance)},
           {"sample", result.sample == 0 ? json("all") : json(result.sample)},
-          {"subject", result.subject},
+          {"losses", std::move(losses)},
           {"quantities", std::move(rows)}};
+}
+
+bool hold_the_same(const json& one, const json& other) {
+  return one.at("tolerance") == other.at("tolerance") && one.at("sample") == other.at("sample") &&
+         one.at("quantities") == other.at("quantities") &&
+         one.value("losses", json::array()) == other.value("losses", json::array());
+}
+
+std::string baseline_text(const json& baseline, std::string_view commit, const std::string& date) {
+  using nlohmann::ordered_json;
+  ordered_json file;
+  const auto copy = [&](ordered_json& to, const json& from,
+                        std::initializer_list<const char*> members) {
+    for (const char* member : members) to[member] = ordered_json(from.at(member));
+  };
+  copy(file, baseline, {"schema", "version"});
+  file["commit"] = commit;
+  file["date"] = date;
+  copy(file, baseline, {"subject", "tolerance", "sample", "losses"});
+  ordered_json& rows = file["quantities"] = ordered_json::object();
+  for (const auto& [quantity, row] : baseline.at("quantities").items()) {
+    copy(rows[quantity], row, {"status", "asked", "held", "skipped", "worst_error"});
+    if (is_unsteady(row)) copy(rows[quantity], row, {"unsteady"});
+    copy(rows[quantity], row, {"failed"});
+  }
+  return file.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 void check_comparable(const json& baseline, const Tolerance& tolerance, std::size_t sample) {
@@ -230,32 +406,54 @@ void check_comparable(const json& baseline, const Tolerance& tolerance, std::siz
 BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
   check_comparable(baseline, result.tolerance, result.sample);
   BaselineChanges changes;
-  const json& rows = quantities_of(baseline);
-  const auto note = [](std::vector<QuantityNote>& to, const std::string& quantity,
-                       const std::string& text) {
-    if (!text.empty()) to.push_back({quantity, fmt::format("{}: {}", quantity, text)});
+  const json rows = rows_of(baseline);
+  const auto note = [](std::vector<BaselineChange>& to, const std::string& quantity,
+                       Difference&& found) {
+    if (!found.text.empty())
+      to.push_back({quantity, fmt::format("{}: {}", quantity, found.text), std::move(found.fact),
+                    std::move(found.before), std::move(found.after), std::move(found.cases)});
   };
+  const std::vector<Loss> losses = new_losses(result, baseline);
   bool any_compared = false, any_offered = false;
   for (const QuantityVerdict& one : result.quantities) {
     any_offered |= one.judged() > 0;
     const bool has_failed = one.status == Verdict::failed;
     if (!rows.contains(one.quantity)) {
-      note(has_failed ? changes.worse : changes.better, one.quantity,
-           has_failed ? "is new, and fails" : fmt::format("is new, {}", name(one.status)));
+      const std::string status(name(one.status));
+      note(has_failed ? changes.worse : changes.fresh, one.quantity,
+           {has_failed ? "is new, and fails" : "is new, " + status, "status", nullptr, status});
       continue;
     }
     const json& before = rows.at(one.quantity);
     any_compared |= before.at("held").get<std::size_t>() > 0 || !before.at("failed").empty();
-    const std::string worse = what_is_worse(one, before);
-    note(changes.worse, one.quantity, worse);
-    if (!worse.empty()) continue;
+    Difference worse = what_is_worse(one, before);
+    if (!worse.text.empty() && !losses.empty()) {
+      worse = what_is_worse(without_losses(one, before), before);
+      if (worse.text.empty()) {
+        changes.lost.push_back(one.quantity);
+        continue;
+      }
+    }
+    const bool is_worse_now = !worse.text.empty();
+    note(changes.worse, one.quantity, std::move(worse));
+    if (is_worse_now) continue;
     note(changes.better, one.quantity, what_is_better(one, before));
     if (has_failed) changes.failed_already.push_back(one.quantity);
   }
-  for (const auto& row : rows.items())
-    if (std::none_of(result.quantities.begin(), result.quantities.end(),
-                     [&](const QuantityVerdict& one) { return one.quantity == row.key(); }))
-      note(changes.worse, row.key(), "is no longer asked");
+  for (const auto& row : rows.items()) {
+    if (is_asked(row.key(), result)) continue;
+    const bool is_explained = is_of_other_version(baseline);
+    note(is_explained ? changes.gone : changes.worse, row.key(),
+         {is_explained ? fmt::format("is no longer asked by version {}; the baseline is of {}",
+                                     version, baseline.at("version").get<std::string>())
+                       : "is no longer asked",
+          "status", row.value().at("status"), nullptr});
+  }
+  if (!losses.empty()) note(changes.worse, "subject", {loss_text(losses, changes.lost)});
+  if (const std::vector<std::string> mended = mended_losses(result, baseline); !mended.empty())
+    note(changes.better, "subject",
+         {fmt::format("it goes on at {} at which it ended or was late; the first is {}",
+                      cases_text(mended.size()), mended.front())});
   if (const Conversation& talk = result.conversation; talk.violation_count > 0)
     changes.worse.push_back(
         {"protocol", fmt::format("the protocol was broken {} times{}", talk.violation_count,

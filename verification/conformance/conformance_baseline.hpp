@@ -5,12 +5,16 @@
 // The file holds for each quantity how many cases were asked, held and skipped, the worst error of
 // those that held ("worst_error": relative, over the condition), and under "failed" each case that
 // failed with its error: a number (relative; absolute where 0 is expected), "wrong" (NaN, null,
-// another word …) or "no answer". Each of these is a line, so that a diff can be read.
+// another word …) or "no answer". "losses" are the cases at which the subject ended or was late.
+// "unsteady" stands where answers of the quantity's function changed when they were asked again.
+// Each of these is a line, so that a diff can be read. Its head says which program wrote it, and
+// when; a file of schema 2 has neither that nor "losses", and is read too.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "conformance/conformance.hpp"
@@ -31,16 +35,45 @@ struct BaselineUse {
 nlohmann::json usable_baseline(const BaselineUse& use,
                                const std::function<void(const nlohmann::json&)>& check);
 
-struct BaselineChanges {
-  // New failures, failures that grew, lost coverage, accuracy beyond the ratchet; or that nothing
-  // could be compared.
-  std::vector<QuantityNote> worse;
-  std::vector<QuantityNote> better;         // worth writing down
-  std::vector<std::string> failed_already;  // quantities that failed then, and fail no worse now
+// A case that failed then or now. Its errors are as in the file; null: it did not fail.
+struct CaseChange {
+  std::string id;
+  nlohmann::json before, after;
 };
 
-// The verdicts as a baseline. With `before` not null only what improved on it is taken over.
+struct BaselineChange {
+  std::string quantity;  // or "protocol", "subject", "anything"
+  std::string text;      // "hertz_point.radius: was held, is FAILED"
+  // The fact of the file that the text tells: "status", "held" or "worst_error", with its two
+  // values; empty where cases alone changed.
+  std::string fact = {};
+  nlohmann::json before = {}, after = {};
+  std::vector<CaseChange> cases = {};
+};
+
+struct BaselineChanges {
+  // New failures, failures that grew, lost coverage, accuracy beyond the ratchet; or that nothing
+  // could be compared. Each makes the gate red.
+  std::vector<BaselineChange> worse;
+  std::vector<BaselineChange> better;  // worth writing down
+  std::vector<BaselineChange> fresh;   // quantities that the file does not have, and do not fail
+  // Quantities that are no longer asked, as the file is of another version of this program. Where
+  // it is of the same version they are worse.
+  std::vector<BaselineChange> gone;
+  std::vector<std::string> failed_already;  // quantities that failed then, and fail no worse now
+  std::vector<std::string> lost;  // quantities that are worse by the subject's end or silence alone
+};
+
+// The verdicts as a baseline. With `before` not null only what improved on it is taken over, and
+// new quantities that do not fail; what is gone is left out.
 nlohmann::json baseline_of(const ConformanceResult& result, const nlohmann::json& before);
+
+// Do two baselines hold a subject to the same?
+bool hold_the_same(const nlohmann::json& one, const nlohmann::json& other);
+
+// The file's text. `date` is a day, as 2026-11-26.
+std::string baseline_text(const nlohmann::json& baseline, std::string_view commit,
+                          const std::string& date);
 
 // Throws std::runtime_error with one line where the file is no baseline, or one of another schema,
 // of other tolerances or of another sample. A file of tolerances counts by its content.

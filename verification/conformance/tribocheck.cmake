@@ -2,11 +2,16 @@
 # After find_package(tribocheck): include(tribocheck), and
 #
 #   tribocheck_add_subject(<test> COMMAND <word>… | PLUGIN <target or file>
-#     [TOLERANCE strict|engineering|<file>] [BASELINE <file>] [REQUIRE <quantity>…] [SAMPLE <count>])
+#     [TOLERANCE strict|engineering|<file>] [BASELINE <file>] [REQUIRE <quantity>…] [SAMPLE <count>]
+#     [JUNIT <file>] [SPEED <baseline>])
 #
 # adds the CTest test <test>: the solver is put to tribocheck's tests, and the test fails where it does
 # (with BASELINE: where it does worse than that file says). A COMMAND that is a target of the project is
-# its program.
+# its program. JUNIT writes the verdict on each quantity to a file.
+# SPEED adds a second test, <test>_speed with the label `speed`, which runs alone: it fails where the solver
+# is slower than the baseline says, which is made by `tribocheck bench --subject COMMAND`, or by
+# `tribocheck bench --plugin LIB --alone`, with `--baseline <baseline> --update-baseline`. With JUNIT it
+# writes a file of its own, with _speed before the extension.
 # The target tribocheck::plugin has the plug-in's header.
 find_program(TRIBOCHECK_PROGRAM tribocheck HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../bin"
   "${CMAKE_CURRENT_LIST_DIR}/../../../../bin"
@@ -21,34 +26,60 @@ if(NOT TARGET tribocheck::plugin)
 endif()
 
 function(tribocheck_add_subject test)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PLUGIN;TOLERANCE;BASELINE;SAMPLE" "COMMAND;REQUIRE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PLUGIN;TOLERANCE;BASELINE;SAMPLE;JUNIT;SPEED" "COMMAND;REQUIRE")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "tribocheck_add_subject(${test}): ${arg_UNPARSED_ARGUMENTS}: not known")
+  endif()
+  if(arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "tribocheck_add_subject(${test}): no value: ${arg_KEYWORDS_MISSING_VALUES}")
   endif()
   if(arg_COMMAND AND NOT arg_PLUGIN)
     list(POP_FRONT arg_COMMAND program)
     if(TARGET ${program})
       set(program $<TARGET_FILE:${program}>)
     endif()
-    list(PREPEND arg_COMMAND ${program})
-    list(JOIN arg_COMMAND "' '" line)
-    set(asked --subject "'${line}'")
+    # Plain words stay as they are typed in a shell: a baseline of speed names its solver by the command.
+    set(words "")
+    foreach(word IN LISTS program arg_COMMAND)
+      if(NOT word MATCHES "^[A-Za-z0-9_./+=:@%,-]+$")
+        set(word "'${word}'")
+      endif()
+      list(APPEND words "${word}")
+    endforeach()
+    list(JOIN words " " line)
+    set(solver --subject "${line}")
   elseif(arg_PLUGIN AND NOT arg_COMMAND)
     if(TARGET ${arg_PLUGIN})
       set(arg_PLUGIN $<TARGET_FILE:${arg_PLUGIN}>)
     endif()
-    set(asked --plugin ${arg_PLUGIN})
+    set(solver --plugin ${arg_PLUGIN})
   else()
     message(FATAL_ERROR "tribocheck_add_subject(${test}): either COMMAND or PLUGIN")
   endif()
-  foreach(option IN ITEMS TOLERANCE BASELINE SAMPLE)
+
+  set(options "")
+  foreach(option IN ITEMS TOLERANCE BASELINE SAMPLE JUNIT)
     if(DEFINED arg_${option})
       string(TOLOWER ${option} name)
-      list(APPEND asked --${name} ${arg_${option}})
+      list(APPEND options --${name} ${arg_${option}})
     endif()
   endforeach()
   foreach(quantity IN LISTS arg_REQUIRE)
-    list(APPEND asked --require ${quantity})
+    list(APPEND options --require ${quantity})
   endforeach()
-  add_test(NAME ${test} COMMAND ${TRIBOCHECK_PROGRAM} verify ${asked})
+  add_test(NAME ${test} COMMAND ${TRIBOCHECK_PROGRAM} verify ${solver} ${options})
+
+  if(DEFINED arg_SPEED)
+    set(options --baseline ${arg_SPEED})
+    if(arg_PLUGIN)
+      list(APPEND options --alone)  # not beside the contenders, whose program is not installed
+    endif()
+    if(DEFINED arg_JUNIT)
+      cmake_path(GET arg_JUNIT EXTENSION LAST_ONLY extension)
+      cmake_path(REMOVE_EXTENSION arg_JUNIT LAST_ONLY)
+      list(APPEND options --junit ${arg_JUNIT}_speed${extension})
+    endif()
+    add_test(NAME ${test}_speed COMMAND ${TRIBOCHECK_PROGRAM} bench ${solver} ${options})
+    set_tests_properties(${test}_speed PROPERTIES RUN_SERIAL TRUE LABELS speed)
+  endif()
 endfunction()

@@ -73,7 +73,7 @@ def solved(contacts, criteria=()):
     program = contacts[0].program
     with scenes.files_of([{name: one for name, one in contact.scene.items() if name != "outputs"} |
                           {"speed": {"from": contact.low, "to": contact.high, "count": POINTS}} for contact in contacts]) as paths:
-        rows = program.answer("curve", *paths, whole=float)
+        rows = program.answer("curve", *paths, whole=float)["points"]
     onsets = scenes.onsets(program, [contact.scene for contact in contacts], criteria)
     found = []
     for i, contact in enumerate(contacts):

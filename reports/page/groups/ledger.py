@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The paper's claims under each reading, as `tribocheck reproduce` judges them, and the data of their figures."""
-import json
 import math
 
 import scenes
 from group import Group, Missing, Refused, finding, not_run
 from numbers_text import exact
+from program import members
 
 SURFACES = ("rough", "medium", "smooth")
 COLUMNS = ("item", "quantity", "surface", "model", "rule", "value", "last_digit")
@@ -56,10 +56,10 @@ def reproduced(program, places):
         answer, complaints = program.said(*arguments, places.reference / "baselines/ledger.csv")
     except Missing as missing:
         answer, _ = program.said(*arguments, "none")
-        return json.loads(answer), {"missing": str(missing)}
+        return members(answer), {"missing": str(missing)}
     changes = {name: [line.removeprefix(start) for line in complaints if line.startswith(start)]
                for name, start in (("verdicts_changed", "verdict changed: "), ("numbers_moved", "number moved: "))}
-    return json.loads(answer), changes
+    return members(answer), changes
 
 
 def comparison(committed):

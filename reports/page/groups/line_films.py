@@ -260,7 +260,7 @@ class Track:
 
     def __init__(self, program, path, scene, file, is_of_report):
         self.path, self.name, self.file, self.is_of_report, self.is_on_map = path, path.stem, file, is_of_report, False
-        one = program.answer("film", path, "--speed", 1, "--tolerance", 1e-2)[0]
+        one = program.answer("film", path, "--speed", 1, "--tolerance", 1e-2)["films"][0]
         self.load, self.material = one["load_number"], one["material_number"]
         speed = scene["speed"]
         speeds = list(speed) if isinstance(speed, list) else [speed["from"], speed["to"]] if isinstance(speed, dict) else [speed]
@@ -330,7 +330,7 @@ def profile(program, tracks):
     found = next((one for one in tracks if one.name == PROFILE_SCENE and not one.is_of_report), None)
     if found is None:
         raise Missing(f"reference/scenes has no line contact {PROFILE_SCENE}")
-    one = program.answer("film", found.path, "--speed", PROFILE_SPEED, "--profile")[0]
+    one = program.answer("film", found.path, "--speed", PROFILE_SPEED, "--profile")["films"][0]
     if "profile" not in one:
         raise Missing(one["reason"])
     text = (f"# pressure and film across the line contact of {found.file} at {exact(PROFILE_SPEED)} m/s\n"

@@ -8,6 +8,12 @@ import threading
 from group import Missing
 
 
+def members(text, whole=int):
+    """The members of a JSON document of the program, without its head. `whole` converts its whole numbers."""
+    document = json.loads(text, parse_int=whole)
+    return {name: value for name, value in document.items() if name not in ("schema", "version")}
+
+
 class Program:
     """One `tribocheck stream` answers all its lines; it ends with this object's context."""
 
@@ -38,8 +44,8 @@ class Program:
         return told, complaints
 
     def answer(self, *arguments, whole=int):
-        """A command's answer as JSON. `whole` converts its whole numbers: float where no number is a count."""
-        return json.loads(self.said(*arguments, "--format", "json")[0], parse_int=whole)
+        """The members of a command's answer. `whole` converts its whole numbers: float where no number is a count."""
+        return members(self.said(*arguments, "--format", "json")[0], whole)
 
     def ask(self, *lines):
         """The answers of `tribocheck stream` to these lines of JSON. Raises Missing where one of them is refused."""

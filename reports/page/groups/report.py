@@ -166,7 +166,7 @@ def make(sections, places, built, program, beside):
     judged = beside.submit(ledger.reproduced, program, places) if "ledger" in needed else None
     outputs = [{"name": name} | one for name, one in scenes[0].about.outputs.items()]
     asked = Asked(places, program, built, curves.Tables(built.version, outputs), scenes, judged)
-    report = {"tribocheck": built.version, "sections": sections, "findings": [], "not_run": [], "files": []}
+    report = {"schema": "report/1", "version": built.version, "sections": sections, "findings": [], "not_run": [], "files": []}
     for name in GROUPS:
         if name not in needed:
             continue

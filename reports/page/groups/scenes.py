@@ -61,7 +61,7 @@ class About(typing.NamedTuple):
 
 def abouts(answer):
     """An About for each scene of an answer of `tribocheck solve --about`."""
-    return [About(*({one["name"]: one for one in scene[part]} for part in About._fields)) for scene in json.loads(answer)]
+    return [About(*({one["name"]: one for one in scene[part]} for part in About._fields)) for scene in json.loads(answer)["scenes"]]
 
 
 @contextlib.contextmanager
@@ -82,7 +82,7 @@ def onsets(program, scenes, criteria=(), departure=DEPARTURE):
     named = [word for criterion in criteria for word in ("--criterion", criterion)]
     named += ["--departure", repr(departure)] if not criteria or "film_departure" in criteria else []
     with files_of(scenes) as paths:
-        rows = program.answer("onset", *paths, *named, whole=float)
+        rows = program.answer("onset", *paths, *named, whole=float)["onsets"]
     count = len(rows) // len(scenes)
     return [{row["criterion"]: row for row in rows[i:i + count]} for i in range(0, len(rows), count)]
 

@@ -86,7 +86,7 @@ def diagnosed(baseline):
 
 def certified(asked):
     answers = asked.program.answer("verify", "--reference", asked.places.reference / "exact")
-    quantities = [held_quantity(one) for one in answers]
+    quantities = [held_quantity(one) for one in answers["quantities"]]
     before, left_out = part(asked.places, "accuracy.json", "accuracy of an earlier version, to compare with", accuracy_before)
     data = {"quantities": quantities} | judged(quantities)
     return Group(data | {"before": before}, [promise("certified_values", "verification", data["held"], len(quantities))], left_out)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The picture of one solved line contact: its pressure beside Hertz', and its film beside the formulas'.
 
-`tribocheck film --picture` calls this. CONTACT is one object of what `tribocheck film --profile --format json`
+`tribocheck film --picture` calls this. CONTACT is one film of what `tribocheck film --profile --format json`
 prints. Prints what was drawn, as JSON.
 """
 import argparse

@@ -77,7 +77,11 @@ TEST(Conversation, SaysWhyNoCaseHasAnAnswer) {
     return ask(command, {case_of("a")}, {}, [](std::size_t) {}).never_answered;
   };
   EXPECT_EQ(why("exit 3"), "it exits with code 3");
-  EXPECT_EQ(why("kill -9 $$"), "it is killed by signal 9 (Killed)");
+  EXPECT_EQ(why("kill -9 $$"), "it is killed by signal 9 (SIGKILL, Killed)");
+  EXPECT_EQ(why("exit 139"),
+            "it is killed by signal 11 (SIGSEGV, Segmentation fault), as its exit code 139 says");
+  EXPECT_EQ(why("exit 128"), "it exits with code 128");
+  EXPECT_EQ(why("exit 255"), "it exits with code 255");
   EXPECT_EQ(why("echo '{\"id\": \"a\"}'; cat > /dev/null"), "");
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "conformance/conformance_baseline.hpp"
+#include "sampling/sampler.hpp"
 #include "support/judge.hpp"
 #include "support/threshold.hpp"
 
@@ -332,7 +334,7 @@ Way change(const QuantityVerdict& before, const QuantityVerdict& now) {
       compare(result_of({now}), baseline_of(result_of({before}), nullptr));
   std::size_t of_film = 0;
   for (const auto& list : {changes.worse, changes.better})
-    for (const QuantityNote& one : list) of_film += one.quantity == "film" ? 1 : 0;
+    for (const BaselineChange& one : list) of_film += one.quantity == "film" ? 1 : 0;
   EXPECT_LE(of_film, 1U);
   return !changes.worse.empty() ? Way::worse : !changes.better.empty() ? Way::better : Way::same;
 }
@@ -402,11 +404,12 @@ TEST(Baseline, HoldsEachCaseThatFailedToFourTimesItsOwnError) {
 }
 
 TEST(Baseline, HasALineForEachCaseThatFailed) {
-  const std::string text = baseline_of(result_of({failing({{"a", Failure::number, 0.5},
-                                                           {"b", Failure::wrong, 0},
-                                                           {"c", Failure::no_answer, 0}})}),
-                                       nullptr)
-                               .dump(1);
+  const std::string text =
+      baseline_text(baseline_of(result_of({failing({{"a", Failure::number, 0.5},
+                                                    {"b", Failure::wrong, 0},
+                                                    {"c", Failure::no_answer, 0}})}),
+                                nullptr),
+                    "f85dc47", "2026-11-26");
   for (const std::string line : {"\"a\": 0.5,\n", "\"b\": \"wrong\",\n", "\"c\": \"no answer\"\n"})
     EXPECT_NE(text.find(line), std::string::npos) << text;
 }
@@ -485,16 +488,248 @@ TEST(Baseline, TakesANewQuantityUnlessItFails) {
   const json baseline = baseline_of(result_of({other}), nullptr);
   EXPECT_EQ(compare(result_of({other, row(Verdict::failed, 9, 1, 0)}), baseline).worse.size(), 1U);
   const BaselineChanges good = compare(result_of({other, row(Verdict::held, 9, 0, 0)}), baseline);
-  EXPECT_EQ(good.better.size(), 1U);
-  EXPECT_EQ(good.worse.size(), 0U);
+  EXPECT_EQ(good.fresh.size(), 1U);
+  EXPECT_EQ(good.worse.size() + good.better.size(), 0U);
+  // One that fails is not written down by an update: it would be allowed to fail from then on.
+  const json kept = baseline_of(result_of({other, row(Verdict::failed, 9, 1, 0)}), baseline);
+  EXPECT_EQ(kept, baseline);
+  EXPECT_TRUE(baseline_of(result_of({other, row(Verdict::held, 9, 0, 0)}), baseline)
+                  .at("quantities")
+                  .contains("film"));
 }
 
-TEST(Baseline, MadeAnewKeepsWhatWasBetter) {
-  const ConformanceResult before = result_of({row(Verdict::held, 10, 0, 0)});
-  const ConformanceResult worse = result_of({row(Verdict::partly_held, 9, 0, 1)});
-  const json old = baseline_of(before, nullptr);
-  EXPECT_EQ(baseline_of(worse, old), old);
-  EXPECT_EQ(baseline_of(before, baseline_of(worse, nullptr)), old);
+TEST(Baseline, OfAnotherVersionMayHaveQuantitiesThatAreNoLongerAsked) {
+  QuantityVerdict other = row(Verdict::held, 10, 0, 0);
+  other.quantity = "radius";
+  json baseline = baseline_of(result_of({row(Verdict::held, 10, 0, 0), other}), nullptr);
+  baseline["version"] = "0.0.1";
+  const BaselineChanges changes = compare(result_of({other}), baseline);
+  EXPECT_EQ(changes.worse.size(), 0U);
+  ASSERT_EQ(changes.gone.size(), 1U);
+  EXPECT_EQ(changes.gone[0].quantity, "film");
+  EXPECT_FALSE(baseline_of(result_of({other}), baseline).at("quantities").contains("film"));
+}
+
+TEST(Baseline, IsReadInItsOlderSchemaAndRefusedInOthers) {
+  const ConformanceResult result = result_of({failing({{"a", Failure::number, 0.1}})});
+  json file = json::parse(baseline_text(baseline_of(result, nullptr), "f85dc47", "2026-11-26"));
+  EXPECT_EQ(file.at("schema"), "verify-baseline/3");
+  const auto is_read = [&](const json& schema) {
+    file["schema"] = schema;
+    try {
+      return compare(result, file).worse.empty();
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+  };
+  EXPECT_TRUE(is_read("verify-baseline/3"));
+  for (const json& schema : {json(1), json(4), json("verify-baseline/4"), json("bench-baseline/3"),
+                             json("verify-baseline/"), json(nullptr), json("3")})
+    EXPECT_FALSE(is_read(schema)) << schema.dump();
+  for (const char* member : {"version", "commit", "date", "losses"}) file.erase(member);
+  EXPECT_TRUE(is_read(2));
+}
+
+TEST(Baseline, TellsTheNumbersOfEachChange) {
+  const QuantityVerdict before = failing(
+      {{"a", Failure::number, 0.1}, {"b", Failure::wrong, 0}, {"c", Failure::no_answer, 0}});
+  const QuantityVerdict now = failing(
+      {{"a", Failure::number, 0.5}, {"b", Failure::number, 0.2}, {"d", Failure::no_answer, 0}});
+  const BaselineChanges changes =
+      compare(result_of({now}), baseline_of(result_of({before}), nullptr));
+  ASSERT_EQ(changes.worse.size(), 1U);
+  const std::vector<CaseChange>& cases = changes.worse[0].cases;
+  ASSERT_EQ(cases.size(), 2U);
+  EXPECT_EQ(cases[0].before, 0.1);
+  EXPECT_EQ(cases[0].after, 0.5);
+  EXPECT_EQ(cases[1].id, "d");
+  EXPECT_EQ(cases[1].before, nullptr);
+  EXPECT_EQ(cases[1].after, "no answer");
+  const BaselineChanges fewer =
+      compare(result_of({row(Verdict::held, 9, 0, 1)}),
+              baseline_of(result_of({row(Verdict::held, 10, 0, 0)}), nullptr));
+  ASSERT_EQ(fewer.worse.size(), 1U);
+  EXPECT_EQ(fewer.worse[0].fact, "held");
+  EXPECT_EQ(fewer.worse[0].before, 10);
+  EXPECT_EQ(fewer.worse[0].after, 9);
+}
+
+// --- A subject that ends, or is silent, in the middle.
+
+Reply lost_reply(Outcome outcome) { return {outcome, {}, "it is killed by signal 11"}; }
+
+TEST(Losses, CostNothingOfWhatIsNeverOffered) {
+  const Expected film{.field = "film", .high = 2, .quantity = "p.film"},
+      other{.field = "friction", .high = 2, .quantity = "p.friction"};
+  const auto point = [&](const char* id) {
+    return TestCase{id, "p", json::object(), contract, {film, other}, false};
+  };
+  const std::vector<TestCase> points{point("a"), point("b")};
+  const Reply right = with({{"film", 2}});
+  for (const Outcome outcome : {Outcome::died, Outcome::late, Outcome::garbage, Outcome::missing}) {
+    const ConformanceResult result = judged(points, {right, lost_reply(outcome)});
+    EXPECT_EQ(result.quantities[0].status, Verdict::failed);
+    EXPECT_EQ(result.quantities[1].status, Verdict::not_offered);
+    EXPECT_EQ(result.overall, Overall::failed);
+  }
+  // A function that is skipped is not offered; the subject has failed nevertheless.
+  const ConformanceResult skipped =
+      judged(points, {without(Outcome::skipped), lost_reply(Outcome::died)});
+  EXPECT_EQ(skipped.quantities[0].status, Verdict::not_offered);
+  EXPECT_EQ(skipped.overall, Overall::failed);
+  EXPECT_EQ(skipped.losses.size(), 1U);
+  // An error of a function is one of its own, and so is a function without any answer.
+  EXPECT_EQ(
+      judged(points, {without(Outcome::skipped), without(Outcome::refused)}).quantities[0].status,
+      Verdict::failed);
+  EXPECT_EQ(
+      judged(points, {lost_reply(Outcome::died), without(Outcome::not_asked)}).quantities[1].status,
+      Verdict::failed);
+}
+
+TEST(Losses, AreOneChangeWhateverTheyCost) {
+  std::vector<TestCase> cases;
+  for (const char* quantity : {"film", "radius", "area"})
+    for (const char* id : {"1", "2", "3"}) {
+      cases.push_back(asked_for({number(2)}, quantity + std::string(id)));
+      cases.back().function = cases.back().expected[0].quantity = quantity;
+    }
+  const Reply right = with({{"value", 2}}), lost = lost_reply(Outcome::died);
+  const auto result = [&](std::vector<std::size_t> lost_cases, Reply first) {
+    std::vector<Reply> answers(cases.size(), right);
+    answers[0] = std::move(first);
+    for (const std::size_t i : lost_cases) answers[i] = lost;
+    return judged(cases, answers);
+  };
+  const json baseline = baseline_of(result({}, right), nullptr);
+  const BaselineChanges changes = compare(result({1, 4}, right), baseline);
+  ASSERT_EQ(changes.worse.size(), 1U);
+  EXPECT_EQ(changes.worse[0].text,
+            "subject: at case film2 (film) and at 1 more: it is killed by signal 11; lost by this: "
+            "film, radius; --show film2 asks it alone");
+  EXPECT_EQ(changes.lost, (std::vector<std::string>{"film", "radius"}));
+  // A fault of a quantity's own is told beside it.
+  const BaselineChanges both = compare(result({1, 4}, with({{"value", 3}})), baseline);
+  ASSERT_EQ(both.worse.size(), 2U);
+  EXPECT_EQ(both.worse[0].quantity, "film");
+  EXPECT_EQ(both.lost, std::vector<std::string>{"radius"});
+  // What a baseline has is no change; elsewhere it is; and its end is better.
+  const json with_loss = baseline_of(result({1}, right), nullptr);
+  EXPECT_EQ(compare(result({1}, right), with_loss).worse.size(), 0U);
+  EXPECT_EQ(compare(result({4}, right), with_loss).worse.size(), 1U);
+  EXPECT_EQ(compare(result({}, right), with_loss).better.size(), 2U);
+  EXPECT_EQ(baseline_of(result({}, right), with_loss), baseline);
+  EXPECT_EQ(baseline_of(result({1, 4}, right), with_loss).at("losses"), json{"film2"});
+}
+
+// --- An update never loosens.
+
+// How each case of a quantity went. Cases from number 9 on are beyond the physical range.
+struct Went {
+  enum class Way : std::uint8_t { held, skipped, number, wrong, no_answer };
+  Way way = Way::held;
+  double error = 0;
+};
+using AskedRun = std::array<Went, 12>;
+
+QuantityVerdict verdict_of(const std::string& quantity, const AskedRun& run) {
+  QuantityVerdict made;
+  made.quantity = quantity;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    const std::string id = "c" + std::to_string(i);
+    const std::size_t physical = i < 9 ? 1 : 0;
+    ++made.asked;
+    if (run[i].way == Went::Way::held) {
+      ++made.held;
+      made.held_physical += physical;
+      made.held_cases.push_back({id, run[i].error});
+    } else if (run[i].way == Went::Way::skipped) {
+      ++made.skipped;
+    } else {
+      ++made.failed;
+      made.failed_physical += physical;
+      const bool is_number = run[i].way == Went::Way::number;
+      made.failed_cases.push_back({id,
+                                   is_number                        ? Failure::number
+                                   : run[i].way == Went::Way::wrong ? Failure::wrong
+                                                                    : Failure::no_answer,
+                                   is_number ? run[i].error : 0});
+    }
+  }
+  made.status = made.failed > 0     ? made.failed_physical > 0 || made.held_physical == 0
+                                          ? Verdict::failed
+                                          : Verdict::held_physically
+                : made.held == 0    ? Verdict::not_offered
+                : made.skipped == 0 ? Verdict::held
+                                    : Verdict::partly_held;
+  return made;
+}
+
+Went any_case(verification::Sampler& draw) {
+  using Way = Went::Way;
+  const Way way = draw.pick({Way::held, Way::held, Way::held, Way::held, Way::skipped, Way::number,
+                             Way::wrong, Way::no_answer});
+  return {way, way == Way::held ? draw.log_uniform(1e-17, 1e-7) : draw.log_uniform(1e-5, 1e3)};
+}
+
+AskedRun changed(AskedRun run, verification::Sampler& draw) {
+  const double share = draw.uniform(0, 0.5);
+  for (Went& one : run)
+    if (draw.uniform(0, 1) < share)
+      one = any_case(draw);
+    else
+      one.error *= draw.log_uniform(0.1, 10);
+  return run;
+}
+
+// Each case as it was, or worse.
+AskedRun as_it_was_or_worse(AskedRun run, verification::Sampler& draw) {
+  using Way = Went::Way;
+  const double share = draw.uniform(0, 0.5);
+  for (Went& one : run) {
+    if (draw.uniform(0, 1) > share) continue;
+    const bool was_held = one.way == Way::held;
+    one.error *= draw.log_uniform(1, 10);
+    if (draw.uniform(0, 1) < 0.5) continue;
+    if (was_held && draw.uniform(0, 1) < 0.3)
+      one.way = Way::skipped;
+    else if (was_held || one.way == Way::skipped)
+      one = {Way::number, draw.log_uniform(1e-5, 1e3)};
+    else
+      one.way = one.way == Way::number ? Way::wrong : Way::no_answer;
+  }
+  return run;
+}
+
+TEST(Baseline, IsNeverMadeLooserByAnUpdate) {
+  verification::Sampler draw(20261126);
+  const auto result = [](const AskedRun& run) { return result_of({verdict_of("film", run)}); };
+  const auto is_red = [](const ConformanceResult& one, const json& baseline) {
+    return !compare(one, baseline).worse.empty();
+  };
+  std::size_t red = 0, updated = 0;
+  for (int tries = 0; tries < 6000; ++tries) {
+    AskedRun run{};
+    for (Went& one : run) one = any_case(draw);
+    const json first = baseline_of(result(run), nullptr);
+    json after = first;
+    for (int step = 0; step < 2; ++step) {
+      const ConformanceResult now = result(changed(run, draw));
+      const json next = baseline_of(now, after);
+      if (is_red(now, after))
+        ASSERT_TRUE(hold_the_same(next, after)) << after.dump(1) << next.dump(1);
+      else
+        ASSERT_FALSE(is_red(now, next)) << after.dump(1) << next.dump(1);
+      after = next;
+    }
+    updated += hold_the_same(first, after) ? 0 : 1;
+    const ConformanceResult worse = result(as_it_was_or_worse(run, draw));
+    if (!is_red(worse, first)) continue;
+    ++red;
+    ASSERT_TRUE(is_red(worse, after)) << first.dump(1) << after.dump(1);
+  }
+  EXPECT_GT(red, 3000U);
+  EXPECT_GT(updated, 600U);
 }
 
 }  // namespace

@@ -15,19 +15,107 @@ function(run)
 endfunction()
 
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
+string(REGEX MATCH "tribocheck is installed under ${prefix}:\n.*" summary "${output}")
+string(REGEX MATCHALL "\n  [^ ]+" places "${summary}")
+list(LENGTH places count)
+if(count LESS 6)
+  message(FATAL_ERROR "the installation does not say where its parts are: ${output}")
+endif()
+foreach(place IN LISTS places)
+  string(STRIP "${place}" place)
+  if(NOT EXISTS ${prefix}/${place})
+    message(FATAL_ERROR "the installation says that it has ${place}")
+  endif()
+endforeach()
 
-# A consumer is not asked for what only the build of the library needs; Highway and SLEEF are linked with it.
+# A consumer is not asked for what only the build of the library needs.
 file(GLOB_RECURSE package_files ${prefix}/tribocheck*.cmake)
 if(NOT package_files)
   message(FATAL_ERROR "no CMake package under ${prefix}")
 endif()
 foreach(file IN LISTS package_files)
   file(STRINGS ${file} leaks REGEX "nlohmann|tomlplusplus|CLI11|fmt::|[Gg][Ss][Ll]|find_dependency")
-  list(FILTER leaks EXCLUDE REGEX "^find_dependency\\((hwy|PkgConfig)\\)$")
   if(leaks)
     message(FATAL_ERROR "${file} asks consumers for: ${leaks}")
   endif()
 endforeach()
+
+# Who configures a project: the target of CMake that it links, the components that it asks for, and whether the
+# libraries that the model is linked with are there. A project that only puts a solver to the tests needs none of them.
+function(configure_project result link components has_libraries)
+  set(folder ${scratch}/project)
+  file(REMOVE_RECURSE ${folder})
+  file(WRITE ${folder}/CMakeLists.txt "
+    cmake_minimum_required(VERSION 3.25)
+    project(consumer LANGUAGES CXX)
+    enable_testing()
+    find_package(tribocheck CONFIG REQUIRED ${components})
+    include(tribocheck)
+    file(WRITE one.cpp \"int main() {}\")
+    add_executable(one one.cpp)
+    target_link_libraries(one PRIVATE ${link})
+    tribocheck_add_subject(solver COMMAND python3 my_solver.py BASELINE b.json JUNIT out/my.xml SPEED s.json)")
+  set(environment "")
+  set(options "")
+  if(NOT has_libraries)
+    set(environment PKG_CONFIG_LIBDIR=/nowhere)
+    set(options -D CMAKE_DISABLE_FIND_PACKAGE_hwy=ON)
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env ${environment} ${CMAKE_COMMAND} -S ${folder} -B ${folder}/build
+      -D CMAKE_PREFIX_PATH=${prefix} ${options}
+    OUTPUT_VARIABLE out ERROR_VARIABLE out RESULT_VARIABLE code)
+  string(REGEX REPLACE "[ \n]+" " " out "${out}")
+  set(${result} "${code}: ${out}" PARENT_SCOPE)
+endfunction()
+
+function(expect text expression)
+  if(NOT text MATCHES "${expression}")
+    message(FATAL_ERROR "no ${expression} in: ${text}")
+  endif()
+endfunction()
+
+set(needs "tribocheck::model needs Highway, SLEEF and pkg-config .on Debian: apt-get install libhwy-dev")
+configure_project(said tribocheck::model "" TRUE)
+expect("${said}" "^0: ")
+configure_project(said tribocheck::model "COMPONENTS model" TRUE)
+expect("${said}" "^0: ")
+configure_project(said tribocheck::model "" FALSE)
+expect("${said}" "^1: .*${needs}")
+configure_project(said tribocheck::plugin "COMPONENTS model" FALSE)
+expect("${said}" "^1: .*${needs}")
+configure_project(said tribocheck::plugin "COMPONENTS subject" FALSE)
+expect("${said}" "^0: ")
+configure_project(said tribocheck::plugin "" FALSE)
+expect("${said}" "^0: ")
+file(READ ${scratch}/project/build/CTestTestfile.cmake tests)
+expect("${tests}" [["verify" "--subject" "python3 my_solver.py" "--baseline" "b.json" "--junit" "out/my.xml"\)]])
+expect("${tests}" [["bench" "--subject" "python3 my_solver.py" "--baseline" "s.json" "--junit" "out/my_speed.xml"\)]])
+expect("${tests}" [[solver_speed[^ ]* PROPERTIES +LABELS "speed" RUN_SERIAL "TRUE"]])
+
+# No installed file is linked with GSL (GPL) or Google Benchmark, neither by a library that it loads nor by code in it.
+file(GLOB_RECURSE installed LIST_DIRECTORIES FALSE ${prefix}/*)
+set(binaries 0)
+foreach(file IN LISTS installed)
+  file(READ ${file} magic LIMIT 8 HEX)
+  if(magic MATCHES "^7f454c46")  # ELF
+    run(ldd ${file})
+    set(linked "${output}")
+  elseif(magic STREQUAL "213c617263683e0a")  # an archive
+    set(linked "")
+  else()
+    continue()
+  endif()
+  run(nm -C ${file})
+  string(REGEX MATCH "libgsl[^\n]*|libcblas[^\n]*|libbenchmark[^\n]*|[^\n]* (gsl|cblas)_[^\n]*|[^\n]* benchmark::[^\n]*"
+    found "${linked}${output}")
+  if(found)
+    message(FATAL_ERROR "${file} is linked with ${found}")
+  endif()
+  math(EXPR binaries "${binaries} + 1")
+endforeach()
+if(binaries LESS 3)  # two programs and the library
+  message(FATAL_ERROR "${binaries} binaries are installed")
+endif()
 
 # A public header that is not installed builds here, and is missing there.
 file(GLOB headers RELATIVE ${SOURCE_DIR}/model ${SOURCE_DIR}/model/include/tribo/*.hpp)
@@ -39,7 +127,9 @@ endif()
 list(TRANSFORM scenes PREPEND share/tribocheck/)
 foreach(file IN LISTS headers scenes
     ITEMS include/tribo/version.hpp share/doc/tribocheck/LICENSE
-    share/tribocheck/scene.schema.json share/tribocheck/page/gnuplot share/tribocheck/page/render/render.py)
+    share/tribocheck/ci/github.yml share/tribocheck/ci/gitlab.yml
+    share/tribocheck/scene.schema.json share/tribocheck/schemas/solve.schema.json
+    share/tribocheck/page/gnuplot share/tribocheck/page/render/render.py)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench_solver.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "conformance/timed_solver.hpp"
+#include "page/project_files.hpp"
+#include "progress.hpp"
+#include "shell.hpp"
+
+namespace tribo::cli {
+namespace {
+
+using namespace conformance;
+using Clock = TimedSolver::Clock;
+
+constexpr std::size_t cases_a_function = 32;
+constexpr std::size_t starts = 3;  // of each solver, as memory and hashes lie elsewhere each time
+constexpr std::size_t least_laps = 3;
+constexpr double longest_laps = 1;  // s, of one function after one start, beyond the least
+
+std::size_t laps_a_start(bool is_quick) { return is_quick ? least_laps : 5; }
+
+// The name in rows: the command without the folders of its words, so that it is the same elsewhere.
+std::string name_of_solver(const std::string& given, bool is_plugin) {
+  const auto without_folder = [](const std::string& word) {
+    return word.substr(word.find_last_of('/') + 1);
+  };
+  if (is_plugin) {
+    std::string stem = std::filesystem::path(given).stem().string();
+    if (stem.starts_with("lib") && stem.size() > 3) stem.erase(0, 3);
+    return stem;
+  }
+  std::istringstream words(given);
+  std::string name;
+  for (std::string word; words >> word;) name += (name.empty() ? "" : " ") + without_folder(word);
+  return name;
+}
+
+std::string command_of(const std::string& given, bool is_plugin) {
+  if (!is_plugin) return given;
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  return "exec " + shell_word(self) + " plugin-host --time " + shell_word(given);
+}
+
+// What is known of one solver.
+struct Measuring {
+  std::string given, name, family;
+  std::vector<TimedFunction> functions;
+  std::vector<std::vector<Lap>> laps;  // of each function
+
+  std::string key(const std::string& function) const {
+    return fmt::format("{}/{}/{}", function, family, name);
+  }
+};
+
+void check_startable(const SolverRun& run) {
+  for (const std::string& given : run.solvers) {
+    if (run.are_plugins && !std::filesystem::exists(given))
+      throw std::invalid_argument(
+          fmt::format("--plugin: there is no file {}; correct the path, or build it first", given));
+    if (run.are_plugins) continue;
+    if (const std::optional<std::string> why_not = why_not_startable(given))
+      throw std::invalid_argument("--subject: " + *why_not);
+  }
+}
+
+std::vector<Measuring> measurings(const SolverRun& run, const IsRun& is_run) {
+  const report::ReferenceFiles files = report::reference_files("");
+  const std::vector<TimedFunction> all =
+      timed_functions(read_cases({files.exact, files.published}), cases_a_function);
+  std::vector<Measuring> made;
+  bool any = false;
+  for (const std::string& given : run.solvers) {
+    const char* const family = !made.empty() ? base_family : run.are_plugins ? "plugin" : "subject";
+    Measuring one{given, name_of_solver(given, run.are_plugins), family, {}, {}};
+    for (const TimedFunction& function : all)
+      if (is_run(one.key(function.name))) one.functions.push_back(function);
+    any = any || !one.functions.empty();
+    made.push_back(std::move(one));
+  }
+  if (any) return made;
+  std::vector<std::string> names;
+  for (const TimedFunction& function : all) names.push_back(function.name);
+  throw std::invalid_argument(
+      fmt::format("--filter: no row function/family/name matches; the functions are {}; the first "
+                  "solver's rows are like {}",
+                  fmt::join(names, ", "), made[0].key(names[0])));
+}
+
+// Calls `work`; a SolverFailed gets the solver's name.
+template <class Work>
+auto named(const Measuring& solver, Work&& work) {
+  try {
+    return work();
+  } catch (const SolverFailed& failure) {
+    throw SolverFailed(fmt::format("{}: {}", solver.given, failure.what()), failure.exit_code);
+  }
+}
+
+// One start of all solvers, and laps in turns: function by function, and the solvers of each beside
+// each other, in the other order each second time.
+class Start {
+ public:
+  Start(const SolverRun& run, std::vector<Measuring>& solvers, bool is_first,
+        Clock::time_point deadline)
+      : run_(run), solvers_(solvers) {
+    for (Measuring& solver : solvers_) {
+      named(solver, [&] {
+        processes_.push_back(std::make_unique<TimedSolver>(
+            command_of(solver.given, run.are_plugins), run.are_plugins, deadline));
+        for (TimedFunction& function : solver.functions)
+          processes_.back()->warm_up(function, is_first);
+      });
+      if (is_first) {
+        std::erase_if(solver.functions,
+                      [](const TimedFunction& function) { return function.answered == 0; });
+        solver.laps.resize(solver.functions.size());
+      }
+    }
+  }
+
+  void measure(StepLine& progress) {
+    std::set<std::string> names;
+    for (const Measuring& solver : solvers_)
+      for (const TimedFunction& function : solver.functions) names.insert(function.name);
+    std::set<std::string> slow;
+    for (std::size_t lap = 0; lap < laps_a_start(run_.is_quick); ++lap)
+      for (const std::string& name : names) {
+        if (lap >= least_laps && slow.contains(name)) continue;
+        if (progress.is_due()) progress.show("timing " + name);
+        const Clock::time_point begin = Clock::now();
+        for (std::size_t i = 0; i < solvers_.size(); ++i)
+          measure(lap % 2 == 0 ? i : solvers_.size() - 1 - i, name);
+        const std::chrono::duration<double> spent = Clock::now() - begin;
+        if (spent.count() * static_cast<double>(lap + 1) > longest_laps) slow.insert(name);
+      }
+  }
+
+ private:
+  void measure(std::size_t place, const std::string& name) {
+    Measuring& solver = solvers_[place];
+    for (std::size_t i = 0; i < solver.functions.size(); ++i)
+      if (solver.functions[i].name == name)
+        named(solver,
+              [&] { solver.laps[i].push_back(processes_[place]->lap(solver.functions[i])); });
+  }
+
+  const SolverRun& run_;
+  std::vector<Measuring>& solvers_;
+  std::vector<std::unique_ptr<TimedSolver>> processes_;
+};
+
+template <class Value>
+std::vector<double> all_of(const std::vector<Lap>& laps, Value&& value) {
+  std::vector<double> all;
+  for (const Lap& lap : laps) all.push_back(value(lap));
+  return all;
+}
+
+BenchRow row_of(const Measuring& solver, std::size_t place, bool are_plugins) {
+  const TimedFunction& function = solver.functions[place];
+  const std::vector<Lap>& laps = solver.laps[place];
+  const std::vector<double> own = all_of(laps, [](const Lap& lap) { return 1e9 * lap.own; });
+  BenchRow row{function.name, solver.family, solver.name, ratio_of(own).median,
+               *std::min_element(own.begin(), own.end())};
+  row.over_control = ratio_of(all_of(laps, [](const Lap& lap) { return lap.own / lap.control; }));
+  row.wall_ns = ratio_of(all_of(laps, [](const Lap& lap) { return 1e9 * lap.wall; })).median;
+  row.cases = static_cast<double>(function.answered);
+  row.measured = fmt::format("{} over {}", name_of(function.measured),
+                             name_of(TimedSolver::control(are_plugins)));
+  return row;
+}
+
+// Laps of both solvers that stand beside each other.
+std::optional<Ratio> over_base(const std::vector<Measuring>& solvers, std::size_t place) {
+  if (solvers.size() < 2) return std::nullopt;
+  const std::string& name = solvers[0].functions[place].name;
+  for (std::size_t i = 0; i < solvers[1].functions.size(); ++i) {
+    if (solvers[1].functions[i].name != name) continue;
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < solvers[0].laps[place].size(); ++k)
+      ratios.push_back(solvers[0].laps[place][k].own / solvers[1].laps[i][k].own);
+    return ratio_of(std::move(ratios));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+BenchResults measure_solvers(const SolverRun& run, const IsRun& is_run) {
+  const Clock::time_point deadline =
+      Clock::now() + std::chrono::milliseconds(static_cast<long long>(1000 * run.timeout));
+  check_startable(run);
+  std::vector<Measuring> solvers = measurings(run, is_run);
+  {
+    StepLine progress{std::chrono::seconds(1), std::chrono::milliseconds(200)};
+    for (std::size_t start = 0; start < starts; ++start)
+      Start(run, solvers, start == 0, deadline).measure(progress);
+  }
+  BenchResults results;
+  results.is_of_solvers = true;
+  if (solvers.size() > 1) results.base = solvers[1].given;
+  for (const Measuring& solver : solvers)
+    for (std::size_t i = 0; i < solver.functions.size(); ++i) {
+      BenchRow row = row_of(solver, i, run.are_plugins);
+      if (solver.family != base_family) row.over_base = over_base(solvers, i);
+      const auto job = std::find_if(results.jobs.begin(), results.jobs.end(),
+                                    [&](const BenchJob& known) { return known.title == row.job; });
+      if (job == results.jobs.end())
+        results.jobs.push_back({row.job, {std::move(row)}});
+      else
+        job->rows.push_back(std::move(row));
+    }
+  return results;
+}
+
+}  // namespace tribo::cli

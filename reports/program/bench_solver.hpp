@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The speed of somebody's solver, of a subject or of a plug-in, or of two of them in turns, each
+// beside a control; it needs no tribocheck_bench.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench_rows.hpp"
+
+namespace tribo::cli {
+
+struct SolverRun {
+  std::vector<std::string> solvers;  // one; or two, the second of which is the base
+  bool are_plugins = false;          // else command lines
+  bool is_quick = false;
+  double timeout = 1800;  // s, for all of it
+};
+
+// Is a row to be measured?
+using IsRun = std::function<bool(const std::string& key)>;
+
+// A row for each solver and function that it offers. Rows that nobody offers are not there. Throws
+// std::invalid_argument where `is_run` takes none of the rows, and conformance::SolverFailed.
+BenchResults measure_solvers(const SolverRun& run, const IsRun& is_run);
+
+}  // namespace tribo::cli

@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Each JSON document that a command writes begins with its schema and its version, and is what reference/schemas says of it.
+
+A command or option that writes a new document needs a row in DOCUMENTS; a new member its place in the schema."""
+import copy
+import json
+import os
+import pathlib
+import re
+import typing
+import unittest
+
+import jsonschema
+
+from program import Folder, quiet_scene, run, scene, with_field
+from sweeps import UNIFORM, sweep
+from test_usage import COMMANDS, commands_in
+
+ROOT = pathlib.Path(os.environ["TRIBOCHECK_ROOT"])
+SCHEMAS = ROOT / "reference/schemas"
+
+
+class Document(typing.NamedTuple):
+    schema: str  # its file is SCHEMAS/<schema>.schema.json
+    arguments: str  # words in capitals are paths, made by files_in
+    code: int = 0  # the exit code
+
+
+DOCUMENTS = [
+    Document("solve", "solve SCENE"), Document("solve", "solve ALL", 0), Document("solve", "solve COLLAPSED BAD", 2),
+    Document("solve", "solve HUGE"), Document("solve", "curve SCENE"),
+    Document("solve_about", "solve ALL ROLLER --about"), Document("solve_about", "solve BAD SCENE --about", 2),
+    Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
+    Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
+    Document("film", "film RIGID BAD --tolerance 1e-2", 2), Document("film", "film RIGID --tolerance 1e-2", 1),
+    Document("functions", "functions"),
+    *(Document("function", f"functions {name}") for name in ("hertz_ellipse", "load_sharing", "starvation_ratio")),
+    Document("reproduce", "reproduce"), Document("reproduce", "reproduce --claim C1 --reading literal"),
+    Document("accuracy", "verify"), Document("accuracy", "verify --reference WITHOUT_FRICTION", 1),
+    Document("sweep", "sweep DRAWN -o OUT"), Document("sweep", "sweep show OUT"), Document("sweep", "sweep GRID -o GRID_OUT"),
+    Document("sweep", "sweep merge FIRST SECOND -o MERGED"),
+]
+# Commands whose documents another test holds.
+NOT_HERE = {("bench",): "its program is not built everywhere; test_bench has its documents"}
+
+
+def files_in(folder):
+    """The paths that stand for the words of DOCUMENTS."""
+    line = quiet_scene(id="line", load=2000, speed=1, closures={"film": "dowson_toyoda_central"},
+                       bodies={"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2})
+    few = quiet_scene(id="few", speed=[0.1, 1], outputs=["film", "regime"])
+    made = {"SCENE": quiet_scene(), "ALL": few | {"closures": {"asperity": "greenwood_williamson"}}, "BAD": scene(load=-1),
+            "COLLAPSED": scene("smooth", speed=3), "FLOODED": scene(supply=None),
+            "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
+            "RIGID": line | {"speed": 1e10}}
+    paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
+    paths["DRAWN"] = folder.write("drawn.toml", sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]",
+                                                       "outputs": '["film", "regime"]'},
+                                                      onset='["film_maximum"]', draws=64, sensitivity="true"))
+    paths["GRID"] = folder.write("grid.toml", sweep({"load": "[20, 50]", "speed": "3"}))
+    paths |= {word: folder.path(f"{word.lower()}.h5") for word in ("OUT", "GRID_OUT", "MERGED", "FIRST", "SECOND")}
+    for shard, word in (("1/2", "FIRST"), ("2/2", "SECOND")):
+        assert run("sweep", paths["GRID"], "--shard", shard, "-o", paths[word]).code == 0
+    exact = pathlib.Path(folder.path("exact"))
+    exact.mkdir()
+    for table in (ROOT / "reference/exact").iterdir():
+        lines = table.read_text(encoding="utf-8").splitlines(keepends=True)
+        (exact / table.name).write_text("".join(one for one in lines if ",friction," not in one), encoding="utf-8")
+    return paths | {"ROLLER": str(ROOT / "reference/scenes/roller.toml"), "WITHOUT_FRICTION": str(exact)}
+
+
+class Schema:
+    def __init__(self, name):
+        self.name = name
+        self.tree = json.loads((SCHEMAS / f"{name}.schema.json").read_text(encoding="utf-8"))
+        self.validator = jsonschema.Draft202012Validator(self.tree)
+
+    def problems(self, document):
+        return [f"{error.json_path}: {error.message[:300]}" for error in self.validator.iter_errors(document)]
+
+    def takes(self, node, value):
+        return self.validator.evolve(schema=node).is_valid(value)
+
+    def nodes(self, node=None, path="$"):
+        """All schemas within this one, each with its path."""
+        node = self.tree if node is None else node
+        yield path, node
+        for name, one in [*node.get("properties", {}).items(), *node.get("$defs", {}).items()]:
+            yield from self.nodes(one, f"{path}.{name}")
+        for key in ("items", "additionalProperties"):
+            if isinstance(node.get(key), dict):
+                yield from self.nodes(node[key], f"{path}.{key}")
+
+    def objects(self, node, value):
+        """Each object within a document, with its schema."""
+        if "$ref" in node:
+            node = self.tree["$defs"][node["$ref"].removeprefix("#/$defs/")]
+        for one in node.get("anyOf", []):
+            yield from self.objects(one, value)
+        if isinstance(value, list) and "items" in node:
+            for one in value:
+                yield from self.objects(node["items"], one)
+        if isinstance(value, dict) and node.get("type") == "object":
+            yield node, value
+            for name, one in value.items():
+                inner = node.get("properties", {}).get(name) or self.by_pattern(node, name)
+                if isinstance(inner, dict):
+                    yield from self.objects(inner, one)
+
+    @staticmethod
+    def by_pattern(node, name):
+        found = [one for pattern, one in node.get("patternProperties", {}).items() if re.search(pattern, name)]
+        return found[0] if found else node.get("additionalProperties")
+
+
+class Documents(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = Folder()
+        cls.addClassCleanup(folder.cleanup)
+        paths = files_in(folder)
+        cls.schemas = {path.name.removesuffix(".schema.json"): Schema(path.name.removesuffix(".schema.json"))
+                       for path in SCHEMAS.glob("*.schema.json")}
+        cls.told = [(one, run(*(paths.get(word, word) for word in one.arguments.split()), "--format", "json", cwd=ROOT))
+                    for one in DOCUMENTS]
+
+    def each(self):
+        """Each document with its schema."""
+        for one, done in self.told:
+            with self.subTest(one.arguments):
+                self.assertEqual(done.code, one.code, done.err)
+                yield self.schemas[one.schema], done.json()
+
+    def test_each_begins_with_schema_and_version(self):
+        version = run("--version").out.split()[1]
+        for schema, document in self.each():
+            self.assertEqual(list(document)[:2], ["schema", "version"])
+            self.assertRegex(document["schema"], rf"^{schema.name}/[1-9]\d*$")
+            self.assertEqual(document["version"], version)
+
+    def test_each_is_what_its_schema_says(self):
+        for schema, document in self.each():
+            self.assertEqual(schema.problems(document), [], "either the document has lost a member, or its schema lacks a new one")
+
+    def test_what_is_lacking_unknown_or_of_another_type_is_seen(self):
+        no_value = [[None]]  # which no member has
+        for schema, document in self.each():
+            seen = set()
+            for node, value in [(schema.tree, document), *schema.objects(schema.tree, document)]:
+                if (shape := (id(node), *sorted(value))) in seen:
+                    continue
+                seen.add(shape)
+                self.assertFalse(schema.takes(node, value | {"unknown": no_value}), node["description"])
+                for name in value:
+                    self.assertFalse(schema.takes(node, value | {name: no_value}), (node["description"], name))
+                for name in node.get("required", []):
+                    less = {key: one for key, one in value.items() if key != name}
+                    self.assertFalse(schema.takes(node, less), (node["description"], name))
+
+    def test_each_command_that_writes_json_is_here(self):
+        commands = {(one,) for one in COMMANDS} | {(one, below) for one in COMMANDS for below in commands_in(run(one, "--help").out)}
+        writes_json = {one for one in commands if re.search(r"--format: .* not in .*\bjson\b", run(*one, "--format", "no").err)}
+        self.assertGreater(len(writes_json), 8)
+        here = {tuple(one.arguments.split()[:length]) for one in DOCUMENTS for length in (1, 2)}
+        self.assertEqual(writes_json - here, set(NOT_HERE), "a command without a row in DOCUMENTS")
+
+    def test_each_member_of_a_schema_is_in_a_document_and_lacks_in_one_where_it_may(self):
+        found, lacking = set(), set()
+        for schema, document in self.each():
+            for node, value in schema.objects(schema.tree, document):
+                found |= {(id(node), name) for name in value}
+                lacking |= {(id(node), name) for name in node.get("properties", {}) if name not in value}
+        for schema in self.schemas.values():
+            members = [(f"{path}.{name}", (id(node), name), name in node["required"])
+                       for path, node in schema.nodes() for name in node.get("properties", {})]
+            self.assertEqual([path for path, member, _ in members if member not in found], [], schema.name)
+            self.assertEqual([path for path, member, required in members if not required and member not in lacking], [], schema.name)
+
+
+class Schemas(unittest.TestCase):
+    def test_each_is_one_that_is_closed_and_tells_its_members(self):
+        for path in sorted(SCHEMAS.glob("*.schema.json")):
+            schema = Schema(path.name.removesuffix(".schema.json"))
+            jsonschema.Draft202012Validator.check_schema(schema.tree)
+            self.assertEqual(schema.tree["$schema"], jsonschema.Draft202012Validator.META_SCHEMA["$id"])
+            self.assertRegex(schema.tree["properties"]["schema"]["const"], rf"^{schema.name}/[1-9]\d*$")
+            self.assertEqual(schema.tree["required"][:2], ["schema", "version"])
+            for where, node in schema.nodes():
+                with self.subTest(path.name, where=where):
+                    if node.get("type") == "object":
+                        self.assertIn("additionalProperties", node)
+                    for name, member in node.get("properties", {}).items():
+                        self.assertTrue(member.get("description") or "$ref" in member, name)
+
+    def test_what_two_schemas_describe_is_described_alike(self):
+        one, all_of_them = Schema("function").tree, Schema("functions").tree
+        self.assertEqual({**all_of_them["properties"]["functions"]["items"]["properties"], **all_of_them["$defs"]},
+                         {name: node for name, node in {**one["properties"], **one["$defs"]}.items() if name not in ("schema", "version")})
+        report = json.loads((ROOT / "reports/page/groups/report.schema.json").read_text(encoding="utf-8"))
+        ledger, reproduce = report["properties"]["ledger"]["oneOf"][0]["properties"], Schema("reproduce").tree
+        self.assertEqual({**ledger, **reproduce["properties"]}, {**reproduce["properties"], "committed": ledger["committed"]})
+        self.assertEqual(reproduce["$defs"], {name: report["$defs"][name] for name in reproduce["$defs"]})
+
+
+if __name__ == "__main__":
+    unittest.main()

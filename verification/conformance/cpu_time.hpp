@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// CPU time of other processes, to the nanosecond while they live, and of a fixed piece of work, the
+// control, over which times of solvers are told.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+
+namespace tribo::conformance {
+
+// CPU seconds of a process and of all below it. The time of those that have ended counts once their
+// parents have waited for them, in steps of the system's clock tick (10 ms).
+double cpu_seconds_of_tree(pid_t top);
+
+// CPU seconds of this process.
+double own_cpu_seconds();
+
+// Fixed work of two kinds. `exponentials`: std::exp of an array, as in tribocheck_bench; near to
+// what a compiled solver does. `texts`: numbers written, read and looked up by their text; near to
+// what an interpreter does.
+enum class Control : std::uint8_t { exponentials, texts };
+
+// The name of a control in baselines. It changes when the work changes.
+const char* name_of(Control control);
+
+// CPU seconds of one unit of the control's work (an exponential, or a text), from some
+// milliseconds of it.
+double control_seconds(Control control);
+
+}  // namespace tribo::conformance

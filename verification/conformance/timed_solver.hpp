@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The time that a solver needs for cases of one function: a subject, which answers JSON lines, or a
+// plug-in, whose calls are timed in a process of its own (plugin_timing.hpp).
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "conformance/child_process.hpp"
+#include "conformance/conformance_case.hpp"
+#include "conformance/cpu_time.hpp"
+
+namespace tribo::conformance {
+
+// How the time of a solver is known.
+enum class Measured : std::uint8_t {
+  reported,     // "seconds" of each answer
+  process_cpu,  // CPU time of the subject's processes, from the first question of a block to its
+                // end
+  call_cpu,     // CPU time of a plug-in's calls
+};
+const char* name_of(Measured measured);  // "reported", "process", "calls"
+
+// The cases of one function that a solver is asked for its time, and the state of their measuring.
+struct TimedFunction {
+  std::string name;
+  std::vector<TestCase> cases;  // after the first pass those alone that have an answer
+  Measured measured = Measured::call_cpu;
+  std::size_t answered = 0;  // cases with an answer; 0: it is not offered
+  std::size_t passes = 1;    // over the cases in a lap, so that it takes some milliseconds
+};
+
+// At most `most` cases of each function in the order of the table, spread evenly over those that
+// are not extreme, or over all where there are no others.
+std::vector<TimedFunction> timed_functions(const std::vector<TestCase>& cases, std::size_t most);
+
+struct Lap {
+  double own = 0;      // s a case, of the solver
+  double control = 0;  // s a unit of the control, before and after
+  double wall = 0;     // s a case, by the clock
+};
+
+// The reason why a solver cannot be timed, in one line.
+struct SolverFailed : std::runtime_error {
+  SolverFailed(const std::string& what, int code) : std::runtime_error(what), exit_code(code) {}
+  int exit_code;  // of this program: 2 where the solver cannot be started
+};
+
+// One process of a solver.
+class TimedSolver {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Starts it by the shell. `deadline`: no wait goes beyond it.
+  TimedSolver(const std::string& command, bool is_plugin, Clock::time_point deadline);
+
+  // Asks all cases once, which warms it up. In the first process, where `is_first`, this finds
+  // which have an answer, how the time is known, and the passes of a lap.
+  void warm_up(TimedFunction& function, bool is_first);
+  // Throws SolverFailed, as warm_up() does.
+  Lap lap(const TimedFunction& function);
+  static Control control(bool is_plugin) {
+    return is_plugin ? Control::exponentials : Control::texts;
+  }
+
+ private:
+  struct Pass {
+    std::vector<bool> has_answer;
+    std::size_t answered = 0, reporting = 0;
+    double reported = 0;
+  };
+  Pass ask(const TimedFunction& function, std::size_t passes);
+  nlohmann::json ask_plugin(const TimedFunction& function);
+  std::string next_answer(const TimedFunction& function);
+  [[noreturn]] void fail(const std::string& why, const TimedFunction& function);
+
+  std::string command_;
+  bool is_plugin_;
+  Clock::time_point deadline_;
+  bool has_answered_ = false;
+  std::unique_ptr<ChildProcess> process_;
+};
+
+}  // namespace tribo::conformance
