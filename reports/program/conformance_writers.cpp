@@ -82,6 +82,7 @@ std::vector<std::string> remarks(const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   const Conversation& talk = result.conversation;
   std::vector<std::string> lines = result.notes;
+  for (std::string& one : unsteady_lines(result.unsteady)) lines.push_back(std::move(one));
   if (!result.losses.empty()) {
     lines.push_back("The subject failed " + loss_text(result.losses, lost(verdict)) + ":");
     lines.push_back(fmt::format("  {} --show {}", verdict.same_question, result.losses.front().id));
@@ -242,6 +243,30 @@ nlohmann::ordered_json expected_json(const Expected& one) {
 
 using nlohmann::ordered_json;
 
+ordered_json unsteady_json(const std::vector<Unsteady>& unsteady) {
+  ordered_json all = ordered_json::array();
+  const auto value = [](const Said& one) {
+    return one.value ? ordered_json(*one.value) : ordered_json(nullptr);
+  };
+  for (const Unsteady& one : unsteady)
+    all.push_back({{"quantity", one.quantity},
+                   {"asked_again", one.asked_again},
+                   {"changed", one.changed},
+                   {"case", one.id},
+                   {"first", value(one.first)},
+                   {"second", value(one.second)},
+                   {"reason", one.second.value ? one.first.reason : one.second.reason},
+                   {"relative_difference", one.apart}});
+  return all;
+}
+
+ordered_json seconds_json(const Durations& seconds) {
+  ordered_json functions = ordered_json::array();
+  for (const auto& [function, taken] : seconds.functions)
+    functions.push_back({{"function", function}, {"seconds", taken}});
+  return {{"run", seconds.run}, {"cpu", seconds.cpu}, {"functions", std::move(functions)}};
+}
+
 ordered_json changes_json(const std::vector<BaselineChange>& changes) {
   ordered_json list = ordered_json::array();
   for (const BaselineChange& one : changes) {
@@ -313,6 +338,8 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
                                 {"explained", one.explained},
                                 {"wrong", one.wrong},
                                 {"text", one.text}});
+  all["unsteady"] = unsteady_json(result.unsteady);
+  all["seconds"] = seconds_json(talk.seconds);
   for (const Loss& one : result.losses)
     all["losses"].push_back({{"case", one.id}, {"function", one.function}, {"reason", one.reason}});
   if (verdict.changes) {
@@ -369,6 +396,18 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
   add("Better than the baseline:", verdict.changes->better);
   add("Not in the baseline:", verdict.changes->fresh);
   add("In the baseline alone:", verdict.changes->gone);
+}
+
+// A quantity's part of the seconds of its function, which asks for all of its quantities at once:
+// so the parts add up to the run.
+double seconds_of(const ConformanceResult& result, const std::string& quantity) {
+  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
+  const auto sharing = std::count_if(
+      result.quantities.begin(), result.quantities.end(),
+      [&](const QuantityVerdict& one) { return function(one.quantity) == function(quantity); });
+  const auto& all = result.conversation.seconds.functions;
+  const auto found = all.find(function(quantity));
+  return found == all.end() ? 0 : found->second / static_cast<double>(sharing);
 }
 
 // The diagnosis of a quantity that failed, and its worst case.
@@ -430,13 +469,15 @@ std::string subject_junit(const SubjectVerdict& verdict) {
            lost_quantities.end();
   };
   JunitSuite suite{"conformance", {}, true};
+  suite.seconds = result.conversation.seconds.run;
   suite.properties = {{"version", version_line()},
                       {"subject", result.subject},
                       {"tolerance", result.tolerance.name}};
   if (verdict.changes) suite.properties.emplace_back("baseline", verdict.baseline);
   for (const QuantityVerdict& one : result.quantities) {
     const auto add = [&](End end, const std::string& message) {
-      suite.tests.push_back({one.quantity, end, message, junit_details(verdict, one)});
+      suite.tests.push_back({one.quantity, end, message, junit_details(verdict, one),
+                             seconds_of(result, one.quantity)});
     };
     const auto why = std::find_if(failed.begin(), failed.end(), [&](const QuantityNote& failure) {
       return failure.quantity == one.quantity;

@@ -8,6 +8,13 @@
 #include "page/texts.hpp"
 
 namespace tribo::cli {
+namespace {
+
+std::string time_attribute(const std::optional<double>& seconds) {
+  return seconds ? fmt::format(" time=\"{:.3f}\"", *seconds) : "";
+}
+
+}  // namespace
 
 std::string junit_xml(const JunitSuite& suite) {
   const auto text = [](const std::string& plain) { return report::escape_html(plain); };
@@ -17,9 +24,10 @@ std::string junit_xml(const JunitSuite& suite) {
   };
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\"{}>\n",
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\"{}{}>\n",
       text(suite.name), suite.tests.size(), count(JunitTest::End::failure),
-      suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "");
+      suite.counts_skipped ? fmt::format(" skipped=\"{}\"", count(JunitTest::End::skipped)) : "",
+      time_attribute(suite.seconds));
   if (!suite.properties.empty()) {
     xml += "  <properties>\n";
     for (const auto& [name, value] : suite.properties)
@@ -27,7 +35,8 @@ std::string junit_xml(const JunitSuite& suite) {
     xml += "  </properties>\n";
   }
   for (const JunitTest& one : suite.tests) {
-    xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", suite.classname, text(one.name));
+    xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\"{}", suite.classname,
+                       text(one.name), time_attribute(one.seconds));
     if (one.end == JunitTest::End::passed) {
       xml += "/>\n";
       continue;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@ struct JunitTest {
   std::string name;
   End end = End::passed;
   std::string message = {}, details = {};  // of a failure or a skip; details may be empty
+  std::optional<double> seconds = {};      // that it took, where that is known
 };
 
 struct JunitSuite {
@@ -24,6 +26,7 @@ struct JunitSuite {
   std::vector<std::pair<std::string, std::string>> properties = {};  // name and value
   std::string output = {}, errors = {};  // of the whole run; empty: none
   std::string name = "tribocheck verify";
+  std::optional<double> seconds = {};  // of the whole run
 };
 
 std::string junit_xml(const JunitSuite& suite);

@@ -127,12 +127,12 @@ std::vector<Ignored> ignored_by(const SubjectArguments& asked) {
   const bool judges_own = !has_subject && !shows && !saves;
   const std::string no_subject = "without --subject or --plugin";
   return {{{"--tolerance", "--sample"}, judges_own, no_subject},
-          {{"--case-timeout", "--start-timeout", "--timeout", "--require", "--baseline",
+          {{"--jobs", "--case-timeout", "--start-timeout", "--timeout", "--require", "--baseline",
             "--update-baseline", "--force"},
            !has_subject,
            no_subject},
-          {{"--sample", "--require", "--baseline", "--update-baseline", "--force", "--save-cases",
-            "--format", "--junit"},
+          {{"--sample", "--jobs", "--require", "--baseline", "--update-baseline", "--force",
+            "--save-cases", "--format", "--junit"},
            shows,
            "beside --show"},
           {{"--format", "--junit"}, !has_subject && saves, no_subject}};
@@ -151,6 +151,7 @@ it skips; NaN is an error. Exit code 0: all that it offers holds, or with --base
 that file says; 1: something failed, it offers nothing, or it ended badly after its last answer; 2: it cannot
 be started, or never answers. It has 60 s for the first answer, as it may have much to load, and 10 s for each
 one after it. With --baseline each case that failed then may fail, by no more than four times its error.
+Some cases are asked again at the end: answers that change are told, and the worse one is judged.
 
 Each failed quantity is shown with its worst case. --show asks one case again, and prints the line that
 asks, what is expected and how far off it may be, and what came. --save-cases writes the lines that ask
@@ -159,6 +160,7 @@ all cases, one JSON object a line, to be fed to any program; it needs no subject
 Example:
   tribocheck verify --junit verify.xml
   tribocheck verify --subject 'python3 my_solver.py'
+  tribocheck verify --subject 'python3 my_solver.py' --jobs 4
   tribocheck verify --subject 'python3 my_solver.py' --show f0012
   tribocheck verify --save-cases - | python3 my_solver.py
   tribocheck verify --plugin ./libmine.so --tolerance strict --baseline mine.json)";
@@ -186,6 +188,11 @@ Command add_verify(CLI::App& program) {
                   "condition; the default), or a file of lines QUANTITY RELATIVE");
   app->add_option("--sample", subject.sample, "at most so many cases of each function")
       ->check(CLI::PositiveNumber);
+  app->add_option(
+         "--jobs", subject.jobs,
+         "start so many of the subject, 1 to 64, and ask all of them at once; the verdict is "
+         "the same (default: 1)")
+      ->check(CLI::Range(1, 64));
   app->add_option("--case-timeout", subject.case_timeout, "seconds for one case (default: 10)")
       ->check(CLI::Range(0.01, 1e5));
   app->add_option("--start-timeout", subject.start_timeout,

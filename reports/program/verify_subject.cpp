@@ -77,8 +77,9 @@ void check_started(const Subject& subject, const Conversation& conversation) {
 }
 
 Conversation conversation_with(const Subject& subject, const std::vector<TestCase>& cases,
-                               const std::function<void(std::size_t)>& progress) {
-  Conversation conversation = ask(subject.command, cases, subject.limits, progress);
+                               const std::function<void(std::size_t)>& progress,
+                               const Manner& manner) {
+  Conversation conversation = ask(subject.command, cases, subject.limits, progress, manner);
   check_started(subject, conversation);
   return conversation;
 }
@@ -152,7 +153,7 @@ int show(const std::optional<Subject>& subject, const std::vector<std::string>& 
       continue;
     }
     const std::vector<TestCase> alone{one};
-    Conversation conversation = conversation_with(*subject, alone, [](std::size_t) {});
+    Conversation conversation = conversation_with(*subject, alone, [](std::size_t) {}, {});
     const ConformanceResult result =
         judge(subject->name, alone, std::move(conversation), tolerance);
     any_failed |= result.overall == Overall::failed;
@@ -196,7 +197,8 @@ int judge_subject(const SubjectArguments& arguments, OutputStream& output) {
   {
     Progress progress(cases.size(), {"cases", 1, true});
     Conversation conversation =
-        conversation_with(*subject, cases, [&](std::size_t) { progress.step(); });
+        conversation_with(*subject, cases, [&](std::size_t) { progress.step(); },
+                          {arguments.jobs, cases_to_repeat(cases)});
     if (!conversation.never_answered.empty()) {  // what is wrong is one thing: nothing is judged
       complain(fmt::format("{} never answered: {}", subject->name, conversation.never_answered));
       complain_of(last_errors, conversation.error_lines);

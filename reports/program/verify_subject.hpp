@@ -27,6 +27,7 @@ struct SubjectArguments {
   std::vector<std::string> required;  // quantities that have to be held
   std::size_t sample = 0;             // cases of each function at most; 0: all
   double case_timeout = 10, start_timeout = 60, timeout = 600;  // s
+  int jobs = 1;                    // processes of the subject that are asked at once
   std::vector<std::string> shown;  // the cases to show; empty: all cases are judged
   std::string saved_cases;         // the file of --save-cases; empty: none, "-": stdout
 

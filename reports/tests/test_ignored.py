@@ -71,12 +71,13 @@ VALUES = {
     "--show": ["h0001"], "--save-cases": ["DIR/saved"], "--baseline": ["DIR/no_such.json"],
     "--update-baseline": [], "--claim": ["C3"], "--reading": ["literal"], "--section": ["errata"],
     "--published": ["/nowhere"], "--ledger": ["/nowhere.csv"], "--scenes": ["/nowhere"], "--commit": ["abc"],
-    "--quick": [], "--filter": ["no such contender"], "--alone": [], "--time": [],
+    "--quick": [], "--jobs": ["2"], "--filter": ["no such contender"], "--alone": [], "--time": [],
 }
 # Options without an effect in these tests, and the reason why they are nevertheless not ignored.
 UNSEEN = {
     ("plugin-host", "--time"): "it is asked nothing; test_bench_solver has questions",
     ("solve", "--threads"): "the results are the same bits for any number",
+    ("verify", "--jobs"): "the verdict is the same; test_jobs counts the processes, and has the refusals",
     ("sweep", "--without-fma"): "it changes last digits, and estimated times; test_sweep holds the bits",
     ("sweep merge", "--mixed-fma"): "the shards are of one processor; test_sweep_faults has others",
     ("sweep merge", "--force"): "there is no result yet; test_sweep has one",

@@ -238,10 +238,15 @@ void GuardedChild::end() {
   if (guard_ < 0) return;
   has_ended();
   ::kill(guard_, SIGTERM);
-  for (int i = 0; ::waitpid(guard_, nullptr, WNOHANG) == 0; ++i) {
+  rusage used{};  // by the guard and by all children that it has waited for
+  for (int i = 0; ::wait4(guard_, nullptr, WNOHANG, &used) == 0; ++i) {
     if (i == milliseconds_to_end + 1000) ::kill(guard_, SIGKILL);  // the guard itself was stopped
     ::usleep(1000);
   }
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  cpu_seconds_ = seconds(used.ru_utime) + seconds(used.ru_stime);
   guard_ = -1;
 }
 

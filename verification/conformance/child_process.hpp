@@ -39,9 +39,10 @@ class GuardedChild {
 
   int exit_code() const { return exited_ ? status_ : -1; }             // of a normal end, else −1
   int signal() const { return has_ended_ && !exited_ ? status_ : 0; }  // that ended it, or 0
-  pid_t guard_id() const {
-    return guard_;
-  }  // of the process above the program and all that it starts
+  // CPU time of the program and of all that it had started; known after end().
+  double cpu_seconds() const { return cpu_seconds_; }
+  // The process above the program and all that it starts.
+  pid_t guard_id() const { return guard_; }
 
  private:
   bool ended(int options);
@@ -50,6 +51,7 @@ class GuardedChild {
   bool has_ended_ = false;
   bool exited_ = false;  // with code status_; else killed by signal status_
   int status_ = 0;
+  double cpu_seconds_ = 0;
 };
 
 inline constexpr std::size_t longest_line = std::size_t{1} << 20;
@@ -85,14 +87,15 @@ class ChildProcess {
 
   bool refuses_input() const { return refuses_input_; }
   void kill();
-  // "exits with code 3", "is killed by signal 11 (SIGSEGV, Segmentation fault)", with ", as its exit
-  // code 139 says" where a shell reports it so, "is still running".
+  // "exits with code 3", "is killed by signal 11 (SIGSEGV, Segmentation fault)", with ", as its
+  // exit code 139 says" where a shell reports it so, "is still running".
   std::string end_text();
   bool has_ended() { return child_->has_ended(); }
   int exit_code() { return has_ended() ? child_->exit_code() : -1; }  // of a normal end, else −1
   int signal() { return has_ended() ? child_->signal() : 0; }         // that ended it, or 0
-  const std::string& last_errors() const { return errors_; }  // the last 16 kB of its stderr
-  pid_t guard_id() const { return child_->guard_id(); }       // as of GuardedChild
+  const std::string& last_errors() const { return errors_; }    // the last 16 kB of its stderr
+  pid_t guard_id() const { return child_->guard_id(); }         // as of GuardedChild
+  double cpu_seconds() const { return child_->cpu_seconds(); }  // known after kill()
 
  private:
   bool take_line(std::string& line);

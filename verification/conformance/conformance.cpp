@@ -73,6 +73,49 @@ Measured measure(const TestCase& asked, const Expected& expected, const nlohmann
   return measure_number(asked, expected, value, tolerance);
 }
 
+// The worse of two answers to a case, field by field. A case that is skipped when it is asked again
+// has been answered nevertheless.
+Reply worse_of(const TestCase& asked, Reply first, const Reply& second,
+               const Tolerance& tolerance) {
+  const bool is_lost = second.outcome == Outcome::died || second.outcome == Outcome::late;
+  const bool has_answer = second.outcome == Outcome::answered || second.outcome == Outcome::skipped;
+  if (is_lost ||
+      (first.outcome == Outcome::answered && !has_answer && second.outcome != Outcome::not_asked))
+    return {second.outcome, {}, "when it is asked again: " + second.reason};
+  if (first.outcome != Outcome::answered || second.outcome != Outcome::answered) return first;
+  for (const Expected& expected : asked.expected) {
+    const auto one = first.fields.find(expected.field);
+    const auto other = second.fields.find(expected.field);
+    if (one == first.fields.end()) continue;
+    const auto part = [&](const nlohmann::json& value) {
+      return measure(asked, expected, value, tolerance).part_of_bound;
+    };
+    if (other == second.fields.end())
+      first.fields.erase(one);
+    else if (part(*other) > part(*one))
+      *one = *other;
+  }
+  return first;
+}
+
+void take_worse_answers(Conversation& conversation, const std::vector<TestCase>& cases,
+                        const Tolerance& tolerance) {
+  for (std::size_t i = 0; i < conversation.again.size(); ++i) {
+    const std::size_t of = conversation.again[i];
+    Reply& answer = conversation.answers[of];
+    answer = worse_of(cases[of], std::move(answer), conversation.second_answers[i], tolerance);
+  }
+}
+
+void mark_unsteady(ConformanceResult& result) {
+  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
+  for (QuantityVerdict& one : result.quantities)
+    for (const Unsteady& changing : result.unsteady) {
+      one.is_unsteady |= changing.quantity == one.quantity;
+      one.is_of_unsteady_function |= function(changing.quantity) == function(one.quantity);
+    }
+}
+
 // One quantity of one case.
 struct AskedQuantity {
   const TestCase& asked;
@@ -401,8 +444,11 @@ ConformanceResult judge(std::string subject, const std::vector<TestCase>& cases,
   ConformanceResult result;
   result.subject = std::move(subject);
   result.tolerance = tolerance;
+  result.unsteady = unsteady_quantities(cases, conversation);
+  take_worse_answers(conversation, cases, tolerance);
   result.conversation = std::move(conversation);
   result.quantities = verdicts_on(cases, result.conversation.answers, tolerance);
+  mark_unsteady(result);
   result.losses = losses_of(cases, result.conversation.answers, tolerance);
   result.overall = overall_of(result);
   result.notes = notes_on(cases, result.conversation);

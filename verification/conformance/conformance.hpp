@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "conformance/conversation.hpp"
+#include "conformance/unsteady.hpp"
 
 namespace tribo::conformance {
 
@@ -89,6 +90,8 @@ struct QuantityVerdict {
   std::vector<HeldCase> held_cases;
   std::vector<FailedCase> failed_cases;
   std::string first_reason;  // of the first failure, or of the first skip
+  bool is_unsteady = false;  // an answer changed when it was asked again
+  bool is_of_unsteady_function = false;
 
   std::size_t judged() const { return held + failed; }
   // Every case that fails is one that the subject's end or silence has cost.
@@ -118,7 +121,9 @@ struct ConformanceResult {
   std::size_t sample = 0;  // cases of each function at most; 0: all were asked
   Overall overall = Overall::nothing;
   std::vector<QuantityVerdict> quantities;
-  std::vector<Loss> losses;  // in the order of the cases
+  std::vector<Loss> losses;        // in the order of the cases
+  std::vector<Unsteady> unsteady;  // the quantities whose answers change
+  // Where a case was asked twice, its answer is the worse of both.
   Conversation conversation;
   // Notes on the answers for the user: lines between them, and fields that are no results, as
   // misspelt ones. Each note is one line.

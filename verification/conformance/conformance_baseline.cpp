@@ -94,18 +94,31 @@ std::optional<HeldCase> worst_of_old(const QuantityVerdict& now, const json& bef
   return worst_of(now, [&](const std::string& id) { return !failed.contains(id); });
 }
 
+// Answers of a function change now and then from one ask to the next, those of one quantity in this
+// run and those of another in that. A row without the member is of a function that is steady.
+bool is_unsteady(const json& row) { return row.value("unsteady", false); }
+void put_unsteady(json& row, bool is_so) {
+  if (is_so)
+    row["unsteady"] = true;
+  else
+    row.erase("unsteady");
+}
+
 json row_of(const QuantityVerdict& one) {
   json failed = json::object();
   for (const FailedCase& fault : one.failed_cases) failed[fault.id] = json_of(fault);
   const HeldCase worst = worst_of(one, [](const std::string&) { return true; });
-  return {{"status", name(one.status)}, {"asked", one.asked},         {"held", one.held},
-          {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
+  json row{{"status", name(one.status)}, {"asked", one.asked},         {"held", one.held},
+           {"skipped", one.skipped},     {"worst_error", worst.error}, {"failed", failed}};
+  put_unsteady(row, one.is_of_unsteady_function);
+  return row;
 }
 
 // The row of a quantity that became better. Numbers of it that became worse meanwhile, but not by
 // so much as to be red, stay as they were, so that a baseline does not get worse step by step.
 json merged_row(const QuantityVerdict& now, const json& before) {
   json row = row_of(now);
+  put_unsteady(row, is_unsteady(before));  // one run in which it is steady proves nothing
   for (const FailedCase& one : now.failed_cases)
     if (const auto old = before.at("failed").find(one.id); old != before.at("failed").end())
       if (is_lesser(failed_case(one.id, *old), one)) row["failed"][one.id] = *old;
@@ -192,6 +205,8 @@ Difference what_is_worse(const QuantityVerdict& now, const json& before) {
     return {fmt::format("the worst error was {:.3g}, is {:.3g} (case {}); more than {} times",
                         error, worst->error, worst->id, ratchet),
             "worst_error", error, worst->error};
+  if (now.is_unsteady && !is_unsteady(before))
+    return {"its answers were the same each time, and change now when they are asked again"};
   return {};
 }
 
@@ -218,6 +233,7 @@ Difference what_is_better(const QuantityVerdict& now, const json& before) {
 // The quantity as it would be had the lost cases held that did not fail before.
 QuantityVerdict without_losses(const QuantityVerdict& now, const json& before) {
   QuantityVerdict mended = now;
+  mended.is_unsteady = false;  // the loss may be the change
   mended.failed_cases.clear();
   bool is_as_before = true;  // all that still fails failed before
   for (const FailedCase& one : now.failed_cases) {
@@ -295,6 +311,14 @@ const json& quantities_of(const json& baseline) {
   return baseline.at("quantities");
 }
 
+// The rows of the baseline. Those of the oldest schema do not know what is steady.
+json rows_of(const json& baseline) {
+  json rows = quantities_of(baseline);
+  if (schema_of(baseline) == oldest_schema)
+    for (json& row : rows) put_unsteady(row, true);
+  return rows;
+}
+
 bool is_asked(const std::string& quantity, const ConformanceResult& result) {
   return std::any_of(result.quantities.begin(), result.quantities.end(),
                      [&](const QuantityVerdict& one) { return one.quantity == quantity; });
@@ -314,7 +338,7 @@ std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& 
 }  // namespace
 
 json baseline_of(const ConformanceResult& result, const json& before) {
-  json rows = before.is_null() ? json::object() : quantities_of(before);
+  json rows = before.is_null() ? json::object() : rows_of(before);
   for (const QuantityVerdict& one : result.quantities) {
     if (before.is_null() || (!rows.contains(one.quantity) && one.status != Verdict::failed))
       rows[one.quantity] = row_of(one);
@@ -323,6 +347,8 @@ json baseline_of(const ConformanceResult& result, const json& before) {
     else if (const json& row = rows.at(one.quantity);
              what_is_worse(one, row).text.empty() && !what_is_better(one, row).text.empty())
       rows[one.quantity] = merged_row(one, row);
+    if (!before.is_null() && schema_of(before) == oldest_schema)
+      put_unsteady(rows.at(one.quantity), one.is_of_unsteady_function);
   }
   if (!before.is_null() && is_of_other_version(before))
     for (auto row = rows.begin(); row != rows.end();)
@@ -357,8 +383,11 @@ std::string baseline_text(const json& baseline, std::string_view commit, const s
   file["date"] = date;
   copy(file, baseline, {"subject", "tolerance", "sample", "losses"});
   ordered_json& rows = file["quantities"] = ordered_json::object();
-  for (const auto& [quantity, row] : baseline.at("quantities").items())
-    copy(rows[quantity], row, {"status", "asked", "held", "skipped", "worst_error", "failed"});
+  for (const auto& [quantity, row] : baseline.at("quantities").items()) {
+    copy(rows[quantity], row, {"status", "asked", "held", "skipped", "worst_error"});
+    if (is_unsteady(row)) copy(rows[quantity], row, {"unsteady"});
+    copy(rows[quantity], row, {"failed"});
+  }
   return file.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -377,7 +406,7 @@ void check_comparable(const json& baseline, const Tolerance& tolerance, std::siz
 BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
   check_comparable(baseline, result.tolerance, result.sample);
   BaselineChanges changes;
-  const json& rows = quantities_of(baseline);
+  const json rows = rows_of(baseline);
   const auto note = [](std::vector<BaselineChange>& to, const std::string& quantity,
                        Difference&& found) {
     if (!found.text.empty())

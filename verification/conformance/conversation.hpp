@@ -3,7 +3,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -49,13 +51,28 @@ struct Limits {
   bool flushes = false;  // it is known to write each answer at once
 };
 
+// How many are asked at once, and what is asked twice.
+struct Manner {
+  int processes = 1;               // of the subject
+  std::vector<std::size_t> again;  // cases, in rising order
+};
+
+// Wall time of the run, CPU time of all of the subject's processes, and wall time of each function:
+// from one answer to the next, where several processes are asked in all of them together.
+struct Durations {
+  double run = 0, cpu = 0;  // s
+  std::map<std::string, double> functions;
+};
+
 struct Conversation {
   std::vector<Reply> answers;           // in the order of the cases
+  std::vector<std::size_t> again;       // the cases that were asked twice
+  std::vector<Reply> second_answers;    // to these
   std::vector<std::string> violations;  // of the protocol: the first few, one line each
   std::size_t violation_count = 0;
   std::size_t print_count = 0;  // lines between the answers that are no answers
   std::string first_print;
-  int starts = 0;           // of the subject
+  int starts = 0;           // of the subject, but for processes beside the first
   std::string last_errors;  // what it wrote to stderr last
   // The last lines of that, where cases have no answer: a whole error message.
   std::vector<std::string> error_lines;
@@ -63,10 +80,18 @@ struct Conversation {
   std::string never_answered;            // why; empty where any case has an answer
   int exit_code_without_answer = -1;     // of a subject that ended and never answered
   bool stays = false;                    // it does not end when its input has ended
+  Durations seconds;
 };
 
-// `progress` hears how many cases are settled.
+// `progress` hears how many cases are settled. The cases alone decide which process is asked which;
+// but for durations, several processes give the conversation that one gives, if an answer depends
+// on its question alone. The cases of `again` are asked a second time at the end, of the process
+// that was asked them, in the opposite order; in what is judged they are no cases of their own.
 Conversation ask(const std::string& command, const std::vector<TestCase>& cases,
-                 const Limits& limits, const std::function<void(std::size_t)>& progress);
+                 const Limits& limits, const std::function<void(std::size_t)>& progress,
+                 const Manner& manner = {});
+
+// The cases to ask twice: every 24th of each function and of the paper's scenes, and the first.
+std::vector<std::size_t> cases_to_repeat(const std::vector<TestCase>& cases);
 
 }  // namespace tribo::conformance

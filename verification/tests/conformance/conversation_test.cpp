@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -81,6 +83,43 @@ TEST(Conversation, SaysWhyNoCaseHasAnAnswer) {
   EXPECT_EQ(why("exit 128"), "it exits with code 128");
   EXPECT_EQ(why("exit 255"), "it exits with code 255");
   EXPECT_EQ(why("echo '{\"id\": \"a\"}'; cat > /dev/null"), "");
+}
+
+// Answers with the number of the question and that of the process.
+constexpr const char* counter =
+    R"(n=0; while read -r line; do n=$((n+1)); id=${line##*'"id":"'}; id=${id%%'"'*};
+       echo "{\"id\":\"$id\",\"n\":$n,\"process\":$$}"; done)";
+
+Conversation counted(std::size_t count, const Manner& manner) {
+  std::vector<TestCase> cases;
+  for (std::size_t i = 0; i < count; ++i) cases.push_back(case_of("c" + std::to_string(i)));
+  return ask(
+      counter, cases, {}, [](std::size_t) {}, manner);
+}
+
+TEST(Conversation, AsksAgainAtTheEndInTheOppositeOrder) {
+  const Conversation made = counted(3, {1, {0, 2}});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(made.answers[i].fields["n"], i + 1);
+  EXPECT_EQ(made.again, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(made.second_answers[1].fields["n"], 4);
+  EXPECT_EQ(made.second_answers[0].fields["n"], 5);
+}
+
+TEST(Conversation, WithSeveralProcessesAsksEachCaseOfOneAndGreetsTheOthersWithACase) {
+  const Conversation made = counted(100, {3, {0, 99}});
+  std::map<int, int> most, count;
+  for (const Reply& one : made.answers) {
+    ASSERT_EQ(one.outcome, Outcome::answered);
+    const int process = one.fields["process"], n = one.fields["n"];
+    ++count[process];
+    most[process] = std::max(most[process], n);
+  }
+  ASSERT_EQ(count.size(), 3U);
+  const int first = made.answers[0].fields["process"];
+  for (const auto& [process, n] : count) EXPECT_EQ(most[process], process == first ? n : n + 1);
+  EXPECT_EQ(made.second_answers[0].fields["process"], first);
+  EXPECT_EQ(made.second_answers[1].fields["process"], made.answers[99].fields["process"]);
+  EXPECT_EQ(made.starts, 1);
 }
 
 }  // namespace

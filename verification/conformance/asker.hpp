@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// A subject asked its share of the questions, by one process at a time: started again where it ends
+// or falls silent, and given up where that leads nowhere.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "conformance/child_process.hpp"
+#include "conformance/conformance_case.hpp"
+#include "conformance/conversation.hpp"
+
+namespace tribo::conformance {
+
+using Clock = std::chrono::steady_clock;
+
+inline constexpr std::size_t most_violations = 20;  // that are told; all are counted
+inline constexpr int most_starts = 25;
+std::string too_many_starts();  // why no more is asked
+
+// All questions to a subject, and their replies. A question is a number: that of its case; from the
+// number of cases on, one that asks a case again; and the last one, the greeting, asks a case that
+// another process has answered. Askers that run at the same time have only that one in common.
+class Questions {
+ public:
+  Questions(const std::string& subject, const std::vector<TestCase>& all, const Limits& times,
+            const std::vector<std::size_t>& repeated, std::function<void()> settled);
+
+  bool is_repeat(std::size_t question) const { return question >= cases.size(); }
+  std::size_t greeting() const { return cases.size() + again.size(); }
+  std::size_t case_of(std::size_t question) const;
+  const TestCase& asked(std::size_t question) const { return cases[case_of(question)]; }
+  // Failures in a row are counted within each function; all repeats together are like one function.
+  std::string group(std::size_t question) const;
+  Reply& reply(std::size_t question);  // of none that is a greeting
+  // A case is not asked again where it cost the process the first time, or was not asked at all.
+  bool is_moot(std::size_t question) const;
+  // Asks those of the cases again that are to be, in the opposite order.
+  std::vector<std::size_t> repeats_of(const std::vector<std::size_t>& some) const;
+
+  const std::string& command;
+  const std::vector<TestCase>& cases;
+  const Limits& limits;
+  const std::vector<std::size_t>& again;  // cases, in rising order
+  const std::function<void()> note_settled;
+  const Clock::time_point deadline;
+  std::vector<Reply> answers, second_answers;
+  std::vector<std::size_t> places;  // of the questions, in the order that one process is asked
+  std::size_t greeting_case = 0;
+};
+
+// Patience with a subject that ends or falls silent where it owes an answer: no more of a function
+// is asked once it does so three times in a row.
+class Patience {
+ public:
+  void note_answer() { in_a_row_ = 0; }
+  void note_failure(const Questions& questions, std::size_t question, const std::string& end);
+  bool is_over() const { return in_a_row_ >= most; }
+  const std::string& group() const { return group_; }
+  std::string reason() const;
+
+ private:
+  static constexpr int most = 3;
+
+  int in_a_row_ = 0;
+  std::size_t place_ = 0;
+  std::string group_, end_;
+};
+
+// A fact that was heard while the question of this place was the next to be answered.
+struct Heard {
+  std::size_t place = 0;
+  std::string text;
+};
+
+// The end of a process, or its silence, where it owed an answer.
+struct Breakdown {
+  std::string end;     // "exits with code 3"
+  std::string errors;  // the end of its stderr
+};
+
+// All that an asker tells beside the replies.
+struct Account {
+  std::vector<Heard> violations;  // the first few
+  std::size_t violation_count = 0, print_count = 0;
+  std::optional<Heard> first_print;
+  std::map<std::size_t, Breakdown> breakdowns;  // by their questions
+  std::string final_errors;                     // the end of the last process's stderr
+  std::string bad_end;                          // "it exits with code 3 after its last answer"
+  bool stays = false, answers_at_end_of_input = false;
+  std::string never_answered;
+  int exit_code_without_answer = -1;
+  std::map<std::string, double> seconds;  // of each function
+  double cpu_seconds = 0;
+};
+
+// The reason where no answer came in time; of a process that has answered before, or of another.
+std::string late_text(const Limits& limits, bool has_answered);
+
+class Asker {
+ public:
+  // Takes questions away that others are to ask, of those that are not sent yet.
+  using Share = std::function<void(std::deque<std::size_t>&)>;
+
+  // With `share`, which is called at the first answer, it finds out whether the subject ever
+  // answers. Without it another asker has found that it does.
+  Asker(Questions& questions, std::deque<std::size_t> to_ask, Share share = {});
+
+  // A process that is greeted is then like one that has been asked before, and what it wrote until
+  // it answered is not told. False: it did not answer that, and was asked nothing else.
+  bool run(bool is_greeted);
+
+  Account account;
+
+ private:
+  bool any_to_send();
+  std::string why_never_answered() const;
+  bool start();
+  void send();
+  void step();
+  std::chrono::milliseconds limit() const;
+  void note_reading();
+  void hear(const std::string& line);
+  void note_block();
+  void take(nlohmann::json answer);
+  void note_first_answer(std::size_t question);
+  void hear_garbage(const std::string& line);
+  void note_print(const std::string& line);
+  void print(const std::string& line);
+  void note_violation(std::size_t place, const std::string& what);
+  void stray(std::size_t place, const std::string& what);
+  void flooded();
+  std::size_t next_place() const;
+  void settle_without_answer(Outcome outcome, const std::string& reason);
+  void settle(Outcome outcome, nlohmann::json fields, std::string reason);
+  void fail(Outcome outcome, const std::string& reason, const std::string& end);
+  void died();
+  void hear_the_end();
+  void late();
+  void give_up(const std::string& why);
+  template <class Which>
+  void give_up(const std::string& why, Which&& which);
+  void end_process();
+
+  Questions& questions_;
+  const Share share_;
+  std::unordered_map<std::string, std::size_t> index_of_;  // of the cases, by their ids
+  std::deque<std::size_t> to_ask_, asked_;
+  std::unique_ptr<ChildProcess> process_;
+  Clock::time_point last_progress_;
+  Patience patience_;
+  std::size_t settled_ = 0;
+  std::size_t stray_ = 0;                  // since its last answer
+  std::size_t prints_ = 0;                 // since its last answer
+  std::size_t unread_ = 0;                 // bytes
+  bool has_answered_ = false;              // this process
+  std::optional<std::size_t> last_heard_;  // the case that this process answered last
+  bool is_greeted_ = false;
+  bool is_refused_ = false;  // the greeting has no answer
+  int starts_ = 0;
+  int silent_failures_ = 0;  // before any answer
+  bool any_answer_;
+  bool at_once_ = false;  // all cases in one go, then the end of input
+  std::string broken_;    // why the line that was to answer the next case is no answer
+  std::string broken_line_;
+  std::string first_garbage_;
+  std::string last_end_;
+};
+
+}  // namespace tribo::conformance
