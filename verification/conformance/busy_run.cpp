@@ -20,9 +20,9 @@ constexpr std::chrono::milliseconds glance{100};
 constexpr std::size_t kept_error_lines = 5;
 
 // The lines that ask: some of each function, then the next ones of each, without an end.
-class Questions {
+class QuestionStream {
  public:
-  explicit Questions(const std::vector<TestCase>& cases) {
+  explicit QuestionStream(const std::vector<TestCase>& cases) {
     std::map<std::string, std::size_t> places;
     for (const TestCase& one : cases) {
       const auto [place, is_new] = places.try_emplace(one.function, functions_.size());
@@ -133,7 +133,7 @@ class Run {
   }
 
   const BusySettings& settings_;
-  Questions questions_;
+  QuestionStream questions_;
   ChildProcess child_;
   Clock::time_point end_, first_answer_;
   std::size_t asked_ = 0;
