@@ -115,15 +115,16 @@ void check_names(const std::vector<std::string>& asked, const std::vector<TestCa
 }
 
 struct Offered {
-  std::vector<std::string> functions;
+  std::vector<TestCase> cases;  // that it answers
   bool answers_at_end_of_input = false;
 };
 
-// Asks a few cases of each function.
+// Asks all cases of the functions that are named; else some of each function, as a function that is
+// offered in part skips many of them.
 Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
                    const std::vector<TestCase>& cases) {
-  constexpr std::size_t sample = 3;
-  const std::vector<TestCase> few =
+  const std::size_t sample = arguments.functions.empty() ? 20 : 0;
+  const std::vector<TestCase> asked =
       conformance::cases_for(cases, conformance::engineering_tolerance(), sample);
   conformance::Limits limits;
   limits.first_answer = milliseconds(arguments.start_timeout);
@@ -131,16 +132,16 @@ Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
   limits.one_case = std::min(limits.one_case, limits.first_answer / 2);
   limits.all_cases = milliseconds(arguments.timeout);
   const conformance::Conversation conversation =
-      conformance::ask(profiler.plain_command(), few, limits, [](std::size_t) {});
+      conformance::ask(profiler.plain_command(), asked, limits, [](std::size_t) {});
   if (!conversation.never_answered.empty()) {
     complain_of("the last it wrote to stderr:", conversation.error_lines);
     throw std::invalid_argument(
         fmt::format("{} never answered: {}", arguments.subject(), conversation.never_answered));
   }
   std::vector<TestCase> answered;
-  for (std::size_t i = 0; i < few.size(); ++i)
+  for (std::size_t i = 0; i < asked.size(); ++i)
     if (conversation.answers[i].outcome == conformance::Outcome::answered)
-      answered.push_back(few[i]);
+      answered.push_back(asked[i]);
   const std::vector<std::string> offered = functions_in(answered);
   for (const std::string& one : arguments.functions)
     if (std::find(offered.begin(), offered.end(), one) == offered.end())
@@ -148,7 +149,7 @@ Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
           fmt::format("--function: {} does not offer {}", arguments.subject(), one));
   if (offered.empty())
     throw std::invalid_argument(arguments.subject() + " offers nothing that could be measured");
-  return {offered, conversation.answers_at_end_of_input};
+  return {std::move(answered), conversation.answers_at_end_of_input};
 }
 
 // --- Telling.
@@ -295,7 +296,6 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
   if (!arguments.functions.empty()) cases = cases_of(arguments.functions, std::move(cases));
   const Profiler profiler(arguments.plugin, arguments.command);
   const Offered offered = offered_by(profiler, arguments, cases);
-  cases = cases_of(offered.functions, std::move(cases));
 
   watch_for_stop();
   const WorkFolder folder(arguments.out);
@@ -307,7 +307,7 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
   settings.answers_at_end_of_input = offered.answers_at_end_of_input;
   settings.stopped = [] { return stop_signal() != 0; };
   const conformance::BusyRun run =
-      conformance::keep_busy(profiler.command(folder.path()), cases, settings);
+      conformance::keep_busy(profiler.command(folder.path()), offered.cases, settings);
   if (run.was_stopped) return 128 + stop_signal();
   if (!run.failure.empty()) {
     complain(fmt::format("{} under {} {}", arguments.subject(), profiler.tool_name(), run.failure));
@@ -317,7 +317,7 @@ int measure(const ProfileArguments& arguments, OutputStream& output) {
   Profile profile{arguments.subject(),
                   profiler.tool_name(),
                   profiler.unit(),
-                  offered.functions,
+                  functions_in(offered.cases),
                   run.answers,
                   0,
                   conformance::hot_lines(profiler.measured(folder.path())),

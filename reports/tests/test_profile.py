@@ -239,6 +239,13 @@ class Profile(ProgramTest):
         self.refused("--plugin", library, "--function", "hertz_point", said="does not offer hertz_point")
         self.refused("--subject", self.python(PYTHON.replace('"gaussian_moment"', '"no"')), said="offers nothing")
 
+    def test_a_function_that_is_offered_in_part_is_measured_in_that_part(self):
+        text = PYTHON.replace('== "gaussian_moment":', '== "gaussian_moment" and asked["order"] == 2.5:')
+        profile = self.document("--subject", self.python(text), "--function", "gaussian_moment")
+        self.assertEqual(profile["functions"], ["gaussian_moment"])
+        self.assertEqual(profile["lines"][0]["line"], line_of(text, "def slow"))
+        self.assertEqual(profile["lines"][0]["calls"], profile["answers"])
+
     def test_a_missing_valgrind_is_one_line(self):
         library = self.plugin("-g")
         self.refused("--plugin", library, environment={"PATH": self.folder.name}, said="apt-get install valgrind")
