@@ -75,6 +75,7 @@ def files_in(folder):
                                      (more_load, "MORE_LOAD")):
         assert run("sweep", sweep_file, "-o", paths[word], *shard).code == 0
     wrong = """if name == "hamrock_dowson_central": answer["value"] *= 0.7
+    if name == "barus_viscosity": answer["value"] *= 1 + 1e-9 * os.times().elapsed
     if name == "hertz_line": os.kill(os.getpid(), signal.SIGKILL)"""
     paths |= {"RIGHT": altered(folder, "pass"), "WRONG": altered(folder, wrong, name="wrong.py"),
               "BASE": folder.path("base.json"), "WRONG_BASE": folder.path("wrong_base.json"), "SPEED": folder.path("speed.json")}

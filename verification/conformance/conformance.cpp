@@ -141,13 +141,17 @@ bool is_loss(const Reply& answer) {
   return answer.outcome == Outcome::died || answer.outcome == Outcome::late;
 }
 
+// The same, or it was given up before this case was asked.
+bool is_lost(const Reply& answer) {
+  return is_loss(answer) || answer.outcome == Outcome::not_asked;
+}
+
 // What a subject offers, as all of its answers tell.
 class Offers {
  public:
   Offers(const std::vector<TestCase>& cases, const std::vector<Reply>& answers) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
       const std::string& function = cases[i].function;
-      any_loss_ |= is_loss(answers[i]);
       if (answers[i].outcome == Outcome::skipped) skipped_.insert(function);
       if (answers[i].outcome != Outcome::answered) continue;
       answered_.insert(function);
@@ -165,14 +169,9 @@ class Offers {
     return !(is_lost(of.answer) && skipped_.contains(function));
   }
 
-  bool is_lost(const Reply& answer) const {
-    return is_loss(answer) || (answer.outcome == Outcome::not_asked && any_loss_);
-  }
-
  private:
   std::set<std::string> answered_, skipped_;  // functions
   std::set<std::string> fields_;              // "hertz_point.radius"
-  bool any_loss_ = false;
 };
 
 // The error of an answer; none where the quantity is not offered, for this reason.
@@ -210,7 +209,7 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const Offers& offers
     const double error = of.expected.high != 0 ? found->relative : std::abs(found->got);
     const bool is_beyond = found->how == Failure::number && !std::isfinite(error);
     verdict.failed_cases.push_back(
-        {of.asked.id, is_beyond ? Failure::wrong : found->how, error, offers.is_lost(of.answer)});
+        {of.asked.id, is_beyond ? Failure::wrong : found->how, error, is_lost(of.answer)});
     ++verdict.failed;
     verdict.failed_physical += is_physical ? 1 : 0;
   } else {
@@ -219,8 +218,7 @@ void add(QuantityVerdict& verdict, const AskedQuantity& of, const Offers& offers
     verdict.held_physical += is_physical ? 1 : 0;
   }
   const bool is_lesser = found->part_of_bound <= verdict.worst.part_of_bound;
-  if (verdict.judged() > 1 && (is_lesser || (verdict.failed > 1 && offers.is_lost(of.answer))))
-    return;
+  if (verdict.judged() > 1 && (is_lesser || (verdict.failed > 1 && is_lost(of.answer)))) return;
   verdict.worst = example_of(of, tolerance);
   verdict.worst.part_of_bound = found->part_of_bound;
   verdict.worst_relative = found->relative;
@@ -245,18 +243,21 @@ std::vector<QuantityVerdict> verdicts_on(const std::vector<TestCase>& cases,
       for (const Expected& expected : cases[i].expected) {
         const auto [place, is_new] = places.try_emplace(expected.quantity, verdicts.size());
         if (is_new) verdicts.emplace_back().quantity = expected.quantity;
-        if (offers.is_lost(answers[i]) == lost)
+        if (is_lost(answers[i]) == lost)
           add(verdicts[place->second], {cases[i], expected, answers[i]}, offers, tolerance);
       }
   for (QuantityVerdict& one : verdicts) one.status = status_of(one, tolerance);
   return verdicts;
 }
 
+// The cases that were given up are one loss for each reason.
 std::vector<Loss> losses_of(const std::vector<TestCase>& cases, const std::vector<Reply>& answers,
                             const Tolerance& tolerance) {
   std::vector<Loss> losses;
+  std::set<std::string> given_up;
   for (std::size_t i = 0; i < cases.size(); ++i)
-    if (is_loss(answers[i])) {
+    if (is_loss(answers[i]) ||
+        (answers[i].outcome == Outcome::not_asked && given_up.insert(answers[i].reason).second)) {
       const bool is_physical = std::any_of(cases[i].expected.begin(), cases[i].expected.end(),
                                            [](const Expected& one) { return one.is_physical; });
       losses.push_back(
@@ -373,6 +374,8 @@ std::string loss_text(const std::vector<Loss>& losses, const std::vector<std::st
   std::string text = fmt::format("at case {} ({})", first.id, first.function);
   if (losses.size() > 1) text += fmt::format(" and at {} more", losses.size() - 1);
   text += ": " + first.reason;
+  if (const Loss& last = losses.back(); last.reason != first.reason)
+    text += fmt::format("; at case {}: {}", last.id, last.reason);
   if (!quantities.empty()) text += fmt::format("; lost by this: {}", fmt::join(quantities, ", "));
   return text + fmt::format("; --show {} asks it alone", first.id);
 }

@@ -326,9 +326,9 @@ std::string known_factor(double ratio) {
                                 {1.33333333333333, "4/3"},
                                 {2.506628274631, "√(2π)"},
                                 {1.772453850905516, "√π"},
-                                {1e3, "1000, as between m and mm"},
-                                {1e6, "10⁶, as between m and µm"},
-                                {1e9, "10⁹, as between m and nm"},
+                                {1e3, "1000, as between m and mm, or Pa and kPa"},
+                                {1e6, "10⁶, as between m and µm, or Pa and MPa"},
+                                {1e9, "10⁹, as between m and nm, or Pa and GPa"},
                                 {100, "100, as with percent"},
                                 {4, "4"},
                                 {6.283185307179586, "2π"}};

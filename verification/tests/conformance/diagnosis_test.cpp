@@ -329,19 +329,20 @@ TEST(Limits, OfNumbersAreWhereTheyArePromised) {
     limits.push_back({sentence, -1e-6, above, is_named, 2e-8});
   };
   const double pi = std::numbers::pi;
-  const std::vector<std::pair<double, std::string>> factors{{2, "2."},
-                                                            {pi, "π."},
-                                                            {std::sqrt(2), "√2."},
-                                                            {1.5, "3/2."},
-                                                            {4.0 / 3, "4/3."},
-                                                            {std::sqrt(2 * pi), "√(2π)."},
-                                                            {std::sqrt(pi), "√π."},
-                                                            {1e3, "1000, as between m and mm."},
-                                                            {1e6, "10⁶, as between m and µm."},
-                                                            {1e9, "10⁹, as between m and nm."},
-                                                            {100, "100, as with percent."},
-                                                            {4, "4."},
-                                                            {2 * pi, "2π."}};
+  const std::vector<std::pair<double, std::string>> factors{
+      {2, "2."},
+      {pi, "π."},
+      {std::sqrt(2), "√2."},
+      {1.5, "3/2."},
+      {4.0 / 3, "4/3."},
+      {std::sqrt(2 * pi), "√(2π)."},
+      {std::sqrt(pi), "√π."},
+      {1e3, "1000, as between m and mm, or Pa and kPa."},
+      {1e6, "10⁶, as between m and µm, or Pa and MPa."},
+      {1e9, "10⁹, as between m and nm, or Pa and GPa."},
+      {100, "100, as with percent."},
+      {4, "4."},
+      {2 * pi, "2π."}};
   for (const auto& [factor, name] : factors) {
     add_factor(factor, "too large by a factor of " + name);
     add_factor(1 / factor, "too small by a factor of " + name);

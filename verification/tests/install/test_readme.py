@@ -170,8 +170,8 @@ class Readme(unittest.TestCase):
     def test_the_speed_of_a_solver(self):
         shutil.copy(NEWCOMER, self.folder / "my_solver.py")
         for name in ("libmine.so", "libbefore.so"):
-            self.installed(f"cc -O2 -shared -fPIC -I \"$HOME/tribocheck/include\" {shlex.quote(str(ROOT / 'verification/tests/install/my_library.c'))} "
-                           f"-o {name} -lm")
+            source = shlex.quote(str(ROOT / "verification/conformance/subjects/c_plugin/solver.c"))
+            self.installed(f'cc -O2 -shared -fPIC -I "$HOME/.local/include" {source} -o {name} -lm')
         script, = blocks(CONFORMANCE, "The speed of a solver", "sh")
         first, second, third = script.splitlines()
         self.assertIn("baseline written: speed.json", self.installed(first))
