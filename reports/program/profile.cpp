@@ -119,24 +119,28 @@ struct Offered {
   bool answers_at_end_of_input = false;
 };
 
-// Asks all cases of the functions that are named; else some of each function, as a function that is
-// offered in part skips many of them.
+// Asks three cases of each function, which shows whether answers come at the end of the input
+// alone. Where they come at once, more are asked, as a function that is offered in part skips many
+// of them: all cases of the functions that are named, else some of each function.
 Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
                    const std::vector<TestCase>& cases) {
-  const std::size_t sample = arguments.functions.empty() ? 20 : 0;
-  const std::vector<TestCase> asked =
-      conformance::cases_for(cases, conformance::engineering_tolerance(), sample);
   conformance::Limits limits;
   limits.first_answer = milliseconds(arguments.start_timeout);
   // A subject that is silent for so long is tried with its input closed.
   limits.one_case = std::min(limits.one_case, limits.first_answer / 2);
   limits.all_cases = milliseconds(arguments.timeout);
-  const conformance::Conversation conversation =
-      conformance::ask(profiler.plain_command(), asked, limits, [](std::size_t) {});
-  if (!conversation.never_answered.empty()) {
-    complain_of("the last it wrote to stderr:", conversation.error_lines);
-    throw std::invalid_argument(
-        fmt::format("{} never answered: {}", arguments.subject(), conversation.never_answered));
+  std::vector<TestCase> asked;
+  conformance::Conversation conversation;
+  for (const std::size_t sample :
+       {std::size_t{3}, std::size_t{arguments.functions.empty() ? 20U : 0U}}) {
+    if (conversation.answers_at_end_of_input) break;
+    asked = conformance::cases_for(cases, conformance::engineering_tolerance(), sample);
+    conversation = conformance::ask(profiler.plain_command(), asked, limits, [](std::size_t) {});
+    if (!conversation.never_answered.empty()) {
+      complain_of("the last it wrote to stderr:", conversation.error_lines);
+      throw std::invalid_argument(
+          fmt::format("{} never answered: {}", arguments.subject(), conversation.never_answered));
+    }
   }
   std::vector<TestCase> answered;
   for (std::size_t i = 0; i < asked.size(); ++i)

@@ -178,6 +178,16 @@ class Jobs(unittest.TestCase):
     def test_a_slow_solver_is_red(self):
         self.run_both(NEWCOMER.read_text() + "# slow\n", False, "PASSED, no worse than tribocheck.json", False)
 
+    def test_where_no_version_before_runs_no_speed_is_compared(self):
+        for system in ("github", "gitlab"):
+            folder = pathlib.Path(tempfile.mkdtemp(dir=self.home))
+            self.fill(folder, NEWCOMER.read_text())
+            (folder / "before/my_solver.py").unlink()
+            run = getattr(ci_jobs, f"run_{system}")(folder, self.environment)
+            self.assertTrue(run.is_green, run.said)
+            self.assertIn("the version before does not run, so that no speed is compared", run.summary)
+            self.assertEqual(set(run.kept) - {"summary.md"}, {"tribocheck.xml"})
+
     def test_a_program_that_is_in_the_cache_is_not_built_again(self):
         folder = pathlib.Path(tempfile.mkdtemp(dir=self.home))
         self.fill(folder, NEWCOMER.read_text())
