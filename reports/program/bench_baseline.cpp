@@ -179,7 +179,8 @@ class RowComparison {
       slower.push_back({key, text});
     else if (ratio > told_ratio && *least > *was_median)
       told.push_back({key, fmt::format("{}, {}", percent_slower(ratio), text)});
-    if (greatest < *was_least && ratio < 1 / time_ratio) {
+    const double limit = is_of_solver ? *was_median / solver_ratio : *was_least;
+    if (greatest < limit && ratio < 1 / time_ratio) {
       better.push_back({key, text});
       improved_fields_.insert(improved_fields_.end(), time_fields.begin(), time_fields.end());
     }
