@@ -387,10 +387,10 @@ TEST(PlanReader, DigestFollowsTheTextAndNotItsFolder) {
 
 TEST(PlanReader, ResultsOfTheSameNumbersAreTaken) {
   const SweepPlan plan = plan_of(two_loads, "s.toml");
-  EXPECT_TRUE(is_result_of(plan, plan.digest));
-  EXPECT_TRUE(is_result_of(plan, "4e824314f9d8f0ae07e07d015b7cd0be"));  // as 0.1.0 wrote it
-  EXPECT_FALSE(is_result_of(plan_of(two_loads + "#\n", "s.toml"), plan.digest));
-  EXPECT_FALSE(is_result_of(plan, ""));
+  EXPECT_EQ(is_result_of(plan, plan.digest), true);
+  EXPECT_EQ(is_result_of(plan, "4e824314f9d8f0ae07e07d015b7cd0be"), true);  // as 0.1.0 wrote it
+  EXPECT_EQ(is_result_of(plan_of(two_loads + "#\n", "s.toml"), plan.digest), false);
+  EXPECT_EQ(is_result_of(plan, ""), false);
 }
 
 }  // namespace
