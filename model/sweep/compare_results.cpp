@@ -110,7 +110,7 @@ const T& named(const std::vector<T>& list, const std::string& wanted, std::strin
                        [&](const T& one) { return one.*name_of == wanted; });
 }
 
-// What is compared, and how a refusal names the two files.
+// The two files that are compared, which a refusal names.
 struct Pair {
   const ResultFile& first;
   const ResultFile& second;
@@ -197,25 +197,17 @@ void compare_cases(Counter& counter, const Pair& files, const SceneResult& scene
 }
 
 void compare_points(Counter& counter, const Pair& files, const SceneResult& scene) {
-  const auto measure = [](const std::vector<std::string>& words) {
-    return words.empty() ? relative_difference : word_difference;
+  const auto begin = [&](ComparedKind kind, const std::string& name, const std::string& unit,
+                         const std::vector<std::string>& words) {
+    counter.begin({.scene = scene.id, .kind = kind, .name = name, .unit = unit, .words = words},
+                  words.empty() ? relative_difference : word_difference);
   };
   for (const InputResult& input : scene.inputs) {
-    counter.begin({.scene = scene.id,
-                   .kind = ComparedKind::input,
-                   .name = input.path,
-                   .unit = input.unit,
-                   .words = input.words},
-                  measure(input.words));
+    begin(ComparedKind::input, input.path, input.unit, input.words);
     compare_cases(counter, files, scene, input.path, 1, &ResultFile::input);
   }
   for (const ColumnResult& column : scene.columns) {
-    counter.begin({.scene = scene.id,
-                   .kind = ComparedKind::output,
-                   .name = column.name,
-                   .unit = column.unit,
-                   .words = column.words},
-                  measure(column.words));
+    begin(ComparedKind::output, column.name, column.unit, column.words);
     compare_cases(counter, files, scene, column.name, column.values.size(), &ResultFile::column);
   }
 }

@@ -26,6 +26,7 @@
 #include "conformance/conformance_baseline.hpp"
 #include "conformance/timed_solver.hpp"
 #include "messages.hpp"
+#include "options.hpp"
 #include "page/project_files.hpp"
 #include "shell.hpp"
 
@@ -137,7 +138,7 @@ Measurement measure_contenders(const BenchArguments& arguments) {
         exit_bad,
         fmt::format("tribocheck_bench is not built; `make bench` builds it{}",
                     arguments.has_plugin() ? "; --alone times the plug-in without it" : ""));
-  const auto limit = std::chrono::milliseconds(static_cast<long long>(1000 * arguments.timeout));
+  const std::chrono::milliseconds limit = milliseconds(arguments.timeout);
   const conformance::ChildEnd end = conformance::run_child(command_line(program, arguments), limit);
   if (end.start_error != 0)
     return fail(exit_failed, program.string() + " cannot be started: " +
@@ -252,9 +253,11 @@ void update_baseline(const BenchArguments& arguments, const BenchResults& result
     write_bench_baseline(file, new_bench_baseline(results, before, asked));
     return complain((before.is_null() ? "baseline written: " : "baseline written anew: ") + file);
   }
-  const std::vector<std::string> said = improve(before, results);
+  const nlohmann::json old = before;
+  for (const std::string& line : improve(before, results)) complain(line);
+  const bool is_current = old.at("schema").is_string();  // a number alone up to schema 2
+  if (is_current && before == old) return complain("baseline unchanged: " + file);
   write_bench_baseline(file, before);
-  for (const std::string& line : said) complain(line);
 }
 
 void write_results(const BenchArguments& arguments, const BenchReport& report,

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <fstream>
 #include <stdexcept>
 
@@ -366,13 +364,13 @@ json new_bench_baseline(const BenchResults& results, const json& before, const I
 }
 
 void write_bench_baseline(const std::string& file, const json& content) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::parse(
-      "{" + document_head(fmt::format("{}{}", schema_name, schema)) + "}");
-  all["commit"] = std::string(program_commit());
-  all["date"] = fmt::format("{:%F}", fmt::gmtime(std::time(nullptr)));
-  all["environment"] =
-      content.contains("environment") ? content.at("environment") : environment_json();
-  all["rows"] = content.at("rows");
+  const nlohmann::ordered_json all =
+      document(fmt::format("{}{}", schema_name, schema),
+               {{"commit", program_commit()},
+                {"date", today()},
+                {"environment",
+                 content.contains("environment") ? content.at("environment") : environment_json()},
+                {"rows", content.at("rows")}});
   report::write_file(file, all.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "conformance/timed_solver.hpp"
+#include "options.hpp"
 #include "page/project_files.hpp"
 #include "progress.hpp"
 #include "shell.hpp"
@@ -49,12 +50,10 @@ std::string name_of_solver(const std::string& given, bool is_plugin) {
 }
 
 std::string command_of(const std::string& given, bool is_plugin) {
-  if (!is_plugin) return given;
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  return "exec " + shell_word(self) + " plugin-host --time " + shell_word(given);
+  return is_plugin ? plugin_host_command(given, "--time") : given;
 }
 
-// What is known of one solver.
+// All that is known of one solver.
 struct Measuring {
   std::string given, name, family;
   std::vector<TimedFunction> functions;
@@ -66,14 +65,8 @@ struct Measuring {
 };
 
 void check_startable(const SolverRun& run) {
-  for (const std::string& given : run.solvers) {
-    if (run.are_plugins && !std::filesystem::exists(given))
-      throw std::invalid_argument(
-          fmt::format("--plugin: there is no file {}; correct the path, or build it first", given));
-    if (run.are_plugins) continue;
-    if (const std::optional<std::string> why_not = why_not_startable(given))
-      throw std::invalid_argument("--subject: " + *why_not);
-  }
+  for (const std::string& given : run.solvers)
+    check_solver(run.are_plugins ? given : "", run.are_plugins ? "" : given);
 }
 
 std::vector<Measuring> measurings(const SolverRun& run, const IsRun& is_run) {
@@ -200,8 +193,7 @@ std::optional<Ratio> over_base(const std::vector<Measuring>& solvers, std::size_
 }  // namespace
 
 BenchResults measure_solvers(const SolverRun& run, const IsRun& is_run) {
-  const Clock::time_point deadline =
-      Clock::now() + std::chrono::milliseconds(static_cast<long long>(1000 * run.timeout));
+  const Clock::time_point deadline = Clock::now() + milliseconds(run.timeout);
   check_startable(run);
   std::vector<Measuring> solvers = measurings(run, is_run);
   {

@@ -171,9 +171,7 @@ Json comparison_json(const BenchReport& report) {
 }
 
 void append_json(Text& to, const BenchReport& report) {
-  Json all = Json::parse("{" + document_head("bench/1") + "}");
-  all["commit"] = std::string(program_commit());
-  all["rows"] = Json::array();
+  Json all = document("bench/1", {{"commit", program_commit()}, {"rows", Json::array()}});
   for (const BenchJob& job : report.results.jobs)
     for (const BenchRow& row : job.rows) {
       Json object{{"job", row.job}, {"family", row.family}, {"name", row.name}};

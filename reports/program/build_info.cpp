@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "build_info.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "build_commit.hpp"
@@ -18,6 +20,8 @@ std::string_view program_commit() {
 std::string version_line() {
   return fmt::format("tribocheck {} (commit {})", version, program_commit());
 }
+
+std::string today() { return fmt::format("{:%F}", fmt::gmtime(std::time(nullptr))); }
 
 std::string document_head(std::string_view schema) {
   return fmt::format(R"("schema": "{}", "version": "{}")", schema, version);

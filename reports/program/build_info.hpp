@@ -15,6 +15,8 @@ std::string_view program_commit();
 // "tribocheck 0.2.0 (commit 9d7fa6d…)".
 std::string version_line();
 
+std::string today();  // in UTC, as 2026-11-26
+
 // `"schema": "solve/1", "version": "0.2.0"`, the members with which a JSON document begins.
 // `schema` names the file of reference/schemas that describes the document, and its number, which
 // grows when a member is taken away, renamed, or given another meaning.

@@ -116,10 +116,9 @@ std::string comparison(const Example& one) {
 // The diagnoses of the quantity's function; each explains all quantities of the function.
 std::vector<const Diagnosis*> diagnoses_of(const SubjectVerdict& verdict,
                                            const std::string& quantity) {
-  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
   std::vector<const Diagnosis*> found;
   for (const Diagnosis& one : verdict.diagnoses)
-    if (function(one.quantity) == function(quantity)) found.push_back(&one);
+    if (function_of(one.quantity) == function_of(quantity)) found.push_back(&one);
   return found;
 }
 
@@ -184,17 +183,15 @@ void append_examples(Text& to, const ConformanceResult& result) {
 // A sentence on quantities that are not offered, which take no rows of a table. A function of which
 // none is offered is named once. Empty where all are offered.
 std::string not_offered(const ConformanceResult& result) {
-  const auto function = [](const QuantityVerdict& one) {
-    return one.quantity.substr(0, one.quantity.find('.'));
-  };
   std::vector<std::string> names;
   for (const QuantityVerdict& one : result.quantities) {
     if (one.status != Verdict::not_offered) continue;
     const bool is_whole =
         std::all_of(result.quantities.begin(), result.quantities.end(), [&](const auto& other) {
-          return function(other) != function(one) || other.status == Verdict::not_offered;
+          return function_of(other.quantity) != function_of(one.quantity) ||
+                 other.status == Verdict::not_offered;
         });
-    const std::string name = is_whole ? function(one) : one.quantity;
+    const std::string name = is_whole ? function_of(one.quantity) : one.quantity;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names.empty() ? "" : "Not offered: " + joined(names) + ".";
@@ -293,22 +290,23 @@ void append_subject_json(Text& to, const SubjectVerdict& verdict) {
   const ConformanceResult& result = verdict.result;
   const Conversation& talk = result.conversation;
   // Numbers that are not finite are written as null.
-  ordered_json all = ordered_json::parse("{" + document_head("verify-subject/1") + "}");
-  all.update({{"subject", result.subject},
-              {"tolerance", result.tolerance.name},
-              {"sample", result.sample == 0 ? ordered_json("all") : ordered_json(result.sample)},
-              {"overall", overall(verdict)},
-              {"summary", summary(verdict)},
-              {"quantities", ordered_json::array()},
-              {"examples", ordered_json::array()},
-              {"diagnoses", ordered_json::array()},
-              {"losses", ordered_json::array()},
-              {"violation_count", talk.violation_count},
-              {"violations", talk.violations},
-              {"starts", talk.starts},
-              {"answers_at_end_of_input", talk.answers_at_end_of_input},
-              {"notes", result.notes},
-              {"last_errors", talk.last_errors}});
+  ordered_json all =
+      document("verify-subject/1",
+               {{"subject", result.subject},
+                {"tolerance", result.tolerance.name},
+                {"sample", result.sample == 0 ? ordered_json("all") : ordered_json(result.sample)},
+                {"overall", overall(verdict)},
+                {"summary", summary(verdict)},
+                {"quantities", ordered_json::array()},
+                {"examples", ordered_json::array()},
+                {"diagnoses", ordered_json::array()},
+                {"losses", ordered_json::array()},
+                {"violation_count", talk.violation_count},
+                {"violations", talk.violations},
+                {"starts", talk.starts},
+                {"answers_at_end_of_input", talk.answers_at_end_of_input},
+                {"notes", result.notes},
+                {"last_errors", talk.last_errors}});
   for (const QuantityVerdict& one : result.quantities) {
     const Example& worst = one.worst;
     all["quantities"].push_back({{"quantity", one.quantity},
@@ -401,12 +399,12 @@ void append_subject_markdown(Text& to, const SubjectVerdict& verdict) {
 // A quantity's part of the seconds of its function, which asks for all of its quantities at once:
 // so the parts add up to the run.
 double seconds_of(const ConformanceResult& result, const std::string& quantity) {
-  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
-  const auto sharing = std::count_if(
-      result.quantities.begin(), result.quantities.end(),
-      [&](const QuantityVerdict& one) { return function(one.quantity) == function(quantity); });
+  const auto sharing = std::count_if(result.quantities.begin(), result.quantities.end(),
+                                     [&](const QuantityVerdict& one) {
+                                       return function_of(one.quantity) == function_of(quantity);
+                                     });
   const auto& all = result.conversation.seconds.functions;
-  const auto found = all.find(function(quantity));
+  const auto found = all.find(function_of(quantity));
   return found == all.end() ? 0 : found->second / static_cast<double>(sharing);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,11 @@ struct Ignored {
 // of a subcommand, or one without a value, as an unset variable of a shell gives it. Empty where
 // there is none. An option whose value may be empty expects 0 to 1 values.
 std::string ignored_option(const CLI::App& command, const std::vector<Ignored>& table);
+
+// A limit of time that an option gives in seconds.
+inline std::chrono::milliseconds milliseconds(double seconds) {
+  return std::chrono::milliseconds(static_cast<long long>(1000 * seconds));
+}
 
 // Adds an option that is a number. CLI11's own conversion rounds twice and lets "nan" through.
 // `allowed` tells in words which numbers `is_allowed` takes.

@@ -19,6 +19,7 @@
 #include "command.hpp"
 #include "conformance/busy_run.hpp"
 #include "conformance/conformance.hpp"
+#include "options.hpp"
 #include "page/project_files.hpp"
 #include "page/rendering.hpp"
 #include "page/text_table.hpp"
@@ -78,10 +79,6 @@ class WorkFolder {
   bool is_kept_;
 };
 
-std::chrono::milliseconds milliseconds(double seconds) {
-  return std::chrono::milliseconds(static_cast<long long>(1000 * seconds));
-}
-
 // --- The cases that keep the solver busy.
 
 std::vector<std::string> functions_in(const std::vector<TestCase>& cases) {
@@ -131,8 +128,8 @@ Offered offered_by(const Profiler& profiler, const ProfileArguments& arguments,
   limits.all_cases = milliseconds(arguments.timeout);
   std::vector<TestCase> asked;
   conformance::Conversation conversation;
-  for (const std::size_t sample :
-       {std::size_t{3}, std::size_t{arguments.functions.empty() ? 20U : 0U}}) {
+  const std::size_t all = 0, some = 20, few = 3;
+  for (const std::size_t sample : {few, arguments.functions.empty() ? some : all}) {
     if (conversation.answers_at_end_of_input) break;
     asked = conformance::cases_for(cases, conformance::engineering_tolerance(), sample);
     conversation = conformance::ask(profiler.plain_command(), asked, limits, [](std::size_t) {});
@@ -271,8 +268,8 @@ std::string json_text(const Profile& profile, std::size_t most) {
          {"cost", line.cost},
          {"share", line.cost / profile.total}});
   }
-  const std::string text = object.dump(1, ' ', false, ordered_json::error_handler_t::replace);
-  return "{\n " + document_head("profile/1") + "," + text.substr(1) + "\n";
+  return document("profile/1", object).dump(1, ' ', false, ordered_json::error_handler_t::replace) +
+         "\n";
 }
 
 // Returns whether the picture was drawn.

@@ -29,8 +29,6 @@ std::string without_links(const std::string& path) {
   return error ? path : real.string();
 }
 
-std::string this_program() { return fs::read_symlink("/proc/self/exe").string(); }
-
 bool is_python(const std::string& program) {
   return fs::path(program).filename().string().starts_with("python");
 }
@@ -81,17 +79,14 @@ void check_valgrind() {
 }  // namespace
 
 Profiler::Profiler(const std::string& plugin, const std::string& command) {
+  check_solver(plugin, command);
   if (!plugin.empty()) {
-    if (!fs::exists(plugin))
-      throw std::invalid_argument(fmt::format(
-          "--plugin: there is no file {}; correct the path, or build it first", plugin));
-    words_ = {this_program(), "plugin-host", plugin};
+    words_ = plugin_host(plugin);
     own_object_ = without_links(plugin);
-    plain_ = "exec " + shell_word(words_[0]) + " plugin-host " + shell_word(plugin);
+    plain_ = plugin_host_command(plugin);
     check_valgrind();
     return;
   }
-  if (const std::optional<std::string> why_not = why_not_startable(command)) refuse(*why_not);
   const std::optional<std::vector<std::string>> words = words_of(command);
   if (!words || words->empty())
     refuse("only the shell can read this; give a program and its arguments alone");

@@ -29,7 +29,7 @@ class Profiler {
   std::filesystem::path raw_file(const std::filesystem::path& folder) const;
   std::vector<std::string> command(const std::filesystem::path& folder) const;
 
-  // What the tool has measured. Throws std::runtime_error with one line.
+  // The result of the tool. Throws std::runtime_error with one line.
   conformance::CallGraph measured(const std::filesystem::path& folder) const;
 
  private:

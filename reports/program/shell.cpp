@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -102,6 +103,27 @@ std::optional<std::string> why_not_startable(const std::string& command) {
     return fmt::format(
         "{} may not be executed; chmod +x it, or put the program that runs it in front", *program);
   return std::nullopt;
+}
+
+void check_solver(const std::string& plugin, const std::string& command) {
+  if (plugin.empty()) {
+    if (const std::optional<std::string> why_not = why_not_startable(command))
+      throw std::invalid_argument("--subject: " + *why_not);
+  } else if (!std::filesystem::exists(plugin)) {
+    throw std::invalid_argument(
+        fmt::format("--plugin: there is no file {}; correct the path, or build it first", plugin));
+  }
+}
+
+std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::vector<std::string> plugin_host(const std::string& plugin) {
+  return {this_program(), "plugin-host", plugin};
+}
+
+std::string plugin_host_command(const std::string& plugin, const std::string& option) {
+  return fmt::format("exec {} plugin-host {}{}", shell_word(this_program()),
+                     option.empty() ? "" : option + ' ', shell_word(plugin));
 }
 
 std::string helper_program(const std::string& name) {

@@ -24,6 +24,17 @@ std::string found_by_shell(const std::string& program);
 // be started, or if only the shell can read the start of the line, such as a variable.
 std::optional<std::string> why_not_startable(const std::string& command);
 
+// Throws std::invalid_argument with one line where a plug-in is not there, or the program of a
+// subject's command line cannot be started. One of them is given, the other one is empty.
+void check_solver(const std::string& plugin, const std::string& command);
+
+std::string this_program();  // the path of its file
+
+// The words that run a plug-in in a process of its own, so that it cannot take this one with it,
+// and the command line of the shell that has them.
+std::vector<std::string> plugin_host(const std::string& plugin);
+std::string plugin_host_command(const std::string& plugin, const std::string& option = {});
+
 // The path of a program that is built with this one: beside it, or where an installation puts
 // helpers. Empty where it is not there.
 std::string helper_program(const std::string& name);

@@ -168,8 +168,10 @@ void append_json(Text& to, const ComparedResults& results, const SweepDiffArgume
   }
   for (const Difference& one : results.worst)
     object["differences"].push_back(difference_json(results.columns[one.column], one));
-  const std::string text = object.dump(1, ' ', false, ordered_json::error_handler_t::replace);
-  append(to, "{\n " + document_head("sweep-diff/1") + "," + text.substr(1) + "\n");
+  append(
+      to,
+      document("sweep-diff/1", object).dump(1, ' ', false, ordered_json::error_handler_t::replace) +
+          "\n");
 }
 
 }  // namespace

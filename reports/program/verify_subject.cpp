@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verify_subject.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -13,6 +11,7 @@
 
 #include "build_info.hpp"
 #include "messages.hpp"
+#include "options.hpp"
 #include "page/project_files.hpp"
 #include "progress.hpp"
 #include "shell.hpp"
@@ -33,32 +32,16 @@ struct Subject {
   bool is_plugin() const { return limits.flushes; }
 };
 
-// A plug-in is asked through a process of its own, so that it cannot take the run with it.
-std::string command_of(const SubjectArguments& given) {
-  if (given.plugin.empty()) return given.command;
-  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  return "exec " + shell_word(self) + " plugin-host " + shell_word(given.plugin);
-}
-
 // Empty where neither --subject nor --plugin is given. A program that does not exist is bad input,
 // not a solver that fails.
 std::optional<Subject> subject_of(const SubjectArguments& given) {
   if (!given.has_subject()) return std::nullopt;
-  const auto milliseconds = [](double seconds) {
-    return std::chrono::milliseconds(static_cast<long long>(1000 * seconds));
-  };
+  check_solver(given.plugin, given.command);
   const bool is_plugin = !given.plugin.empty();
-  Subject subject{is_plugin ? given.plugin : given.command,
-                  command_of(given),
-                  {milliseconds(given.case_timeout), milliseconds(given.start_timeout),
-                   milliseconds(given.timeout), is_plugin}};
-  if (is_plugin && !std::filesystem::exists(given.plugin))
-    throw std::invalid_argument(fmt::format(
-        "--plugin: there is no file {}; correct the path, or build it first", given.plugin));
-  if (!is_plugin)
-    if (const std::optional<std::string> why_not = why_not_startable(given.command))
-      throw std::invalid_argument("--subject: " + *why_not);
-  return subject;
+  return Subject{is_plugin ? given.plugin : given.command,
+                 is_plugin ? plugin_host_command(given.plugin) : given.command,
+                 {milliseconds(given.case_timeout), milliseconds(given.start_timeout),
+                  milliseconds(given.timeout), is_plugin}};
 }
 
 // Checked after the run: only the shell (exit codes 126 and 127) or the process that loads the
@@ -67,13 +50,9 @@ void check_started(const Subject& subject, const Conversation& conversation) {
   const int code = conversation.exit_code_without_answer;
   const bool of_plugin = subject.is_plugin() && code == exit_bad;
   if (code != 126 && code != 127 && !of_plugin) return;
-  std::string why = conversation.last_errors;
-  while (why.ends_with('\n')) why.pop_back();
-  why.erase(0, why.rfind('\n') + 1);
-  const std::string own_prefix = "tribocheck: ";
-  if (of_plugin && why.starts_with(own_prefix)) why.erase(0, own_prefix.size());
   throw std::invalid_argument(
-      fmt::format("{}: {}", of_plugin ? "--plugin" : "--subject: it cannot be started", why));
+      fmt::format("{}: {}", of_plugin ? "--plugin" : "--subject: it cannot be started",
+                  last_line(conversation.last_errors)));
 }
 
 Conversation conversation_with(const Subject& subject, const std::vector<TestCase>& cases,
@@ -105,8 +84,6 @@ std::string renewal(const SubjectArguments& arguments) {
   return line + option_text("--baseline", arguments.baseline.file) + " --update-baseline --force";
 }
 
-std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))); }
-
 // Writes the baseline anew where that was asked for, and it would not hold the subject to the same.
 void update_baseline(const BaselineUse& use, const nlohmann::json& before,
                      SubjectVerdict& verdict) {
@@ -125,7 +102,10 @@ void update_baseline(const BaselineUse& use, const nlohmann::json& before,
   tell("shortened", verdict.changes->gone);
   tell(use.force ? "lowered" : "kept", verdict.changes->worse);
   if (!is_new) complain("baseline unchanged: " + use.file);
-  if (use.force) verdict.changes = compare(verdict.result, after);
+  if (!use.force) return;
+  for (const BaselineChange& one : verdict.changes->worse)
+    verdict.result.notes.push_back("The baseline was lowered: " + one.text);
+  verdict.changes = compare(verdict.result, after);
 }
 
 // The cases that --show names.

@@ -109,6 +109,7 @@ class Breaks(ProgramTest):
         self.assertEqual(json.loads(pathlib.Path(self.baseline).read_text())["losses"], [])
         forced = self.ask(crash, "engineering", "--update-baseline", "--force")
         self.assertIn("baseline lowered: subject: at case m", forced.err)
+        self.assertIn("The baseline was lowered: subject: at case m", "\n".join(forced.json()["notes"]))
         self.assertEqual(self.worse(crash), [])
         self.assertIn("subject: it goes on at ", self.ask("pass").out)
 

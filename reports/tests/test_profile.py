@@ -188,6 +188,8 @@ class Profile(ProgramTest):
         self.assertLess(lines["quick"]["share"], 0.1)
         self.assertEqual({line["file"] for line in one["lines"]}, {command.split()[1]})
         self.assertEqual(lines["slow"]["calls"], one["answers"])
+        longer = run("profile", "--subject", command, "--seconds", "1", "--format", "json").json()  # five times as long
+        self.assertGreater(longer["answers"], 2 * one["answers"])
 
     def test_a_python_module_and_options_of_python(self):
         self.python()

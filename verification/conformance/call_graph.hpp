@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a profiler measured: functions, what each line of them cost, and who called whom. From it
+// The result of a profiler: functions, the cost of each line of them, and who called whom. From it
 // follow the lines of a solver that cost most.
 #pragma once
 

@@ -73,13 +73,17 @@ Measured measure(const TestCase& asked, const Expected& expected, const nlohmann
   return measure_number(asked, expected, value, tolerance);
 }
 
+// The subject ended while this case was the next one, or it was late.
+bool is_loss(const Reply& answer) {
+  return answer.outcome == Outcome::died || answer.outcome == Outcome::late;
+}
+
 // The worse of two answers to a case, field by field. A case that is skipped when it is asked again
 // has been answered nevertheless.
 Reply worse_of(const TestCase& asked, Reply first, const Reply& second,
                const Tolerance& tolerance) {
-  const bool is_lost = second.outcome == Outcome::died || second.outcome == Outcome::late;
   const bool has_answer = second.outcome == Outcome::answered || second.outcome == Outcome::skipped;
-  if (is_lost ||
+  if (is_loss(second) ||
       (first.outcome == Outcome::answered && !has_answer && second.outcome != Outcome::not_asked))
     return {second.outcome, {}, "when it is asked again: " + second.reason};
   if (first.outcome != Outcome::answered || second.outcome != Outcome::answered) return first;
@@ -108,11 +112,10 @@ void take_worse_answers(Conversation& conversation, const std::vector<TestCase>&
 }
 
 void mark_unsteady(ConformanceResult& result) {
-  const auto function = [](const std::string& name) { return name.substr(0, name.find('.')); };
   for (QuantityVerdict& one : result.quantities)
     for (const Unsteady& changing : result.unsteady) {
       one.is_unsteady |= changing.quantity == one.quantity;
-      one.is_of_unsteady_function |= function(changing.quantity) == function(one.quantity);
+      one.is_of_unsteady_function |= function_of(changing.quantity) == function_of(one.quantity);
     }
 }
 
@@ -136,17 +139,12 @@ Example example_of(const AskedQuantity& of, const Tolerance& tolerance) {
   return made;
 }
 
-// The subject ended while this case was the next one, or it was late.
-bool is_loss(const Reply& answer) {
-  return answer.outcome == Outcome::died || answer.outcome == Outcome::late;
-}
-
-// The same, or it was given up before this case was asked.
+// It ended, was late, or was given up before this case was asked.
 bool is_lost(const Reply& answer) {
   return is_loss(answer) || answer.outcome == Outcome::not_asked;
 }
 
-// What a subject offers, as all of its answers tell.
+// The functions and fields that a subject offers, as all of its answers tell.
 class Offers {
  public:
   Offers(const std::vector<TestCase>& cases, const std::vector<Reply>& answers) {
@@ -367,6 +365,10 @@ double allowed_error(const TestCase& asked, const Expected& expected, const Tole
 bool QuantityVerdict::fails_by_losses_alone() const {
   return failed > 0 && std::all_of(failed_cases.begin(), failed_cases.end(),
                                    [](const FailedCase& one) { return one.is_lost; });
+}
+
+std::string function_of(const std::string& quantity) {
+  return quantity.substr(0, quantity.find('.'));
 }
 
 std::string loss_text(const std::vector<Loss>& losses, const std::vector<std::string>& quantities) {

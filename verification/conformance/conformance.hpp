@@ -98,6 +98,9 @@ struct QuantityVerdict {
   bool fails_by_losses_alone() const;
 };
 
+// "hertz_point" of "hertz_point.radius"; a function with one result is called as its quantity.
+std::string function_of(const std::string& quantity);
+
 // A case at which the subject ended, or gave no answer in time. It is one fault of the subject,
 // whatever number of quantities it costs a case.
 struct Loss {

@@ -324,10 +324,11 @@ bool is_asked(const std::string& quantity, const ConformanceResult& result) {
                      [&](const QuantityVerdict& one) { return one.quantity == quantity; });
 }
 
-// Another version of this program may ask for other quantities.
+// Another version of this program may ask for other quantities. Files of the oldest schema do not
+// tell theirs.
+bool is_of_version(const json& baseline) { return baseline.value("version", "") == version; }
 bool is_of_other_version(const json& baseline) {
-  const std::string was = baseline.value("version", "");
-  return !was.empty() && was != version;
+  return baseline.contains("version") && !is_of_version(baseline);
 }
 
 std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& error) {
@@ -340,9 +341,10 @@ std::invalid_argument no_baseline(const BaselineUse& use, const std::exception& 
 json baseline_of(const ConformanceResult& result, const json& before) {
   json rows = before.is_null() ? json::object() : rows_of(before);
   for (const QuantityVerdict& one : result.quantities) {
-    if (before.is_null() || (!rows.contains(one.quantity) && one.status != Verdict::failed))
+    const bool is_new = !rows.contains(one.quantity);
+    if (before.is_null() || (is_new && one.status != Verdict::failed && !is_of_version(before)))
       rows[one.quantity] = row_of(one);
-    else if (!rows.contains(one.quantity))
+    else if (is_new)
       continue;
     else if (const json& row = rows.at(one.quantity);
              what_is_worse(one, row).text.empty() && !what_is_better(one, row).text.empty())
@@ -420,8 +422,10 @@ BaselineChanges compare(const ConformanceResult& result, const json& baseline) {
     const bool has_failed = one.status == Verdict::failed;
     if (!rows.contains(one.quantity)) {
       const std::string status(name(one.status));
-      note(has_failed ? changes.worse : changes.fresh, one.quantity,
-           {has_failed ? "is new, and fails" : "is new, " + status, "status", nullptr, status});
+      const bool is_missed = is_of_version(baseline);  // this version writes all that it asks
+      const std::string where = is_missed ? "is missing in the file" : "is new";
+      note(has_failed || is_missed ? changes.worse : changes.fresh, one.quantity,
+           {where + (has_failed ? ", and fails" : ", " + status), "status", nullptr, status});
       continue;
     }
     const json& before = rows.at(one.quantity);

@@ -280,6 +280,14 @@ std::string line_of(const json& value) {
 
 std::string start_of(const std::string& text) { return printable(text, 80); }
 
+std::string last_line(std::string errors) {
+  while (errors.ends_with('\n')) errors.pop_back();
+  errors.erase(0, errors.rfind('\n') + 1);
+  const std::string own_prefix = "tribocheck: ";
+  if (errors.starts_with(own_prefix)) errors.erase(0, own_prefix.size());
+  return errors;
+}
+
 Conversation ask(const std::string& command, const std::vector<TestCase>& cases,
                  const Limits& limits, const std::function<void(std::size_t)>& progress,
                  const Manner& manner) {

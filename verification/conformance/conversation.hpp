@@ -27,6 +27,9 @@ std::string line_of(const nlohmann::json& value);
 // The start of a text, printable, for one line of a message.
 std::string start_of(const std::string& text);
 
+// The last line of what a program wrote to stderr, without the name of this program in front.
+std::string last_line(std::string errors);
+
 enum class Outcome : std::uint8_t {
   answered,
   skipped,    // {"skip": reason}

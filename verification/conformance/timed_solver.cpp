@@ -21,14 +21,6 @@ constexpr std::size_t most_passes = 1000;
 constexpr unsigned microseconds_between_looks = 500;
 constexpr int exit_failed = 1, exit_bad = 2;
 
-std::string last_line(std::string text) {
-  while (text.ends_with('\n')) text.pop_back();
-  text.erase(0, text.rfind('\n') + 1);
-  const std::string own_prefix = "tribocheck: ";
-  if (text.starts_with(own_prefix)) text.erase(0, own_prefix.size());
-  return text;
-}
-
 }  // namespace
 
 const char* name_of(Measured measured) {

@@ -81,10 +81,8 @@ std::vector<std::string> unsteady_lines(const std::vector<Unsteady>& unsteady) {
   if (unsteady.empty()) return {};
   std::vector<std::string> lines{
       "Asked the same again, after other questions, it gives another answer: it keeps something "
-      "from "
-      "one question to the next, as a cache with a wrong key, reads memory that is not set, or "
-      "adds in "
-      "another order each time:"};
+      "from one question to the next, as a cache with a wrong key, reads memory that is not set, "
+      "or adds in another order each time:"};
   for (const Unsteady& one : unsteady) {
     if (lines.size() > most_lines) {
       lines.push_back(fmt::format("  and {} quantities more", unsteady.size() - most_lines));

@@ -37,7 +37,7 @@ std::vector<Unsteady> unsteady_quantities(const std::vector<TestCase>& cases,
 // One sentence, and a line for each of the first few quantities; empty where none changes.
 std::vector<std::string> unsteady_lines(const std::vector<Unsteady>& unsteady);
 
-// "3.2e-08 m, then 3.3e-08 m, which is 0.03 of it apart".
+// "3.2e-08 m, then 3.3e-08 m, 0.03 of it apart".
 std::string change_text(const Unsteady& one);
 
 }  // namespace tribo::conformance

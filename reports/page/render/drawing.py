@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws the figures with gnuplot, each as SVG and as PNG, and puts an SVG into the page."""
+import argparse
 import contextlib
 import html
 import json
@@ -92,6 +93,25 @@ def draw(drawing, data, target):
         elif target.suffix == ".svg":
             unfinished.write_text(without_scripts(unfinished.read_text(encoding="utf-8")), encoding="utf-8")
         return why
+
+
+def draw_one(description, name, blocks, drawn):
+    """The whole of a script that draws one answer of the program: DATA is its JSON, `blocks` makes the file NAME.blocks.tsv
+    of it, which gnuplot reads, and `drawn` the figure. Prints what was drawn, as JSON."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("data", metavar="DATA", type=pathlib.Path)
+    parser.add_argument("picture", metavar="PICTURE", type=pathlib.Path)
+    arguments = parser.parse_args()
+    data = read_data(arguments.data)
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, f"{name}.blocks.tsv").write_text(blocks(data), encoding="utf-8")
+            why = draw(drawn(data, folder), folder, arguments.picture)
+    except OSError as error:
+        why = f"cannot write {arguments.picture}: {error.strerror}"
+    if why == NO_GNUPLOT:
+        why += ": no picture (Debian: apt-get install gnuplot-nox)"
+    print(json.dumps({"written": [] if why else [str(arguments.picture)], "undrawn": [why] if why else []}))
 
 
 @contextlib.contextmanager

@@ -2,14 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The picture of one solved line contact: its pressure beside Hertz', and its film beside the formulas'.
 
-`tribocheck film --picture` calls this. CONTACT is one film of what `tribocheck film --profile --format json`
+`tribocheck film --picture` calls this. DATA is one film of what `tribocheck film --profile --format json`
 prints. Prints what was drawn, as JSON.
 """
-import argparse
-import json
-import pathlib
-import tempfile
-
 import drawing
 from numbers_text import rounded
 
@@ -116,22 +111,5 @@ def drawn(contact, data):
             "subtitle": drawing.enhanced(text)}
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("contact", metavar="CONTACT", type=pathlib.Path)
-    parser.add_argument("picture", metavar="PICTURE", type=pathlib.Path)
-    arguments = parser.parse_args()
-    contact = drawing.read_data(arguments.contact)
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            pathlib.Path(folder, "film.blocks.tsv").write_text(blocks(contact), encoding="utf-8")
-            why = drawing.draw(drawn(contact, folder), folder, arguments.picture)
-    except OSError as error:
-        why = f"cannot write {arguments.picture}: {error.strerror}"
-    if why == drawing.NO_GNUPLOT:
-        why += ": no picture (Debian: apt-get install gnuplot-nox)"
-    print(json.dumps({"written": [] if why else [str(arguments.picture)], "undrawn": [why] if why else []}))
-
-
 if __name__ == "__main__":
-    main()
+    drawing.draw_one(__doc__, "film", blocks, drawn)

@@ -2,13 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The picture of a profile: a bar for each of the lines on which a solver's time goes.
 
-`tribocheck profile --picture` calls this. PROFILE is what `tribocheck profile --format json` prints. Prints what was
+`tribocheck profile --picture` calls this. DATA is what `tribocheck profile --format json` prints. Prints what was
 drawn, as JSON.
 """
-import argparse
-import json
 import pathlib
-import tempfile
 
 import drawing
 
@@ -31,26 +28,12 @@ def blocks(profile):
     return f"{len(lines) + 0.6}\t{words}\n\n\n{rows}"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("profile", metavar="PROFILE", type=pathlib.Path)
-    parser.add_argument("picture", metavar="PICTURE", type=pathlib.Path)
-    arguments = parser.parse_args()
-    profile = drawing.read_data(arguments.profile)
+def drawn(profile, folder):
     subject = profile["subject"] if len(profile["subject"]) <= 60 else profile["subject"][:59] + "…"
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            pathlib.Path(folder, "profile.blocks.tsv").write_text(blocks(profile), encoding="utf-8")
-            figure = {"script": "profile.gp", "data": folder, "name": "profile", "height": 190 + 26*len(profile["lines"][:MOST]),
-                      "title": drawing.enhanced(f"{subject}: where the time goes"),
-                      "subtitle": drawing.enhanced(f"{profile['tool']}, {profile['answers']} answers")}
-            why = drawing.draw(figure, folder, arguments.picture)
-    except OSError as error:
-        why = f"cannot write {arguments.picture}: {error.strerror}"
-    if why == drawing.NO_GNUPLOT:
-        why += ": no picture (Debian: apt-get install gnuplot-nox)"
-    print(json.dumps({"written": [] if why else [str(arguments.picture)], "undrawn": [why] if why else []}))
+    return {"script": "profile.gp", "data": folder, "name": "profile", "height": 190 + 26*len(profile["lines"][:MOST]),
+            "title": drawing.enhanced(f"{subject}: where the time goes"),
+            "subtitle": drawing.enhanced(f"{profile['tool']}, {profile['answers']} answers")}
 
 
 if __name__ == "__main__":
-    main()
+    drawing.draw_one(__doc__, "profile", blocks, drawn)
