@@ -112,6 +112,13 @@ class AtOnce(ProgramTest):
             self.assertEqual(process.wait(SOON), -signal.SIGINT)
         self.assertTrue(wait_until(lambda: not any(map(is_running, self.runs())), SOON))
 
+    def test_all_lines_of_each_are_counted_to_its_end(self):
+        # Each process has ended before all of its lines are read.
+        command = altered(self.folder, "pass", end='print(*["the end"] * 3000, sep=chr(10), flush=True); os._exit(0)')
+        for jobs in (1, 2):
+            result = run("verify", "--subject", command, "--sample", "20", "--jobs", jobs)
+            self.assertIn(f"{3000 * jobs} lines", result.out)
+
     def test_what_runs_only_once_at_a_time_is_asked_nevertheless(self):
         command = altered(self.folder, self.ALONE.format(lock=self.folder.path("lock")))
         told = [run("verify", "--subject", command, "--sample", "20", "--jobs", jobs).out for jobs in ("1", "3")]

@@ -428,12 +428,14 @@ void Asker::hear_the_end() {
   process_->close_input();
   const Clock::time_point last =
       std::min(Clock::now() + questions_.limits.one_case, questions_.deadline);
-  while (process_ && !process_->has_ended() && Clock::now() < last) {
+  while (process_ && Clock::now() < last) {
     std::string line;
     const ChildProcess::Event event = process_->next_line(line, std::chrono::milliseconds(20));
     if (event == ChildProcess::Event::line) hear(line);
     if (event == ChildProcess::Event::too_long_line) return flooded();
-    if (event == ChildProcess::Event::end_of_output) ::usleep(2000);
+    if (event != ChildProcess::Event::end_of_output) continue;
+    if (process_->has_ended()) break;  // its last lines are heard, too
+    ::usleep(2000);
   }
   if (!process_) return;
   account.stays = !process_->has_ended();

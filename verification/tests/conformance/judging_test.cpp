@@ -700,21 +700,22 @@ Went any_case(verification::Sampler& draw) {
 }
 
 AskedRun changed(AskedRun run, verification::Sampler& draw) {
-  const double share = draw.uniform(0, 0.5);
+  const double share = draw.uniform(0, 0.5), most = draw.pick({3.9, 10.0});
   for (Went& one : run)
     if (draw.uniform(0, 1) < share)
       one = any_case(draw);
     else
-      one.error *= draw.log_uniform(0.1, 10);
+      one.error *= draw.log_uniform(0.1, most);
   return run;
 }
 
-// Each case as it was, or worse.
+// Each case as it was, or worse; now and then a single one is, which no other can hide.
 AskedRun as_it_was_or_worse(AskedRun run, verification::Sampler& draw) {
   using Way = Went::Way;
   const double share = draw.uniform(0, 0.5);
+  const auto only = static_cast<std::size_t>(draw.uniform(0, 2) * static_cast<double>(run.size()));
   for (Went& one : run) {
-    if (draw.uniform(0, 1) > share) continue;
+    if (only < run.size() ? &one != &run[only] : draw.uniform(0, 1) > share) continue;
     const bool was_held = one.way == Way::held;
     one.error *= draw.log_uniform(1, 10);
     if (draw.uniform(0, 1) < 0.5) continue;
