@@ -42,7 +42,7 @@ DOCUMENTS = [
     Document("sweep", "sweep merge FIRST SECOND -o MERGED"),
     Document("sweep-diff", "sweep diff OUT MORE_LOAD --most 1000", 1), Document("sweep-diff", "sweep diff OUT OUT"),
     Document("verify-baseline", "verify --subject RIGHT --sample 5 --baseline BASE --update-baseline", file="BASE"),
-    Document("verify-baseline", "verify --subject WRONG --sample 5 --baseline WRONG_BASE --update-baseline", 1, "WRONG_BASE"),
+    Document("verify-baseline", "verify --subject WRONG --sample 5 --baseline WRONG_BASE --update-baseline", file="WRONG_BASE"),
     Document("verify-subject", "verify --subject RIGHT --sample 5"),
     Document("verify-subject", "verify --subject WRONG --sample 5", 1),
     Document("verify-subject", "verify --subject WRONG --sample 5 --baseline BASE", 1),
