@@ -214,6 +214,11 @@ class OfTheReadmes(unittest.TestCase):
         self.folder.write("smooth.toml", scene + added)
         self.answered(SWEEPS)
 
+    def test_how_many_readings_there_are(self):
+        counted, = re.findall(r"There are ([\d\s]+) readings", run("reproduce", "--section", "ranking").out)
+        for text in (COMMANDS, page("verification/README.md")):
+            self.assertEqual([told.split() for told in re.findall(r"(?i)all ([\d\s]+) readings", text)], [counted.split()])
+
     def test_a_mistake(self):
         shown, = re.findall(r"```\n(tribocheck: bad\.toml.*\n)```", COMMANDS)
         bad = self.folder.write("bad.toml", pathlib.Path(self.scene).read_text(encoding="utf-8").replace(
