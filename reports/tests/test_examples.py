@@ -219,6 +219,19 @@ class OfTheReadmes(unittest.TestCase):
         for text in (COMMANDS, page("verification/README.md")):
             self.assertEqual([told.split() for told in re.findall(r"(?i)all ([\d\s]+) readings", text)], [counted.split()])
 
+    def test_what_one_types_for_a_question(self):
+        lines = [line for line in re.findall(r"(?m)^\| [^|]*\| `tribocheck ([^`]*)` \|", FIRST) if "my_solver" not in line]
+        self.assertGreater(len(lines), 5)
+        for line in lines:
+            with self.subTest(line=line):
+                for name, path in {"reference/": f"{ROOT}/reference/", " scene.toml": f" {self.scene}",
+                                   "onset.h5": self.folder.path("onset.h5")}.items():
+                    line = line.replace(name, path)
+                done = run(*line.split())
+                self.assertEqual(done.code, 0, done.err)
+                if self.scene in line:
+                    self.assertEqual(done.err, "")
+
     def test_a_mistake(self):
         shown, = re.findall(r"```\n(tribocheck: bad\.toml.*\n)```", COMMANDS)
         bad = self.folder.write("bad.toml", pathlib.Path(self.scene).read_text(encoding="utf-8").replace(
