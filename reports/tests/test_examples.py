@@ -68,10 +68,13 @@ class Examples(ProgramTest):
         self.run_examples()
 
     def test_of_solve_curve_onset_and_stream(self):
+        self.folder.write("measured.csv", "speed [m/s],film [nm],friction\n0.1,30,0.1\n")
         for command in ["solve", "curve", "onset", "stream"]:
             self.run_examples(command)
         with open(self.folder.path("rough.csv"), encoding="utf-8") as file:
             self.assertEqual(len(file.readlines()), 201)
+        for picture in ["rough.png", "measured.png"]:
+            self.assertTrue(os.path.exists(self.folder.path(picture)), picture)
 
     def test_of_film(self):
         self.run_examples("film")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Each relative link of a Markdown page of the project leads to a file of it, and to a heading of that file."""
+"""Each relative link of a Markdown page of the project leads to a file of it, and to a heading of that file; counts are of the tree."""
 
 import os
 import pathlib
@@ -73,6 +73,14 @@ class Links(unittest.TestCase):
         self.assertEqual(broken(ROOT / "README.md", text),
                          ["none.md: no such file", "#two-headings: no such heading", "model/README.md#none: no such heading",
                           "LICENSE#none: no such heading", "../none: no such file"])
+
+
+class Counts(unittest.TestCase):
+    def test_the_number_of_fakes_is_that_of_their_list(self):
+        fakes = re.findall(r"(?m)^\| `(\w+)` \|", (ROOT / "verification/conformance/subjects/fakes/README.md").read_text(encoding="utf-8"))
+        told = [int(number) for page in pages() for number in re.findall(r"\b(\d+) fakes\b", without_code(page.read_text(encoding="utf-8")))]
+        self.assertTrue(told)
+        self.assertEqual(set(told), {len(fakes)})
 
 
 if __name__ == "__main__":
