@@ -47,7 +47,7 @@ void keep_curves(LoadedScenes& loaded) {
 void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const Span span = span_of(scene.speeds);
-  writer.begin_scene(scene);
+  writer.begin_scene(scene, contact);
   stribeck_curve(contact, span.from, span.to, scene.speeds.size(),
                  protocol::needed_for(scene.outputs), [&](const OperatingPoint<double>& point) {
                    writer.add(point);

@@ -67,8 +67,8 @@ class Examples(ProgramTest):
     def test_of_the_program_itself(self):
         self.run_examples()
 
-    def test_of_solve_curve_onset_and_stream(self):
-        for command in ["solve", "curve", "onset", "stream"]:
+    def test_of_contact_solve_curve_onset_and_stream(self):
+        for command in ["contact", "solve", "curve", "onset", "stream"]:
             self.run_examples(command)
         with open(self.folder.path("rough.csv"), encoding="utf-8") as file:
             self.assertEqual(len(file.readlines()), 201)
@@ -164,7 +164,7 @@ class OfTheReadme(unittest.TestCase):
     """`tribocheck COMMAND scene.toml …` with what it prints: the README's own scene, to the last digit.
     A last line "…" stands for all further lines."""
 
-    COMMANDS = "solve", "onset", "curve"
+    COMMANDS = "contact", "solve", "onset", "curve"
 
     def shown(self):
         return re.findall(rf"`tribocheck ((?:{'|'.join(self.COMMANDS)}) scene\.toml[^`\n]*)`[^`]*\n```\n(.*?)```",
@@ -200,9 +200,9 @@ class Outputs(unittest.TestCase):
     """The meaning of an output is one text, wherever it is told."""
 
     def test_the_readme_of_the_model_and_the_help_say_the_same(self):
-        rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|–) \| (.*) \|$",
+        rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|Pa|–) \| (.*) \|$",
                           (ROOT / "model/README.md").read_text(encoding="utf-8").partition("### Outputs\n")[2])
-        self.assertEqual(len(rows), 11)
+        self.assertEqual(len(rows), 15)
         told = " ".join(run("solve", "--help").out.split())
         for name, meaning in rows:
             self.assertIn(f" {name} {meaning} ", told)

@@ -168,6 +168,8 @@ void check_rules(const Scene& scene) {
   require(!scene.outputs.empty(), "an output", scene.id);
   if (scene.outputs.contains(Output::friction))
     require(has_friction_inputs(scene), "friction has its inputs", scene.id);
+  if (scene.outputs.contains(Output::lambda_ratio))
+    require(scene.surface.rms_roughness > 0, "lambda_ratio has its roughness", scene.id);
   if (scene.friction.viscosity == ViscosityLaw::roelands)
     require(scene.lubricant.viscosity > 6.315e-5, "Roelands' viscosity is thick enough", scene.id);
 }
@@ -247,6 +249,10 @@ Json as_json(const Scene& scene) {
                        {"summit_height_sd", surface.summit_height_sd},
                        {"summit_plane_offset", surface.summit_plane_offset},
                        {"offset_planes", surface.offset_planes}};
+  if (surface.average_roughness > 0)
+    json["surface"]["average_roughness"] = surface.average_roughness;
+  else if (surface.rms_roughness > 0 && !surface.has_moments())
+    json["surface"]["rms_roughness"] = surface.rms_roughness;
   json["bodies"] = bodies_as_json(bodies);
   json["lubricant"] = {{"viscosity", lubricant.viscosity},
                        {"pressure_viscosity", lubricant.pressure_viscosity}};
