@@ -113,7 +113,7 @@ TEST(LubricationRegimes, AreThoseOfTheirLimits) {
 }
 
 // Far inside a regime of the map of lines Moes' film is that regime's limit.
-TEST(LubricationRegimes, OfALineNameTheLimitThatTheFilmTends) {
+TEST(LubricationRegimes, OfALineNameTheLimitOfTheFilm) {
   std::size_t far_inside = 0;
   for (const double load : {1e-6, 1e-3, 1.0, 1e3, 1e6, 1e12})
     for (const double material : {1e-12, 1e-6, 1e-3, 1.0, 1e3, 1e6}) {
