@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "messages.hpp"
@@ -64,8 +65,8 @@ int curve(const SceneArguments& arguments, OutputStream& output) {
   Progress progress(total);
   PointWriter writer(arguments.format, output, loaded.scenes);
   for (const Scene& scene : loaded.scenes) draw_scene(scene, writer, progress);
-  writer.finish();
-  return loaded.all_good ? exit_done : exit_bad;
+  writer.finish({{"warnings", loaded.warnings.json()}});
+  return loaded.exit_code(arguments);
 }
 
 constexpr const char* curve_footer =

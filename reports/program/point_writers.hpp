@@ -19,7 +19,8 @@ class PointWriter {
   // Called once before the points of each scene; `scene` must live until the next call.
   void begin_scene(const Scene& scene);
   void add(const OperatingPoint<double>& point);
-  void finish() { rows_.finish(); }
+  // `members`: of the JSON document, after its points.
+  void finish(const nlohmann::ordered_json& members) { rows_.finish(members); }
 
  private:
   RowWriter rows_;

@@ -35,7 +35,7 @@ bool is_plain(std::string_view text) {
 }
 
 // {"id": …, "film": …}, or what is wrong with the scene.
-void append_scene_answer(Text& to, const SceneReading& reading) {
+void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Validity>& passed) {
   if (!reading.scene) return append_first_error(to, reading);
   const Scene& scene = *reading.scene;
   const MixedContact<double> contact(scene);
@@ -46,6 +46,7 @@ void append_scene_answer(Text& to, const SceneReading& reading) {
       answer.value(output.name, value_of(point, output.output));
   answer.close();
   to.push_back('\n');
+  passed = passed_limits(scene, SceneUse::one_speed, &contact);
 }
 
 // {"id": …, "value": …}, or what is wrong with the call.
@@ -166,19 +167,16 @@ void append_first_error(Text& to, const SceneReading& reading) {
 }
 
 void append_answer(Text& to, std::string_view line, std::size_t number,
-                   std::vector<InputProblem>& warnings) {
+                   std::vector<Validity>& passed) {
   const Question question = read_question(line, number);
   if (const auto* call = std::get_if<FunctionCall>(&question))
     return append_function_answer(to, *call);
-  const SceneReading& reading = std::get<SceneReading>(question);
-  append_scene_answer(to, reading);
-  if (reading.scene)
-    warnings.insert(warnings.end(), reading.warnings.begin(), reading.warnings.end());
+  append_scene_answer(to, std::get<SceneReading>(question), passed);
 }
 
 void answer_lines(LineReader& lines, OutputStream& output,
-                  const std::function<void(const InputProblem&)>& warn) {
-  std::vector<InputProblem> warnings;
+                  const std::function<void(std::size_t, const std::vector<Validity>&)>& warn) {
+  std::vector<Validity> passed;
   for (std::size_t number = 1;; ++number) {
     if (!lines.line_waiting()) output.flush();
     const Line line = lines.next();
@@ -186,9 +184,9 @@ void answer_lines(LineReader& lines, OutputStream& output,
     if (line.kind == Line::Kind::too_long)
       append_error(output.text(), std::nullopt, "", line_too_long);
     else if (!is_blank(line.text))
-      append_answer(output.text(), line.text, number, warnings);
-    for (const InputProblem& warning : warnings) warn(warning);
-    warnings.clear();
+      append_answer(output.text(), line.text, number, passed);
+    if (!passed.empty()) warn(number, passed);
+    passed.clear();
     output.end_row();
   }
 }

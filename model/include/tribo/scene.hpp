@@ -138,6 +138,7 @@ struct Scene {
   Supply supply;
   Friction friction;
   Closures closures;
+  std::vector<std::string_view> accepted;  // words of limit_words(), validity.hpp: not warned of
 };
 
 // Are the inputs there that friction alone needs?
