@@ -105,8 +105,8 @@ Facts inputs_of(const Scene& scene) {
   for (std::size_t field = 0; field < scene_fields().size(); ++field) {
     const FieldInfo& info = scene_fields()[field];
     if (info.type == FieldType::text || info.type == FieldType::outputs ||
-        info.type == FieldType::speeds || info.path == "speed.count" ||
-        info.path == "speed.spacing")
+        info.type == FieldType::limits || info.type == FieldType::speeds ||
+        info.path == "speed.count" || info.path == "speed.spacing")
       continue;
     inputs.all.push_back({info.path, input_of(scene, field), info.unit, info.meaning});
   }

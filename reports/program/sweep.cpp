@@ -286,8 +286,8 @@ int run_on_rank(const SweepArguments& arguments, const sweep::Ranks& ranks, Outp
   }
   progress.wipe();
   if (stop_signal() != 0 && (end == sweep::RunEnd::stopped || !first)) return 128 + stop_signal();
-  if (end != sweep::RunEnd::done) return exit_failed;
-  return shown == exit_done ? when_done : shown;
+  const int code = end == sweep::RunEnd::done ? shown : exit_failed;
+  return code == exit_done ? when_done : code;
 }
 
 // Turns exceptions into exit codes: bad usage, or the failure of another rank, after which

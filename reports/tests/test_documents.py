@@ -29,7 +29,7 @@ class Document(typing.NamedTuple):
 
 DOCUMENTS = [
     Document("solve", "solve SCENE"), Document("solve", "solve ALL"), Document("solve", "solve COLLAPSED BAD", 2),
-    Document("solve", "solve HUGE"), Document("solve", "curve SCENE"),
+    Document("solve", "solve HUGE"), Document("solve", "curve SCENE"), Document("solve", "solve ALL LOUD --explain"),
     Document("solve-about", "solve ALL ROLLER --about"), Document("solve-about", "solve BAD SCENE --about", 2),
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
     Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
@@ -62,7 +62,7 @@ def files_in(folder):
     few = quiet_scene(id="few", speed=[0.1, 1], outputs=["film", "regime"])
     made = {"SCENE": quiet_scene(), "ALL": few | {"closures": {"asperity": "greenwood_williamson"}}, "BAD": scene(load=-1),
             "COLLAPSED": scene("smooth", speed=3), "FLOODED": scene(supply=None),
-            "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
+            "LOUD": scene(id="loud", load=5000), "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
             "RIGID": line | {"speed": 1e10}}
     paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
     paths["DRAWN"] = folder.write("drawn.toml", sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]",
