@@ -2,6 +2,7 @@
 #include "tribo/validity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -32,10 +33,14 @@ struct State {
   ContactShape shape;
   detail::SceneNumbers<double> numbers;
   HertzContact<double> hertz;
-  // The points at the slowest and the fastest speed, of film, shares and area; none without a speed
-  // or a film law.
-  std::vector<OperatingPoint<double>> ends;
   detail::SpeedSpan speeds;
+  // The points at the slowest and the fastest speed, of film, shares and area, as many as there
+  // are; none without a speed or a film law.
+  std::array<OperatingPoint<double>, 2> points = {};
+  std::size_t count = 0;
+
+  std::span<const OperatingPoint<double>> ends() const { return std::span(points).first(count); }
+  void add(const OperatingPoint<double>& point) { points[count++] = point; }
 
   bool has_summits() const { return numbers.summit_height_sd > 0; }
   bool solves_film() const { return use == SceneUse::line_film; }
@@ -47,19 +52,11 @@ struct State {
   }
 };
 
-OutputSet outputs_at_ends() {
-  OutputSet outputs;
-  for (const Output output :
-       {Output::film, Output::film_parameter, Output::asperity_load_share, Output::real_area_ratio})
-    outputs.insert(output);
-  return outputs;
-}
-
 // The least of a number over the ends that is above 0: a film of 0 has collapsed, and the outputs
 // say so.
 double least_at_ends(const State& state, double OperatingPoint<double>::*number) {
   double least = not_assumed;
-  for (const OperatingPoint<double>& point : state.ends)
+  for (const OperatingPoint<double>& point : state.ends())
     if (point.*number > 0 && !(least <= point.*number)) least = point.*number;
   return least;
 }
@@ -69,7 +66,7 @@ double least_at_ends(const State& state, double OperatingPoint<double>::*number)
 // section 6).
 double summit_pressure(const State& state) {
   double greatest = not_assumed;
-  for (const OperatingPoint<double>& point : state.ends) {
+  for (const OperatingPoint<double>& point : state.ends()) {
     const double share = point.asperity_load_share;
     if (!(share >= least_share) || !(point.real_area_ratio > 0)) continue;
     const bool is_of_both = state.scene.closures.asperity == AsperityModel::greenwood_tripp;
@@ -105,6 +102,7 @@ struct Row {
   std::string_view source;
   // NaN: the scene does not make this assumption.
   double (*value)(const State&);
+  bool is_of_film_law = false;  // the bounds are those of k of the scene's film law
 };
 
 constexpr Row rows[] = {
@@ -129,8 +127,10 @@ constexpr Row rows[] = {
     {"film_law_ellipticity", "The film law is used at an ellipticity k that it was fitted to.", "",
      0, unbounded, "the law's source, model/README.md, section 5",
      [](const State& state) {
-       return state.shape == ContactShape::ellipse ? state.numbers.ellipticity : not_assumed;
-     }},
+       const bool is_ellipse = state.shape == ContactShape::ellipse;
+       return is_ellipse ? state.hertz.semi_axis_y / state.hertz.semi_axis_x : not_assumed;
+     },
+     true},
     {"alpha_p0", "The oil is a liquid up to the peak pressure: α p₀ is no more than 30.", "", 0, 30,
      "e^30 = 1e13: with η₀ = 0.1 Pa·s the viscosity α gives is that of a glass, 1e12 Pa·s",
      [](const State& state) {
@@ -236,43 +236,42 @@ bool accepts(const Scene& scene, std::string_view word) {
   return std::find(scene.accepted.begin(), scene.accepted.end(), word) != scene.accepted.end();
 }
 
-State state_of(const Scene& scene, SceneUse use, const MixedContact<double>* contact) {
+State state_of(const Scene& scene, SceneUse use) {
   const auto numbers = detail::numbers_of<double>(scene);
   const ContactShape shape = scene.bodies.shape();
-  State state{scene,
-              use,
-              shape,
-              numbers,
-              hertz_contact(shape, numbers),
-              {},
-              detail::speed_span(scene.speeds)};
+  State state{
+      scene, use, shape, numbers, hertz_contact(shape, numbers), detail::speed_span(scene.speeds)};
   if (state.solves_film() || !state.has_summits() || !(state.speeds.low > 0)) return state;
-  std::optional<MixedContact<double>> own;
-  if (contact == nullptr) contact = &own.emplace(scene);
-  state.ends.push_back(contact->solve(state.speeds.low, outputs_at_ends()));
+  const MixedContact<double> contact(scene);
+  state.add(contact.solve(state.speeds.low, validity_outputs()));
   if (state.speeds.high > state.speeds.low)
-    state.ends.push_back(contact->solve(state.speeds.high, outputs_at_ends()));
+    state.add(contact.solve(state.speeds.high, validity_outputs()));
   return state;
 }
 
+// Which limits are taken: all assumptions, or those that are not kept.
+enum class Which : std::uint8_t { all, not_kept };
+
 template <class Take>
-void take_assumptions(const State& state, const Take& take) {
+void take_assumptions(const State& state, Which which, const Take& take) {
   for (const Row& row : rows) {
-    Validity one{.word = row.word,
-                 .assumption = row.assumption,
-                 .value = row.value(state),
-                 .least = row.least,
-                 .greatest = row.greatest,
-                 .unit = row.unit,
-                 .source = row.source};
-    if (std::isnan(one.value)) continue;
-    if (one.word == "film_law_ellipticity") {
+    const double value = row.value(state);
+    if (std::isnan(value)) continue;
+    double least = row.least, greatest = row.greatest;
+    if (row.is_of_film_law) {
       const FilmLaw& law = film_law(state.scene.closures.film);
-      one.least = law.least_ellipticity * (1 - 1e-9);
-      one.greatest = law.greatest_ellipticity;
+      least = law.least_ellipticity * (1 - 1e-9);
+      greatest = law.greatest_ellipticity;
     }
-    one.is_accepted = accepts(state.scene, one.word);
-    take(one);
+    if (which == Which::not_kept && value >= least && value <= greatest) continue;
+    take(Validity{.word = row.word,
+                  .assumption = row.assumption,
+                  .value = value,
+                  .least = least,
+                  .greatest = greatest,
+                  .unit = row.unit,
+                  .source = row.source,
+                  .is_accepted = accepts(state.scene, row.word)});
   }
 }
 
@@ -309,11 +308,14 @@ void take_ranges(const Scene& scene, const Take& take) {
   }
 }
 
-template <class Take>
-void take_limits(const Scene& scene, SceneUse use, const MixedContact<double>* contact,
-                 const Take& take) {
-  take_assumptions(state_of(scene, use, contact), take);
-  take_ranges(scene, take);
+std::vector<Validity> passed_in(const State& state) {
+  std::vector<Validity> passed;
+  const auto take = [&passed](const Validity& one) {
+    if (one.is_passed()) passed.push_back(one);
+  };
+  take_assumptions(state, Which::not_kept, take);
+  take_ranges(state.scene, take);
+  return passed;
 }
 
 }  // namespace
@@ -337,20 +339,36 @@ std::span<const std::string_view> assumption_words() {
   return limit_words().first(std::size(rows));
 }
 
-std::vector<Validity> validity_of(const Scene& scene, SceneUse use,
-                                  const MixedContact<double>* contact) {
+std::vector<Validity> validity_of(const Scene& scene, SceneUse use) {
   std::vector<Validity> all;
-  take_limits(scene, use, contact, [&all](const Validity& one) { all.push_back(one); });
+  const auto take = [&all](const Validity& one) { all.push_back(one); };
+  take_assumptions(state_of(scene, use), Which::all, take);
+  take_ranges(scene, take);
   return all;
 }
 
-std::vector<Validity> passed_limits(const Scene& scene, SceneUse use,
-                                    const MixedContact<double>* contact) {
-  std::vector<Validity> passed;
-  take_limits(scene, use, contact, [&passed](const Validity& one) {
-    if (one.is_passed()) passed.push_back(one);
-  });
-  return passed;
+std::vector<Validity> passed_limits(const Scene& scene, SceneUse use) {
+  return passed_in(state_of(scene, use));
+}
+
+OutputSet validity_outputs() {
+  OutputSet outputs;
+  for (const Output output :
+       {Output::film, Output::film_parameter, Output::asperity_load_share, Output::real_area_ratio})
+    outputs.insert(output);
+  return outputs;
+}
+
+std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,
+                                    const OperatingPoint<double>& point) {
+  State state{scene,
+              SceneUse::one_speed,
+              scene.bodies.shape(),
+              detail::given_numbers(scene),
+              contact.hertz(),
+              {point.speed, point.speed}};
+  if (state.has_summits()) state.add(point);
+  return passed_in(state);
 }
 
 }  // namespace tribo

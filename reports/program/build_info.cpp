@@ -41,7 +41,7 @@ std::string list_start(std::string_view schema, std::string_view member) {
 std::string list_end_with(const nlohmann::ordered_json& members) {
   std::string text = "\n]";
   for (const auto& [name, value] : members.items())
-    text += fmt::format(",\n\"{}\": {}", name,
+    text += fmt::format(", \"{}\": {}", name,
                         without_controls(value.dump(
                             -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
   return text + "}\n";

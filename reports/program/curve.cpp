@@ -27,22 +27,13 @@ Span span_of(const Speeds& speeds) {
   return {*least, *greatest};
 }
 
-bool is_curve(const Scene& scene) {
+// Says why a scene has no curve; empty if it has one.
+std::string fault_of(const Scene& scene) {
   const Span span = span_of(scene.speeds);
-  if (span.from < span.to) return true;
-  complain(
-      fmt::format("{}: speed: {} alone is no curve; allowed: a range, or a list of at least two "
-                  "different speeds",
-                  scene.id, span.from));
-  return false;
-}
-
-// Leaves the scenes that span no range out.
-void keep_curves(LoadedScenes& loaded) {
-  const auto first_bad =
-      std::stable_partition(loaded.scenes.begin(), loaded.scenes.end(), is_curve);
-  if (first_bad != loaded.scenes.end()) loaded.all_good = false;
-  loaded.scenes.erase(first_bad, loaded.scenes.end());
+  if (span.from < span.to) return {};
+  return fmt::format(
+      "speed: {} alone is no curve; allowed: a range, or a list of at least two different speeds",
+      span.from);
 }
 
 void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
@@ -57,8 +48,7 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
 }
 
 int curve(const SceneArguments& arguments, OutputStream& output) {
-  LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds);
-  keep_curves(loaded);
+  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds, fault_of);
   if (loaded.scenes.empty()) return exit_bad;
   std::size_t total = 0;
   for (const Scene& scene : loaded.scenes) total += scene.speeds.size();

@@ -56,16 +56,10 @@ std::string fault_of(const Scene& scene) {
 
 // The good scenes, at the speeds that are asked for.
 LoadedScenes scenes_of(const FilmArguments& arguments) {
-  LoadedScenes loaded = load_scenes(arguments.scenes.paths, SceneUse::line_film,
-                                    [&arguments](Scene& scene) { take_options(arguments, scene); });
-  std::erase_if(loaded.scenes, [&](Scene& scene) {
-    const std::string fault = fault_of(scene);
-    if (fault.empty()) return false;
-    complain(scene.id + ": " + fault);
-    loaded.all_good = false;
-    return true;
+  return load_scenes(arguments.scenes.paths, SceneUse::line_film, [&arguments](Scene& scene) {
+    take_options(arguments, scene);
+    return fault_of(scene);
   });
-  return loaded;
 }
 
 // Draws the film's picture. Returns whether it was drawn.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view published = "reference/published";
 
-void load_scene(const std::string& path, SceneUse use, const std::function<void(Scene&)>& adjust,
+void load_scene(const std::string& path, SceneUse use, const Prepare& prepare,
                 LoadedScenes& loaded) {
   SceneReading reading = read_scene(path, use);
   for (const InputProblem& error : reading.errors) complain(error.line());
@@ -25,7 +25,11 @@ void load_scene(const std::string& path, SceneUse use, const std::function<void(
     return;
   }
   if (path == "-" && !reading.id) reading.scene->id = "stdin";
-  if (adjust) adjust(*reading.scene);
+  if (const std::string fault = prepare ? prepare(*reading.scene) : ""; !fault.empty()) {
+    complain(reading.scene->id + ": " + fault);
+    loaded.all_good = false;
+    return;
+  }
   loaded.warnings.add(path, reading.scene->id, passed_limits(*reading.scene, use));
   loaded.scenes.push_back(std::move(*reading.scene));
 }
@@ -73,14 +77,14 @@ int LoadedScenes::exit_code(const SceneArguments& arguments) const {
 }
 
 LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
-                         const std::function<void(Scene&)>& adjust) {
+                         const Prepare& prepare) {
   LoadedScenes loaded;
   if (std::count(paths.begin(), paths.end(), "-") > 1) {
     complain("- (stdin) is given more than once; it can be read once");
     loaded.all_good = false;
     return loaded;
   }
-  for (const std::string& path : paths) load_scene(path, use, adjust, loaded);
+  for (const std::string& path : paths) load_scene(path, use, prepare, loaded);
   loaded.warnings.tell();
   return loaded;
 }

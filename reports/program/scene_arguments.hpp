@@ -32,10 +32,12 @@ struct LoadedScenes {
   int exit_code(const SceneArguments& arguments) const;
 };
 
+// Puts options of a command into a scene. Returns why the command cannot take it; empty if it can.
+using Prepare = std::function<std::string(Scene&)>;
+
 // Reads every scene and reports every error on stderr, and in one line the limits that they pass.
-// `adjust` puts options of the command into a scene before its limits are looked at.
 LoadedScenes load_scenes(const std::vector<std::string>& paths, SceneUse use,
-                         const std::function<void(Scene&)>& adjust = {});
+                         const Prepare& prepare = {});
 // Adds --strict.
 void add_strict_option(CLI::App& app, bool& is_strict);
 

@@ -29,16 +29,17 @@ std::string quantity_text(double value, std::string_view unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-std::string value_text(const Validity& limit) {
-  if (limit.field.empty()) return quantity_text(limit.value, limit.unit);
-  return scene_detail::number_text(limit.value) + (limit.unit.empty() ? "" : " ") +
+// A number of the limit; that of a field as scenes have it.
+std::string number_of(const Validity& limit, double number) {
+  if (limit.field.empty()) return quantity_text(number, limit.unit);
+  return scene_detail::number_text(number) + (limit.unit.empty() ? "" : " ") +
          std::string(limit.unit);
 }
 
 // The bounds, as "at most 4 GPa", or of a range "1e-05 Pa·s to 10 Pa·s".
 std::string bounds_text(const Validity& limit) {
-  const std::string least = quantity_text(limit.least, limit.unit);
-  const std::string greatest = quantity_text(limit.greatest, limit.unit);
+  const std::string least = number_of(limit, limit.least);
+  const std::string greatest = number_of(limit, limit.greatest);
   if (limit.least == limit.greatest) return least;
   if (limit.least == 0) return "at most " + greatest;
   return std::isfinite(limit.greatest) ? least + " to " + greatest : "at least " + least;
@@ -52,7 +53,7 @@ std::string_view holds_text(const Validity& limit) {
 
 std::string passed_text(const Validity& limit) {
   return fmt::format(
-      "{} {} ({}{})", limit.field.empty() ? limit.word : limit.field, value_text(limit),
+      "{} {} ({}{})", limit.field.empty() ? limit.word : limit.field, number_of(limit, limit.value),
       bounds_text(limit),
       limit.likely_unit.empty() ? "" : fmt::format("; perhaps {} was meant", limit.likely_unit));
 }
@@ -67,8 +68,8 @@ void append_validity(Text& to, std::string_view id, const std::vector<Validity>&
     const std::string assumption =
         limit.field.empty() ? std::string(limit.assumption)
                             : fmt::format("{} is in the range of real contacts", limit.field);
-    table.rows.push_back({std::string(holds_text(limit)), value_text(limit), bounds_text(limit),
-                          std::string(limit.word), assumption});
+    table.rows.push_back({std::string(holds_text(limit)), number_of(limit, limit.value),
+                          bounds_text(limit), std::string(limit.word), assumption});
   }
   append(to, report::plain_table(table, table_width));
 }

@@ -13,8 +13,8 @@
 
 namespace tribo::cli {
 
-// "lubricant.viscosity is 20.2 Pa·s (1e-05 Pa·s to 10 Pa·s; perhaps mPa·s was meant)", "peak 6.8
-// GPa …": a limit that is passed.
+// A limit that is passed: "lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was
+// meant)", "hertz_pressure 6.8 GPa (at most 4 GPa)".
 std::string passed_text(const Validity& limit);
 
 // The table of a scene: assumption, value here, limit, whether it holds, and the word to accept it.

@@ -96,14 +96,14 @@ class Answers(unittest.TestCase):
                          [("a", False), (None, True), ("b", True), ("c", False)])
 
     def test_each_limit_is_told_of_the_first_scene_that_passes_it(self):
-        odd, more = point(load=1e8, outputs=["film"]), point(load=1e8, speed=500, outputs=["film"])
+        odd, more = point(load=1e8, outputs=["film"]), point(load=1e8, speed=600, outputs=["film"])
         result, found = answers(*[odd] * 100, *[more] * 100, point(load=1e9, accept=["load_range"], outputs=["film"]))
         self.assertEqual((result.code, len(found)), (0, 201))
         first, then = result.said.splitlines()
         self.assertIn("warning: line 1: outside of the model's limits: ", first)
-        self.assertIn("load 100000000 N (1e-09 N to 1e+07 N)", first)
+        self.assertIn("load 1e+8 N (1e-9 N to 1e+7 N", first)
         self.assertIn("warning: line 101: outside of the model's limits: ", then)
-        self.assertIn("speed 500 m/s (1e-09 m/s to 300 m/s; perhaps mm/s was meant)", then)
+        self.assertIn("speed 600 m/s (1e-9 m/s to 500 m/s; perhaps mm/s was meant)", then)
         self.assertNotIn("load 1", then)
 
 

@@ -13,7 +13,7 @@ from sweeps import sweep
 REFERENCE = pathlib.Path(os.environ["TRIBOCHECK_ROOT"]) / "reference"
 SHIPPED = sorted([*REFERENCE.glob("published/*.toml"), *REFERENCE.glob("scenes/*.toml")])
 LINE = {"bodies": {"effective_modulus": 107.9e9, "radius_x": 9.5e-3, "length": 1e-2}, "load": 2000, "speed": 1.0,
-        "closures": {"film": "dowson_toyoda_central"}}
+        "closures": {"film": "dowson_toyoda_central"}, "supply": None}
 
 
 class ValidityTest(unittest.TestCase):
@@ -38,7 +38,7 @@ class Warnings(ValidityTest):
         done = run("solve", self.write(with_field(quiet_scene(speed=0.1), "lubricant.viscosity", 20.2)))
         self.assertEqual((done.code, len(done.said.splitlines())), (0, 1))
         self.assertIn("a.toml: outside of the model's limits: ", done.said)
-        self.assertIn("lubricant.viscosity 20.2 Pa·s (1e-05 Pa·s to 10 Pa·s; perhaps mPa·s was meant)", done.said)
+        self.assertIn("lubricant.viscosity 20.2 Pa·s (1e-5 Pa·s to 10 Pa·s; perhaps mPa·s was meant)", done.said)
         self.assertIn('accept = ["viscosity_range"] in the scene accepts them', done.said)
 
     def test_what_the_users_tripped_over_is_told(self):

@@ -39,14 +39,18 @@ void append_scene_answer(Text& to, const SceneReading& reading, std::vector<Vali
   if (!reading.scene) return append_first_error(to, reading);
   const Scene& scene = *reading.scene;
   const MixedContact<double> contact(scene);
-  const OperatingPoint<double> point = contact.solve(scene.speeds[0], needed_for(scene.outputs));
+  // The limits of validity need some outputs, too.
+  OutputSet outputs = needed_for(scene.outputs);
+  for (const OutputInfo& output : output_infos)
+    if (validity_outputs().contains(output.output)) outputs.insert(output.output);
+  const OperatingPoint<double> point = contact.solve(scene.speeds[0], outputs);
   AnswerObject answer(to, reading.id);
   for (const OutputInfo& output : output_infos)
     if (scene.outputs.contains(output.output))
       answer.value(output.name, value_of(point, output.output));
   answer.close();
   to.push_back('\n');
-  passed = passed_limits(scene, SceneUse::one_speed, &contact);
+  passed = passed_limits(scene, contact, point);
 }
 
 // {"id": …, "value": …}, or what is wrong with the call.

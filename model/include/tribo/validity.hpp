@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tribo/operating_point.hpp"
 #include "tribo/scene_reader.hpp"
 
 namespace tribo {
@@ -41,13 +42,16 @@ std::span<const std::string_view> assumption_words();
 
 // The table "is the model valid here?": each assumption that concerns the scene, and the ranges of
 // fields that it leaves. An assumption that this scene does not make is left out: on summits
-// without a surface, on the film without a speed. `contact`: that of the scene where it is there
-// already, else null.
-std::vector<Validity> validity_of(const Scene& scene, SceneUse use = SceneUse::speeds,
-                                  const MixedContact<double>* contact = nullptr);
+// without a surface, on the film without a speed.
+std::vector<Validity> validity_of(const Scene& scene, SceneUse use = SceneUse::speeds);
 
 // Those of them that the scene passes and does not accept: it is warned of them.
-std::vector<Validity> passed_limits(const Scene& scene, SceneUse use = SceneUse::speeds,
-                                    const MixedContact<double>* contact = nullptr);
+std::vector<Validity> passed_limits(const Scene& scene, SceneUse use = SceneUse::speeds);
+
+// The same of a scene as a reader made it, with one speed, which is solved already: by its contact,
+// for these outputs at least. Nothing is solved again.
+OutputSet validity_outputs();
+std::vector<Validity> passed_limits(const Scene& scene, const MixedContact<double>& contact,
+                                    const OperatingPoint<double>& point);
 
 }  // namespace tribo

@@ -117,7 +117,7 @@ TEST(SceneFields, WrongTypeIsNamed) {
       {"true", "true", "true is a boolean", {}},
       {"\"abc\"", "\"abc\"", "\"abc\" is", {text}},
       {"12", "12", "12 is a number", {number, integer, speeds}},
-      {"[\"abc\"]", "[\"abc\"]", "this is a list", {speeds, outputs}},
+      {"[\"abc\"]", "[\"abc\"]", "this is a list", {speeds, outputs, limits}},
       {"{}", "{}", "this is a table", {speeds}},
       {"{ a = 1 }", "{\"a\": {\"b\": [1]}}", "this is a table", {speeds}},
       {"1979-05-27", "null", "this is ", {}},
@@ -277,15 +277,18 @@ TEST(SceneFields, ImplausibleNumbersPassALimitFromTheFirstBeyondTheRangeOn) {
       const auto is_warned = [&](double value) {
         SceneText text = SceneText::good_with(field);
         text.set(field.path, in_list ? "[1, " + decimal(value) + "]" : decimal(value));
+        if (name == "damiens_exponent") text.set("closures.starvation", "\"damiens\"");
+        for (const auto& [moment, wide] : {std::pair("m0", "1e10"), {"m2", "1e-3"}, {"m4", "1e30"}})
+          if (name.size() == 2 && name != moment) text.set("surface." + std::string(moment), wide);
         return passes(text, name + "_range");
       };
       if (least == 0 && field.minimum < 0) {
         EXPECT_FALSE(is_warned(0)) << name;
         EXPECT_TRUE(is_warned(-std::numeric_limits<double>::min())) << name;
-      } else if (least > field.minimum) {
+      } else if (least > field.minimum && field.path != "speed.to") {
         EXPECT_TRUE(changes_at_its_limit({name, least, True::below, is_warned}));
       }
-      if (std::isfinite(greatest) && greatest != field.maximum) {
+      if (std::isfinite(greatest) && greatest != field.maximum && field.path != "speed.from") {
         EXPECT_TRUE(changes_at_its_limit({name, greatest, True::above, is_warned}));
       }
     }

@@ -243,9 +243,9 @@ TEST(SceneSpeeds, ElementsOfAListAreJudgedOneByOne) {
 }
 
 TEST(SceneSpeeds, AListPassesTheirRangeByItsLeastAndItsGreatest) {
-  EXPECT_FALSE(passes(good().set("speed", "[1, 2, 3]"), "speed_range"));
-  EXPECT_TRUE(passes(good().set("speed", "[1, 2e5, 3]"), "speed_range"));
-  EXPECT_TRUE(passes(good().set("speed", "[1, 1e-12, 3]"), "speed_range"));
+  EXPECT_EQ(passes(good().set("speed", "[1, 2, 3]"), "speed_range"), false);
+  EXPECT_EQ(passes(good().set("speed", "[1, 2e5, 3]"), "speed_range"), true);
+  EXPECT_EQ(passes(good().set("speed", "[1, 1e-12, 3]"), "speed_range"), true);
 }
 
 SceneText with_range(const char* from, const char* to) {
@@ -488,9 +488,9 @@ TEST(SceneShapes, TakeOnlyFilmLawsOfTheirKind) {
 
 TEST(SceneShapes, OfAnyEllipticityAreOrdinaryToASoftLaw) {
   SceneText soft = ellipse().set("bodies.radius_y", "5");
-  EXPECT_TRUE(passes(soft, "film_law_ellipticity"));
+  EXPECT_EQ(passes(soft, "film_law_ellipticity"), true);
   soft.set("closures.film", "\"hamrock_dowson_soft_central\"");
-  EXPECT_FALSE(passes(soft, "film_law_ellipticity"));
+  EXPECT_EQ(passes(soft, "film_law_ellipticity"), false);
 }
 
 TEST(SceneShapes, OfAProfileGiveTheSummits) {
@@ -504,7 +504,7 @@ TEST(SceneShapes, OfAProfileGiveTheSummits) {
   for (const Format format : formats)
     EXPECT_GT(read(format, profile("3e8")).scene.value().surface.summit_density, 0);
   EXPECT_TRUE(refused(profile("1.4e7"), "surface.m4", "m0 · m4/m2² = 0.875"));
-  EXPECT_TRUE(passes(profile("2e7"), "gaussian_profile"));
+  EXPECT_EQ(passes(profile("2e7"), "gaussian_profile"), true);
   EXPECT_TRUE(
       refused(profile("3e8").remove("surface.m2"), "surface.m2", "missing beside surface.m0"));
 }

@@ -190,7 +190,7 @@ TEST(Validity, OfASolvedFilmIsThatOfItsLine) {
   const double peak = std::sqrt(1e4 * 107.9e9 / (pi * 0.01 * 0.01));
   EXPECT_NEAR(limit_of(scene, "barus", use).value / peak, 1, 1e-14);
   EXPECT_EQ(limit_of(scene, "smooth_film_law", use).word, "");
-  EXPECT_TRUE(passes(line, "barus", use));
+  EXPECT_EQ(passes(line, "barus", use), true);
 }
 
 TEST(Validity, SlipsOfUnitsAreNamed) {
@@ -203,7 +203,7 @@ TEST(Validity, SlipsOfUnitsAreNamed) {
         Slip{"surface.summit_density", "50000", "1/mm²"}, Slip{"surface.summit_radius", "10", "µm"},
         Slip{"surface.summit_height_sd", "25", "nm"},
         Slip{"lubricant.pressure_viscosity", "20", "1/GPa"},
-        Slip{"lubricant.eyring_stress", "2.5", "MPa"}, Slip{"speed", "500", "mm/s"},
+        Slip{"lubricant.eyring_stress", "2.5", "MPa"}, Slip{"speed", "600", "mm/s"},
         Slip{"lubricant.viscosity", "1e9", ""}}) {
     const std::string word = std::string(path).substr(std::string(path).rfind('.') + 1) + "_range";
     const Validity limit = limit_of(scene_of(ordinary().set(path, value)), word);
@@ -219,7 +219,6 @@ TEST(Validity, RealContactsKeepTheRangesOfFields) {
     const char* what;
     std::vector<std::pair<const char*, const char*>> fields;
   };
-  const std::string end = "_range";
   for (const Contact& one : std::initializer_list<Contact>{
            {"pivot in a watch's jewel, 1 mm²",
             {{"load", "2e-3"}, {"bodies.reduced_radius", "4e-5"}, {"speed", "1e-3"}}},
@@ -235,8 +234,10 @@ TEST(Validity, RealContactsKeepTheRangesOfFields) {
            {"open gear's oil in the cold", {{"lubricant.viscosity", "9"}, {"speed", "0.05"}}}}) {
     SceneText text = ordinary();
     for (const auto& [path, value] : one.fields) text.set(path, value);
-    for (const std::string_view word : words_passed(scene_of(text)))
-      EXPECT_FALSE(word.ends_with(end)) << one.what << ": " << word;
+    for (const std::string_view word : limit_words()) {
+      if (!word.ends_with("_range")) continue;
+      EXPECT_EQ(passes(text, word), false) << one.what << ": " << word;
+    }
   }
 }
 
