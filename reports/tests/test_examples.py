@@ -67,9 +67,9 @@ class Examples(ProgramTest):
     def test_of_the_program_itself(self):
         self.run_examples()
 
-    def test_of_solve_curve_onset_and_stream(self):
+    def test_of_contact_solve_curve_onset_and_stream(self):
         self.folder.write("measured.csv", "speed [m/s],film [nm],friction\n0.1,30,0.1\n")
-        for command in ["solve", "curve", "onset", "stream"]:
+        for command in ["contact", "solve", "curve", "onset", "stream"]:
             self.run_examples(command)
         with open(self.folder.path("rough.csv"), encoding="utf-8") as file:
             self.assertEqual(len(file.readlines()), 201)
@@ -189,9 +189,9 @@ class OfTheReadmes(unittest.TestCase):
                 self.assertAlmostEqual(float(one)/float(other), 1, delta=1e-12)
 
     def test_a_command_and_the_block_below_it(self):
-        shown = re.findall(r"`tribocheck ((?:solve|onset|curve) scene\.toml[^`\n]*|reproduce)`[^`]*\n```\n(.*?)```",
+        shown = re.findall(r"`tribocheck ((?:contact|solve|onset|curve) scene\.toml[^`\n]*|reproduce)`[^`]*\n```\n(.*?)```",
                            FIRST + COMMANDS, re.S)
-        self.assertEqual([line.split()[0] for line, _ in shown], ["solve", "onset", "curve", "reproduce"])
+        self.assertEqual([line.split()[0] for line, _ in shown], ["solve", "onset", "contact", "curve", "reproduce"])
         for line, answer in shown:
             with self.subTest(line=line):
                 done = run(*line.replace("scene.toml", self.scene).split())
@@ -255,9 +255,9 @@ class Outputs(unittest.TestCase):
     """The meaning of an output is one text, wherever it is told."""
 
     def test_the_readme_of_the_model_and_the_help_say_the_same(self):
-        rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|–) \| (.*) \|$",
+        rows = re.findall(r"(?m)^\| `(\w+)` \| (?:m|Pa|–) \| (.*) \|$",
                           (ROOT / "model/README.md").read_text(encoding="utf-8").partition("### Outputs\n")[2])
-        self.assertEqual(len(rows), 11)
+        self.assertEqual(len(rows), 15)
         told = " ".join(run("solve", "--help").out.split())
         for name, meaning in rows:
             self.assertIn(f" {name} {meaning} ", told)
