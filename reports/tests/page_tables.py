@@ -199,6 +199,16 @@ def comparison(report):
              one["verdict"] or "the paper gives no number"] for one in found["slow_asperity_share"]["rows"]])
 
 
+def offsets_table(report):
+    offsets, printed = report["paper"]["offsets"], {item["item"]: item["reported"] for item in report["ledger"]["items"]}
+    return ("One rough face or two: what the paper's main numbers become (E9)", ["number", "paper", *(one["name"] for one in offsets)],
+            [["offset of the summits' planes, over σs", DASH, *(sig(one["offset"], 4) for one in offsets)]] +
+            [[f"share of the load on summits at the lowest speed, {name}", whole(printed.get("C4." + name)),
+              *(sig(one["surfaces"][name]["slow_asperity_share"], 3) for one in offsets)] for name in SURFACES] +
+            [[f"onset of starvation, {name}, m/s", whole(printed["C1." + name]),
+              *(sig(one["surfaces"][name]["onset_speed"], 4) for one in offsets)] for name in SURFACES])
+
+
 def claims(report):
     ledger = report["ledger"]
     names = [one["name"] for one in ledger["readings"]]
@@ -209,13 +219,8 @@ def claims(report):
                item["is_arithmetic"] for item in ledger["items"] if item["claim"] == one["claim"]) else ""),
              *(short.get(one["verdicts"][name], "partly") + (" (?)" if name in one["undecided"] else "") for name in names),
              "none" if one["met_by"] == 0 else percent(one["met_by"])] for one in ledger["claims"]])
-    offsets, printed = report["paper"]["offsets"], {item["item"]: item["reported"] for item in ledger["items"]}
-    yield ("One rough face or two: what the paper's main numbers become (E9)", ["number", "paper", *(one["name"] for one in offsets)],
-           [["offset of the summits' planes, over σs", DASH, *(sig(one["offset"], 4) for one in offsets)]] +
-           [[f"share of the load on summits at the lowest speed, {name}", whole(printed.get("C4." + name)),
-             *(sig(one["surfaces"][name]["slow_asperity_share"], 3) for one in offsets)] for name in SURFACES] +
-           [[f"onset of starvation, {name}, m/s", whole(printed["C1." + name]),
-             *(sig(one["surfaces"][name]["onset_speed"], 4) for one in offsets)] for name in SURFACES])
+    if "paper" in report:  # `tribocheck reproduce` has no such table
+        yield offsets_table(report)
     yield ("Claims reproduced, by how wide the tolerances are", ["tolerances times", *names],
            [[whole(one["factor"]), *(str(one["scores"][name]) for name in names)] for one in ledger["tolerances"]])
     rows = []
