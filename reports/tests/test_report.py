@@ -334,8 +334,8 @@ class Numbers(WrittenReport):
         for item in ("C1.smooth", "C1.medium", "C1.rough", "C2.smooth", "C4.rough", "C4.smooth"):
             row = ledger[item]
             computed = f"{float(row['computed']):.4g}"
-            shown = {"reproduced": "agrees", "within 10 %": "near: "}.get(row["verdict"], "differs: ")
-            self.assertRegex(first, rf"\| {float(row['reported']):g} \| {float(row['computed']):#.3g} \| {shown}")
+            times = "" if row["verdict"] == "reproduced" else r" \([\d.]+ times\)"
+            self.assertRegex(first, rf"\| {float(row['reported']):g} \| {float(row['computed']):#.3g}{times}: {row['verdict']} \|")
             self.assertRegex(self.done.out, rf"(?m) {float(row['reported']):g}( m/s)? +{computed}( m/s)? +.* "
                                                rf"{row['verdict']}$")
 
