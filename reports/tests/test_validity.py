@@ -108,7 +108,7 @@ class Accepted(ValidityTest):
     def test_the_scene_of_the_readme_is_silent(self):
         text = (REFERENCE.parent / "README.md").read_text(encoding="utf-8")
         path = pathlib.Path(self.folder.path("scene.toml"))
-        path.write_text(re.search(r"(?s)## A scene\n\n```toml\n(.*?)```", text)[1], encoding="utf-8")
+        path.write_text(re.search(r"(?s)## A scene\n.*?```toml\n(.*?)```", text)[1], encoding="utf-8")
         for command in ("solve", "onset", "curve"):
             self.assertEqual(run(command, path).said, "")
 
