@@ -49,12 +49,14 @@ void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
                  });
 }
 
-void write_curves(const std::string& format, const LoadedScenes& loaded, OutputStream& output) {
+void write_curves(const CurveArguments& arguments, const LoadedScenes& loaded,
+                  OutputStream& output) {
+  const std::vector<Scene>& scenes = loaded.scenes;
   std::size_t total = 0;
-  for (const Scene& scene : loaded.scenes) total += scene.speeds.size();
+  for (const Scene& scene : scenes) total += scene.speeds.size();
   Progress progress(total);
-  PointWriter writer(format, output, loaded.scenes);
-  for (const Scene& scene : loaded.scenes) draw_scene(scene, writer, progress);
+  PointWriter writer(arguments.format, output, scenes);
+  for (const Scene& scene : scenes) draw_scene(scene, writer, progress);
   writer.finish({{"warnings", loaded.warnings.json()}});
 }
 
@@ -90,18 +92,19 @@ std::string fault_of(const CurveArguments& arguments, const std::vector<Scene>& 
 }
 
 int curve(const CurveArguments& arguments, OutputStream& output) {
-  const LoadedScenes loaded = load_scenes(
-      arguments.paths, SceneUse::speeds, [](const Scene& scene) { return fault_of(scene); });
+  const LoadedScenes loaded = load_scenes(arguments.paths, SceneUse::speeds,
+                                          [](const Scene& scene) { return fault_of(scene); });
   if (loaded.scenes.empty()) return exit_bad;
   if (const std::string fault = fault_of(arguments, loaded.scenes); !fault.empty())
     return fail(exit_bad, fault);
   std::vector<Comparison> comparisons;
   if (arguments.data.empty()) {
-    write_curves(arguments.format, loaded, output);
+    write_curves(arguments, loaded, output);
   } else {
     const Scene& scene = loaded.scenes.front();
     comparisons = compared(scene, read_measured(arguments.data, scene.outputs));
-    write_comparisons(arguments.format, scene.id, arguments.data, comparisons, output);
+    write_comparisons(arguments.format, scene.id, arguments.data, comparisons,
+                      loaded.warnings.json(), output);
   }
   output.flush();
   const bool is_drawn =

@@ -368,12 +368,13 @@ std::vector<DeviationSummary> summaries_of(const std::vector<Comparison>& compar
 }
 
 void write_comparisons(std::string_view format, std::string_view scene_id, const std::string& path,
-                       const std::vector<Comparison>& comparisons, OutputStream& output) {
+                       const std::vector<Comparison>& comparisons, const ordered_json& warnings,
+                       OutputStream& output) {
   Text& text = output.text();
+  ordered_json told = comparison_json(scene_id, path, comparisons);
+  told["warnings"] = warnings;
   if (format == "json")
-    append(text, comparison_json(scene_id, path, comparisons)
-                         .dump(1, ' ', false, ordered_json::error_handler_t::replace) +
-                     '\n');
+    append(text, told.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n');
   else if (format == "csv")
     append_comparison_csv(text, scene_id, comparisons);
   else
