@@ -67,13 +67,14 @@ HWY_INLINE void load_rows([[maybe_unused]] D d, const double* base, Integers<D> 
     const double* row = base + hn::GetLane(index) * stride;
     for (std::size_t k = 0; k < count; ++k) numbers[k] = hn::Set(d, row[k]);
   } else {
+    constexpr std::size_t paired = count - count % 2;
     const hn::RebindToUnsigned<D> bits;
     HWY_ALIGN std::uint64_t at[lanes];
     hn::Store(index, bits, at);
     const auto row = [&](std::size_t j) HWY_ATTR { return base + at[j] * stride; };
 #if HWY_TARGET != HWY_SCALAR
     if constexpr (lanes == 2) {
-      for (std::size_t k = 0; k < count; k += 2) {
+      for (std::size_t k = 0; k < paired; k += 2) {
         const V first = hn::LoadU(d, row(0) + k), second = hn::LoadU(d, row(1) + k);
         numbers[k] = hn::InterleaveLower(d, first, second);
         numbers[k + 1] = hn::InterleaveUpper(d, first, second);
@@ -94,7 +95,7 @@ HWY_INLINE void load_rows([[maybe_unused]] D d, const double* base, Integers<D> 
         numbers[k + 3] = hn::ConcatUpperUpper(d, odd23, odd01);
       }
     } else if constexpr (lanes == 4) {
-      for (std::size_t k = 0; k < count; k += 2) {
+      for (std::size_t k = 0; k < paired; k += 2) {
         const hn::Half<D> half;
         const auto pair = [&](std::size_t j) HWY_ATTR { return hn::LoadU(half, row(j) + k); };
         const V r02 = hn::Combine(d, pair(2), pair(0)), r13 = hn::Combine(d, pair(3), pair(1));
@@ -119,7 +120,7 @@ HWY_INLINE void load_rows([[maybe_unused]] D d, const double* base, Integers<D> 
         numbers[k + 3] = V{_mm512_shuffle_f64x2(odd0.raw, odd4.raw, 0xDD)};
       }
     } else if constexpr (lanes == 8) {
-      for (std::size_t k = 0; k < count; k += 2) {
+      for (std::size_t k = 0; k < paired; k += 2) {
         const auto pair = [&](std::size_t j) HWY_ATTR { return _mm_loadu_pd(row(j) + k); };
         const auto four = [&](std::size_t j) HWY_ATTR {
           const __m512d low = _mm512_castpd256_pd512(
@@ -133,6 +134,11 @@ HWY_INLINE void load_rows([[maybe_unused]] D d, const double* base, Integers<D> 
       }
     }
 #endif
+    if constexpr (count > paired) {
+      HWY_ALIGN double last[lanes];
+      for (std::size_t j = 0; j < lanes; ++j) last[j] = row(j)[paired];
+      numbers[paired] = hn::Load(d, last);
+    }
   }
 }
 
