@@ -71,6 +71,7 @@ struct Asked {
   const detail::SceneNumbers<double>& numbers() const { return contact.scene_numbers(); }
   ContactShape shape() const { return scene.bodies.shape(); }
   bool is_line() const { return shape() == ContactShape::line; }
+  bool has_summits() const { return numbers().summit_density > 0; }
 
   const Scene& scene;
   MixedContact<double> contact;
@@ -140,6 +141,7 @@ Facts surfaces_of(const Asked& asked) {
     facts.push_back(number("rms_roughness", "Rq", rms, roughness, "m"));
   else
     facts.push_back({"rms_roughness", "Rq", rms, nullptr, "m", no_roughness});
+  if (!asked.has_summits()) return facts;
   facts.push_back(
       number("summit_height_sd", "σ_s", "standard deviation of the summits' heights", sd, "m"));
   facts.push_back(number("stiffness", "K", "stiffness of the summits", sharing.stiffness()));
@@ -227,7 +229,9 @@ AtSpeed account_at(const Asked& asked, double speed) {
   const OperatingPoint<double> point = asked.contact.solve(speed, outputs);
   account.ratios = {
       number("film", "h*", "the scene's film, with load sharing and its inlet", point.film, "m"),
-      number("film_parameter", "λ", "h*/σ_s", point.film_parameter),
+      asked.has_summits()
+          ? number("film_parameter", "λ", "h*/σ_s", point.film_parameter)
+          : Fact{"film_parameter", "λ", "h*/σ_s", nullptr, "", "smooth bodies have no summits"},
       number("minimum_film", "h_min", "least film of smooth faces in a flooded inlet",
              asked.smooth.minimum_film(speed), "m")};
   if (scene.rms_roughness > 0)
