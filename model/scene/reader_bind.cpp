@@ -15,6 +15,7 @@
 #include "scene/schema.hpp"
 #include "scene/text.hpp"
 #include "tribo/friction.hpp"
+#include "tribo/roughness.hpp"
 
 namespace tribo::scene_detail {
 namespace {
@@ -26,7 +27,9 @@ struct NamedFields {
   std::size_t speed = field_at("speed"), speed_from = field_at("speed.from");
   std::size_t speed_to = field_at("speed.to"), outputs = field_at("outputs");
   std::size_t film = field_at("closures.film");
+  std::size_t rms_roughness = field_at("surface.rms_roughness");
   FieldPlaces of_speed, of_supply;  // all fields of the tables `speed` and `supply`
+  FieldPlaces of_roughness;         // Rq is given by one of these
 
   NamedFields() {
     for (std::size_t field = 0; field < scene_fields().size(); ++field) {
@@ -34,6 +37,9 @@ struct NamedFields {
       of_speed.set(field, section == "speed");
       of_supply.set(field, section == "supply");
     }
+    for (const std::string_view path :
+         {"surface.m0", "surface.rms_roughness", "surface.average_roughness"})
+      of_roughness.set(field_at(path));
   }
 };
 const NamedFields& named() {
@@ -52,6 +58,7 @@ class SceneBinder {
       if (!may_be_without(group)) check_group(group);
     for (std::size_t field = 0; field < scene_fields().size(); ++field) take(field);
     check_supply();
+    check_roughness();
     if (!is_of_line_film()) check_outputs();
     check_speed_range();
     check_roelands();
@@ -127,6 +134,8 @@ class SceneBinder {
       case FieldType::number:
       case FieldType::integer:
         if (is_without_rise(info, value)) return store_of(field)(scene_, 0);
+        if (info.takes_both_faces && value.kind == ValueKind::list)
+          return take_both_faces(field, *given_[field]);
         if (const auto number = number_of(info, value, info.path)) {
           store_of(field)(scene_, *number);
           warn_if_implausible(info, *number, info.path);
@@ -192,6 +201,18 @@ class SceneBinder {
     const bool low = info.exclusive_minimum ? number <= info.minimum : number < info.minimum;
     if (low || (info.maximum && number > *info.maximum)) return Fault::range;
     return std::nullopt;
+  }
+
+  void take_both_faces(std::size_t field, const Entry& entry) {
+    const FieldInfo& info = scene_fields()[field];
+    if (entry.elements.size() != 2) return refuse(info, info.path, entry.value);
+    std::array<std::optional<double>, 2> faces;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const std::string name = element_name(info.path, i);
+      faces[i] = number_of(info, entry.elements[i], name);
+      if (faces[i]) warn_if_implausible(info, *faces[i], name);
+    }
+    if (faces[0] && faces[1]) store_of(field)(scene_, composite_roughness(*faces[0], *faces[1]));
   }
 
   void warn_if_implausible(const FieldInfo& info, double number, std::string_view name) {
@@ -314,6 +335,23 @@ class SceneBinder {
       else
         scene_.outputs.erase(*info.needed_by);
     }
+    if (scene_.outputs.contains(Output::lambda_ratio) && !has_roughness())
+      report_missing(named().rms_roughness,
+                     ": lambda_ratio needs it, or average_roughness, or the moments of a profile");
+  }
+
+  bool has_roughness() const { return (is_given_ & named().of_roughness).any(); }
+  void check_roughness() {
+    if ((is_given_ & named().of_roughness).count() < 2) return;
+    std::string_view first;
+    for (std::size_t field = 0; field < scene_fields().size(); ++field) {
+      if (!is_given_[field] || !named().of_roughness[field]) continue;
+      const std::string_view path = scene_fields()[field].path;
+      if (first.empty())
+        first = path;
+      else
+        refuse_beside(path, first, "exactly one of m0, rms_roughness and average_roughness");
+    }
   }
 
   // --- Rules on several fields.
@@ -396,6 +434,7 @@ class SceneBinder {
     surface.summit_radius = numbers.summit_radius;
     surface.summit_height_sd = numbers.summit_height_sd;
     surface.summit_plane_offset = numbers.summit_plane_offset;
+    surface.rms_roughness = numbers.rms_roughness;
     Bodies& bodies = scene_.bodies;
     bodies.effective_modulus = numbers.effective_modulus;
     if (bodies.shape() == ContactShape::circle) return;

@@ -50,7 +50,7 @@ void keep_curves(LoadedScenes& loaded) {
 void draw_scene(const Scene& scene, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const detail::SpeedSpan span = detail::speed_span(scene.speeds);
-  writer.begin_scene(scene);
+  writer.begin_scene(scene, contact);
   stribeck_curve(contact, span.low, span.high, scene.speeds.size(),
                  protocol::needed_for(scene.outputs), [&](const OperatingPoint<double>& point) {
                    writer.add(point);

@@ -50,7 +50,7 @@ void in_chunks(const Scene& scene, const Solve& solve) {
 void solve_scene(const Scene& scene, int threads, PointWriter& writer, Progress& progress) {
   const MixedContact<double> contact(scene);
   const OutputSet outputs = protocol::needed_for(scene.outputs);
-  writer.begin_scene(scene);
+  writer.begin_scene(scene, contact);
   OperatingPoints points;
   in_chunks(scene, [&](const std::vector<double>& speeds) {
     points.resize(speeds.size(), outputs);
@@ -141,11 +141,13 @@ Facts contact_of(const Scene& scene, const MixedContact<double>& contact) {
             "the flooded film of smooth faces grows as this power of the speed"}}};
 }
 
+// The outputs of the operating points, asked for or not, and those of the smooth contact that are.
 Facts outputs_of(const Scene& scene) {
   Facts outputs{"outputs", {}};
   for (const OutputInfo& info : output_infos)
-    outputs.all.push_back(
-        {info.name, scene.outputs.contains(info.output), info.unit, info.meaning});
+    if (const bool is_asked = scene.outputs.contains(info.output);
+        is_asked || !info.is_of_smooth_contact)
+      outputs.all.push_back({info.name, is_asked, info.unit, info.meaning});
   return outputs;
 }
 
@@ -233,8 +235,9 @@ int solve(const SolveArguments& arguments, OutputStream& output) {
 }
 
 constexpr const char* footer_start =
-    R"(Columns: the speed in m/s, and what the scene's `outputs` ask of these; film_flooded, film and
-separation are in m, all other numbers dimensionless.
+    R"(Columns: the speed in m/s, and what the scene's `outputs` ask of these; films and separation are
+in m, pressures in Pa, all other numbers dimensionless. Without a list it is all from film_flooded
+to inlet; the last four, which are of the smooth contact, are there only by name.
 )";
 constexpr const char* footer_end = R"(
 CSV and JSON numbers read back to the same double. What is undefined is - in a table, empty in

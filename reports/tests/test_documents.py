@@ -12,7 +12,7 @@ import unittest
 import jsonschema
 
 from conformance import altered
-from program import Folder, quiet_scene, run, scene, strict_json, with_field
+from program import Folder, quiet_scene, run, scene, strict_json, with_field, without_field
 from sweeps import UNIFORM, sweep
 from test_usage import COMMANDS, commands_in
 
@@ -32,6 +32,7 @@ DOCUMENTS = [
     Document("solve", "solve HUGE"), Document("solve", "curve SCENE"),
     Document("curve-data", "curve COLLAPSED --data MEASURED"),
     Document("solve-about", "solve ALL ROLLER --about"), Document("solve-about", "solve BAD SCENE --about", 2),
+    Document("contact", "contact ALL ROLLER SPEEDLESS"), Document("contact", "contact BAD HUGE", 2),
     Document("onset", "onset SCENE FLOODED"), Document("onset", "onset SCENE --criterion film_maximum"),
     Document("film", "film ROLLER --tolerance 1e-2"), Document("film", "film ROLLER --tolerance 1e-2 --profile"),
     Document("film", "film RIGID BAD --tolerance 1e-2", 2), Document("film", "film RIGID --tolerance 1e-2", 1),
@@ -43,7 +44,7 @@ DOCUMENTS = [
     Document("sweep", "sweep merge FIRST SECOND -o MERGED"),
     Document("sweep-diff", "sweep diff OUT MORE_LOAD --most 1000", 1), Document("sweep-diff", "sweep diff OUT OUT"),
     Document("verify-baseline", "verify --subject RIGHT --sample 5 --baseline BASE --update-baseline", file="BASE"),
-    Document("verify-baseline", "verify --subject WRONG --sample 5 --baseline WRONG_BASE --update-baseline", 1, "WRONG_BASE"),
+    Document("verify-baseline", "verify --subject WRONG --sample 5 --baseline WRONG_BASE --update-baseline", file="WRONG_BASE"),
     Document("verify-subject", "verify --subject RIGHT --sample 5"),
     Document("verify-subject", "verify --subject WRONG --sample 5", 1),
     Document("verify-subject", "verify --subject WRONG --sample 5 --baseline BASE", 1),
@@ -64,7 +65,8 @@ def files_in(folder):
     made = {"SCENE": quiet_scene(), "ALL": few | {"closures": {"asperity": "greenwood_williamson"}}, "BAD": scene(load=-1),
             "COLLAPSED": scene("smooth", speed=[3, 4]), "FLOODED": scene(supply=None),
             "HUGE": with_field(scene(speed=1e300, supply=None), "surface.summit_height_sd", 1e-200),
-            "RIGID": line | {"speed": 1e10}}
+            "RIGID": line | {"speed": 1e10},
+            "SPEEDLESS": with_field(without_field(few, "speed"), "surface.rms_roughness", [1e-7, 2e-7])}
     paths = {word: folder.write(f"{word.lower()}.toml", tree) for word, tree in made.items()}
     paths["MEASURED"] = folder.write("measured.csv", "speed [m/s],film [nm],friction\n0.1,30,\n4,0,0.1\n")
     paths["DRAWN"] = folder.write("drawn.toml", sweep({"lubricant.viscosity": UNIFORM, "speed": "[0.1, 3.0]",

@@ -30,7 +30,7 @@ draws = 8192
 
 # Each form: the command, the arguments that make this form of it, and the options that belong to the form itself.
 FORMS = [
-    ("solve", ["SCENE"], ()), ("solve", ["SCENE", "--about"], {"--about"}), ("curve", ["SCENE"], ()), ("curve", ["SCENE", "--data", "DATA"], {"--data"}), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
+    ("contact", ["SCENE"], ()), ("solve", ["SCENE"], ()), ("solve", ["SCENE", "--about"], {"--about"}), ("curve", ["SCENE"], ()), ("curve", ["SCENE", "--data", "DATA"], {"--data"}), ("film", ["LINE", "--tolerance", "1e-2"], {"--tolerance"}),
     ("onset", ["SCENE"], ()), ("onset", ["SCENE", "--criterion", "film_maximum"], {"--criterion"}),
     ("onset", ["SCENE", "--criterion", "film_departure"], {"--criterion"}),
     ("stream", [], ()), ("plugin-host", ["PLUGIN"], ()),

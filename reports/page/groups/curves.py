@@ -102,7 +102,7 @@ class Tables:
 
     def cells(self, point):
         return "\t".join(value if isinstance(value, str) else exact(value)
-                         for value in (point["speed"], *(point[one["name"]] for one in self.outputs)))
+                         for value in (point["speed"], *(point.get(one["name"]) for one in self.outputs)))
 
     def curve(self, what, made_from, curve):
         lines = "".join(self.cells(point) + "\n" for point in curve)

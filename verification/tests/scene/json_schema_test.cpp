@@ -49,7 +49,9 @@ Json number_type(const FieldInfo& field) {
   }
   type[field.exclusive_minimum ? "exclusiveMinimum" : "minimum"] = bound(field.minimum);
   if (field.maximum) type["maximum"] = bound(*field.maximum);
-  return type;
+  if (!field.takes_both_faces) return type;
+  const Json faces = {{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", type}};
+  return Json::object({{"oneOf", Json::array({type, faces})}});
 }
 
 Json table_of(const std::string& section);
@@ -126,6 +128,13 @@ Json group_rule(FieldGroup group) {
   return Json::object({{"oneOf", sets}});
 }
 
+// Roughness is given in at most one way.
+Json roughness_rule() {
+  return Json::parse(R"({"not": {"anyOf": [
+    {"required": ["m0", "rms_roughness"]}, {"required": ["m0", "average_roughness"]},
+    {"required": ["rms_roughness", "average_roughness"]}]}})");
+}
+
 Json table_of(const std::string& section) {
   Json required = Json::array(), properties = Json::object();
   for (const FieldInfo& field : scene_fields()) {
@@ -145,6 +154,7 @@ Json table_of(const std::string& section) {
   for (const FieldGroup group : scene_field_groups())
     if (section_of(group.front().fields.front()) == section)
       table["allOf"].push_back(group_rule(group));
+  if (section == "surface") table["allOf"].push_back(roughness_rule());
   return table;
 }
 
@@ -182,6 +192,11 @@ Json output_rule(const OutputInfo& output) {
     const std::string section(field.path.substr(0, field.path.find('.')));
     if (!properties.contains(section)) required.push_back(section);
     properties[section]["required"].push_back(field.path.substr(section.size() + 1));
+  }
+  if (output.output == Output::lambda_ratio) {
+    required.push_back("surface");
+    properties = Json::parse(R"({"surface": {"anyOf": [{"required": ["rms_roughness"]},
+      {"required": ["average_roughness"]}, {"required": ["m0"]}]}})");
   }
   if (required.empty()) return nullptr;
   const Json named = Json::object({{"contains", Json::object({{"const", output.name}})}});
