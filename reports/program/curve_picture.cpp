@@ -54,7 +54,7 @@ ordered_json drawn_scene(const Scene& scene, const std::vector<Output>& panels) 
       onset(contact, scene, OnsetCriterion::film_maximum, default_departure);
   if (starts.exists && starts.speed >= span.low && starts.speed <= span.high)
     mark = {{"speed", starts.speed},
-            {"values", drawn_values(contact.solve(starts.speed), scene, panels)}};
+            {"values", drawn_values(contact.solve(starts.speed, outputs), scene, panels)}};
   return {{"id", scene.id},
           {"speed", std::move(speeds)},
           {"values", std::move(rows)},

@@ -43,12 +43,16 @@ constexpr auto written_units = std::to_array<WrittenUnit>({{"m", "m", 1},
                                                            {"m", "nm", 1e9},
                                                            {"m/s", "m/s", 1},
                                                            {"m/s", "mm/s", 1e3},
+                                                           {"Pa", "Pa", 1},
+                                                           {"Pa", "MPa", 1e-6},
+                                                           {"Pa", "GPa", 1e-9},
                                                            {"", "-", 1},
                                                            {"", "%", 100}});
 
 std::string units_for(std::string_view si) {
   if (si == "m/s") return "m/s or mm/s";
-  return si == "m" ? "m, mm, µm, um or nm" : "- or %, or no unit";
+  if (si == "m") return "m, mm, µm, um or nm";
+  return si == "Pa" ? "Pa, MPa or GPa" : "- or %, or no unit";
 }
 
 std::string_view trimmed(std::string_view text) {
